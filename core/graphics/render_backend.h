@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/graphics/camera.h"
+#include "core/graphics/picture.h"
+#include "core/graphics/scene.h"
+
+#include <memory>
+#include <string_view>
+
+namespace tetra {
+
+struct PictureOptions {
+    int width = 1024;
+    int height = 768;
+    Colour background{1, 1, 1};
+    bool transparentBackground = false;
+    int threads = 0; ///< of the CPU back end; 0 means as many as the machine has
+};
+
+/// Turns a scene into a picture (B4). The CPU back end is the reference; the OpenGL one draws the same within 2/255.
+/// One object is used from one thread at a time.
+class RenderBackend {
+public:
+    virtual ~RenderBackend() = default;
+    virtual std::string_view id() const noexcept = 0; ///< "cpu" or "gl"
+    virtual Result<Picture> render(const Scene& scene, const Camera& camera, const PictureOptions& options,
+                                   const Progress& progress = {}) = 0;
+};
+
+/// Needs nothing but memory.
+std::unique_ptr<RenderBackend> makeCpuBackend();
+/// OpenGL 3.3 without a window, by EGL; the error says what is missing on this machine.
+Result<std::unique_ptr<RenderBackend>> makeGlBackend();
+
+} // namespace tetra

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/buffer.h"
+#include "core/graphics/picture.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace tetra {
+
+/// Triangles with shared vertices and a unit normal at each.
+struct TriangleMesh {
+    Buffer<Eigen::Vector3f> positions;
+    Buffer<Eigen::Vector3f> normals;
+    Buffer<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// A surface of one colour, lit from both sides. Opacity in (0, 1]; below one it is blended in depth order (R19).
+struct Surface {
+    std::shared_ptr<const TriangleMesh> mesh;
+    Colour colour;
+    float opacity = 1;
+};
+
+/// Straight lines of one colour, hidden by what lies before them.
+struct LineSet {
+    std::vector<Eigen::Vector3f> points;
+    std::vector<std::array<std::uint32_t, 2>> segments;
+    Colour colour;
+    float width = 1; ///< in pixels of the picture
+};
+
+/// What a renderer makes and a back end draws: an immutable value, shared between threads as shared_ptr<const Scene>.
+struct Scene {
+    std::vector<Surface> surfaces;
+    std::vector<LineSet> lines;
+    Eigen::AlignedBox3d bounds; ///< of the domain; the camera is fitted to it and depth is scaled by it
+};
+
+/// The twelve edges of a box, as the outline of a domain.
+LineSet boxOutline(const Eigen::AlignedBox3d& box, const Colour& colour, float width = 1);
+
+} // namespace tetra

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/mesh/tetrahedral_mesh.h"
+#include "core/model/model.h"
+
+namespace tetra {
+
+/// The accuracy pair of a query (R14, R7), in the units that people see. Convex models have no warping.
+struct Accuracy {
+    double error = 0;     ///< % of the value range
+    double warping = 100; ///< % of the bounding box's diagonal
+};
+
+/// The size of a mesh, known without extracting it (R26).
+struct MeshSize {
+    std::uint32_t sites = 0;
+    std::uint64_t tetrahedra = 0;
+    double error = 0; ///< the running error that this mesh reaches, % of the value range
+};
+
+/// The first mesh at least as accurate as asked (first passage, S1), as a prefix of the sites: O(log sites).
+/// Asked for more than the model has, it gives the whole model.
+MeshSize meshSizeAt(const Model& model, const Accuracy& accuracy);
+
+/// Extracts the mesh of the first `sites` sites (R14, R15): vertex v of the mesh is site v. Reads the prefix of the
+/// file that those sites created and nothing else; O(tetrahedra that they created). The buffers of `reuse`, if any, are
+/// used again. Errors: a damaged or inconsistent file, cancelled.
+Result<TetrahedralMesh> extractPrefix(const Model& model, std::uint32_t sites, const Progress& progress = {},
+                                      TetrahedralMesh reuse = {});
+
+} // namespace tetra

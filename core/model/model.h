@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/data/lattice.h"
+#include "core/data/scalar_field.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tetra {
+
+/// What a model says of itself: its domain, its values, and how it was made.
+struct ModelDescription {
+    Lattice lattice;
+    SampleType sampleType = SampleType::UInt8;
+    ValueRange range;                                            ///< of the whole dataset, not of the sites
+    std::string sourceName;                                      ///< provenance: the dataset's name ...
+    std::uint64_t sourceHash = 0;                                ///< ... and the XXH3 of its samples
+    std::string builder;                                         ///< id of the builder plugin
+    std::vector<std::pair<std::string, std::string>> parameters; ///< the builder's parameters, as text
+};
+
+/// A multiresolution model in a mapped `.tan` file (FORMAT.md), read-only and shared by everything that looks at it.
+/// Opening checks the header, the section table and every section's bounds, and touches nothing else. Sites are in
+/// order of insertion; tetrahedra are grouped by creator. Safe to read from any number of threads.
+///
+/// Indices stored in the file are not trusted by opening: whoever follows one checks it (extraction does).
+/// If the file is cut while it is mapped, reads give zeros and damaged() becomes true: whoever has used the arrays asks
+/// damaged() afterwards and reports checkIntact()'s error.
+class Model {
+public:
+    static constexpr std::uint32_t never = 0xffffffff; ///< destroyer of a tetrahedron that never dies (S2)
+
+    static Result<std::shared_ptr<const Model>> open(const std::filesystem::path& path);
+    virtual ~Model() = default;
+
+    const std::filesystem::path& path() const noexcept { return path_; }
+    const ModelDescription& description() const noexcept { return description_; }
+    std::uint64_t fileSize() const noexcept { return fileSize_; }
+    float finalError() const noexcept
+    {
+        return finalError_;
+    } ///< error of the mesh of all sites, in units of the values
+
+    std::uint32_t siteCount() const noexcept { return static_cast<std::uint32_t>(points_.size()); }
+    std::uint64_t tetrahedronCount() const noexcept { return destroyers_.size(); } ///< all that ever lived
+
+    std::span<const std::uint32_t> points() const noexcept { return points_; } ///< lattice index of each site
+    std::span<const std::byte> values() const noexcept { return values_; }     ///< a sample of sampleType for each site
+    /// Running minimum of the mesh's error before each site entered, not increasing; infinity for the initial sites
+    /// (S1).
+    std::span<const float> runningErrors() const noexcept { return runningErrors_; }
+    /// Site s created the tetrahedra starOffsets()[s] up to starOffsets()[s + 1]; siteCount() + 1 entries.
+    std::span<const std::uint64_t> starOffsets() const noexcept { return starOffsets_; }
+    /// The number of tetrahedra in the mesh of sites 0..s, for each s.
+    std::span<const std::uint32_t> meshSizes() const noexcept { return meshSizes_; }
+    /// The three sites of a tetrahedron that are not its creator; (creator, a, b, c) is positive.
+    std::span<const std::array<std::uint32_t, 3>> otherSites() const noexcept { return otherSites_; }
+    std::span<const std::uint32_t> destroyers() const noexcept { return destroyers_; }
+    /// Bound on each tetrahedron's own error as IEEE half, a fraction of the value range (halfToFloat in
+    /// core/base/half.h).
+    std::span<const std::uint16_t> ownErrors() const noexcept { return ownErrors_; }
+
+    /// True once the file was found to be shorter than it was when it was mapped.
+    virtual bool damaged() const noexcept = 0;
+    /// An error naming the file if damaged().
+    Status checkIntact() const;
+
+protected:
+    Model() = default;
+    std::filesystem::path path_;
+    ModelDescription description_;
+    std::uint64_t fileSize_ = 0;
+    float finalError_ = 0;
+    std::span<const std::uint32_t> points_;
+    std::span<const std::byte> values_;
+    std::span<const float> runningErrors_;
+    std::span<const std::uint64_t> starOffsets_;
+    std::span<const std::uint32_t> meshSizes_;
+    std::span<const std::array<std::uint32_t, 3>> otherSites_;
+    std::span<const std::uint32_t> destroyers_;
+    std::span<const std::uint16_t> ownErrors_;
+};
+
+} // namespace tetra

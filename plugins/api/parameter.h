@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace tetra {
+
+/// One isosurface to show (R19).
+struct Isovalue {
+    double value = 0;                            ///< in units of the data
+    float red = 0.9f, green = 0.6f, blue = 0.2f; ///< sRGB, [0, 1]
+    float opacity = 1;                           ///< (0, 1]
+    bool visible = true;
+    bool operator==(const Isovalue&) const = default;
+};
+
+/// The value of a plugin's parameter.
+using ParameterValue = std::variant<bool, std::int64_t, double, std::string, std::vector<Isovalue>>;
+/// Values by parameter id; what is missing has its default.
+using ParameterValues = std::map<std::string, ParameterValue>;
+
+/// A parameter as data: the shell makes forms, command-line options and session entries from it. The type is that of
+/// `defaultValue`. Texts are for the user, in English, and are translated by the shell.
+struct Parameter {
+    std::string id; ///< stable: the command line's --id and the session's key
+    std::string label;
+    std::string explanation; ///< one sentence, for tooltips and --help
+    std::string unit;        ///< "%", "points" ..., empty if none
+    ParameterValue defaultValue;
+    double minimum = 0;               ///< of numbers
+    double maximum = 0;               ///< of numbers; not above minimum means unbounded
+    std::vector<std::string> choices; ///< of strings; empty means free text
+};
+
+/// The value of `id` in `values`, else the default of the description in `parameters`. T is the parameter's type; a
+/// value of another type counts as missing.
+template <class T>
+T parameterValue(const std::vector<Parameter>& parameters, const ParameterValues& values, const std::string& id)
+{
+    if (const auto found = values.find(id); found != values.end())
+        if (const T* value = std::get_if<T>(&found->second))
+            return *value;
+    for (const Parameter& parameter : parameters)
+        if (parameter.id == id)
+            if (const T* value = std::get_if<T>(&parameter.defaultValue))
+                return *value;
+    return T{};
+}
+
+} // namespace tetra
