@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/buffer.h"
+#include "core/base/result.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+
+namespace tetra {
+
+/// A file that appears whole or not at all: written beside its target under a temporary name, synced, and renamed over
+/// the target by commit(). An existing target keeps its content until then, and its permissions beyond. A writer that
+/// is destroyed before commit() removes what it wrote. One thread at a time.
+///
+/// Every failure is an ErrorKind::CannotWrite that names the target, the system's reason and a remedy. After the first
+/// one every further call gives it again, and commit() changes nothing.
+class FileWriter {
+public:
+    /// Refuses a target that is a folder, a device or a read-only file, and a folder that cannot be written in. A
+    /// target that is a symbolic link is followed.
+    static Result<FileWriter> create(const std::filesystem::path& target, std::size_t bufferBytes = 1 << 20);
+    ~FileWriter();
+    FileWriter(FileWriter&& other) noexcept;
+    FileWriter& operator=(FileWriter&& other) noexcept;
+
+    /// Appends.
+    Status write(std::span<const std::byte> bytes);
+    /// Replaces bytes that were written before: [offset, offset + bytes.size()) lies within size().
+    Status overwrite(std::uint64_t offset, std::span<const std::byte> bytes);
+    /// Syncs the content, renames and syncs the folder. The writer is of no further use.
+    Status commit();
+
+    const std::filesystem::path& target() const noexcept { return target_; }
+    /// Bytes appended so far.
+    std::uint64_t size() const noexcept { return size_; }
+
+private:
+    FileWriter() = default;
+    Status flush();
+    Status put(std::span<const std::byte> bytes, std::uint64_t offset);
+    Status fail(int systemError);
+    void close() noexcept;
+    void discard() noexcept;
+
+    std::filesystem::path target_;
+    std::filesystem::path temporary_; ///< empty once renamed or moved from
+    int descriptor_ = -1;
+    std::uint64_t size_ = 0;
+    Buffer<std::byte> buffer_; ///< appended, not yet on its way; ends at size_
+    std::optional<Error> failure_;
+};
+
+} // namespace tetra

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace tetra {
+
+/// The size of a page of virtual memory, in bytes.
+std::size_t pageSize() noexcept;
+
+/// Physical memory that this process occupies now, mapped files included, in bytes; 0 if the system does not tell.
+std::uint64_t residentBytes();
+
+/// The most that it ever occupied, in bytes; 0 if the system does not tell.
+std::uint64_t peakResidentBytes();
+
+} // namespace tetra
