@@ -143,12 +143,18 @@ private slots:
     {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("says");
-        QTest::newRow("missing folder") << "no/such/file" << "does not exist: create it";
-        QTest::newRow("file as folder") << "read-only/file" << "is not a folder";
-        QTest::newRow("folder") << "folder" << "name a file in it";
-        QTest::newRow("folder with slash") << "folder/" << "Name a file";
-        QTest::newRow("read-only file") << "read-only" << "is read-only. Choose another name, or make it writable";
-        QTest::newRow("device") << "device" << "not a regular file";
+        QTest::newRow("missing folder") << "no/such/file"
+                                        << "does not exist: create it";
+        QTest::newRow("file as folder") << "read-only/file"
+                                        << "is not a folder";
+        QTest::newRow("folder") << "folder"
+                                << "name a file in it";
+        QTest::newRow("folder with slash") << "folder/"
+                                           << "Name a file";
+        QTest::newRow("read-only file") << "read-only"
+                                        << "is read-only. Choose another name, or make it writable";
+        QTest::newRow("device") << "device"
+                                << "not a regular file";
         QTest::newRow("long name") << QString(300, 'x') << "shorter name";
     }
     void refusesATargetThatCannotBe()
