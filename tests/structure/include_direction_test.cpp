@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The house keeps its own rules (docs: CONTRIBUTING.md), and the reader of the rules finds each kind of breach.
+#include "tests/structure/house_rules.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <fstream>
+
+using namespace tetra;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string licence = "// SPDX-License-Identifier: GPL-3.0-or-later\n";
+const std::string header = licence + "#pragma once\n";
+
+void writeFile(const fs::path& path, const std::string& text)
+{
+    fs::create_directories(path.parent_path());
+    std::ofstream(path) << text;
+}
+
+/// A small tree in which everything is as it should be, with one header in each room.
+void writeGoodTree(const fs::path& root)
+{
+    for (const char* path :
+         {"core/base/result.h", "core/data/lattice.h", "core/mesh/mesh.h", "core/transfer/function.h",
+          "core/model/model.h", "core/graphics/scene.h", "plugins/api/builder.h", "plugins/host/host.h",
+          "plugins/builders/refinement/builder.h", "plugins/builders/decimation/heap.h",
+          "plugins/readers/lattice/nrrd.h", "ui/window.h", "app/commands.h", "tests/ui/robot.h"})
+        writeFile(root / path, header);
+}
+
+QStringList breachesIn(const fs::path& root, const std::set<std::string>& longFiles = {})
+{
+    QStringList texts;
+    for (const auto& breach : houseBreaches(root, longFiles))
+        texts << QString::fromStdString(breach);
+    return texts;
+}
+
+} // namespace
+
+class IncludeDirectionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theRepositoryKeepsItsRules()
+    {
+        const QStringList breaches = breachesIn(TAN_SOURCE_DIR);
+        QVERIFY2(breaches.isEmpty(), qPrintable("\n" + breaches.join("\n")));
+    }
+
+    void acceptsWhatIsAllowed_data();
+    void acceptsWhatIsAllowed();
+    void findsTheBreach_data();
+    void findsTheBreach();
+    void findsFilesThatGrewTooLong();
+
+private:
+    static QStringList breachesWith(const QString& path, const QByteArray& text)
+    {
+        const QTemporaryDir folder;
+        const fs::path root = folder.path().toStdString();
+        writeGoodTree(root);
+        writeFile(root / path.toStdString(), text.toStdString());
+        return breachesIn(root);
+    }
+};
+
+void IncludeDirectionTest::acceptsWhatIsAllowed_data()
+{
+    QTest::addColumn<QString>("path");
+    QTest::addColumn<QByteArray>("include");
+    QTest::newRow("nothing more") << "core/base/other.h" << QByteArray();
+    QTest::newRow("own room") << "core/base/other.h" << QByteArray("#include \"core/base/result.h\"");
+    QTest::newRow("model knows meshes") << "core/model/writer.h" << QByteArray("#include \"core/mesh/mesh.h\"");
+    QTest::newRow("graphics knows meshes") << "core/graphics/order.h" << QByteArray("#include \"core/mesh/mesh.h\"");
+    QTest::newRow("EGL in a source of core") << "core/graphics/context.cpp" << QByteArray("#include <EGL/egl.h>");
+    QTest::newRow("plugin uses its own") << "plugins/builders/refinement/builder.cpp"
+                                         << QByteArray("#include \"plugins/builders/refinement/builder.h\"");
+    QTest::newRow("plugin uses core, api and Qt")
+        << "plugins/readers/lattice/reader.cpp"
+        << QByteArray("#include \"core/data/lattice.h\"\n#include \"plugins/api/builder.h\"\n#include <QFile>");
+    QTest::newRow("moc's output") << "ui/window.cpp" << QByteArray("#include \"window.moc\"");
+    QTest::newRow("ui uses the host") << "ui/window.cpp" << QByteArray("#include \"plugins/host/host.h\"");
+    QTest::newRow("app uses ui") << "app/main.cpp" << QByteArray("#include \"ui/window.h\"");
+    QTest::newRow("tests use all") << "tests/plugins/heap_test.cpp"
+                                   << QByteArray("#include \"plugins/builders/decimation/heap.h\"");
+}
+
+void IncludeDirectionTest::acceptsWhatIsAllowed()
+{
+    QFETCH(QString, path);
+    QFETCH(QByteArray, include);
+    const QByteArray start = QByteArray::fromStdString(path.endsWith(".h") ? header : licence);
+    QCOMPARE(breachesWith(path, start + include + "\n"), QStringList());
+}
+
+void IncludeDirectionTest::findsTheBreach_data()
+{
+    QTest::addColumn<QString>("path");
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("breach");
+
+    const QString data = "core/data/bad.h", graphics = "core/graphics/bad.h", lattice = "plugins/readers/lattice/bad.h";
+    const auto row = [](const char* name, const QString& path, const char* include, const char* breach) {
+        QTest::newRow(name) << path << QByteArray::fromStdString(header) + include + "\n" << path + ": " + breach;
+    };
+    row("base sees data", "core/base/bad.h", "#include \"core/data/lattice.h\"", "may not include core/data/lattice.h");
+    row("data sees mesh", data, "#include \"core/mesh/mesh.h\"", "may not include core/mesh/mesh.h");
+    row("mesh sees model", "core/mesh/bad.h", "#include \"core/model/model.h\"", "may not include core/model/model.h");
+    row("transfer sees graphics", "core/transfer/bad.h", "# include \"core/graphics/scene.h\"",
+        "may not include core/graphics/scene.h");
+    row("graphics sees data", graphics, "#include \"core/data/lattice.h\"", "may not include core/data/lattice.h");
+    row("graphics sees model", graphics, "#include \"core/model/model.h\"", "may not include core/model/model.h");
+    row("core sees plugins", data, "#include \"plugins/api/builder.h\"", "may not include plugins/api/builder.h");
+    row("core sees ui", data, "#include \"ui/window.h\"", "may not include ui/window.h");
+    row("api sees host", "plugins/api/bad.h", "#include \"plugins/host/host.h\"",
+        "may not include plugins/host/host.h");
+    row("host sees plugin", "plugins/host/bad.h", "#include \"plugins/readers/lattice/nrrd.h\"",
+        "may not include plugins/readers/lattice/nrrd.h");
+    row("plugin sees host", lattice, "#include \"plugins/host/host.h\"", "may not include plugins/host/host.h");
+    row("plugin sees plugin of its kind", "plugins/builders/refinement/bad.h",
+        "#include \"plugins/builders/decimation/heap.h\"", "may not include plugins/builders/decimation/heap.h");
+    row("plugin sees ui", lattice, "#include \"ui/window.h\"", "may not include ui/window.h");
+    row("plugin sees app", lattice, "#include \"app/commands.h\"", "may not include app/commands.h");
+    row("ui sees plugin", "ui/bad.h", "#include \"plugins/readers/lattice/nrrd.h\"",
+        "may not include plugins/readers/lattice/nrrd.h");
+    row("ui sees app", "ui/bad.h", "#include \"app/commands.h\"", "may not include app/commands.h");
+    row("program sees tests", "app/bad.h", "#include \"tests/ui/robot.h\"", "may not include tests/ui/robot.h");
+
+    row("Qt in core", data, "#include <QString>", "core is free of Qt, yet it includes QString");
+    row("Qt by module", data, "#include <QtCore/qglobal.h>", "core is free of Qt, yet it includes QtCore/qglobal.h");
+    row("Qt by small name", data, "#include <qglobal.h>", "core is free of Qt, yet it includes qglobal.h");
+    row("GL in a core header", graphics, "#include <GL/gl.h>",
+        "core's headers are free of OpenGL, yet it includes GL/gl.h");
+    row("EGL in a core header", graphics, "#include <EGL/egl.h>",
+        "core's headers are free of OpenGL, yet it includes EGL/egl.h");
+    row("CGAL in a core header", data, "#include <CGAL/Object.h>",
+        "core's headers are free of CGAL, yet it includes CGAL/Object.h");
+
+    const char* noFile = "includes \"lattice.h\", which is no file of this repository by its path from the root";
+    row("relative include", data, "#include \"lattice.h\"", noFile);
+    row("missing header", data, "#include \"core/base/gone.h\"",
+        "includes \"core/base/gone.h\", which is no file of this repository by its path from the root");
+    row("unknown room", "core/cellar/bad.h", "",
+        "this folder has no rule; give it one in tests/structure/house_rules.cpp");
+
+    QTest::newRow("no licence line") << data << QByteArray("#pragma once\n")
+                                     << data + ": the first line is not \"" +
+                                            licence.substr(0, licence.size() - 1).c_str() + "\"";
+    QTest::newRow("no pragma once") << data << QByteArray::fromStdString(licence)
+                                    << data + ": a header without #pragma once";
+}
+
+void IncludeDirectionTest::findsTheBreach()
+{
+    QFETCH(QString, path);
+    QFETCH(QByteArray, text);
+    QFETCH(QString, breach);
+    QCOMPARE(breachesWith(path, text), QStringList(breach));
+}
+
+void IncludeDirectionTest::findsFilesThatGrewTooLong()
+{
+    const QTemporaryDir folder;
+    const fs::path root = folder.path().toStdString();
+    const std::string atLimit = licence + std::string(lineLimit - 1, '\n');
+    writeFile(root / "core/base/long.cpp", atLimit);
+    QCOMPARE(breachesIn(root), QStringList());
+    QCOMPARE(breachesIn(root, {"core/base/long.cpp"}),
+             QStringList("core/base/long.cpp: is listed as a long file and is none"));
+
+    writeFile(root / "core/base/long.cpp", atLimit + "\n");
+    QCOMPARE(breachesIn(root), QStringList("core/base/long.cpp: 401 lines; split it, or list it with its reason"));
+    QCOMPARE(breachesIn(root, {"core/base/long.cpp"}), QStringList());
+    QCOMPARE(breachesIn(root, {"core/base/long.cpp", "core/base/gone.cpp"}),
+             QStringList("core/base/gone.cpp: is listed as a long file and does not exist"));
+}
+
+QTEST_GUILESS_MAIN(IncludeDirectionTest)
+#include "include_direction_test.moc"
