@@ -33,18 +33,24 @@ public:
     bool ok() const noexcept { return content_.index() == 0; }
     explicit operator bool() const noexcept { return ok(); }
 
-    const Value& value() const& { return assert(ok()), *std::get_if<0>(&content_); }
-    Value& value() & { return assert(ok()), *std::get_if<0>(&content_); }
-    Value&& value() && { return assert(ok()), std::move(*std::get_if<0>(&content_)); }
+    const Value& value() const& { return present(std::get_if<0>(&content_)); }
+    Value& value() & { return present(std::get_if<0>(&content_)); }
+    Value&& value() && { return std::move(present(std::get_if<0>(&content_))); }
     const Value* operator->() const { return &value(); }
     Value* operator->() { return &value(); }
     const Value& operator*() const& { return value(); }
     Value& operator*() & { return value(); }
     Value&& operator*() && { return std::move(*this).value(); }
 
-    const Error& error() const { return assert(!ok()), *std::get_if<1>(&content_); }
+    const Error& error() const { return present(std::get_if<1>(&content_)); }
 
 private:
+    template <class Type> static Type& present(Type* content)
+    {
+        assert(content != nullptr);
+        return *content;
+    }
+
     std::variant<Value, Error> content_;
 };
 
@@ -56,7 +62,12 @@ public:
 
     bool ok() const noexcept { return content_.index() == 0; }
     explicit operator bool() const noexcept { return ok(); }
-    const Error& error() const { return assert(!ok()), *std::get_if<1>(&content_); }
+    const Error& error() const
+    {
+        const Error* error = std::get_if<Error>(&content_);
+        assert(error != nullptr);
+        return *error;
+    }
 
 private:
     std::variant<std::monostate, Error> content_;

@@ -195,7 +195,7 @@ private slots:
 
     void reportsAFullDisk()
     {
-        const SmallDisk disk(256 * 1024);
+        const SmallDisk disk(std::size_t{256} * 1024);
         if (!disk.ok())
             QSKIP("skipped: a small disk needs the right to mount");
         QVERIFY(writeWhole(disk.folder() / "small", someBytes(1000)).ok());
