@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/reserved_array.h"
+#include "core/base/result.h"
+#include "core/mesh/lattice_metric.h"
+#include "core/mesh/packed_lattice.h"
+#include "core/mesh/star.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tetra {
+
+/// A live tetrahedron: one cache line. vertices[0] entered last. The sphere is kept relative to vertices[0]: a point at
+/// offset q is strictly inside if determinant * |q|^2 < centre . q, where |q|^2 is weighted by the metric.
+struct alignas(64) DelaunayTetrahedron {
+    std::array<PackedPoint, 4> vertices;     ///< positive: det(v1 - v0, v2 - v0, v3 - v0) > 0
+    std::array<std::uint32_t, 4> neighbours; ///< opposite to each vertex; LatticeDelaunay::none on the hull
+    double determinant;                      ///< six times the volume, a positive integer; 0 marks a dead slot
+    std::array<double, 3> centre;            ///< 2 * determinant * (circumcentre - v0), weighted by the metric
+};
+
+/// Incremental Delaunay tetrahedrization of a box of lattice points, with exact arithmetic (S8; 3.1, ADD_VERTEX).
+/// Starts with the eight corners cut into five. A tetrahedron conflicts with a new point only if the point lies
+/// *strictly* inside its circumsphere: the newest point loses every cospherical tie, which is a valid symbolic
+/// perturbation, needs no code for ties and never makes a flat tetrahedron (S7). There is no vertex at infinity: hull
+/// faces have no neighbour. One thread. An insertion costs O(cavity), 12 tetrahedra destroyed and 17 made on average.
+class LatticeDelaunay {
+public:
+    static constexpr std::uint32_t none = 0xffffffff;
+
+    /// Errors: the lattice is too large for exact arithmetic, or memory is refused. `centreAtOrigin` says whether the
+    /// start's fifth tetrahedron, the one without a corner of its own, has the box's first corner.
+    Status start(const std::array<std::uint32_t, 3>& size, const LatticeMetric& metric, bool centreAtOrigin = true);
+
+    const PackedLattice& lattice() const noexcept { return lattice_; }
+    /// The slots of the five tetrahedra of the start.
+    static constexpr std::uint32_t startCount = 5;
+    /// Slots in use or once used: every valid slot is smaller.
+    std::uint32_t slotCount() const noexcept { return slotCount_; }
+    const DelaunayTetrahedron& operator[](std::uint32_t slot) const noexcept { return tetrahedra_[slot]; }
+
+    /// Inserts a lattice point that is not a vertex yet; `containing` is a live tetrahedron that contains it. star()
+    /// and destroyed() then tell what changed. False if the slots are exhausted (the mesh is then unusable).
+    [[nodiscard]] bool insert(PackedPoint point, std::uint32_t containing);
+
+    /// The geometry of the tetrahedra made by the last insertion, and their slots (same order).
+    const Star& star() const noexcept { return star_; }
+    std::span<const std::uint32_t> created() const noexcept { return created_; }
+    /// Slots of the tetrahedra that the last insertion destroyed; some are in created() again.
+    std::span<const std::uint32_t> destroyed() const noexcept { return destroyed_; }
+    /// The most slots there can ever be.
+    std::uint64_t capacity() const noexcept { return tetrahedra_.capacity(); }
+
+private:
+    struct CavityFace {
+        std::uint32_t inside;  ///< destroyed tetrahedron
+        std::uint32_t outside; ///< its neighbour that stays, or none
+        std::uint8_t insideFace;
+        std::uint8_t outsideFace;
+    };
+
+    void findCavity(PackedPoint point, std::uint32_t containing);
+    bool onHullPlane(PackedPoint point, const DelaunayTetrahedron& tetrahedron, std::uint8_t face) const;
+    void gatherStar(PackedPoint point);
+    bool takeSlots();
+    void writeStar(PackedPoint point);
+
+    PackedLattice lattice_{{2, 2, 2}};
+    std::array<double, 3> weights_{1, 1, 1};
+    ReservedArray<DelaunayTetrahedron> tetrahedra_;
+    std::uint32_t slotCount_ = 0;
+    std::vector<std::uint32_t> freeSlots_;
+    std::vector<CavityFace> cavityFaces_;
+    std::vector<std::uint32_t> destroyed_;
+    std::vector<std::uint32_t> created_;
+    Star star_;
+};
+
+} // namespace tetra

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+namespace tetra {
+
+/// A lattice point's three coordinates in one 32-bit number, so that geometry needs no look-up of vertices. The widths
+/// of the fields follow the lattice's size.
+using PackedPoint = std::uint32_t;
+
+/// Packs and unpacks the points of one lattice.
+class PackedLattice {
+public:
+    explicit PackedLattice(const std::array<std::uint32_t, 3>& size)
+        : size_(size), shiftY_(width(size[0])), shiftZ_(shiftY_ + width(size[1])), maskX_((1u << shiftY_) - 1),
+          maskY_((1u << width(size[1])) - 1)
+    {
+    }
+
+    /// Whether the coordinates fit.
+    static bool fits(const std::array<std::uint32_t, 3>& size)
+    {
+        return width(size[0]) + width(size[1]) + width(size[2]) <= 32 && width(size[0]) < 32 && width(size[1]) < 32 &&
+               width(size[0]) + width(size[1]) < 32;
+    }
+
+    const std::array<std::uint32_t, 3>& size() const noexcept { return size_; }
+    PackedPoint pack(std::uint32_t x, std::uint32_t y, std::uint32_t z) const noexcept
+    {
+        return x | y << shiftY_ | z << shiftZ_;
+    }
+    std::int32_t x(PackedPoint point) const noexcept { return static_cast<std::int32_t>(point & maskX_); }
+    std::int32_t y(PackedPoint point) const noexcept { return static_cast<std::int32_t>(point >> shiftY_ & maskY_); }
+    std::int32_t z(PackedPoint point) const noexcept { return static_cast<std::int32_t>(point >> shiftZ_); }
+
+    /// The point's number in the lattice, the first coordinate running fastest.
+    std::uint32_t index(PackedPoint point) const noexcept
+    {
+        const std::uint32_t row = (point >> shiftZ_) * size_[1] + (point >> shiftY_ & maskY_);
+        return row * size_[0] + (point & maskX_);
+    }
+
+private:
+    static std::uint32_t width(std::uint32_t count) { return static_cast<std::uint32_t>(std::bit_width(count - 1)); }
+
+    std::array<std::uint32_t, 3> size_;
+    std::uint32_t shiftY_;
+    std::uint32_t shiftZ_;
+    std::uint32_t maskX_;
+    std::uint32_t maskY_;
+};
+
+} // namespace tetra

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/reserved_array.h"
+#include "core/mesh/packed_lattice.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+
+namespace tetra {
+
+/// Storage for many short lists of points. Blocks have sizes of powers of two and free lists by size; a larger free
+/// block is halved when a small one is wanted. Blocks are never joined again: the buckets of a refinement only get
+/// smaller.
+class PointPool {
+public:
+    /// Room for lists of `points` points in all, at any time.
+    Status reserve(std::uint64_t points)
+    {
+        freeBlocks_.fill(none);
+        used_ = 0;
+        return storage_.reserve(2 * points + 64 * minimumBlock, "the points of the refinement");
+    }
+
+    /// The place of a block for `count` > 0 points.
+    std::uint32_t allocate(std::uint32_t count)
+    {
+        const std::uint32_t wanted = blockClass(count);
+        std::uint32_t from = wanted;
+        while (from < classes && freeBlocks_[from] == none)
+            ++from;
+        if (from == classes) {
+            const std::uint32_t place = used_;
+            used_ += 1u << wanted;
+            return place;
+        }
+        const std::uint32_t place = freeBlocks_[from];
+        freeBlocks_[from] = storage_[place];
+        while (from > wanted) {
+            --from;
+            release(place + (1u << from), from);
+        }
+        return place;
+    }
+
+    /// Gives back the block of `count` points at `place`.
+    void free(std::uint32_t place, std::uint32_t count) { release(place, blockClass(count)); }
+
+    std::span<PackedPoint> points(std::uint32_t place, std::uint32_t count) { return {storage_.data() + place, count}; }
+
+private:
+    static constexpr std::uint32_t none = 0xffffffff;
+    static constexpr std::uint32_t classes = 32;
+    static constexpr std::uint32_t minimumBlock = 2;
+
+    static std::uint32_t blockClass(std::uint32_t count)
+    {
+        return static_cast<std::uint32_t>(std::bit_width(std::max(count, minimumBlock) - 1));
+    }
+    void release(std::uint32_t place, std::uint32_t blockClass)
+    {
+        storage_[place] = freeBlocks_[blockClass];
+        freeBlocks_[blockClass] = place;
+    }
+
+    ReservedArray<PackedPoint> storage_;
+    std::array<std::uint32_t, classes> freeBlocks_{};
+    std::uint32_t used_ = 0;
+};
+
+} // namespace tetra
