@@ -32,8 +32,8 @@ struct ModelDescription {
 /// order of insertion; tetrahedra are grouped by creator. Safe to read from any number of threads.
 ///
 /// Indices stored in the file are not trusted by opening: whoever follows one checks it (extraction does).
-/// If the file is cut while it is mapped, reads give zeros and damaged() becomes true: whoever has used the arrays asks
-/// damaged() afterwards and reports checkIntact()'s error.
+/// If the file is cut or changed while it is mapped, reads may give zeros and damaged() becomes true: whoever has used
+/// the arrays asks damaged() afterwards and reports checkIntact()'s error.
 class Model {
 public:
     static constexpr std::uint32_t never = 0xffffffff; ///< destroyer of a tetrahedron that never dies (S2)
@@ -68,7 +68,9 @@ public:
     /// core/base/half.h).
     std::span<const std::uint16_t> ownErrors() const noexcept { return ownErrors_; }
 
-    /// True once the file was found to be shorter than it was when it was mapped.
+    /// The whole file as it is mapped, for those who check it.
+    virtual std::span<const std::byte> fileBytes() const noexcept = 0;
+    /// True once the file was found to be cut short or changed since it was mapped.
     virtual bool damaged() const noexcept = 0;
     /// An error naming the file if damaged().
     Status checkIntact() const;

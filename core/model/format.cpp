@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/format.h"
+
+namespace tetra::format {
+
+std::string_view sectionName(std::uint32_t id) noexcept
+{
+    switch (static_cast<SectionId>(id)) {
+    case SectionId::Text: return "text";
+    case SectionId::SitePoints: return "site points";
+    case SectionId::SiteValues: return "site values";
+    case SectionId::SiteRunningErrors: return "site running errors";
+    case SectionId::StarOffsets: return "star offsets";
+    case SectionId::MeshSizes: return "mesh sizes";
+    case SectionId::OtherSites: return "other sites";
+    case SectionId::Destroyers: return "destroyers";
+    case SectionId::OwnErrors: return "own errors";
+    }
+    return "unknown";
+}
+
+} // namespace tetra::format

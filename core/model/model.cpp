@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/model.h"
+
+#include "core/base/checksum.h"
+#include "core/base/mapped_file.h"
+#include "core/model/description_text.h"
+#include "core/model/file_layout.h"
+
+namespace tetra {
+
+namespace {
+
+using format::Section;
+using format::SectionId;
+
+std::span<const std::byte> bytesOf(const MappedFile& file, const Section& section)
+{
+    return file.bytes().subspan(section.offset, section.bytes);
+}
+
+/// A section in place: offsets are multiples of 64 and sizes of the element's, so the cast is aligned and whole.
+template <class T> std::span<const T> elementsOf(const MappedFile& file, const FileLayout& layout, SectionId id)
+{
+    const std::span<const std::byte> bytes = bytesOf(file, layout.section(id));
+    return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
+}
+
+class MappedModel final : public Model {
+public:
+    MappedModel(std::shared_ptr<const MappedFile> file, const FileLayout& layout, ModelDescription description)
+        : file_(std::move(file))
+    {
+        path_ = file_->path();
+        description_ = std::move(description);
+        fileSize_ = file_->bytes().size();
+        finalError_ = layout.header.finalError;
+        points_ = elementsOf<std::uint32_t>(*file_, layout, SectionId::SitePoints);
+        values_ = elementsOf<std::byte>(*file_, layout, SectionId::SiteValues);
+        runningErrors_ = elementsOf<float>(*file_, layout, SectionId::SiteRunningErrors);
+        starOffsets_ = elementsOf<std::uint64_t>(*file_, layout, SectionId::StarOffsets);
+        meshSizes_ = elementsOf<std::uint32_t>(*file_, layout, SectionId::MeshSizes);
+        otherSites_ = elementsOf<std::array<std::uint32_t, 3>>(*file_, layout, SectionId::OtherSites);
+        destroyers_ = elementsOf<std::uint32_t>(*file_, layout, SectionId::Destroyers);
+        ownErrors_ = elementsOf<std::uint16_t>(*file_, layout, SectionId::OwnErrors);
+    }
+
+    std::span<const std::byte> fileBytes() const noexcept override { return file_->bytes(); }
+    bool damaged() const noexcept override { return file_->damaged(); }
+
+private:
+    std::shared_ptr<const MappedFile> file_;
+};
+
+} // namespace
+
+Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& path)
+{
+    const Result<std::shared_ptr<const MappedFile>> file = MappedFile::open(path);
+    if (!file)
+        return file.error();
+    const MappedFile& mapped = **file;
+    const Result<FileLayout> layout = readLayout(mapped.bytes(), path);
+    if (!layout)
+        return layout.error();
+    const Section& textSection = layout->section(SectionId::Text);
+    const std::span<const std::byte> text = bytesOf(mapped, textSection);
+    if (checksum(text) != textSection.checksum)
+        return Error{ErrorKind::BadInput, "'" + path.string() +
+                                              "' is damaged: the checksum of its text is wrong. Copy it again from "
+                                              "where it came from, or build it again."};
+    ModelDescription description = descriptionOf(layout->header);
+    readText({reinterpret_cast<const char*>(text.data()), text.size()}, description);
+    std::shared_ptr<const Model> model =
+        std::make_shared<const MappedModel>(file.value(), layout.value(), std::move(description));
+    if (const Status intact = model->checkIntact(); !intact)
+        return intact.error();
+    return model;
+}
+
+Status Model::checkIntact() const
+{
+    if (!damaged())
+        return {};
+    return Error{ErrorKind::BadInput, "'" + path_.string() +
+                                          "' was cut short or changed while it was open. Open it again; if that fails, "
+                                          "copy it again from where it came from, or build it again."};
+}
+
+} // namespace tetra

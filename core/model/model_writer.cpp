@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/model_writer.h"
+
+#include "core/base/half.h"
+#include "core/model/chunked_array.h"
+#include "core/model/description_text.h"
+#include "core/model/file_layout.h"
+#include "core/model/section_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+
+namespace tetra {
+
+namespace {
+
+using format::SectionId;
+
+constexpr std::uint32_t sectionCount = 9;
+constexpr std::uint32_t cornerCount = 8;
+
+/// A bound on `error / extent` as a half.
+std::uint16_t ownErrorOf(float error, double extent)
+{
+    if (error <= 0)
+        return 0;
+    std::uint16_t half = halfRoundedUp(static_cast<float>(error / extent));
+    // The division and the conversion to float may each have rounded down.
+    while (static_cast<double>(halfToFloat(half)) * extent < static_cast<double>(error))
+        ++half;
+    return half;
+}
+
+class HistoryFileWriter final : public ModelWriter {
+public:
+    HistoryFileWriter(FileWriter file, const Dataset& dataset, ModelDescription description)
+        : target_(file.target()), sections_(std::move(file), sectionCount), dataset_(dataset),
+          description_(std::move(description))
+    {
+    }
+
+    Status begin();
+    Status add(const HistoryStep& step) override;
+    Status finish(float finalError) override;
+    std::uint32_t siteCount() const noexcept override { return static_cast<std::uint32_t>(points_.size()); }
+    std::uint64_t tetrahedronCount() const noexcept override { return destroyers_.size(); }
+
+private:
+    Status check(const HistoryStep& step) const;
+    void record(const HistoryStep& step);
+    Status writeOtherSites();
+    Status writeValues();
+    template <class T> Status writeArray(SectionId id, const ChunkedArray<T>& array);
+    Error inconsistent(const std::string& what) const;
+    Error outOfMemory() const;
+
+    std::filesystem::path target_;
+    SectionWriter sections_;
+    Dataset dataset_;
+    ModelDescription description_;
+
+    ChunkedArray<std::uint32_t> points_;
+    ChunkedArray<float> runningErrors_;
+    ChunkedArray<std::uint64_t> starOffsets_;
+    ChunkedArray<std::uint32_t> meshSizes_;
+    ChunkedArray<std::uint32_t> destroyers_;
+    ChunkedArray<std::uint16_t> ownErrors_;
+    std::vector<std::array<std::uint32_t, 3>> otherSites_; ///< of one step, on their way to the file
+    float runningError_ = std::numeric_limits<float>::infinity();
+    std::uint64_t alive_ = 0;
+};
+
+Status HistoryFileWriter::begin()
+{
+    if (const Status reserved = sections_.reserveFront(); !reserved)
+        return reserved;
+    const std::string text = textOf(description_);
+    if (text.size() > format::longestText)
+        return Error{ErrorKind::OutOfResource, "Cannot write '" + target_.string() +
+                                                   "': the names and parameters of the model are longer than 1 MiB. "
+                                                   "Shorten them."};
+    if (const Status begun = sections_.begin(SectionId::Text, 1); !begun)
+        return begun;
+    if (const Status written = sections_.add(std::as_bytes(std::span(text))); !written)
+        return written;
+    sections_.end();
+    return sections_.begin(SectionId::OtherSites, sizeof(otherSites_[0]));
+}
+
+Status HistoryFileWriter::add(const HistoryStep& step)
+{
+    if (const Status right = check(step); !right)
+        return right;
+    try {
+        record(step);
+    } catch (const std::bad_alloc&) {
+        return outOfMemory();
+    }
+    return writeOtherSites();
+}
+
+/// Plugins are written by others: a history that does not hold together must not become a file.
+Status HistoryFileWriter::check(const HistoryStep& step) const
+{
+    const std::uint32_t creator = siteCount();
+    if (step.point >= dataset_.lattice.pointCount() || creator == Model::never - 1)
+        return inconsistent("point " + std::to_string(step.point) + " is not in the dataset");
+    if (std::isnan(step.errorBefore) || step.errorBefore < 0)
+        return inconsistent("the error before it is not a number of at least 0");
+    if (step.star.size() > Model::never - tetrahedronCount())
+        return Error{ErrorKind::OutOfResource,
+                     "The history has more than 4294967295 tetrahedra. Ask for a larger error, or build in blocks."};
+    for (const HistoryTetrahedron& tetrahedron : step.star) {
+        if (std::ranges::any_of(tetrahedron.sites, [creator](std::uint32_t site) { return site >= creator; }))
+            return inconsistent("a tetrahedron of its star has a site that comes after it");
+        if (!(tetrahedron.error >= 0))
+            return inconsistent("a tetrahedron of its star has an error that is not a number of at least 0");
+    }
+    for (const std::uint32_t destroyed : step.destroyed)
+        if (destroyed >= tetrahedronCount() || destroyers_[destroyed] != Model::never)
+            return inconsistent("it destroys tetrahedron " + std::to_string(destroyed) + ", which is not in the mesh");
+    const std::uint64_t alive = alive_ + step.star.size() - step.destroyed.size();
+    if (step.destroyed.size() > alive_ || alive > std::numeric_limits<std::uint32_t>::max())
+        return inconsistent("it destroys more tetrahedra than there are");
+    return {};
+}
+
+void HistoryFileWriter::record(const HistoryStep& step)
+{
+    const std::uint32_t creator = siteCount();
+    const double extent = description_.range.extent();
+    runningError_ = std::min(runningError_, step.errorBefore);
+    alive_ += step.star.size() - step.destroyed.size();
+    starOffsets_.push_back(tetrahedronCount());
+    points_.push_back(static_cast<std::uint32_t>(step.point));
+    runningErrors_.push_back(runningError_);
+    meshSizes_.push_back(static_cast<std::uint32_t>(alive_));
+    otherSites_.clear();
+    for (const HistoryTetrahedron& tetrahedron : step.star) {
+        otherSites_.push_back(tetrahedron.sites);
+        destroyers_.push_back(Model::never);
+        ownErrors_.push_back(ownErrorOf(tetrahedron.error, extent));
+    }
+    for (const std::uint32_t destroyed : step.destroyed)
+        destroyers_[destroyed] = creator;
+}
+
+Status HistoryFileWriter::writeOtherSites()
+{
+    return sections_.add(std::as_bytes(std::span(otherSites_)));
+}
+
+Status HistoryFileWriter::finish(float finalError)
+{
+    if (siteCount() < cornerCount || alive_ == 0)
+        return inconsistent("a model needs at least the corners of its lattice");
+    if (!(finalError >= 0) || !std::isfinite(finalError))
+        return inconsistent("the final error is not a number of at least 0");
+    try {
+        starOffsets_.push_back(tetrahedronCount());
+    } catch (const std::bad_alloc&) {
+        return outOfMemory();
+    }
+    sections_.end();
+    for (const Status& written :
+         {writeArray(SectionId::SitePoints, points_), writeValues(),
+          writeArray(SectionId::SiteRunningErrors, runningErrors_), writeArray(SectionId::StarOffsets, starOffsets_),
+          writeArray(SectionId::MeshSizes, meshSizes_), writeArray(SectionId::Destroyers, destroyers_),
+          writeArray(SectionId::OwnErrors, ownErrors_)})
+        if (!written)
+            return written;
+    format::Header header = headerOf(description_);
+    header.siteCount = siteCount();
+    header.tetrahedronCount = tetrahedronCount();
+    header.finalError = finalError;
+    return sections_.finish(header);
+}
+
+template <class T> Status HistoryFileWriter::writeArray(SectionId id, const ChunkedArray<T>& array)
+{
+    if (const Status begun = sections_.begin(id, sizeof(T)); !begun)
+        return begun;
+    for (std::size_t number = 0; number < array.chunkCount(); ++number)
+        if (const Status written = sections_.add(std::as_bytes(array.chunk(number))); !written)
+            return written;
+    sections_.end();
+    return {};
+}
+
+Status HistoryFileWriter::writeValues()
+{
+    return visitSampleType(dataset_.values.type(), [this]<class T>() -> Status {
+        if (const Status begun = sections_.begin(SectionId::SiteValues, sizeof(T)); !begun)
+            return begun;
+        const std::span<const T> samples = dataset_.values.as<T>();
+        std::vector<T> values;
+        for (std::size_t number = 0; number < points_.chunkCount(); ++number) {
+            const std::span<const std::uint32_t> points = points_.chunk(number);
+            values.resize(points.size());
+            std::ranges::transform(points, values.begin(), [samples](std::uint32_t point) { return samples[point]; });
+            if (const Status written = sections_.add(std::as_bytes(std::span(values))); !written)
+                return written;
+        }
+        sections_.end();
+        return {};
+    });
+}
+
+Error HistoryFileWriter::inconsistent(const std::string& what) const
+{
+    return {ErrorKind::BadInput, "The builder '" + description_.builder + "' made a history that is wrong at site " +
+                                     std::to_string(siteCount()) + ": " + what +
+                                     ". Nothing was written; report this to its author."};
+}
+
+Error HistoryFileWriter::outOfMemory() const
+{
+    return {ErrorKind::OutOfResource, "Not enough memory to write '" + target_.string() + "' after " +
+                                          std::to_string(siteCount()) +
+                                          " sites. Ask for a larger error, or close other programs."};
+}
+
+} // namespace
+
+Result<std::unique_ptr<ModelWriter>> ModelWriter::create(const std::filesystem::path& path, const Dataset& dataset,
+                                                         ModelDescription description)
+{
+    if (dataset.lattice.pointCount() > (1ull << 32))
+        return Error{ErrorKind::OutOfResource, "A model holds at most 4294967296 points, and '" + dataset.source.name +
+                                                   "' has " + std::to_string(dataset.lattice.pointCount()) +
+                                                   ". Take a part of it."};
+    description.lattice = dataset.lattice;
+    description.sampleType = dataset.values.type();
+    description.range = dataset.values.range();
+    description.sourceName = dataset.source.name;
+    description.sourceHash = dataset.source.hash;
+    Result<FileWriter> file = FileWriter::create(path);
+    if (!file)
+        return file.error();
+    auto writer = std::make_unique<HistoryFileWriter>(std::move(*file), dataset, std::move(description));
+    if (const Status begun = writer->begin(); !begun)
+        return begun.error();
+    return std::unique_ptr<ModelWriter>(std::move(writer));
+}
+
+} // namespace tetra

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/checksum.h"
+#include "core/base/file_writer.h"
+#include "core/model/format.h"
+
+#include <span>
+#include <vector>
+
+namespace tetra {
+
+/// Writes the sections of a `.tan` file one after the other, then the header and the table in the place that was left
+/// free for them.
+class SectionWriter {
+public:
+    SectionWriter(FileWriter file, std::uint32_t sectionCount) : file_(std::move(file)), sectionCount_(sectionCount) {}
+
+    /// Leaves the place for header and table; comes first.
+    Status reserveFront();
+    Status begin(format::SectionId id, std::size_t elementBytes);
+    Status add(std::span<const std::byte> bytes);
+    void end();
+    /// Completes `header` with sizes and checksums, writes it with the table and commits the file.
+    Status finish(format::Header header);
+
+private:
+    Status padTo(std::uint64_t offset);
+
+    FileWriter file_;
+    std::uint32_t sectionCount_;
+    std::vector<format::Section> sections_;
+    Checksum checksum_;
+};
+
+} // namespace tetra

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/model/model_fixture.h"
+
+#include "core/base/checksum.h"
+#include "core/model/file_layout.h"
+#include "core/model/model_writer.h"
+#include "tests/core/model/reference_refinement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+namespace tetra {
+
+Dataset bumps(SampleType type, std::array<std::uint32_t, 3> size)
+{
+    const Lattice lattice{size, {0.5, 2, 1.25}, {-3, 10, 0.1}};
+    return visitSampleType(type, [&]<class T>() {
+        const std::shared_ptr<T[]> samples(new T[lattice.pointCount()]);
+        for (std::uint64_t point = 0; point < lattice.pointCount(); ++point) {
+            const auto c = lattice.coordinates(point);
+            const double value =
+                std::sin(1.3 * c[0]) * std::cos(0.9 * c[1]) + 0.5 * std::sin(0.7 * c[2] + 0.2 * c[0] * c[1]);
+            samples[point] =
+                static_cast<T>(isInteger(type) ? std::round(value * 60 + 90) * (sizeof(T) == 4 ? 1e7 : 1) : value);
+        }
+        ScalarField field(type, lattice.pointCount(),
+                          std::shared_ptr<const std::byte>(samples, reinterpret_cast<const std::byte*>(samples.get())));
+        const std::uint64_t hash = checksum(field.bytes());
+        return Dataset{lattice, std::move(field), {"bumps \\ a=b\nof " + std::string(sampleTypeName(type)), {}, hash}};
+    });
+}
+
+Status RecordedHistory::add(const HistoryStep& step)
+{
+    steps.push_back({step.point,
+                     step.errorBefore,
+                     {step.star.begin(), step.star.end()},
+                     {step.destroyed.begin(), step.destroyed.end()}});
+    return {};
+}
+
+Status RecordedHistory::finish(float error)
+{
+    finalError = error;
+    return {};
+}
+
+std::vector<std::array<std::uint32_t, 4>> RecordedHistory::meshOf(std::size_t sites) const
+{
+    std::map<std::uint32_t, std::array<std::uint32_t, 4>> alive;
+    std::uint32_t next = 0;
+    for (std::uint32_t site = 0; site < sites; ++site) {
+        for (const std::uint32_t destroyed : steps[site].destroyed)
+            alive.erase(destroyed);
+        for (const HistoryTetrahedron& t : steps[site].star)
+            alive[next++] = {site, t.sites[0], t.sites[1], t.sites[2]};
+    }
+    std::vector<std::array<std::uint32_t, 4>> mesh;
+    for (const auto& [number, tetrahedron] : alive)
+        mesh.push_back(tetrahedron);
+    return mesh;
+}
+
+const RecordedHistory& historyOf(const Dataset& dataset)
+{
+    static std::map<std::uint64_t, RecordedHistory> known;
+    const auto [place, isNew] = known.try_emplace(dataset.source.hash);
+    if (isNew && !refineSlowly(dataset, place->second))
+        std::abort();
+    return place->second;
+}
+
+Status replay(const RecordedHistory& history, HistorySink& sink)
+{
+    for (const RecordedHistory::Step& step : history.steps)
+        if (const Status added = sink.add({step.point, step.errorBefore, step.star, step.destroyed}); !added)
+            return added;
+    return sink.finish(history.finalError);
+}
+
+void writeModel(const std::filesystem::path& path, const Dataset& dataset)
+{
+    ModelDescription description;
+    description.builder = "slow";
+    description.parameters = {{"stop=error", "0"}, {"note", "two\nlines \\n"}};
+    auto writer = ModelWriter::create(path, dataset, description);
+    if (!writer || !replay(historyOf(dataset), **writer))
+        std::abort();
+}
+
+std::vector<std::byte> readBytes(const std::filesystem::path& path)
+{
+    std::ifstream stream(path, std::ios::binary);
+    const std::vector<char> chars{std::istreambuf_iterator<char>(stream), {}};
+    const auto bytes = std::as_bytes(std::span(chars));
+    return {bytes.begin(), bytes.end()};
+}
+
+void writeBytes(const std::filesystem::path& path, std::span<const std::byte> bytes)
+{
+    std::ofstream stream(path, std::ios::binary | std::ios::trunc);
+    stream.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
+std::span<format::Section> FileParts::sections()
+{
+    return {reinterpret_cast<format::Section*>(content.data() + sizeof(format::Header)), header().sectionCount};
+}
+
+format::Section& FileParts::section(format::SectionId id)
+{
+    return *std::ranges::find(sections(), static_cast<std::uint32_t>(id), &format::Section::id);
+}
+
+void FileParts::repairChecksums()
+{
+    for (format::Section& section : sections())
+        if (section.offset <= content.size() && section.bytes <= content.size() - section.offset)
+            section.checksum = checksum(std::span(content).subspan(section.offset, section.bytes));
+    header().checksum = headerChecksum(header(), std::as_bytes(sections()));
+}
+
+void FileParts::addSection(std::uint32_t id, std::uint32_t flags)
+{
+    const std::size_t end = sizeof(format::Header) + sections().size() * sizeof(format::Section);
+    format::Section added;
+    added.id = id;
+    added.flags = flags;
+    for (format::Section& section : sections())
+        section.offset += sizeof added;
+    content.insert(content.begin() + static_cast<std::ptrdiff_t>(end), sizeof added, std::byte{});
+    content.resize(format::aligned(content.size()));
+    added.offset = content.size();
+    std::memcpy(content.data() + end, &added, sizeof added);
+    ++header().sectionCount;
+    header().fileBytes = content.size();
+}
+
+} // namespace tetra

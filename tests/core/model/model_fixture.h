@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/data/dataset.h"
+#include "core/mesh/history.h"
+#include "core/model/format.h"
+#include "core/model/model.h"
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+namespace tetra {
+
+/// A lattice of smooth bumps, with spacings and an origin of their own.
+Dataset bumps(SampleType type, std::array<std::uint32_t, 3> size);
+
+/// A history in memory, as it was handed over.
+struct RecordedHistory final : HistorySink {
+    struct Step {
+        std::uint64_t point = 0;
+        float errorBefore = 0;
+        std::vector<HistoryTetrahedron> star;
+        std::vector<std::uint32_t> destroyed;
+    };
+    std::vector<Step> steps;
+    float finalError = -1;
+
+    Status add(const HistoryStep& step) override;
+    Status finish(float error) override;
+
+    /// The tetrahedra (creator, a, b, c) of the mesh of the first `sites` sites, replayed step by step.
+    std::vector<std::array<std::uint32_t, 4>> meshOf(std::size_t sites) const;
+};
+
+/// The history of the slow reference refinement; made once for each kind of dataset and kept.
+const RecordedHistory& historyOf(const Dataset& dataset);
+
+/// Hands a recorded history on.
+Status replay(const RecordedHistory& history, HistorySink& sink);
+
+/// Writes the model of `dataset`. What fails here fails the test.
+void writeModel(const std::filesystem::path& path, const Dataset& dataset);
+
+std::vector<std::byte> readBytes(const std::filesystem::path& path);
+void writeBytes(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+/// A `.tan` file taken apart, so that tests can damage it at a place of their choice.
+class FileParts {
+public:
+    explicit FileParts(std::vector<std::byte> bytes) : content(std::move(bytes)) {}
+
+    format::Header& header() { return *reinterpret_cast<format::Header*>(content.data()); }
+    std::span<format::Section> sections();
+    format::Section& section(format::SectionId id);
+    template <class T> std::span<T> elements(format::SectionId id)
+    {
+        const format::Section& found = section(id);
+        return {reinterpret_cast<T*>(content.data() + found.offset), found.bytes / sizeof(T)};
+    }
+    /// Makes all checksums right again, so that nothing but the damage itself can be found.
+    void repairChecksums();
+    /// Adds an entry to the table, with no bytes, behind the last section.
+    void addSection(std::uint32_t id, std::uint32_t flags);
+
+    std::vector<std::byte> content;
+};
+
+} // namespace tetra

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/data/dataset.h"
+#include "core/mesh/history.h"
+
+namespace tetra {
+
+/// Greedy refinement as the paper tells it, of a small lattice, with no care for time: every point tested against every
+/// tetrahedron. Shares nothing with core/mesh, so that what reads histories is tested against a second source.
+/// Stops when no point's error exceeds `stopError`.
+Status refineSlowly(const Dataset& dataset, HistorySink& sink, double stopError = 0);
+
+} // namespace tetra
