@@ -40,7 +40,7 @@ struct LineSet {
 struct Scene {
     std::vector<Surface> surfaces;
     std::vector<LineSet> lines;
-    Eigen::AlignedBox3d bounds; ///< of the domain; the camera is fitted to it and depth is scaled by it
+    Eigen::AlignedBox3d bounds; ///< of the domain; depth is scaled by it, and what lies outside may be cut off
 };
 
 /// The twelve edges of a box, as the outline of a domain.
