@@ -17,7 +17,8 @@ struct PictureOptions {
     int height = 768;
     Colour background{1, 1, 1};
     bool transparentBackground = false;
-    int threads = 0; ///< of the CPU back end; 0 means as many as the machine has
+    int samplesPerAxis = 2; ///< a pixel is the mean of this many squared samples: 1 (fast, no antialiasing) to 4
+    int threads = 0;        ///< of the CPU back end; 0 or too many means all of the machine
 };
 
 /// Turns a scene into a picture (B4). The CPU back end is the reference; the OpenGL one draws the same within 2/255.

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/graphics/cpu/draw_list.h"
+
+#include "core/graphics/cpu/clipping.h"
+#include "core/graphics/thick_lines.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace tetra {
+namespace {
+
+constexpr std::size_t chunkSize = 1 << 14;
+
+ScreenVertex toScreen(const ClipVertex& vertex, const ViewTransform& transform)
+{
+    const double inverse = 1 / vertex.position.w();
+    const auto fixed = [](double samples) {
+        return static_cast<std::int32_t>(std::floor(samples * subsampleSteps + 0.5));
+    };
+    ScreenVertex result;
+    result.x = fixed((vertex.position.x() * inverse + 1) / 2 * transform.width);
+    result.y = fixed((1 - vertex.position.y() * inverse) / 2 * transform.height);
+    result.nearness = static_cast<float>(transform.perspective ? inverse : -vertex.position.z() * inverse);
+    result.weight = static_cast<float>(inverse);
+    result.normal = vertex.normal;
+    return result;
+}
+
+/// The triangles of one run, and the corners that cutting made. Corner numbers with the top bit set count these.
+struct Piece {
+    static constexpr std::uint32_t own = 0x80000000;
+    std::vector<ScreenVertex> vertices;
+    std::vector<ScreenTriangle> triangles;
+
+    void addPolygon(const ClippedPolygon& polygon, const ViewTransform& transform, std::uint32_t material)
+    {
+        const std::uint32_t first = own | static_cast<std::uint32_t>(vertices.size());
+        for (std::size_t i = 0; i < polygon.count; ++i)
+            vertices.push_back(toScreen(polygon.corners[i], transform));
+        for (std::uint32_t i = 2; i < polygon.count; ++i)
+            triangles.push_back({{first, first + i - 1, first + i}, material});
+    }
+};
+
+class Builder {
+public:
+    Builder(const ViewTransform& transform, DrawList& list) : transform_(transform), list_(list) {}
+
+    Status addSurface(const Surface& surface);
+    void addLines(const LineSet& lines, double samplesPerPixelAxis);
+
+private:
+    ClipVertex toClip(const TriangleMesh& mesh, std::uint32_t vertex) const
+    {
+        return {transform_.clipFromWorld * mesh.positions[vertex].cast<double>().homogeneous(), mesh.normals[vertex]};
+    }
+    std::uint32_t addMaterial(const Material& material)
+    {
+        list_.materials.push_back(material);
+        return static_cast<std::uint32_t>(list_.materials.size() - 1);
+    }
+    Buffer<std::uint8_t> projectVertices(const TriangleMesh& mesh);
+    Piece projectTriangles(const TriangleMesh& mesh, std::size_t first, std::size_t last,
+                           const Buffer<std::uint8_t>& bits, std::uint32_t firstVertex, std::uint32_t material) const;
+    void append(std::span<const Piece> pieces);
+
+    const ViewTransform& transform_;
+    DrawList& list_;
+};
+
+Status checkSurface(const TriangleMesh& mesh, std::size_t verticesBefore)
+{
+    if (mesh.normals.size() != mesh.positions.size())
+        return Error{ErrorKind::WrongUsage, "A surface of the scene has not one normal for each vertex."};
+    if (mesh.positions.size() + verticesBefore >= Piece::own)
+        return Error{ErrorKind::OutOfResource, "The scene has more than two thousand million vertices."};
+    for (const auto& triangle : mesh.triangles)
+        if (std::ranges::max(triangle) >= mesh.positions.size())
+            return Error{ErrorKind::WrongUsage, "A triangle of the scene has a corner that does not exist."};
+    return {};
+}
+
+/// Adds the projected vertices; returns on which sides of the view they lie.
+Buffer<std::uint8_t> Builder::projectVertices(const TriangleMesh& mesh)
+{
+    const std::size_t before = list_.vertices.size();
+    list_.vertices.resize(before + mesh.positions.size());
+    Buffer<std::uint8_t> bits(mesh.positions.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, bits.size(), chunkSize), [&](const auto& range) {
+        for (std::size_t v = range.begin(); v != range.end(); ++v) {
+            const ClipVertex vertex = toClip(mesh, static_cast<std::uint32_t>(v));
+            bits[v] = outsideBits(vertex.position);
+            if ((bits[v] & (outside::cut | outside::notFinite)) == 0)
+                list_.vertices[before + v] = toScreen(vertex, transform_);
+        }
+    });
+    return bits;
+}
+
+Piece Builder::projectTriangles(const TriangleMesh& mesh, std::size_t first, std::size_t last,
+                                const Buffer<std::uint8_t>& bits, std::uint32_t firstVertex,
+                                std::uint32_t material) const
+{
+    Piece piece;
+    for (std::size_t t = first; t != last; ++t) {
+        const auto& [a, b, c] = mesh.triangles[t];
+        const unsigned all = bits[a] & bits[b] & bits[c];
+        const unsigned any = bits[a] | bits[b] | bits[c];
+        if ((all & outside::view) != 0 || (any & outside::notFinite) != 0)
+            continue;
+        if ((any & outside::cut) == 0)
+            piece.triangles.push_back({{firstVertex + a, firstVertex + b, firstVertex + c}, material});
+        else
+            piece.addPolygon(clipTriangle({toClip(mesh, a), toClip(mesh, b), toClip(mesh, c)}), transform_, material);
+    }
+    return piece;
+}
+
+void Builder::append(std::span<const Piece> pieces)
+{
+    for (const Piece& piece : pieces) {
+        const auto firstOwn = static_cast<std::uint32_t>(list_.vertices.size());
+        list_.vertices.insert(list_.vertices.end(), piece.vertices.begin(), piece.vertices.end());
+        for (ScreenTriangle triangle : piece.triangles) {
+            for (std::uint32_t& vertex : triangle.vertices)
+                if ((vertex & Piece::own) != 0)
+                    vertex = firstOwn + (vertex & ~Piece::own);
+            list_.triangles.push_back(triangle);
+        }
+    }
+}
+
+Status Builder::addSurface(const Surface& surface)
+{
+    if (!surface.mesh || !(surface.opacity > 0))
+        return {};
+    const TriangleMesh& mesh = *surface.mesh;
+    if (Status status = checkSurface(mesh, list_.vertices.size()); !status)
+        return status;
+    const std::uint32_t material = addMaterial({surface.colour, std::min(surface.opacity, 1.0f), true});
+    const auto firstVertex = static_cast<std::uint32_t>(list_.vertices.size());
+    const Buffer<std::uint8_t> bits = projectVertices(mesh);
+    std::vector<Piece> pieces((mesh.triangles.size() + chunkSize - 1) / chunkSize);
+    tbb::parallel_for(std::size_t(0), pieces.size(), [&](std::size_t p) {
+        const std::size_t first = p * chunkSize;
+        const std::size_t last = std::min(first + chunkSize, mesh.triangles.size());
+        pieces[p] = projectTriangles(mesh, first, last, bits, firstVertex, material);
+    });
+    append(pieces);
+    return {};
+}
+
+void Builder::addLines(const LineSet& lines, double samplesPerPixelAxis)
+{
+    const std::uint32_t material = addMaterial({lines.colour, 1, false});
+    Piece piece;
+    for (const LineQuad& quad : thickLines(lines, transform_, lines.width * samplesPerPixelAxis))
+        for (const auto& [b, c] : {std::array{1, 2}, std::array{2, 3}})
+            piece.addPolygon(clipTriangle({ClipVertex{quad[0]}, ClipVertex{quad[static_cast<std::size_t>(b)]},
+                                           ClipVertex{quad[static_cast<std::size_t>(c)]}}),
+                             transform_, material);
+    append({&piece, 1});
+}
+
+Status checkLines(const LineSet& lines)
+{
+    for (const auto& segment : lines.segments)
+        if (std::ranges::max(segment) >= lines.points.size())
+            return Error{ErrorKind::WrongUsage, "A line of the scene has an end that does not exist."};
+    return {};
+}
+
+} // namespace
+
+Result<DrawList> makeDrawList(const Scene& scene, const ViewTransform& transform, double samplesPerPixelAxis)
+{
+    DrawList list;
+    Builder builder(transform, list);
+    for (const Surface& surface : scene.surfaces)
+        if (Status status = builder.addSurface(surface); !status)
+            return status.error();
+    for (const LineSet& lines : scene.lines) {
+        if (Status status = checkLines(lines); !status)
+            return status.error();
+        builder.addLines(lines, samplesPerPixelAxis);
+    }
+    return list;
+}
+
+} // namespace tetra

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/buffer.h"
+#include "core/base/result.h"
+#include "core/graphics/scene.h"
+#include "core/graphics/view_transform.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace tetra {
+
+/// Samples are divided into this many steps an axis; corners are rounded to them, so that the tests of the rasteriser
+/// are exact integers.
+inline constexpr int subsampleBits = 8;
+inline constexpr int subsampleSteps = 1 << subsampleBits;
+
+/// A corner in the picture.
+struct ScreenVertex {
+    std::int32_t x = 0; ///< in steps of 1/256 sample from the picture's left ...
+    std::int32_t y = 0; ///< ... and upper edge
+    float nearness = 0; ///< larger is nearer, affine in the picture: 1 / w in perspective, else -z / w
+    float weight = 1;   ///< 1 / w: attributes times weight are affine in the picture
+    Eigen::Vector3f normal{0, 0, 1};
+};
+
+struct Material {
+    Colour colour;
+    float opacity = 1;
+    bool lit = true;
+};
+
+struct ScreenTriangle {
+    std::array<std::uint32_t, 3> vertices;
+    std::uint32_t material;
+};
+
+/// A scene projected into a picture: all that the tiles need. Triangles are in the order of the scene; those outside
+/// the view are left out, those that reach behind the eye or far beyond the picture are cut.
+struct DrawList {
+    Buffer<ScreenVertex> vertices;
+    Buffer<ScreenTriangle> triangles;
+    std::vector<Material> materials;
+};
+
+/// O(vertices + triangles), on all threads of the current arena. Errors: a scene whose indices lead nowhere.
+/// May throw std::bad_alloc.
+Result<DrawList> makeDrawList(const Scene& scene, const ViewTransform& transform, double samplesPerPixelAxis);
+
+} // namespace tetra

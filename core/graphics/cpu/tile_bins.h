@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/buffer.h"
+#include "core/graphics/cpu/draw_list.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tetra {
+
+/// The samples [left, right) x [top, bottom) of a picture.
+struct SampleRectangle {
+    int left = 0;
+    int top = 0;
+    int right = 0;
+    int bottom = 0;
+    int width() const noexcept { return right - left; }
+    int height() const noexcept { return bottom - top; }
+};
+
+/// A picture of samples cut into square tiles, row by row from the top.
+struct TileGrid {
+    int width = 0; ///< in samples, like height and side
+    int height = 0;
+    int side = 64;
+
+    int columns() const noexcept { return (width + side - 1) / side; }
+    int rows() const noexcept { return (height + side - 1) / side; }
+    std::size_t count() const noexcept
+    {
+        return static_cast<std::size_t>(columns()) * static_cast<std::size_t>(rows());
+    }
+    SampleRectangle tile(std::size_t index) const noexcept;
+};
+
+/// Which triangles each tile may show, in the order of the draw list.
+class TileBins {
+public:
+    /// O(triangles + entries), on all threads of the current arena. May throw std::bad_alloc.
+    TileBins(const DrawList& list, const TileGrid& grid);
+
+    std::span<const std::uint32_t> trianglesOf(std::size_t tile) const noexcept
+    {
+        return std::span(triangles_).subspan(first_[tile], first_[tile + 1] - first_[tile]);
+    }
+
+private:
+    std::vector<std::uint64_t> first_;
+    Buffer<std::uint32_t> triangles_;
+};
+
+/// The samples whose centres a triangle's bounding box holds, inside `within`; may be empty (right <= left).
+SampleRectangle samplesUnder(const DrawList& list, const ScreenTriangle& triangle, const SampleRectangle& within);
+
+} // namespace tetra

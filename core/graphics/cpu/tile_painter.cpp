@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/graphics/cpu/tile_painter.h"
+
+#include "core/graphics/cpu/triangle_raster.h"
+#include "core/graphics/shading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tetra {
+namespace {
+
+/// What shines through less than this cannot change an 8-bit channel.
+constexpr float smallestTransparency = 1.0f / 4096;
+
+/// Adds what lies behind `front`, of whose light `transparency` is let through; updates both.
+void addBehind(PremultipliedColour& front, float& transparency, const PremultipliedColour& back)
+{
+    for (std::size_t channel = 0; channel < front.size(); ++channel)
+        front[channel] += transparency * back[channel];
+    transparency *= 1 - back[3];
+}
+
+/// Calls visit(sample, nearness, b, c) for each sample of the tile that the triangle covers.
+template <class Visit>
+void forEachSample(const DrawList& list, std::uint32_t triangle, const SampleRectangle& tile, Visit&& visit)
+{
+    const ScreenTriangle& corners = list.triangles[triangle];
+    const float a = list.vertices[corners.vertices[0]].nearness;
+    const float b = list.vertices[corners.vertices[1]].nearness - a;
+    const float c = list.vertices[corners.vertices[2]].nearness - a;
+    rasterizeTriangle(list, corners, tile, [&](int x, int y, float weightB, float weightC) {
+        const std::size_t sample = static_cast<std::size_t>(y - tile.top) * static_cast<std::size_t>(tile.width()) +
+                                   static_cast<std::size_t>(x - tile.left);
+        visit(sample, a + weightB * b + weightC * c, weightB, weightC);
+    });
+}
+
+} // namespace
+
+void TilePainter::clear(const SampleRectangle& tile)
+{
+    tile_ = tile;
+    const auto samples = static_cast<std::size_t>(tile.width()) * static_cast<std::size_t>(tile.height());
+    opaque_.assign(samples, {-std::numeric_limits<float>::infinity(), none, 0, 0});
+    heads_.assign(samples, none);
+    listed_.clear();
+    colours_.resize(samples);
+}
+
+void TilePainter::drawOpaque(std::uint32_t triangle)
+{
+    forEachSample(list_, triangle, tile_, [&](std::size_t sample, float nearness, float b, float c) {
+        if (nearness > opaque_[sample].nearness)
+            opaque_[sample] = {nearness, triangle, b, c};
+    });
+}
+
+void TilePainter::collectTranslucent(std::uint32_t triangle)
+{
+    forEachSample(list_, triangle, tile_, [&](std::size_t sample, float nearness, float b, float c) {
+        if (!(nearness > opaque_[sample].nearness))
+            return;
+        const auto place = static_cast<std::uint32_t>(listed_.size());
+        listed_.push_back({{nearness, triangle, b, c}, heads_[sample]});
+        heads_[sample] = place;
+    });
+}
+
+PremultipliedColour TilePainter::lit(const Fragment& fragment, std::size_t sample) const
+{
+    const ScreenTriangle& triangle = list_.triangles[fragment.triangle];
+    const Material& material = list_.materials[triangle.material];
+    Colour colour = material.colour;
+    if (material.lit) {
+        const ScreenVertex& a = list_.vertices[triangle.vertices[0]];
+        const ScreenVertex& b = list_.vertices[triangle.vertices[1]];
+        const ScreenVertex& c = list_.vertices[triangle.vertices[2]];
+        const Eigen::Vector3f normal = (1 - fragment.b - fragment.c) * a.weight * a.normal +
+                                       fragment.b * b.weight * b.normal + fragment.c * c.weight * c.normal;
+        const auto width = static_cast<std::size_t>(tile_.width());
+        const float x = static_cast<float>(tile_.left + static_cast<int>(sample % width)) + 0.5f;
+        const float y = static_cast<float>(tile_.top + static_cast<int>(sample / width)) + 0.5f;
+        const Eigen::Vector3f towardsEye =
+            transform_.towardsEye + x * transform_.towardsEyePerX + y * transform_.towardsEyePerY;
+        const float dot = normal.dot(towardsEye);
+        const float lengths = normal.squaredNorm() * towardsEye.squaredNorm();
+        const float squared = lengths > 0 ? std::min(1.0f, dot * dot / lengths) : 1;
+        colour = shaded(colour, std::sqrt(squared), squared);
+    }
+    return {colour.red * material.opacity, colour.green * material.opacity, colour.blue * material.opacity,
+            material.opacity};
+}
+
+PremultipliedColour TilePainter::composite(std::size_t sample, const PremultipliedColour& background)
+{
+    sorted_.clear();
+    for (std::uint32_t place = heads_[sample]; place != none; place = listed_[place].next)
+        sorted_.push_back(listed_[place].fragment);
+    std::ranges::sort(sorted_, [](const Fragment& one, const Fragment& other) {
+        return one.nearness != other.nearness ? one.nearness > other.nearness : one.triangle < other.triangle;
+    });
+    PremultipliedColour colour{};
+    float transparency = 1;
+    for (const Fragment& fragment : sorted_) {
+        addBehind(colour, transparency, lit(fragment, sample));
+        if (transparency < smallestTransparency)
+            break;
+    }
+    const Fragment& last = opaque_[sample];
+    addBehind(colour, transparency, last.triangle == none ? background : lit(last, sample));
+    return colour;
+}
+
+std::span<const PremultipliedColour> TilePainter::paint(const SampleRectangle& tile,
+                                                        std::span<const std::uint32_t> triangles,
+                                                        const PremultipliedColour& background)
+{
+    clear(tile);
+    const auto isOpaque = [&](std::uint32_t triangle) {
+        return list_.materials[list_.triangles[triangle].material].opacity >= 1;
+    };
+    for (const std::uint32_t triangle : triangles)
+        if (isOpaque(triangle))
+            drawOpaque(triangle);
+    for (const std::uint32_t triangle : triangles)
+        if (!isOpaque(triangle))
+            collectTranslucent(triangle);
+    for (std::size_t sample = 0; sample < colours_.size(); ++sample)
+        colours_[sample] = composite(sample, background);
+    return colours_;
+}
+
+} // namespace tetra

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/graphics/render_backend.h"
+
+namespace tetra {
+
+inline constexpr int largestPictureSide = 32768;
+
+/// An error if no back end can make such a picture.
+Status checkOptions(const PictureOptions& options);
+
+} // namespace tetra

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/graphics/picture.h"
+
+#include <array>
+#include <span>
+
+namespace tetra {
+
+/// Makes pixels of a rectangle of samples: each the mean of samplesPerAxis squared samples, from premultiplied to
+/// straight alpha, rounded to 8 bits. `samples` has rows of `rowLength`, its upper left pixel is (left, top) of
+/// `picture`; both sides of the rectangle are multiples of samplesPerAxis.
+void resolve(std::span<const std::array<float, 4>> samples, int rowLength, int samplesPerAxis, int left, int top,
+             Picture& picture);
+
+} // namespace tetra
