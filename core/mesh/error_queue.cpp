@@ -5,50 +5,54 @@
 
 namespace tetra {
 
-void ErrorQueue::pushHeap(const Candidate& candidate)
+ErrorQueue::ErrorQueue(const PackedLattice& lattice, float largestError)
+    : lattice_(&lattice), classes_(classCount), foremost_(classCount - 1)
 {
-    heap_.push_back(candidate);
-    std::push_heap(heap_.begin(), heap_.end());
-}
-
-void ErrorQueue::moveForemost(std::uint32_t entryClass)
-{
-    std::vector<Waiting>& waiting = classes_[foremost_];
-    for (const Candidate& candidate : heap_)
-        waiting.push_back({candidate.bucket, candidate.error});
-    heap_.clear();
-    foremost_ = entryClass;
+    const std::uint32_t largest = std::bit_cast<std::uint32_t>(largestError) >> classShift;
+    firstClass_ = largest < classCount ? 0 : largest - classCount + 1;
 }
 
 bool ErrorQueue::current(const Candidate& candidate, const std::vector<PointBucket>& buckets) const
 {
     const PointBucket& bucket = buckets[candidate.bucket];
-    return bucket.count > 0 && bucket.error == candidate.error && lattice_->index(bucket.worst) == candidate.rank;
+    return bucket.count > 0 && this->candidate(candidate.bucket, bucket).key == candidate.key;
 }
 
 std::uint32_t ErrorQueue::top(const std::vector<PointBucket>& buckets)
 {
-    for (;;) {
-        while (!heap_.empty()) {
-            if (current(heap_.front(), buckets))
-                return heap_.front().bucket;
+    do {
+        while (!sorted_.empty() && !current(sorted_.back(), buckets)) {
+            sorted_.pop_back();
+            --entryCount_;
+        }
+        while (!heap_.empty() && !current(heap_.front(), buckets)) {
             std::pop_heap(heap_.begin(), heap_.end());
             heap_.pop_back();
             --entryCount_;
         }
-        while (foremost_ > 0 && classes_[foremost_].empty())
-            --foremost_;
-        std::vector<Waiting>& waiting = classes_[foremost_];
-        if (waiting.empty())
-            return none;
-        for (const Waiting& entry : waiting)
-            if (buckets[entry.bucket].count > 0 && buckets[entry.bucket].error == entry.error)
-                heap_.push_back({entry.error, lattice_->index(buckets[entry.bucket].worst), entry.bucket});
-            else
-                --entryCount_;
-        std::vector<Waiting>().swap(waiting);
-        std::make_heap(heap_.begin(), heap_.end());
-    }
+        if (!sorted_.empty() && (heap_.empty() || heap_.front() < sorted_.back()))
+            return sorted_.back().bucket;
+        if (!heap_.empty())
+            return heap_.front().bucket;
+    } while (openNextClass(buckets));
+    return none;
+}
+
+bool ErrorQueue::openNextClass(const std::vector<PointBucket>& buckets)
+{
+    while (foremost_ > 0 && classes_[foremost_].empty())
+        --foremost_;
+    std::vector<Waiting>& waiting = classes_[foremost_];
+    if (waiting.empty())
+        return false;
+    for (const Waiting& entry : waiting)
+        if (buckets[entry.bucket].count > 0 && buckets[entry.bucket].error == entry.error)
+            sorted_.push_back(candidate(entry.bucket, buckets[entry.bucket]));
+        else
+            --entryCount_;
+    std::vector<Waiting>().swap(waiting);
+    std::sort(sorted_.begin(), sorted_.end());
+    return true;
 }
 
 void ErrorQueue::sweep(const std::vector<PointBucket>& buckets)

@@ -3,6 +3,7 @@
 
 #include "core/mesh/packed_lattice.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <vector>
@@ -19,25 +20,21 @@ struct PointBucket {
 };
 
 /// Buckets by falling error, ties by the point's place in the lattice (S3): a queue of classes on the leading bits of
-/// the error, only the foremost class kept as a heap. Entries whose bucket has changed since are dropped when they are
-/// met, and swept out when they outnumber the others.
+/// the error, only the foremost classes kept as a heap. Entries whose bucket has changed since are dropped when they
+/// are met, and swept out when they outnumber the others.
 class ErrorQueue {
 public:
-    explicit ErrorQueue(const PackedLattice& lattice)
-        : lattice_(&lattice), classes_(std::size_t(1) << (32 - classShift))
-    {
-    }
+    /// Errors are expected up to `largestError`, the extent of the values; larger ones are only slower.
+    ErrorQueue(const PackedLattice& lattice, float largestError);
 
     /// O(1). Buckets without error need not be pushed.
     void push(std::uint32_t bucket, const PointBucket& content)
     {
-        const std::uint32_t bits = std::bit_cast<std::uint32_t>(content.error);
-        const std::uint32_t entryClass = bits >> classShift;
+        const std::uint32_t entryClass = classOf(content.error);
         ++entryCount_;
         if (entryClass >= foremost_) {
-            if (entryClass > foremost_)
-                moveForemost(entryClass);
-            pushHeap({content.error, lattice_->index(content.worst), bucket});
+            heap_.push_back(candidate(bucket, content));
+            std::push_heap(heap_.begin(), heap_.end());
             return;
         }
         classes_[entryClass].push_back({bucket, content.error});
@@ -47,34 +44,48 @@ public:
     static constexpr std::uint32_t none = 0xffffffff;
     std::uint32_t top(const std::vector<PointBucket>& buckets);
 
+    /// A bucket that will probably be the next top once the present one has changed, or none; a hint for fetching
+    /// ahead.
+    std::uint32_t probableNext() const { return sorted_.size() < 2 ? none : sorted_[sorted_.size() - 2].bucket; }
+
     /// Drops what has changed; worth calling when `live` buckets are far fewer than entryCount().
     void sweep(const std::vector<PointBucket>& buckets);
     std::uint64_t entryCount() const noexcept { return entryCount_; }
 
 private:
-    static constexpr int classShift = 15; // sign, exponent and eight bits of the fraction
+    /// Classes take ten bits of the fraction, over 24 octaves below the largest error; what is smaller shares the last.
+    static constexpr std::uint32_t classShift = 15;
+    static constexpr std::uint32_t classCount = 24u << (23 - classShift);
+
+    std::uint32_t classOf(float error) const
+    {
+        const std::uint32_t number = std::bit_cast<std::uint32_t>(error) >> classShift;
+        return std::clamp(number, firstClass_, firstClass_ + classCount - 1) - firstClass_;
+    }
 
     struct Waiting {
         std::uint32_t bucket;
         float error;
     };
     struct Candidate {
-        float error;
-        std::uint32_t rank;
+        std::uint64_t key; ///< the bits of the error, then the complement of the point's place
         std::uint32_t bucket;
-        bool operator<(const Candidate& other) const
-        {
-            return error != other.error ? error < other.error : rank > other.rank;
-        }
+        bool operator<(const Candidate& other) const { return key < other.key; }
     };
 
-    void pushHeap(const Candidate& candidate);
-    void moveForemost(std::uint32_t entryClass);
+    Candidate candidate(std::uint32_t bucket, const PointBucket& content) const
+    {
+        return {std::uint64_t(std::bit_cast<std::uint32_t>(content.error)) << 32 | ~lattice_->index(content.worst),
+                bucket};
+    }
+    bool openNextClass(const std::vector<PointBucket>& buckets);
     bool current(const Candidate& candidate, const std::vector<PointBucket>& buckets) const;
 
     const PackedLattice* lattice_;
     std::vector<std::vector<Waiting>> classes_;
-    std::vector<Candidate> heap_;
+    std::vector<Candidate> sorted_; ///< the open class when it was opened, the largest last
+    std::vector<Candidate> heap_;   ///< what came since and belongs to it or above
+    std::uint32_t firstClass_ = 0;
     std::uint32_t foremost_ = 0;
     std::uint64_t entryCount_ = 0;
 };

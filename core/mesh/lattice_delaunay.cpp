@@ -83,40 +83,50 @@ bool LatticeDelaunay::onHullPlane(PackedPoint point, const DelaunayTetrahedron& 
 
 void LatticeDelaunay::findCavity(PackedPoint point, std::uint32_t containing)
 {
-    destroyed_.clear();
-    cavityFaces_.clear();
     const std::int32_t x = lattice_.x(point), y = lattice_.y(point), z = lattice_.z(point);
+    std::size_t destroyedCount = 1;
+    std::size_t faceCount = 0;
+    destroyed_.resize(std::max<std::size_t>(destroyed_.capacity(), 64));
+    cavityFaces_.resize(std::max<std::size_t>(cavityFaces_.capacity(), 64));
     tetrahedra_[containing].determinant = 0;
-    destroyed_.push_back(containing);
-    for (std::size_t next = 0; next < destroyed_.size(); ++next) {
+    destroyed_[0] = containing;
+    for (std::size_t next = 0; next < destroyedCount; ++next) {
+        if (destroyedCount + 4 > destroyed_.size())
+            destroyed_.resize(2 * destroyed_.size());
+        if (faceCount + 8 > cavityFaces_.size())
+            cavityFaces_.resize(2 * cavityFaces_.size());
         const std::uint32_t inside = destroyed_[next];
-        const DelaunayTetrahedron& tetrahedron = tetrahedra_[inside];
+        const std::array<std::uint32_t, 4> neighbours = tetrahedra_[inside].neighbours;
+        if (next + 1 < destroyedCount)
+            for (const std::uint32_t neighbour : tetrahedra_[destroyed_[next + 1]].neighbours)
+                __builtin_prefetch(&tetrahedra_[neighbour == none ? inside : neighbour]);
         for (std::uint8_t face = 0; face < 4; ++face) {
-            const std::uint32_t outside = tetrahedron.neighbours[face];
-            if (outside == none) {
-                if (!onHullPlane(point, tetrahedron, face))
-                    cavityFaces_.push_back({inside, none, face, 0});
-                continue;
-            }
+            // Without branches on the outcome, which nobody can predict: the cache misses of all four tests overlap. A
+            // missing neighbour is replaced by the tetrahedron itself, which is dead and so neither joins nor bounds.
+            const std::uint32_t outside = neighbours[face] == none ? inside : neighbours[face];
             DelaunayTetrahedron& other = tetrahedra_[outside];
-            if (other.determinant == 0)
-                continue;
             const double qx = x - lattice_.x(other.vertices[0]);
             const double qy = y - lattice_.y(other.vertices[0]);
             const double qz = z - lattice_.z(other.vertices[0]);
             const double square = weights_[0] * qx * qx + weights_[1] * qy * qy + weights_[2] * qz * qz;
-            if (other.determinant * square < other.centre[0] * qx + other.centre[1] * qy + other.centre[2] * qz) {
-                other.determinant = 0;
-                destroyed_.push_back(outside);
-            } else {
-                const std::uint8_t back = other.neighbours[0] == inside   ? 0
-                                          : other.neighbours[1] == inside ? 1
-                                          : other.neighbours[2] == inside ? 2
-                                                                          : 3;
-                cavityFaces_.push_back({inside, outside, face, back});
-            }
+            const double sphere = other.centre[0] * qx + other.centre[1] * qy + other.centre[2] * qz;
+            const bool alive = other.determinant != 0;
+            const bool conflict = alive & (other.determinant * square < sphere);
+            other.determinant = conflict ? 0 : other.determinant;
+            destroyed_[destroyedCount] = outside;
+            destroyedCount += conflict;
+            const std::uint8_t back =
+                static_cast<std::uint8_t>((other.neighbours[1] == inside) + 2 * (other.neighbours[2] == inside) +
+                                          3 * (other.neighbours[3] == inside));
+            cavityFaces_[faceCount] = {inside, outside, face, back};
+            faceCount += alive & !conflict;
         }
+        for (std::uint8_t face = 0; face < 4; ++face)
+            if (neighbours[face] == none && !onHullPlane(point, tetrahedra_[inside], face))
+                cavityFaces_[faceCount++] = {inside, none, face, 0};
     }
+    destroyed_.resize(destroyedCount);
+    cavityFaces_.resize(faceCount);
 }
 
 void LatticeDelaunay::gatherStar(PackedPoint point)
@@ -166,7 +176,7 @@ void LatticeDelaunay::writeStar(PackedPoint point)
         tetrahedron.neighbours[0] = cavityFace.outside;
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const std::uint32_t partner = partners[i][corner];
-            tetrahedron.neighbours[corner + 1] = partner == Star::noPartner ? none : created_[partner / 4];
+            tetrahedron.neighbours[corner + 1] = partner == Star::noPartner ? none : created_[partner];
         }
         tetrahedron.determinant = determinant[i];
         tetrahedron.centre = {centreX[i], centreY[i], centreZ[i]};

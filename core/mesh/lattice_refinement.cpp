@@ -29,7 +29,8 @@ float roundedUp(double value)
 class Refinement {
 public:
     Refinement(const LatticeRefinementOptions& options, const LatticeSamples& samples, HistorySink& sink)
-        : options_(options), samples_(samples), sink_(sink), lattice_(options.size), queue_(lattice_)
+        : options_(options), samples_(samples), sink_(sink), lattice_(options.size),
+          queue_(lattice_, roundedUp(options.valueExtent))
     {
     }
 
@@ -69,6 +70,7 @@ private:
 
     std::vector<PackedPoint> points_;
     std::vector<std::uint32_t> destroyedHistory_;
+    std::vector<std::uint32_t> destroyedBuckets_;
     std::vector<std::uint32_t> rimSites_;
     std::vector<HistoryTetrahedron> starHistory_;
     std::array<float, LatticeDelaunay::startCount> startErrors_{};
@@ -215,12 +217,15 @@ void Refinement::collectDestroyed()
 {
     points_.clear();
     destroyedHistory_.clear();
+    destroyedBuckets_.clear();
     for (const std::uint32_t slot : delaunay_.destroyed()) {
         const SlotState state = slots_[slot];
         destroyedHistory_.push_back(state.history);
-        if (state.bucket == none)
-            continue;
-        PointBucket& bucket = buckets_[state.bucket];
+        if (state.bucket != none)
+            destroyedBuckets_.push_back(state.bucket);
+    }
+    for (const std::uint32_t number : destroyedBuckets_) {
+        PointBucket& bucket = buckets_[number];
         if (bucket.count == 1) {
             points_.push_back(bucket.worst);
         } else {
@@ -231,7 +236,7 @@ void Refinement::collectDestroyed()
         if (counts(bucket.error))
             pointsAboveStop_ -= bucket.count;
         bucket.count = 0;
-        freeBuckets_.push_back(state.bucket);
+        freeBuckets_.push_back(number);
     }
 }
 
@@ -239,8 +244,14 @@ Status Refinement::insertWorst(const PointBucket& worst, std::uint32_t)
 {
     const PackedPoint point = worst.worst;
     const float errorBefore = worst.error;
+    const std::uint32_t nextBucket = queue_.probableNext();
+    const std::uint32_t nextSlot = nextBucket == ErrorQueue::none ? 0 : buckets_[nextBucket].tetrahedron;
+    delaunay_.prefetch(nextSlot);
     if (!delaunay_.insert(point, worst.tetrahedron))
         return Error{ErrorKind::OutOfResource, "The mesh grew beyond what was reserved for it."};
+    for (const std::uint32_t slot : delaunay_.destroyed())
+        __builtin_prefetch(&slots_[slot]);
+    delaunay_.prefetchNeighbours(nextSlot);
     collectDestroyed();
     const Star& star = delaunay_.star();
     const std::uint32_t pointIndex = lattice_.index(point);

@@ -16,6 +16,7 @@ namespace tetra {
 struct LatticeRefinementOptions {
     std::array<std::uint32_t, 3> size{2, 2, 2}; ///< points along each axis, at least two
     Eigen::Vector3d spacing{1, 1, 1};           ///< the Delaunay criterion holds in physical space
+    double valueExtent = 1;                     ///< largest minus smallest value; only the speed depends on it
     double stopError = 0;                       ///< stop at the first mesh with no larger error, in units of the values
 };
 

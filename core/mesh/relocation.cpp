@@ -5,70 +5,95 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace tetra {
 
 namespace {
 
-constexpr std::size_t lanes = Star::lanes;
-
 /// The largest coordinate for which every sum of the plane tests, at most 6 c^3, is exact in a float.
 constexpr std::int32_t exactReachOfFloat = 140;
 
-/// owner[i] = the first face whose cone, seen from the apex, contains point i. `planes` holds nine arrays of `count` (a
-/// multiple of `lanes`): the normals of the three sides. Branch free: every face is tested.
+/// Points are tested this many at a time.
+constexpr std::size_t lanes = 8;
+
+template <class Real> struct Vector;
+template <> struct Vector<float> {
+    using Type = float __attribute__((vector_size(lanes * sizeof(float))));
+    using Mask = std::int32_t __attribute__((vector_size(lanes * sizeof(float))));
+};
+template <> struct Vector<double> {
+    using Type = double __attribute__((vector_size(lanes * sizeof(double))));
+    using Mask = std::int64_t __attribute__((vector_size(lanes * sizeof(double))));
+};
+
+/// owners[i] = the last face whose cone, seen from the apex, contains point i. `planes` holds nine numbers for each
+/// face, the normals of the three sides of its cone. Branch free: every face is tested, for `lanes` points at a time;
+/// the point arrays are padded to that.
 template <class Real>
-[[gnu::always_inline]] inline void findOwnersIn(std::size_t count, const Real* planes, std::size_t pointCount,
-                                                const float* x, const float* y, const float* z, std::uint32_t* owners)
+[[gnu::always_inline]] inline void findOwnersIn(std::span<const Real> planes, std::size_t pointCount, const float* x,
+                                                const float* y, const float* z, std::int32_t* owners)
 {
-    for (std::size_t i = 0; i < pointCount; ++i) {
-        const Real px = x[i], py = y[i], pz = z[i];
-        std::int32_t first[lanes];
-        for (std::size_t lane = 0; lane < lanes; ++lane)
-            first[lane] = 0x7fffffff;
-        for (std::size_t base = 0; base < count; base += lanes)
-            for (std::size_t lane = 0; lane < lanes; ++lane) {
-                const Real* const plane = planes + base + lane;
-                const Real side0 = plane[0] * px + plane[count] * py + plane[2 * count] * pz;
-                const Real side1 = plane[3 * count] * px + plane[4 * count] * py + plane[5 * count] * pz;
-                const Real side2 = plane[6 * count] * px + plane[7 * count] * py + plane[8 * count] * pz;
-                const bool inside = (side0 >= 0) & (side1 >= 0) & (side2 >= 0);
-                const std::int32_t candidate = inside ? static_cast<std::int32_t>(base + lane) : 0x7fffffff;
-                first[lane] = candidate < first[lane] ? candidate : first[lane];
-            }
-        std::int32_t owner = first[0];
-        for (std::size_t lane = 1; lane < lanes; ++lane)
-            owner = first[lane] < owner ? first[lane] : owner;
-        owners[i] = static_cast<std::uint32_t>(owner);
+    using Numbers = typename Vector<Real>::Type;
+    using Mask = typename Vector<Real>::Mask;
+    const auto load = [](Numbers& to, const float* from) {
+        Vector<float>::Type numbers;
+        std::memcpy(&numbers, from, sizeof numbers);
+        to = __builtin_convertvector(numbers, Numbers);
+    };
+    for (std::size_t i = 0; i < pointCount; i += lanes) {
+        Numbers px, py, pz;
+        load(px, x + i);
+        load(py, y + i);
+        load(pz, z + i);
+        Mask owner = {};
+        Mask face = {};
+        for (const Real* plane = planes.data(); plane != planes.data() + planes.size(); plane += 9) {
+            const Numbers side0 = plane[0] * px + plane[1] * py + plane[2] * pz;
+            const Numbers side1 = plane[3] * px + plane[4] * py + plane[5] * pz;
+            const Numbers side2 = plane[6] * px + plane[7] * py + plane[8] * pz;
+            const Mask inside = (side0 >= 0) & (side1 >= 0) & (side2 >= 0);
+            owner = inside ? face : owner;
+            face += 1;
+        }
+        const auto narrow = __builtin_convertvector(owner, Vector<float>::Mask);
+        std::memcpy(owners + i, &narrow, sizeof narrow);
     }
 }
 
-TETRA_SIMD_CLONES void findOwnersFloat(std::size_t count, const float* planes, std::size_t pointCount, const float* x,
-                                       const float* y, const float* z, std::uint32_t* owners)
+TETRA_SIMD_CLONES void findOwnersFloat(std::span<const float> planes, std::size_t pointCount, const float* x,
+                                       const float* y, const float* z, std::int32_t* owners)
 {
-    findOwnersIn(count, planes, pointCount, x, y, z, owners);
+    findOwnersIn<float>(planes, pointCount, x, y, z, owners);
 }
 
-TETRA_SIMD_CLONES void findOwnersDouble(std::size_t count, const double* planes, std::size_t pointCount, const float* x,
-                                        const float* y, const float* z, std::uint32_t* owners)
+TETRA_SIMD_CLONES void findOwnersDouble(std::span<const double> planes, std::size_t pointCount, const float* x,
+                                        const float* y, const float* z, std::int32_t* owners)
 {
-    findOwnersIn(count, planes, pointCount, x, y, z, owners);
+    findOwnersIn<double>(planes, pointCount, x, y, z, owners);
+}
+
+template <class Real> std::span<const Real> facePlanes(const Star& star, std::vector<Real>& planes)
+{
+    planes.resize(9 * star.faceCount());
+    const std::size_t stride = star.paddedFaceCount();
+    const double* const normals = star.quantity(Star::NormalBC);
+    for (std::size_t face = 0; face < star.faceCount(); ++face)
+        for (std::size_t k = 0; k < 9; ++k)
+            planes[9 * face + k] = static_cast<Real>(normals[k * stride + face]);
+    return planes;
 }
 
 } // namespace
 
-template <class Real> void Relocation::findOwners(const Star& star)
+void Relocation::findOwners(const Star& star)
 {
-    const std::size_t count = star.paddedFaceCount();
-    planes_.resize(9 * count);
-    Real* const planes = reinterpret_cast<Real*>(planes_.data());
-    const double* const normals = star.quantity(Star::NormalBC);
-    for (std::size_t i = 0; i < 9 * count; ++i)
-        planes[i] = static_cast<Real>(normals[i]);
-    if constexpr (sizeof(Real) == sizeof(float))
-        findOwnersFloat(count, planes, points_.size(), x_.data(), y_.data(), z_.data(), owners_.data());
+    if (star.reach() <= exactReachOfFloat)
+        findOwnersFloat(facePlanes(star, floatPlanes_), points_.size(), x_.data(), y_.data(), z_.data(),
+                        owners_.data());
     else
-        findOwnersDouble(count, planes, points_.size(), x_.data(), y_.data(), z_.data(), owners_.data());
+        findOwnersDouble(facePlanes(star, doublePlanes_), points_.size(), x_.data(), y_.data(), z_.data(),
+                         owners_.data());
 }
 
 void Relocation::gatherCoordinates(const PackedLattice& lattice, PackedPoint apex, std::span<const PackedPoint> points)
@@ -80,10 +105,11 @@ void Relocation::gatherCoordinates(const PackedLattice& lattice, PackedPoint ape
         count += point != apex;
     }
     points_.resize(count);
-    x_.resize(count);
-    y_.resize(count);
-    z_.resize(count);
-    owners_.resize(count);
+    const std::size_t padded = (count + lanes - 1) / lanes * lanes;
+    x_.resize(padded);
+    y_.resize(padded);
+    z_.resize(padded);
+    owners_.resize(padded);
     const std::int32_t apexX = lattice.x(apex), apexY = lattice.y(apex), apexZ = lattice.z(apex);
     for (std::size_t i = 0; i < count; ++i) {
         x_[i] = static_cast<float>(lattice.x(points_[i]) - apexX);
@@ -95,8 +121,8 @@ void Relocation::gatherCoordinates(const PackedLattice& lattice, PackedPoint ape
 void Relocation::sortByOwner(std::size_t faceCount)
 {
     offsets_.assign(faceCount + 2, 0);
-    for (const std::uint32_t owner : owners_)
-        ++offsets_[owner + 2];
+    for (std::size_t i = 0; i < points_.size(); ++i)
+        ++offsets_[static_cast<std::size_t>(owners_[i]) + 2];
     for (std::size_t face = 2; face < offsets_.size(); ++face)
         offsets_[face] += offsets_[face - 1];
     const std::size_t count = points_.size();
@@ -104,14 +130,12 @@ void Relocation::sortByOwner(std::size_t faceCount)
     placedX_.resize(count);
     placedY_.resize(count);
     placedZ_.resize(count);
-    placedOwners_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-        const std::uint32_t place = offsets_[owners_[i] + 1]++;
+        const std::uint32_t place = offsets_[static_cast<std::size_t>(owners_[i]) + 1]++;
         placed_[place] = points_[i];
         placedX_[place] = x_[i];
         placedY_[place] = y_[i];
         placedZ_[place] = z_[i];
-        placedOwners_[place] = owners_[i];
     }
     offsets_.pop_back();
 }
@@ -153,10 +177,7 @@ void Relocation::run(const PackedLattice& lattice, const LatticeSamples& samples
                      std::span<const PackedPoint> points)
 {
     gatherCoordinates(lattice, star.apex(), points);
-    if (star.reach() <= exactReachOfFloat)
-        findOwners<float>(star);
-    else
-        findOwners<double>(star);
+    findOwners(star);
     sortByOwner(star.faceCount());
     computeErrors(lattice, samples, star);
 }

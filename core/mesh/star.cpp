@@ -120,30 +120,23 @@ std::span<const std::array<std::uint32_t, 3>> Star::partners()
         edgeStride_ = std::bit_ceil(std::max<std::size_t>(rim_.size(), 32));
         edges_.assign(edgeStride_ * edgeStride_, 0);
     }
-    // An edge (u, v) of one face is (v, u) of its partner: the first of the two waits in the table for the second.
-    partners_.resize(faces_.size());
-    std::size_t waiting = 0;
-    for (std::uint32_t face = 0; face < faces_.size(); ++face)
-        for (std::uint32_t corner = 0; corner < 3; ++corner) {
-            const std::size_t from = faces_[face][corner == 2 ? 0 : corner + 1];
-            const std::size_t to = faces_[face][corner == 0 ? 2 : corner - 1];
-            std::uint32_t& other = edges_[to * edgeStride_ + from];
-            const std::uint32_t self = 4 * face + corner + 1;
-            if (other != 0) {
-                partners_[face][corner] = other;
-                partners_[other / 4][other % 4 - 1] = self;
-                other = 0;
-                --waiting;
-            } else {
-                partners_[face][corner] = noPartner;
-                edges_[from * edgeStride_ + to] = self;
-                ++waiting;
-            }
-        }
-    if (waiting > 0)
-        for (const std::array<std::uint32_t, 3>& face : faces_)
-            for (std::size_t corner = 0; corner < 3; ++corner)
-                edges_[face[corner == 2 ? 0 : corner + 1] * edgeStride_ + face[corner == 0 ? 2 : corner - 1]] = 0;
+    // An edge (u, v) of one face is (v, u) of its partner. Three passes without a branch: note, look up, clear.
+    const auto edge = [this](std::uint32_t face, std::uint32_t corner, bool reversed) -> std::uint32_t& {
+        const std::size_t from = faces_[face][corner == 2 ? 0 : corner + 1];
+        const std::size_t to = faces_[face][corner == 0 ? 2 : corner - 1];
+        return edges_[reversed ? to * edgeStride_ + from : from * edgeStride_ + to];
+    };
+    const std::uint32_t count = static_cast<std::uint32_t>(faces_.size());
+    partners_.resize(count);
+    for (std::uint32_t face = 0; face < count; ++face)
+        for (std::uint32_t corner = 0; corner < 3; ++corner)
+            edge(face, corner, false) = face + 1;
+    for (std::uint32_t face = 0; face < count; ++face)
+        for (std::uint32_t corner = 0; corner < 3; ++corner)
+            partners_[face][corner] = edge(face, corner, true) - 1;
+    for (std::uint32_t face = 0; face < count; ++face)
+        for (std::uint32_t corner = 0; corner < 3; ++corner)
+            edge(face, corner, false) = 0;
     return partners_;
 }
 

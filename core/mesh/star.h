@@ -42,8 +42,8 @@ public:
     };
     const double* quantity(std::size_t number) const noexcept { return values_.data() + number * paddedFaceCount(); }
 
-    /// For each face and each corner k = 0, 1, 2 the face on the other side of the edge opposite to that corner, as
-    /// 4 * face + corner + 1, or noPartner if the star ends there (on the hull). Needs finish().
+    /// For each face and each corner the face on the other side of the edge opposite to that corner, or noPartner if
+    /// the star ends there (on the hull).
     static constexpr std::uint32_t noPartner = 0xffffffff;
     std::span<const std::array<std::uint32_t, 3>> partners();
 
@@ -64,7 +64,7 @@ private:
     std::int32_t reach_ = 0;
     std::vector<PackedPoint> rim_;
     std::vector<std::array<std::uint32_t, 3>> faces_;
-    std::vector<HashEntry> hash_ = std::vector<HashEntry>(64);
+    std::vector<HashEntry> hash_ = std::vector<HashEntry>(256);
     std::vector<std::uint32_t> hashUsed_;
     std::vector<double> rimCoordinates_;
     std::vector<double> corners_;

@@ -33,6 +33,7 @@ Result<BuildReport> RefinementBuilder::build(const Dataset& dataset, const Param
     LatticeRefinementOptions options;
     options.size = dataset.lattice.size;
     options.spacing = dataset.lattice.spacing;
+    options.valueExtent = dataset.values.range().extent();
     options.stopError = percent / 100 * dataset.values.range().extent();
     const Result<LatticeRefinementResult> result = visitSampleType(dataset.values.type(), [&]<class T>() {
         return refineLattice(options, LatticeSamples(dataset.values.as<T>()), sink, progress);
