@@ -36,6 +36,10 @@ public:
         return result;
     }
 
+    /// Cancelled by the same request, but reporting its own [0, 1] to `callback`: for one of several pieces of work
+    /// that run at once, whose fractions the callback puts together.
+    Progress withCallback(Callback callback) const { return {stop_, std::move(callback)}; }
+
 private:
     std::stop_token stop_;
     Callback callback_;
