@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cstdint>
 #include <span>
 
@@ -22,13 +23,14 @@ public:
     {
         freeBlocks_.fill(none);
         used_ = 0;
-        return storage_.reserve(2 * points + 64 * minimumBlock, "the points of the refinement");
+        return storage_.reserve(2 * points + std::uint64_t{64} * minimumBlock, "the points of the refinement");
     }
 
-    /// The place of a block for `count` > 0 points.
+    /// The place of a block for `count` points, at least one and at most 2^31.
     std::uint32_t allocate(std::uint32_t count)
     {
         const std::uint32_t wanted = blockClass(count);
+        assert(wanted < classes);
         std::uint32_t from = wanted;
         while (from < classes && freeBlocks_[from] == none)
             ++from;
