@@ -18,6 +18,8 @@ namespace tetra {
 Dataset bumps(SampleType type, std::array<std::uint32_t, 3> size)
 {
     const Lattice lattice{size, {0.5, 2, 1.25}, {-3, 10, 0.1}};
+    const bool isUnsigned = type == SampleType::UInt8 || type == SampleType::UInt16 || type == SampleType::UInt32;
+    const double offset = isUnsigned ? 100 : 0;
     return visitSampleType(type, [&]<class T>() {
         const std::shared_ptr<T[]> samples(new T[lattice.pointCount()]);
         for (std::uint64_t point = 0; point < lattice.pointCount(); ++point) {
@@ -25,7 +27,7 @@ Dataset bumps(SampleType type, std::array<std::uint32_t, 3> size)
             const double value =
                 std::sin(1.3 * c[0]) * std::cos(0.9 * c[1]) + 0.5 * std::sin(0.7 * c[2] + 0.2 * c[0] * c[1]);
             samples[point] =
-                static_cast<T>(isInteger(type) ? std::round(value * 60 + 90) * (sizeof(T) == 4 ? 1e7 : 1) : value);
+                static_cast<T>(isInteger(type) ? std::round(value * 60 + offset) * (sizeof(T) == 4 ? 1e7 : 1) : value);
         }
         ScalarField field(type, lattice.pointCount(),
                           std::shared_ptr<const std::byte>(samples, reinterpret_cast<const std::byte*>(samples.get())));

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/verification.h"
+
+#include "core/model/verify_parts.h"
+
+#include <algorithm>
+#include <charconv>
+#include <new>
+
+namespace tetra {
+
+namespace {
+
+LevelVerdict notChecked(const Accuracy& asked)
+{
+    LevelVerdict verdict;
+    verdict.asked = asked;
+    verdict.failures = {"Not checked, because the model as a whole is wrong."};
+    return verdict;
+}
+
+Result<Verdict> verifyAll(const Model& model, const Dataset& original, const std::vector<Accuracy>& levels,
+                          const Progress& progress)
+{
+    constexpr double bytesShare = 0.05;
+    constexpr double historyShare = 0.15;
+    Verdict verdict;
+    if (const Status done = verifyBytes(model, verdict.failures, progress.part(0, bytesShare)); !done)
+        return done.error();
+    std::vector<LatticePoint> places;
+    if (verifySource(model, original, verdict.failures))
+        places = verifySites(model, original, verdict.failures);
+    bool usable = !places.empty();
+    if (usable)
+        if (const Status done = verifyHistory(model, places, verdict.failures, usable,
+                                              progress.part(bytesShare, bytesShare + historyShare));
+            !done)
+            return done.error();
+    const double first = bytesShare + historyShare;
+    for (std::size_t number = 0; number < levels.size(); ++number) {
+        if (!usable) {
+            verdict.levels.push_back(notChecked(levels[number]));
+            continue;
+        }
+        const double share = (1 - first) / static_cast<double>(levels.size());
+        const double begin = first + share * static_cast<double>(number);
+        Result<LevelVerdict> level =
+            verifyLevel(model, original, places, levels[number], progress.part(begin, begin + share));
+        if (!level)
+            return level.error();
+        verdict.levels.push_back(std::move(*level));
+    }
+    if (const Status intact = model.checkIntact(); !intact)
+        return intact.error();
+    return verdict;
+}
+
+} // namespace
+
+bool Verdict::ok() const noexcept
+{
+    return failures.empty() && std::ranges::all_of(levels, &LevelVerdict::ok);
+}
+
+Result<Verdict> verify(const Model& model, const Dataset& original, const std::vector<Accuracy>& levels,
+                       const Progress& progress)
+{
+    try {
+        return verifyAll(model, original, levels, progress);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorKind::OutOfResource, "Not enough memory to verify '" + model.path().string() +
+                                                   "'. Close other programs, or verify coarser levels only."};
+    }
+}
+
+std::string textOf(const LatticePoint& point)
+{
+    return "(" + std::to_string(point[0]) + ", " + std::to_string(point[1]) + ", " + std::to_string(point[2]) + ")";
+}
+
+std::string textOf(const CellCorners& corners)
+{
+    return textOf(corners[0]) + " " + textOf(corners[1]) + " " + textOf(corners[2]) + " " + textOf(corners[3]);
+}
+
+std::string textOf(double number)
+{
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, number, std::chars_format::general, 6).ptr};
+}
+
+} // namespace tetra

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/findings.h"
+#include "core/model/level_cells.h"
+#include "core/model/shared_progress.h"
+#include "core/model/verify_parts.h"
+
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <compare>
+#include <string>
+
+namespace tetra {
+
+namespace {
+
+constexpr std::uint64_t facesAtOnce = 8 << 20;
+
+/// A face as one of its cells sees it.
+struct Face {
+    std::array<std::uint32_t, 3> sites; ///< in increasing order
+    bool odd;                           ///< whether sorting them turned the face over
+    std::uint32_t cell;
+
+    /// Cells break ties, so that messages do not depend on the sorting.
+    std::strong_ordering operator<=>(const Face& other) const
+    {
+        if (const auto order = sites <=> other.sites; order != 0)
+            return order;
+        return cell <=> other.cell;
+    }
+};
+
+/// Face `opposite` of a cell, with its normal outwards before it was sorted.
+Face faceOf(const std::array<std::uint32_t, 4>& s, int opposite, std::uint32_t cell)
+{
+    constexpr std::array<std::array<int, 3>, 4> corners = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+    const auto& c = corners[static_cast<std::size_t>(opposite)];
+    Face face{{s[c[0]], s[c[1]], s[c[2]]}, false, cell};
+    for (const auto& [first, second] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{0, 1}})
+        if (face.sites[first] > face.sites[second]) {
+            std::swap(face.sites[first], face.sites[second]);
+            face.odd = !face.odd;
+        }
+    return face;
+}
+
+class FaceCheck {
+public:
+    FaceCheck(const LevelCells& cells, const Lattice& lattice) : cells_(cells), lattice_(lattice) {}
+
+    Status run(const Progress& progress);
+    void moveTo(LevelVerdict& verdict)
+    {
+        verdict.conforming = findings_.none();
+        findings_.moveTo(verdict.failures);
+    }
+
+private:
+    std::vector<std::uint32_t> batches() const;
+    void gather(std::uint32_t firstSite, std::uint32_t endSite);
+    void checkBatch();
+    void checkFace(std::span<const Face> sameFace);
+    bool onBoundary(const Face& face) const;
+
+    const LevelCells& cells_;
+    const Lattice& lattice_;
+    std::vector<Face> faces_;
+    Findings findings_;
+};
+
+/// Ranges of the smallest site of a face that hold about facesAtOnce faces each; the bounds, the last one beyond all.
+std::vector<std::uint32_t> FaceCheck::batches() const
+{
+    std::vector<std::uint32_t> facesOfSmallest;
+    for (std::size_t cell = 0; cell < cells_.size(); ++cell)
+        for (int opposite = 0; opposite < 4; ++opposite) {
+            const std::uint32_t smallest = faceOf(cells_.sites(cell), opposite, 0).sites[0];
+            if (smallest >= facesOfSmallest.size())
+                facesOfSmallest.resize(smallest + 1);
+            ++facesOfSmallest[smallest];
+        }
+    std::vector<std::uint32_t> bounds = {0};
+    std::uint64_t faces = 0;
+    for (std::uint32_t site = 0; site < facesOfSmallest.size(); ++site) {
+        if (faces > 0 && faces + facesOfSmallest[site] > facesAtOnce) {
+            bounds.push_back(site);
+            faces = 0;
+        }
+        faces += facesOfSmallest[site];
+    }
+    bounds.push_back(static_cast<std::uint32_t>(facesOfSmallest.size()));
+    return bounds;
+}
+
+Status FaceCheck::run(const Progress& progress)
+{
+    const std::vector<std::uint32_t> bounds = batches();
+    SharedProgress shared(progress, bounds.size() - 1, "Verifying that the cells fit together");
+    for (std::size_t batch = 0; batch + 1 < bounds.size(); ++batch) {
+        if (shared.cancelled())
+            return cancelledError("Verifying the model");
+        gather(bounds[batch], bounds[batch + 1]);
+        tbb::parallel_sort(faces_);
+        checkBatch();
+        shared.done(1);
+    }
+    return {};
+}
+
+void FaceCheck::gather(std::uint32_t firstSite, std::uint32_t endSite)
+{
+    faces_.clear();
+    for (std::size_t cell = 0; cell < cells_.size(); ++cell)
+        for (int opposite = 0; opposite < 4; ++opposite) {
+            const Face face = faceOf(cells_.sites(cell), opposite, static_cast<std::uint32_t>(cell));
+            if (face.sites[0] >= firstSite && face.sites[0] < endSite)
+                faces_.push_back(face);
+        }
+}
+
+void FaceCheck::checkBatch()
+{
+    for (auto begin = faces_.begin(); begin != faces_.end();) {
+        const auto end =
+            std::find_if(begin, faces_.end(), [begin](const Face& face) { return face.sites != begin->sites; });
+        checkFace({begin, end});
+        begin = end;
+    }
+}
+
+void FaceCheck::checkFace(std::span<const Face> sameFace)
+{
+    const Face& face = sameFace.front();
+    std::string wrong;
+    if (sameFace.size() > 2)
+        wrong = " belongs to " + std::to_string(sameFace.size()) + " cells.";
+    else if (sameFace.size() == 2 && face.odd == sameFace.back().odd)
+        wrong = " has two cells on the same side.";
+    else if (sameFace.size() == 1 && !onBoundary(face))
+        wrong = " belongs to one cell only and does not lie on the boundary of the domain.";
+    else
+        return;
+    const auto place = [&](int corner) { return textOf(cells_.place(face.sites[static_cast<std::size_t>(corner)])); };
+    findings_.add(face.cell, [&] { return "The face " + place(0) + " " + place(1) + " " + place(2) + wrong; });
+}
+
+bool FaceCheck::onBoundary(const Face& face) const
+{
+    for (int axis = 0; axis < 3; ++axis)
+        for (const std::int64_t side : {std::int64_t(0), std::int64_t(lattice_.size[axis]) - 1})
+            if (std::ranges::all_of(face.sites, [&](std::uint32_t site) { return cells_.place(site)[axis] == side; }))
+                return true;
+    return false;
+}
+
+} // namespace
+
+Status verifyFaces(const LevelCells& cells, const Lattice& lattice, LevelVerdict& verdict, const Progress& progress)
+{
+    FaceCheck check(cells, lattice);
+    const Status done = check.run(progress);
+    check.moveTo(verdict);
+    return done;
+}
+
+} // namespace tetra

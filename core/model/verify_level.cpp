@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/exact_error.h"
+#include "core/model/findings.h"
+#include "core/model/level_cells.h"
+#include "core/model/shared_progress.h"
+#include "core/model/verify_parts.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace tetra {
+
+namespace {
+
+constexpr std::uint32_t cornerCount = 8;
+constexpr std::size_t cellsAtOnce = 1024;
+
+/// What is known of a sample after all cells were visited.
+enum SampleState {
+    Covered = 1,        ///< some cell holds it
+    WithinOwnError = 2, ///< some cell that holds it grants its error
+};
+
+/// The first state of the mesh that reached `asked`, found by looking at one after the other (S1).
+std::uint32_t firstPassage(const Model& model, double asked)
+{
+    std::uint32_t sites = cornerCount;
+    while (sites < model.siteCount() && !(static_cast<double>(model.runningErrors()[sites]) <= asked))
+        ++sites;
+    return sites;
+}
+
+/// Compares every original sample with the interpolation in every cell that holds it.
+template <class Sample> class SampleCheck {
+public:
+    using Exact = ExactError<Sample>;
+
+    SampleCheck(const Model& model, const Dataset& original, const LevelCells& cells, float claimed)
+        : model_(model), lattice_(original.lattice), samples_(original.values.as<Sample>()), cells_(cells),
+          claimed_(claimed), extent_(original.values.range().extent()), states_(lattice_.pointCount())
+    {
+    }
+
+    Status run(const Progress& progress);
+    void moveTo(LevelVerdict& verdict);
+
+private:
+    void checkCell(std::size_t number);
+    void mark(std::uint64_t sample, int state)
+    {
+        const auto known = states_[sample].load(std::memory_order_relaxed);
+        if ((known | state) != known)
+            states_[sample].fetch_or(static_cast<std::uint8_t>(state), std::memory_order_relaxed);
+    }
+    std::string describe(const LatticePoint& place, double error, std::size_t cell) const;
+    double percent(double error) const { return extent_ > 0 ? 100 * error / extent_ : 0; }
+
+    const Model& model_;
+    const Lattice& lattice_;
+    std::span<const Sample> samples_;
+    const LevelCells& cells_;
+    float claimed_;
+    double extent_;
+    std::vector<std::atomic<std::uint8_t>> states_;
+    tbb::enumerable_thread_specific<double> largest_{0.0};
+    Findings tooLarge_;
+};
+
+template <class Sample> Status SampleCheck<Sample>::run(const Progress& progress)
+{
+    SharedProgress shared(progress, cells_.size(), "Verifying the error at every sample");
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells_.size(), cellsAtOnce), [&](const auto& range) {
+        for (std::size_t number = range.begin(); number != range.end(); ++number) {
+            if (shared.cancelled())
+                return;
+            checkCell(number);
+        }
+        shared.done(range.size());
+    });
+    if (progress.cancelled())
+        return cancelledError("Verifying the model");
+    return {};
+}
+
+/// Visits the lattice points in the cell's bounding box, row by row; the four weights are exact integers.
+template <class Sample> void SampleCheck<Sample>::checkCell(std::size_t number)
+{
+    const CellCorners corners = cells_.corners(number);
+    const std::int64_t volume = sixVolumes(corners);
+    if (volume <= 0)
+        return; // found already, and a flat cell interpolates nothing
+    std::array<Sample, 4> values;
+    for (int i = 0; i < 4; ++i)
+        values[i] = samples_[model_.points()[cells_.sites(number)[i]]];
+    const auto claimedBound = Exact::claimedBound(claimed_, extent_, volume);
+    const auto ownBound = Exact::ownBound(model_.ownErrors()[cells_.historyNumber(number)], extent_, volume);
+    const BarycentricPlanes planes(corners);
+    LatticePoint low = corners[0];
+    LatticePoint high = corners[0];
+    for (const LatticePoint& corner : corners)
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], corner[axis]);
+            high[axis] = std::max(high[axis], corner[axis]);
+        }
+    typename Exact::Number worst = 0;
+    LatticePoint worstPlace = low;
+    for (std::int64_t k = low[2]; k <= high[2]; ++k)
+        for (std::int64_t j = low[1]; j <= high[1]; ++j) {
+            const BarycentricRow row = planes.row({low[0], j, k});
+            std::array<std::int64_t, 4> weights = row.start;
+            std::uint64_t sample = lattice_.index(static_cast<std::uint32_t>(low[0]), static_cast<std::uint32_t>(j),
+                                                  static_cast<std::uint32_t>(k));
+            for (std::int64_t i = low[0]; i <= high[0]; ++i, ++sample) {
+                if ((weights[0] | weights[1] | weights[2] | weights[3]) >= 0) {
+                    const auto error = Exact::at(weights, values, samples_[sample], volume);
+                    mark(sample, error <= ownBound ? Covered | WithinOwnError : Covered);
+                    if (error > worst) {
+                        worst = error;
+                        worstPlace = {i, j, k};
+                    }
+                }
+                for (int corner = 0; corner < 4; ++corner)
+                    weights[corner] += row.step[corner];
+            }
+        }
+    const double worstError = Exact::inUnitsOfValues(worst, volume);
+    largest_.local() = std::max(largest_.local(), worstError);
+    if (worst > claimedBound)
+        tooLarge_.add(number, [&] { return describe(worstPlace, worstError, number); });
+}
+
+template <class Sample>
+std::string SampleCheck<Sample>::describe(const LatticePoint& place, double error, std::size_t cell) const
+{
+    return "The error at sample " + textOf(place) + " is " + textOf(percent(error)) +
+           " % of the range, more than the claimed " + textOf(percent(static_cast<double>(claimed_))) +
+           " %, in the cell with corners " + textOf(cells_.corners(cell)) + ".";
+}
+
+template <class Sample> void SampleCheck<Sample>::moveTo(LevelVerdict& verdict)
+{
+    Findings notCovered;
+    Findings beyondOwn;
+    const auto placeOf = [this](std::uint64_t sample) {
+        const auto c = lattice_.coordinates(sample);
+        return textOf(LatticePoint{c[0], c[1], c[2]});
+    };
+    for (std::uint64_t sample = 0; sample < states_.size(); ++sample) {
+        const std::uint8_t state = states_[sample].load(std::memory_order_relaxed);
+        if ((state & Covered) == 0)
+            notCovered.add(sample, [&] { return "Sample " + placeOf(sample) + " lies in no cell."; });
+        else if ((state & WithinOwnError) == 0)
+            beyondOwn.add(sample, [&] {
+                return "The error at sample " + placeOf(sample) +
+                       " is larger than the own error of every cell that holds it.";
+            });
+    }
+    verdict.covers = verdict.covers && notCovered.none();
+    verdict.largestError = percent(largest_.combine([](double a, double b) { return std::max(a, b); }));
+    for (Findings* findings : {&notCovered, &tooLarge_, &beyondOwn})
+        findings->moveTo(verdict.failures);
+}
+
+/// Flat and inverted cells, and whether the volumes add up to the domain's.
+void verifyVolumes(const LevelCells& cells, const Lattice& lattice, LevelVerdict& verdict)
+{
+    Findings wrong;
+    std::int64_t sum = 0;
+    for (std::size_t number = 0; number < cells.size(); ++number) {
+        const std::int64_t volume = sixVolumes(cells.corners(number));
+        sum += volume;
+        if (volume <= 0)
+            wrong.add(number, [&] {
+                return std::string(volume == 0 ? "Flat" : "Inverted") + " cell with corners " +
+                       textOf(cells.corners(number)) + ".";
+            });
+    }
+    const auto domain = 6 * static_cast<std::int64_t>(lattice.cellCount());
+    verdict.inverted = wrong.count();
+    verdict.covers = sum == domain;
+    wrong.moveTo(verdict.failures);
+    if (!verdict.covers)
+        verdict.failures.push_back("The cells fill " + std::to_string(sum) +
+                                   " sixths of a lattice cell, and the domain has " + std::to_string(domain) + ".");
+}
+
+} // namespace
+
+Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, const std::vector<LatticePoint>& places,
+                                 const Accuracy& asked, const Progress& progress)
+{
+    LevelVerdict verdict;
+    verdict.asked = asked;
+    verdict.sites = firstPassage(model, asked.error / 100 * original.values.range().extent());
+    const float claimed = verdict.sites < model.siteCount() ? model.runningErrors()[verdict.sites] : model.finalError();
+    const LevelCells cells(model, places, verdict.sites);
+    verdict.tetrahedra = cells.size();
+    verifyVolumes(cells, original.lattice, verdict);
+    const Status faces = verifyFaces(cells, original.lattice, verdict, progress.part(0, 0.5));
+    if (!faces)
+        return faces.error();
+    const Status samples = visitSampleType(original.values.type(), [&]<class Sample>() {
+        SampleCheck<Sample> check(model, original, cells, claimed);
+        const Status done = check.run(progress.part(0.5, 1));
+        check.moveTo(verdict);
+        return done;
+    });
+    if (!samples)
+        return samples.error();
+    return verdict;
+}
+
+} // namespace tetra

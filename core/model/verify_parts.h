@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/data/dataset.h"
+#include "core/model/exact_cell.h"
+#include "core/model/model.h"
+#include "core/model/verification.h"
+
+#include <string>
+#include <vector>
+
+namespace tetra {
+
+/// The parts of verify(). Each appends to `failures` what it found, and gives an Error only if it was cancelled.
+
+/// Checksums, padding, reserved fields: every byte of the file has the value that it was written with.
+Status verifyBytes(const Model& model, std::vector<std::string>& failures, const Progress& progress);
+
+/// That the model is one of this dataset: lattice, type, range, hash. False if not even the lattice or the type fit, so
+/// that nothing can be compared.
+bool verifySource(const Model& model, const Dataset& original, std::vector<std::string>& failures);
+
+/// Where the sites lie, after checking that they are distinct points of the lattice, the corners first, with the
+/// samples of the original; and that the running errors do not increase. Empty if a site is no point.
+std::vector<LatticePoint> verifySites(const Model& model, const Dataset& original, std::vector<std::string>& failures);
+
+/// The history as a whole: creators are the latest sites, destroyers come later, every tetrahedron that ever lived is
+/// positive, every site fills exactly the volume that it empties, mesh sizes follow. `usable` becomes false if
+/// indices are so wrong that they cannot be followed.
+Status verifyHistory(const Model& model, const std::vector<LatticePoint>& places, std::vector<std::string>& failures,
+                     bool& usable, const Progress& progress);
+
+/// One level, proved from the file's arrays and the original samples alone.
+Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, const std::vector<LatticePoint>& places,
+                                 const Accuracy& asked, const Progress& progress);
+
+/// For messages: "(3, 0, 17)".
+std::string textOf(const LatticePoint& point);
+std::string textOf(const CellCorners& corners);
+/// For messages: shortest form, independent of the locale.
+std::string textOf(double number);
+
+} // namespace tetra

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/checksum.h"
+#include "core/model/findings.h"
+#include "core/model/verify_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetra {
+
+namespace {
+
+constexpr std::uint32_t cornerCount = 8;
+
+std::string sizeText(const Lattice& lattice)
+{
+    return std::to_string(lattice.size[0]) + " x " + std::to_string(lattice.size[1]) + " x " +
+           std::to_string(lattice.size[2]);
+}
+
+std::string hexadecimal(std::uint64_t number)
+{
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string text(16, '0');
+    for (auto place = text.rbegin(); place != text.rend(); ++place, number >>= 4)
+        *place = digits[number & 15];
+    return text;
+}
+
+bool isCorner(const LatticePoint& place, const Lattice& lattice)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        if (place[axis] != 0 && place[axis] != std::int64_t(lattice.size[axis]) - 1)
+            return false;
+    return true;
+}
+
+void verifyPlaces(const Model& model, const Lattice& lattice, std::vector<LatticePoint>& places, Findings& findings)
+{
+    std::vector<bool> taken(lattice.pointCount());
+    bool usable = true;
+    for (std::uint32_t site = 0; site < model.siteCount(); ++site) {
+        const std::uint32_t point = model.points()[site];
+        if (point >= lattice.pointCount()) {
+            findings.add(site, [&] {
+                return "Site " + std::to_string(site) + " is point " + std::to_string(point) +
+                       ", and the lattice has " + std::to_string(lattice.pointCount()) + ".";
+            });
+            usable = false;
+            continue;
+        }
+        const auto c = lattice.coordinates(point);
+        places.push_back({c[0], c[1], c[2]});
+        if (taken[point])
+            findings.add(site, [&] {
+                return "Site " + std::to_string(site) + " at " + textOf(places.back()) +
+                       " lies where an earlier site lies.";
+            });
+        taken[point] = true;
+        if (site < cornerCount && !isCorner(places.back(), lattice))
+            findings.add(site, [&] {
+                return "Site " + std::to_string(site) + " at " + textOf(places.back()) +
+                       " is not a corner of the domain, as the first eight sites must be.";
+            });
+    }
+    if (!usable)
+        places.clear();
+}
+
+void verifyValues(const Model& model, const Dataset& original, Findings& findings)
+{
+    visitSampleType(model.description().sampleType, [&]<class T>() {
+        const std::span<const T> values(reinterpret_cast<const T*>(model.values().data()), model.siteCount());
+        const std::span<const T> samples = original.values.as<T>();
+        for (std::uint32_t site = 0; site < model.siteCount(); ++site) {
+            const std::uint32_t point = model.points()[site];
+            if (point < samples.size() && values[site] == samples[point])
+                continue;
+            findings.add(site, [&] {
+                return "The value of site " + std::to_string(site) + " is " +
+                       textOf(static_cast<double>(values[site])) +
+                       (point < samples.size()
+                            ? "; the original has " + textOf(static_cast<double>(samples[point])) + " at that point."
+                            : " at no point of the original.");
+            });
+        }
+    });
+}
+
+void verifyRunningErrors(const Model& model, Findings& findings)
+{
+    const std::span<const float> errors = model.runningErrors();
+    for (std::uint32_t site = 0; site < model.siteCount(); ++site) {
+        const bool initial = site < cornerCount;
+        const bool right = initial
+                               ? std::isinf(errors[site]) && errors[site] > 0
+                               : errors[site] >= 0 && std::isfinite(errors[site]) && errors[site] <= errors[site - 1];
+        if (!right)
+            findings.add(site, [&] {
+                return "The running error of site " + std::to_string(site) + " is " +
+                       textOf(static_cast<double>(errors[site])) +
+                       (initial ? " instead of infinity."
+                                : ", after " + textOf(static_cast<double>(errors[site - 1])) +
+                                      ": it must be finite and must not increase.");
+            });
+    }
+}
+
+} // namespace
+
+bool verifySource(const Model& model, const Dataset& original, std::vector<std::string>& failures)
+{
+    const ModelDescription& description = model.description();
+    const Lattice& lattice = original.lattice;
+    if (description.lattice.size != lattice.size || description.sampleType != original.values.type()) {
+        failures.push_back("The model was built from another dataset: " + sizeText(description.lattice) +
+                           " samples of type " + std::string(sampleTypeName(description.sampleType)) + " ('" +
+                           description.sourceName + "'), and '" + original.source.name + "' has " + sizeText(lattice) +
+                           " of type " + std::string(sampleTypeName(original.values.type())) + ".");
+        return false;
+    }
+    const std::uint64_t hash = checksum(original.values.bytes());
+    if (description.sourceHash != hash)
+        failures.push_back("The model was built from other samples ('" + description.sourceName + "', XXH3 " +
+                           hexadecimal(description.sourceHash) + ") than those of '" + original.source.name +
+                           "' (XXH3 " + hexadecimal(hash) + ").");
+    if (description.lattice.spacing != lattice.spacing || description.lattice.origin != lattice.origin)
+        failures.emplace_back("The spacing or the origin of the lattice is not that of the original.");
+    const ValueRange range = original.values.range();
+    if (description.range.minimum != range.minimum || description.range.maximum != range.maximum)
+        failures.push_back("The value range is " + textOf(description.range.minimum) + " to " +
+                           textOf(description.range.maximum) + "; that of the original is " + textOf(range.minimum) +
+                           " to " + textOf(range.maximum) + ".");
+    return true;
+}
+
+std::vector<LatticePoint> verifySites(const Model& model, const Dataset& original, std::vector<std::string>& failures)
+{
+    std::vector<LatticePoint> places;
+    places.reserve(model.siteCount());
+    Findings wrongPlaces;
+    Findings wrongValues;
+    Findings wrongErrors;
+    verifyPlaces(model, original.lattice, places, wrongPlaces);
+    verifyValues(model, original, wrongValues);
+    verifyRunningErrors(model, wrongErrors);
+    for (Findings* findings : {&wrongPlaces, &wrongValues, &wrongErrors})
+        findings->moveTo(failures);
+    return places;
+}
+
+} // namespace tetra
