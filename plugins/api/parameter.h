@@ -31,9 +31,9 @@ struct Parameter {
     std::string explanation; ///< one sentence, for tooltips and --help
     std::string unit;        ///< "%", "points" ..., empty if none
     ParameterValue defaultValue;
-    double minimum = 0;               ///< of numbers
-    double maximum = 0;               ///< of numbers; not above minimum means unbounded
-    std::vector<std::string> choices; ///< of strings; empty means free text
+    double minimum = 0;                 ///< of numbers
+    double maximum = 0;                 ///< of numbers; not above minimum means unbounded
+    std::vector<std::string> choices{}; ///< of strings; empty means free text
 };
 
 /// The value of `id` in `values`, else the default of the description in `parameters`. T is the parameter's type; a

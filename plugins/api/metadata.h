@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugins/api/version.h"
+
+namespace tetra {
+
+/// What every plugin says of itself in the JSON file that its Q_PLUGIN_METADATA names. It is read without running any
+/// code of the plugin.
+///
+///     class LatticeReader : public QObject, public Reader {
+///         Q_OBJECT
+///         Q_PLUGIN_METADATA(IID TAN_READER_INTERFACE FILE "lattice.json")
+///         Q_INTERFACES(tetra::Reader)
+///         ...
+///
+/// | key         | type             | meaning                                                                       |
+/// |-------------|------------------|-------------------------------------------------------------------------------|
+/// | id          | string, required | stable name, unique among all plugins: lower-case letters, digits, . - _      |
+/// | kind        | string, required | builder, renderer, reader, writer or editor: fits the IID                     |
+/// | version     | string, required | the plugin's own, "1.2.3"                                                     |
+/// | api         | string, required | pluginInterfaceVersion of the headers that it is written for, "1.0"           |
+/// | name        | string, required | for people                                                                    |
+/// | description | string           | one or two sentences for people                                               |
+/// | requires    | array of strings | ids of plugins that must be there, and are loaded before                      |
+/// | remedy      | string           | what to do if a library that it needs is missing: "Install libvtk9.1."        |
+///
+/// Other keys are ignored. A plugin is built with tan_plugin(), which adds the tag of its build.
+///
+/// A published interface never changes: what it lacks comes as a new, optional one. pluginInterfaceVersion counts that
+/// with its minor number; the major number changes only when plugins must be rebuilt.
+inline constexpr Version pluginInterfaceVersion{1, 0, 0};
+
+} // namespace tetra

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/host/compatibility.h"
+
+#include "plugins/api/metadata.h"
+
+#include <QtGlobal>
+
+namespace tetra {
+namespace {
+
+Error refused(std::string text)
+{
+    return {ErrorKind::BadInput, std::move(text)};
+}
+
+Status checkApi(const Version& plugin, const Version& host)
+{
+    if (fits(plugin, host))
+        return {};
+    const std::string facts =
+        "It is written for plugin interface " + toText(plugin) + ", and this program has " + toText(host) + ". ";
+    if (plugin > host)
+        return refused(facts + "Install a newer version of TAn, or an older one of the plugin.");
+    return refused(facts + "Install a newer version of the plugin.");
+}
+
+Status checkInterface(const PluginMetadata& plugin)
+{
+    const std::string_view expected = pluginInterface(plugin.kind);
+    const std::string kind(pluginKindName(plugin.kind));
+    if (expected.empty())
+        return refused("This version of TAn has no plugins of the kind \"" + kind +
+                       "\". Install a newer version of TAn.");
+    if (plugin.interface != expected)
+        return refused("Its metadata call it a " + kind + ", but it implements " + plugin.interface + " instead of " +
+                       std::string(expected) + ". Ask the plugin's author for a mended one.");
+    return {};
+}
+
+Status checkQt(const Version& plugin, const Version& host)
+{
+    if (fits(plugin, host))
+        return {};
+    return refused("It was built with Qt " + toText(plugin) + ", and this program runs with Qt " + toText(host) +
+                   ". Install a build of the plugin for this Qt.");
+}
+
+Status checkBuildTag(const std::string& plugin, const std::string& host)
+{
+    if (plugin == host)
+        return {};
+    return refused("It was built as " + (plugin.empty() ? std::string("(unknown)") : plugin) +
+                   ", and this program as " + host +
+                   ". Rebuild the plugin with tan_plugin() and the compiler of this program.");
+}
+
+} // namespace
+
+HostBuild thisBuild()
+{
+    return {pluginInterfaceVersion, parseVersion(qVersion()).value_or(Version{}), TAN_BUILD_TAG};
+}
+
+Status checkCompatible(const PluginMetadata& plugin, const HostBuild& host)
+{
+    for (const Status& status : {checkApi(plugin.api, host.api), checkInterface(plugin), checkQt(plugin.qt, host.qt),
+                                 checkBuildTag(plugin.buildTag, host.buildTag)})
+        if (!status)
+            return status;
+    return {};
+}
+
+} // namespace tetra

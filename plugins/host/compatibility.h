@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugins/host/plugin_metadata.h"
+
+namespace tetra {
+
+/// What a plugin must fit to be loaded.
+struct HostBuild {
+    Version api;
+    Version qt; ///< of the Qt that runs
+    std::string buildTag;
+};
+
+/// Of this program.
+HostBuild thisBuild();
+
+/// Whether a plugin can be loaded at all, from its metadata alone: an interface of its kind and of this major version,
+/// no newer Qt, the same system, processor and compiler. The error says what does not fit and what to do.
+Status checkCompatible(const PluginMetadata& plugin, const HostBuild& host);
+
+} // namespace tetra

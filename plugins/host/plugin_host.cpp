@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/host/plugin_host.h"
+
+#include "plugins/host/dependency_order.h"
+#include "plugins/host/load_error.h"
+#include "plugins/host/plugin_folders.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QLibrary>
+#include <QPluginLoader>
+
+#include <algorithm>
+#include <exception>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace tetra {
+
+namespace fs = std::filesystem;
+
+struct PluginHost::Entry {
+    PluginStatus status;
+    std::unique_ptr<QPluginLoader> loader; ///< of a plugin that is in use; never unloaded
+    QObject* object = nullptr;
+
+    bool usable() const { return status.state == PluginState::Found || status.state == PluginState::Loaded; }
+    void refuse(std::string error)
+    {
+        status.state = PluginState::Refused;
+        status.error = std::move(error);
+    }
+};
+
+namespace {
+
+QString toQString(const fs::path& path)
+{
+    return QFile::decodeName(path.c_str());
+}
+
+/// The shared libraries directly in `folder`, by name; none if it cannot be read.
+std::vector<fs::path> librariesIn(const fs::path& folder)
+{
+    std::vector<fs::path> paths;
+    std::error_code problem;
+    for (fs::directory_iterator at(folder, problem), end; !problem && at != end; at.increment(problem)) {
+        std::error_code ignored;
+        if (!at->is_directory(ignored) && QLibrary::isLibrary(toQString(at->path())))
+            paths.push_back(at->path());
+    }
+    std::ranges::sort(paths);
+    return paths;
+}
+
+PluginStatus inspect(const fs::path& path, const HostBuild& build)
+{
+    PluginStatus status;
+    status.path = path;
+    status.metadata.id = path.stem().string();
+    const auto refuse = [&](std::string error) {
+        status.state = PluginState::Refused;
+        status.error = std::move(error);
+        return status;
+    };
+
+    const QPluginLoader loader(toQString(path));
+    const QJsonObject json = loader.metaData();
+    if (json.isEmpty())
+        return refuse("It is not a plugin, or is damaged: " + loader.errorString().toStdString() +
+                      " Install it again, or remove the file.");
+    auto metadata = parsePluginMetadata(json);
+    if (!metadata)
+        return refuse(metadata.error().text);
+    status.metadata = *std::move(metadata);
+    status.hasMetadata = true;
+    if (const Status compatible = checkCompatible(status.metadata, build); !compatible)
+        return refuse(compatible.error().text);
+    return status;
+}
+
+std::string joined(const std::vector<std::string>& ids)
+{
+    std::string text;
+    for (const std::string& id : ids)
+        text += (text.empty() ? "" : ", ") + id;
+    return text;
+}
+
+} // namespace
+
+std::string_view pluginStateName(PluginState state) noexcept
+{
+    constexpr std::string_view names[] = {"found", "loaded", "disabled", "refused"};
+    return names[static_cast<std::size_t>(state)];
+}
+
+PluginHost::PluginHost(PluginHostOptions options) : options_(std::move(options))
+{
+    find();
+    disable();
+    refuseDuplicates();
+    resolveDependencies();
+    std::ranges::stable_sort(entries_, [](const auto& a, const auto& b) {
+        const auto key = [](const Entry& entry) {
+            return std::tie(entry.status.metadata.kind, entry.status.metadata.id);
+        };
+        return key(*a) < key(*b);
+    });
+}
+
+PluginHost::~PluginHost() = default;
+
+std::unique_ptr<PluginHost> PluginHost::standard()
+{
+    const fs::path program = QFile::encodeName(QCoreApplication::applicationDirPath()).toStdString();
+    return std::make_unique<PluginHost>(
+        PluginHostOptions{.folders = pluginFolders(program), .disabled = disabledPlugins()});
+}
+
+std::vector<PluginStatus> PluginHost::plugins() const
+{
+    const std::lock_guard lock(mutex_);
+    std::vector<PluginStatus> all;
+    all.reserve(entries_.size());
+    for (const auto& entry : entries_)
+        all.push_back(entry->status);
+    return all;
+}
+
+std::string PluginHost::explainMissing(PluginKind kind) const
+{
+    std::string text;
+    for (const PluginStatus& plugin : plugins())
+        if (!plugin.error.empty() && (plugin.metadata.kind == kind || !plugin.hasMetadata))
+            text +=
+                "\nThe plugin " + plugin.metadata.id + " (" + plugin.path.string() + ") is not used. " + plugin.error;
+    return text;
+}
+
+void PluginHost::find()
+{
+    std::set<fs::path> seen; // one file is one plugin, by however many links and folders it is reached
+    for (const fs::path& folder : options_.folders)
+        for (const fs::path& path : librariesIn(folder)) {
+            std::error_code ignored;
+            if (!seen.insert(fs::weakly_canonical(path, ignored)).second)
+                continue;
+            entries_.push_back(std::make_unique<Entry>());
+            entries_.back()->status = inspect(path, options_.build);
+        }
+}
+
+void PluginHost::disable()
+{
+    for (const auto& entry : entries_)
+        if (entry->usable() && std::ranges::count(options_.disabled, entry->status.metadata.id) > 0) {
+            entry->status.state = PluginState::Disabled;
+            entry->status.error = "It is disabled by the settings or by TAN_PLUGIN_DISABLE.";
+        }
+}
+
+void PluginHost::refuseDuplicates()
+{
+    std::map<std::string, const Entry*> first;
+    for (const auto& entry : entries_) {
+        if (!entry->usable())
+            continue;
+        const auto [found, isNew] = first.emplace(entry->status.metadata.id, entry.get());
+        if (!isNew)
+            entry->refuse("Another plugin has the same id and was found first: " + found->second->status.path.string() +
+                          ". Remove one of the two.");
+    }
+}
+
+void PluginHost::resolveDependencies()
+{
+    std::vector<Entry*> candidates;
+    std::vector<Dependent> dependents;
+    for (const auto& entry : entries_)
+        if (entry->usable()) {
+            candidates.push_back(entry.get());
+            dependents.push_back({entry->status.metadata.id, entry->status.metadata.requiredIds});
+        }
+    const DependencyOrder order = dependencyOrder(dependents);
+    for (std::size_t index = 0; index < candidates.size(); ++index)
+        if (!order.errors[index].empty())
+            candidates[index]->refuse(order.errors[index]);
+}
+
+PluginHost::Entry* PluginHost::usable(const std::string& id) const
+{
+    const auto found = std::ranges::find_if(
+        entries_, [&](const auto& entry) { return entry->usable() && entry->status.metadata.id == id; });
+    return found == entries_.end() ? nullptr : found->get();
+}
+
+std::string PluginHost::whyNotUsed(const std::string& id) const
+{
+    for (const auto& entry : entries_)
+        if (entry->status.metadata.id == id && !entry->status.error.empty())
+            return entry->status.error;
+    return {};
+}
+
+std::vector<std::string> PluginHost::usableIds(PluginKind kind) const
+{
+    const std::lock_guard lock(mutex_);
+    std::vector<std::string> ids;
+    for (const auto& entry : entries_)
+        if (entry->usable() && entry->status.metadata.kind == kind)
+            ids.push_back(entry->status.metadata.id);
+    return ids;
+}
+
+Result<PluginHost::Loaded> PluginHost::instance(PluginKind kind, const std::string& id)
+{
+    const std::string kindName(pluginKindName(kind));
+    {
+        const std::lock_guard lock(mutex_);
+        Entry* entry = usable(id);
+        if (entry != nullptr && entry->status.metadata.kind == kind) {
+            if (const Status loaded = load(*entry); !loaded)
+                return loaded.error();
+            return Loaded{entry->status.metadata.name, entry->object};
+        }
+        if (const std::string reason = whyNotUsed(id); !reason.empty())
+            return Error{ErrorKind::WrongUsage, "The " + kindName + " \"" + id + "\" cannot be used. " + reason};
+    }
+    const auto ids = usableIds(kind);
+    return Error{ErrorKind::WrongUsage, "There is no " + kindName + " \"" + id + "\". " +
+                                            (ids.empty() ? "None is installed." : "There is: " + joined(ids) + ".")};
+}
+
+Status PluginHost::loadRequired(const Entry& entry)
+{
+    for (const std::string& id : entry.status.metadata.requiredIds) {
+        Entry* required = usable(id);
+        const Status loaded = required != nullptr ? load(*required) : Error{ErrorKind::BadInput, whyNotUsed(id)};
+        if (!loaded)
+            return Error{ErrorKind::BadInput,
+                         "It needs the plugin \"" + id + "\", which cannot be used: " + loaded.error().text};
+    }
+    return {};
+}
+
+/// Loads what it requires first; there are no circles, they were refused before. Whatever fails, the entry is refused.
+Status PluginHost::load(Entry& entry)
+{
+    if (entry.object != nullptr)
+        return {};
+    const auto refuse = [&](std::string text) {
+        entry.refuse(std::move(text));
+        return Error{ErrorKind::BadInput,
+                     "The plugin \"" + entry.status.metadata.id + "\" cannot be used. " + entry.status.error};
+    };
+    if (const Status required = loadRequired(entry); !required)
+        return refuse(required.error().text);
+
+    entry.loader = std::make_unique<QPluginLoader>(toQString(fs::absolute(entry.status.path)));
+    // Every symbol is looked up now, so that a missing one is an error here and not a crash later.
+    entry.loader->setLoadHints(QLibrary::PreventUnloadHint | QLibrary::ResolveAllSymbolsHint);
+    QObject* object = nullptr;
+    try {
+        object = entry.loader->instance();
+    } catch (const std::exception& problem) {
+        return refuse(std::string("It failed when it was started: ") + problem.what() + ". Install it again.");
+    }
+    if (object == nullptr)
+        return refuse(explainLoadError(entry.loader->errorString().toStdString(), entry.status.metadata.remedy));
+    const std::string interface(pluginInterface(entry.status.metadata.kind));
+    if (object->qt_metacast(interface.c_str()) == nullptr)
+        return refuse("Its metadata call it a " + std::string(pluginKindName(entry.status.metadata.kind)) +
+                      ", but it does not implement " + interface + ". Ask the plugin's author for a mended one.");
+    entry.object = object;
+    entry.status.state = PluginState::Loaded;
+    return {};
+}
+
+} // namespace tetra

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugins/api/builder.h"
+#include "plugins/api/reader.h"
+#include "plugins/api/renderer.h"
+#include "plugins/host/compatibility.h"
+
+#include <QObject>
+
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace tetra {
+
+enum class PluginState {
+    Found,    ///< fits, and is loaded when first used
+    Loaded,   ///< in use
+    Disabled, ///< not to be used: the user said so
+    Refused,  ///< cannot be used; the error says why and what to do
+};
+
+/// "found", "loaded", "disabled", "refused".
+std::string_view pluginStateName(PluginState state) noexcept;
+
+/// A plugin as it stands now.
+struct PluginStatus {
+    std::filesystem::path path;
+    PluginMetadata metadata; ///< the id is the file's name if the file's metadata cannot be read
+    bool hasMetadata = false;
+    PluginState state = PluginState::Found;
+    std::string error; ///< why it is disabled or refused, and the remedy
+};
+
+/// A loaded plugin. The object lives until the program ends.
+template <class Interface> struct Provided {
+    std::string id;
+    std::string name;
+    const Interface* plugin = nullptr;
+};
+
+struct PluginHostOptions {
+    std::vector<std::filesystem::path> folders; ///< the first one wins
+    std::vector<std::string> disabled{};        ///< ids
+    HostBuild build = thisBuild();
+};
+
+/// Finds plugins, checks them by their metadata, and loads them when they are first used. Whatever lies in the folders,
+/// making a host succeeds: what cannot be used is listed with its reason. Safe to use from any thread.
+///
+/// Plugins are never unloaded: values that they made (a dataset's samples, a scene) may need their code.
+class PluginHost {
+public:
+    explicit PluginHost(PluginHostOptions options);
+    ~PluginHost();
+    PluginHost(const PluginHost&) = delete;
+    PluginHost& operator=(const PluginHost&) = delete;
+
+    /// With the folders and the disabled plugins of plugin_folders.h, as seen from the running program. Needs a
+    /// QCoreApplication.
+    static std::unique_ptr<PluginHost> standard();
+
+    const std::vector<std::filesystem::path>& folders() const noexcept { return options_.folders; }
+    /// All that was found, by kind and id.
+    std::vector<PluginStatus> plugins() const;
+
+    /// All usable plugins of a kind, by id; loads them.
+    std::vector<Provided<Builder>> builders() { return all<Builder>(PluginKind::Builder); }
+    std::vector<Provided<Renderer>> renderers() { return all<Renderer>(PluginKind::Renderer); }
+    std::vector<Provided<Reader>> readers() { return all<Reader>(PluginKind::Reader); }
+    std::vector<Provided<Writer>> writers() { return all<Writer>(PluginKind::Writer); }
+
+    /// One plugin; loads it. The error says why it cannot be had, or which ones there are.
+    Result<Provided<Builder>> builder(const std::string& id) { return one<Builder>(PluginKind::Builder, id); }
+    Result<Provided<Renderer>> renderer(const std::string& id) { return one<Renderer>(PluginKind::Renderer, id); }
+
+    /// Why plugins of this kind are missing, a line each; empty if none is.
+    std::string explainMissing(PluginKind kind) const;
+
+private:
+    struct Entry;
+    struct Loaded {
+        std::string name;
+        QObject* object;
+    };
+
+    void find();
+    void disable();
+    void refuseDuplicates();
+    void resolveDependencies();
+    Entry* usable(const std::string& id) const;
+    std::string whyNotUsed(const std::string& id) const;
+    std::vector<std::string> usableIds(PluginKind kind) const;
+    Result<Loaded> instance(PluginKind kind, const std::string& id);
+    Status load(Entry& entry);
+    Status loadRequired(const Entry& entry);
+
+    template <class Interface> Result<Provided<Interface>> one(PluginKind kind, const std::string& id)
+    {
+        const auto loaded = instance(kind, id);
+        if (!loaded)
+            return loaded.error();
+        return Provided<Interface>{id, loaded->name, qobject_cast<Interface*>(loaded->object)};
+    }
+    template <class Interface> std::vector<Provided<Interface>> all(PluginKind kind)
+    {
+        std::vector<Provided<Interface>> found;
+        for (const std::string& id : usableIds(kind))
+            if (auto provided = one<Interface>(kind, id))
+                found.push_back(*std::move(provided));
+        return found;
+    }
+
+    PluginHostOptions options_;
+    mutable std::mutex mutex_; ///< guards entries_ after construction
+    std::vector<std::unique_ptr<Entry>> entries_;
+};
+
+} // namespace tetra

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/host/plugin_metadata.h"
+
+#include "plugins/api/builder.h"
+#include "plugins/api/reader.h"
+#include "plugins/api/renderer.h"
+
+#include <QJsonArray>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace tetra {
+namespace {
+
+struct KindEntry {
+    PluginKind kind;
+    std::string_view name;
+    std::string_view interface;
+};
+
+constexpr std::array<KindEntry, 5> kinds = {{{PluginKind::Builder, "builder", TAN_BUILDER_INTERFACE},
+                                             {PluginKind::Renderer, "renderer", TAN_RENDERER_INTERFACE},
+                                             {PluginKind::Reader, "reader", TAN_READER_INTERFACE},
+                                             {PluginKind::Writer, "writer", TAN_WRITER_INTERFACE},
+                                             {PluginKind::Editor, "editor", ""}}};
+
+Error malformed(const std::string& what)
+{
+    return {ErrorKind::BadInput, "Its metadata are malformed: " + what + ". Ask the plugin's author for a mended one."};
+}
+
+Result<std::string> requiredText(const QJsonObject& json, const char* key)
+{
+    const QJsonValue value = json.value(QLatin1String(key));
+    if (value.isUndefined())
+        return malformed(std::string("the key \"") + key + "\" is missing");
+    if (!value.isString() || value.toString().isEmpty())
+        return malformed(std::string("\"") + key + "\" is not a text");
+    return value.toString().toStdString();
+}
+
+Result<Version> requiredVersion(const QJsonObject& json, const char* key)
+{
+    const auto text = requiredText(json, key);
+    if (!text)
+        return text.error();
+    const auto version = parseVersion(*text);
+    if (!version)
+        return malformed(std::string("\"") + key + "\" is \"" + *text + "\", which is no version like \"1.2.3\"");
+    return *version;
+}
+
+Result<PluginKind> parseKind(const std::string& text)
+{
+    const auto entry = std::ranges::find(kinds, text, &KindEntry::name);
+    if (entry == kinds.end())
+        return malformed("\"kind\" is \"" + text + "\", which is none of builder, renderer, reader, writer, editor");
+    return entry->kind;
+}
+
+bool isId(const std::string& text)
+{
+    return std::ranges::all_of(text, [](char letter) {
+        return (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9') || letter == '.' || letter == '-' ||
+               letter == '_';
+    });
+}
+
+Result<std::vector<std::string>> parseRequiredIds(const QJsonValue& value)
+{
+    std::vector<std::string> ids;
+    if (value.isUndefined())
+        return ids;
+    if (!value.isArray())
+        return malformed("\"requires\" is not a list");
+    for (const QJsonValue entry : value.toArray()) {
+        if (!entry.isString() || !isId(entry.toString().toStdString()))
+            return malformed("\"requires\" lists something that is no plugin's id");
+        ids.push_back(entry.toString().toStdString());
+    }
+    return ids;
+}
+
+/// Qt writes its version as 0x00MMmmpp.
+Version qtVersion(int packed)
+{
+    return {packed >> 16, packed >> 8 & 0xff, packed & 0xff};
+}
+
+} // namespace
+
+std::string_view pluginKindName(PluginKind kind) noexcept
+{
+    return std::ranges::find(kinds, kind, &KindEntry::kind)->name;
+}
+
+std::string_view pluginInterface(PluginKind kind) noexcept
+{
+    return std::ranges::find(kinds, kind, &KindEntry::kind)->interface;
+}
+
+Result<PluginMetadata> parsePluginMetadata(const QJsonObject& json)
+{
+    const QJsonObject own = json.value(QLatin1String("MetaData")).toObject();
+    PluginMetadata metadata;
+    const auto id = requiredText(own, "id");
+    if (!id)
+        return id.error();
+    if (!isId(*id))
+        return malformed("\"id\" is \"" + *id +
+                         "\"; only lower-case letters, digits, '.', '-' and '_' may stand in it");
+    metadata.id = *id;
+
+    const auto kindName = requiredText(own, "kind");
+    if (!kindName)
+        return kindName.error();
+    const auto kind = parseKind(*kindName);
+    if (!kind)
+        return kind.error();
+    metadata.kind = *kind;
+
+    const auto version = requiredVersion(own, "version");
+    if (!version)
+        return version.error();
+    metadata.version = *version;
+    const auto api = requiredVersion(own, "api");
+    if (!api)
+        return api.error();
+    metadata.api = *api;
+
+    const auto name = requiredText(own, "name");
+    if (!name)
+        return name.error();
+    metadata.name = *name;
+
+    auto requiredIds = parseRequiredIds(own.value(QLatin1String("requires")));
+    if (!requiredIds)
+        return requiredIds.error();
+    metadata.requiredIds = *std::move(requiredIds);
+
+    metadata.description = own.value(QLatin1String("description")).toString().toStdString();
+    metadata.remedy = own.value(QLatin1String("remedy")).toString().toStdString();
+    metadata.interface = json.value(QLatin1String("IID")).toString().toStdString();
+    metadata.qt = qtVersion(json.value(QLatin1String("version")).toInt());
+    metadata.buildTag = json.value(QLatin1String("build")).toArray().at(0).toString().toStdString();
+    return metadata;
+}
+
+} // namespace tetra

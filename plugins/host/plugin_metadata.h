@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "plugins/api/version.h"
+
+#include <QJsonObject>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tetra {
+
+enum class PluginKind { Builder, Renderer, Reader, Writer, Editor };
+
+/// "builder", "renderer", "reader", "writer", "editor".
+std::string_view pluginKindName(PluginKind kind) noexcept;
+
+/// The interface (IID) that a plugin of this kind implements; empty for a kind that this program has no interface for.
+std::string_view pluginInterface(PluginKind kind) noexcept;
+
+/// What a plugin says of itself (plugins/api/metadata.h), and what its build wrote into it.
+struct PluginMetadata {
+    std::string id;
+    PluginKind kind = PluginKind::Builder;
+    Version version;
+    Version api;
+    std::string name;
+    std::string description;
+    std::vector<std::string> requiredIds;
+    std::string remedy;
+    std::string interface; ///< the IID
+    Version qt;            ///< of the Qt that it was built with
+    std::string buildTag;  ///< system, processor and compiler that it was built with
+};
+
+/// Reads what QPluginLoader::metaData() gave. The error says which key is missing or wrong.
+Result<PluginMetadata> parsePluginMetadata(const QJsonObject& json);
+
+} // namespace tetra

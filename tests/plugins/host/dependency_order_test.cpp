@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/host/dependency_order.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+namespace tetra {
+namespace {
+
+std::size_t place(const DependencyOrder& order, std::size_t index)
+{
+    return static_cast<std::size_t>(std::ranges::find(order.order, index) - order.order.begin());
+}
+
+} // namespace
+
+class DependencyOrderTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void whatIsNeededComesFirst()
+    {
+        const auto order = dependencyOrder({{"a", {"b", "c"}}, {"b", {"c"}}, {"c", {}}, {"d", {"a"}}, {"e", {}}});
+        QCOMPARE(order.order.size(), std::size_t(5));
+        QVERIFY(place(order, 2) < place(order, 1));
+        QVERIFY(place(order, 1) < place(order, 0));
+        QVERIFY(place(order, 0) < place(order, 3));
+        QVERIFY(std::ranges::all_of(order.errors, &std::string::empty));
+    }
+
+    void aMissingNeedIsNamedThroughTheChain()
+    {
+        const auto order = dependencyOrder({{"a", {"b"}}, {"b", {"nowhere"}}, {"c", {}}});
+        QCOMPARE(order.order, std::vector<std::size_t>{2});
+        QVERIFY(QByteArray::fromStdString(order.errors[1]).contains("\"nowhere\""));
+        QVERIFY(QByteArray::fromStdString(order.errors[0]).contains("\"b\""));
+        QVERIFY(QByteArray::fromStdString(order.errors[0]).contains("\"nowhere\""));
+    }
+
+    void circlesAreToldInFullAndSpareTheRest()
+    {
+        const auto order = dependencyOrder({{"a", {"b"}}, {"b", {"c"}}, {"c", {"a"}}, {"d", {"a"}}, {"e", {}}});
+        QCOMPARE(order.order, std::vector<std::size_t>{4});
+        for (const std::size_t index : {0, 1, 2})
+            QVERIFY(
+                QByteArray::fromStdString(order.errors[index]).contains("\"a\" needs \"b\" needs \"c\" needs \"a\""));
+        QVERIFY(QByteArray::fromStdString(order.errors[3]).contains("circle"));
+    }
+
+    void whatNeedsItselfIsACircle()
+    {
+        const auto order = dependencyOrder({{"a", {"a"}}});
+        QVERIFY(order.order.empty());
+        QVERIFY(QByteArray::fromStdString(order.errors[0]).contains("\"a\" needs \"a\""));
+    }
+
+    void nothingGivesNothing() { QVERIFY(dependencyOrder({}).order.empty()); }
+};
+
+} // namespace tetra
+
+QTEST_APPLESS_MAIN(tetra::DependencyOrderTest)
+#include "dependency_order_test.moc"

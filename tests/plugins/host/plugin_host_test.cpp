@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Good and bad plugins (fixtures) in folders of their own: each bad one gets its text, and the host always starts.
+#include "plugins/host/plugin_host.h"
+
+#include "plugins/host/plugin_folders.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <fstream>
+#include <thread>
+
+namespace tetra {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder with some of the fixtures.
+class Folder {
+public:
+    explicit Folder(const std::vector<std::string>& fixtures = {})
+    {
+        for (const std::string& name : fixtures)
+            add(name, name);
+    }
+    void add(const std::string& fixture, const std::string& as) const
+    {
+        fs::copy_file(fs::path(TAN_FIXTURES) / (fixture + ".so"), path() / (as + ".so"));
+    }
+    fs::path path() const { return fs::path(folder_.path().toStdString()); }
+
+private:
+    QTemporaryDir folder_;
+};
+
+PluginStatus statusOf(const PluginHost& host, const std::string& id)
+{
+    for (const PluginStatus& plugin : host.plugins())
+        if (plugin.metadata.id == id)
+            return plugin;
+    return {};
+}
+
+} // namespace
+
+#define COMPARE_STATE(host, id, expected)                                                                              \
+    QCOMPARE(pluginStateName(statusOf(host, id).state), std::string_view(expected))
+
+class PluginHostTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void loadsWhenFirstUsed()
+    {
+        const Folder folder({"good"});
+        PluginHost host({.folders = {folder.path()}});
+        COMPARE_STATE(host, "good", "found");
+        QCOMPARE(host.builders().size(), std::size_t(0));
+        COMPARE_STATE(host, "good", "found");
+        const auto readers = host.readers();
+        QCOMPARE(readers.size(), std::size_t(1));
+        QCOMPARE(readers[0].id, std::string("good"));
+        QCOMPARE(readers[0].plugin->score("a.fixture", {}), 1.0);
+        COMPARE_STATE(host, "good", "loaded");
+    }
+
+    void loadsWhatIsNeededBefore()
+    {
+        const Folder folder({"dependent", "good"});
+        PluginHost host({.folders = {folder.path()}});
+        QCOMPARE(host.readers().size(), std::size_t(2));
+        COMPARE_STATE(host, "good", "loaded");
+        COMPARE_STATE(host, "dependent", "loaded");
+    }
+
+    void refusesBadPluginsWithAText_data()
+    {
+        QTest::addColumn<QStringList>("fixtures");
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<QStringList>("words");
+        QTest::newRow("another interface version")
+            << QStringList{"wrong_api"} << "wrong-api" << QStringList{"2.0.0", "1.0.0"};
+        QTest::newRow("circle") << QStringList{"circular_a", "circular_b"} << "circular-b" << QStringList{"circle"};
+        QTest::newRow("half a circle") << QStringList{"circular_a"} << "circular-a" << QStringList{"circular-b"};
+        QTest::newRow("missing dependency")
+            << QStringList{"missing_dependency"} << "missing-dependency" << QStringList{"nowhere"};
+        QTest::newRow("malformed metadata") << QStringList{"malformed"} << "malformed" << QStringList{"\"id\"", "text"};
+        QTest::newRow("kind and interface differ")
+            << QStringList{"lying"} << "lying" << QStringList{"org.tan.Builder/1"};
+        QTest::newRow("another build") << QStringList{"wrong_build"} << "wrong-build"
+                                       << QStringList{"plan9-mips-cfront"};
+    }
+    void refusesBadPluginsWithAText()
+    {
+        QFETCH(QStringList, fixtures);
+        QFETCH(QString, id);
+        QFETCH(QStringList, words);
+        Folder folder({"good"});
+        for (const QString& fixture : fixtures)
+            folder.add(fixture.toStdString(), fixture.toStdString());
+        PluginHost host({.folders = {folder.path()}});
+        COMPARE_STATE(host, id.toStdString(), "refused");
+        const QString error = QString::fromStdString(statusOf(host, id.toStdString()).error);
+        for (const QString& word : words)
+            QVERIFY2(error.contains(word), qPrintable(error));
+        QCOMPARE(host.readers().size(), std::size_t(1));
+        COMPARE_STATE(host, "good", "loaded");
+    }
+
+    void refusesAtLoadingWithAText_data()
+    {
+        QTest::addColumn<QStringList>("fixtures");
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<QStringList>("words");
+        QTest::newRow("missing library") << QStringList{"missing_library"} << "missing-library"
+                                         << QStringList{"libtan-fixture-missing.so", "Install libfixture."};
+        QTest::newRow("needs one with a missing library")
+            << QStringList{"needs_missing_library", "missing_library"} << "needs-missing-library"
+            << QStringList{"\"missing-library\"", "libtan-fixture-missing.so"};
+        QTest::newRow("implements another kind")
+            << QStringList{"impostor"} << "impostor" << QStringList{"does not implement org.tan.Builder/1"};
+        QTest::newRow("throws when made") << QStringList{"throwing"} << "throwing" << QStringList{"no luck"};
+    }
+    void refusesAtLoadingWithAText()
+    {
+        QFETCH(QStringList, fixtures);
+        QFETCH(QString, id);
+        QFETCH(QStringList, words);
+        Folder folder({"good"});
+        for (const QString& fixture : fixtures)
+            folder.add(fixture.toStdString(), fixture.toStdString());
+        PluginHost host({.folders = {folder.path()}});
+        COMPARE_STATE(host, id.toStdString(), "found");
+        QCOMPARE(host.builders().size(), std::size_t(0));
+        QCOMPARE(host.readers().size(), std::size_t(1));
+        COMPARE_STATE(host, id.toStdString(), "refused");
+        const QString error = QString::fromStdString(statusOf(host, id.toStdString()).error);
+        for (const QString& word : words)
+            QVERIFY2(error.contains(word), qPrintable(error));
+    }
+
+    void theFirstOfTwoWithOneIdWins()
+    {
+        const Folder first({"good"});
+        const Folder second({"good"});
+        PluginHost host({.folders = {first.path(), second.path()}});
+        const auto plugins = host.plugins();
+        QCOMPARE(plugins.size(), std::size_t(2));
+        QCOMPARE(plugins[0].path.parent_path(), first.path());
+        QCOMPARE(plugins[0].state, PluginState::Found);
+        QCOMPARE(plugins[1].state, PluginState::Refused);
+        QVERIFY(plugins[1].error.find(plugins[0].path.string()) != std::string::npos);
+        QCOMPARE(host.readers().size(), std::size_t(1));
+    }
+
+    void oneFileInTwoFoldersIsOnePlugin()
+    {
+        const Folder first({"good"});
+        const Folder second;
+        fs::create_symlink(first.path() / "good.so", second.path() / "again.so");
+        const PluginHost host({.folders = {first.path(), second.path(), first.path()}});
+        QCOMPARE(host.plugins().size(), std::size_t(1));
+    }
+
+    void filesThatAreNoPlugins()
+    {
+        const Folder folder({"good"});
+        std::ofstream(folder.path() / "empty.so").close();
+        std::ofstream(folder.path() / "text.so") << "This is not a library.";
+        std::ofstream(folder.path() / "readme.txt") << "Ignored.";
+        folder.add("good", "truncated");
+        fs::resize_file(folder.path() / "truncated.so", 1000);
+        fs::create_symlink("nowhere.so", folder.path() / "dangling.so");
+        fs::create_directory(folder.path() / "folder.so");
+        fs::copy_file(TAN_BINARY_DIR "/lib/libtan-core.so", folder.path() / "ordinary.so");
+        PluginHost host({.folders = {folder.path()}});
+        for (const char* id : {"empty", "text", "truncated", "dangling", "ordinary"}) {
+            COMPARE_STATE(host, id, "refused");
+            QVERIFY2(statusOf(host, id).error.find("not a plugin") != std::string::npos,
+                     statusOf(host, id).error.c_str());
+        }
+        QCOMPARE(host.plugins().size(), std::size_t(6));
+        QCOMPARE(host.readers().size(), std::size_t(1));
+    }
+
+    void disabledPluginsAreNotUsed()
+    {
+        const Folder folder({"good", "dependent"});
+        PluginHost host({.folders = {folder.path()}, .disabled = {"good"}});
+        COMPARE_STATE(host, "good", "disabled");
+        COMPARE_STATE(host, "dependent", "refused");
+        QVERIFY(host.readers().empty());
+        QVERIFY(!host.explainMissing(PluginKind::Reader).empty());
+    }
+
+    void asksByNameGetAnswersInWords()
+    {
+        const Folder folder({"good", "lying"});
+        PluginHost host({.folders = {folder.path()}});
+        const auto unknown = host.builder("unknown");
+        QVERIFY(!unknown);
+        QCOMPARE(unknown.error().kind, ErrorKind::WrongUsage);
+        QVERIFY2(unknown.error().text.find("None is installed") != std::string::npos, unknown.error().text.c_str());
+        QVERIFY(host.builder("lying").error().text.find("org.tan.Builder/1") != std::string::npos);
+        QVERIFY(!host.builder("good"));
+    }
+
+    void foldersMayBeMissing()
+    {
+        const PluginHost host({.folders = {"/nowhere/at/all", ""}});
+        QVERIFY(host.plugins().empty());
+    }
+
+    void threadsMayAskAtOnce()
+    {
+        const Folder folder({"good", "dependent", "missing_library", "needs_missing_library"});
+        PluginHost host({.folders = {folder.path()}});
+        std::vector<std::size_t> counts(8);
+        {
+            std::vector<std::jthread> threads;
+            for (std::size_t& count : counts)
+                threads.emplace_back([&] { count = host.readers().size(); });
+        }
+        QCOMPARE(counts, std::vector<std::size_t>(8, 2));
+    }
+
+    void theEnvironmentAddsFolders()
+    {
+        const Folder folder;
+        qputenv("TAN_PLUGIN_PATH", QByteArray::fromStdString(folder.path().string()) + ":/nowhere::");
+        qputenv("TAN_PLUGIN_DISABLE", "one, two,,");
+        const auto folders = pluginFolders(TAN_BINARY_DIR "/bin");
+        QCOMPARE(folders.at(0), fs::canonical(folder.path()));
+        QCOMPARE(folders.at(1), fs::path("/nowhere"));
+        QCOMPARE(folders.at(2), fs::path(TAN_BINARY_DIR "/lib/tan/plugins"));
+        QCOMPARE(disabledPlugins(), (std::vector<std::string>{"one", "two"}));
+        qunsetenv("TAN_PLUGIN_PATH");
+        qunsetenv("TAN_PLUGIN_DISABLE");
+    }
+};
+
+} // namespace tetra
+
+QTEST_GUILESS_MAIN(tetra::PluginHostTest)
+#include "plugin_host_test.moc"
