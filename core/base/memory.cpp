@@ -35,6 +35,12 @@ std::size_t pageSize() noexcept
     return static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
+std::uint64_t physicalBytes() noexcept
+{
+    const long pages = ::sysconf(_SC_PHYS_PAGES);
+    return pages > 0 ? static_cast<std::uint64_t>(pages) * pageSize() : 0;
+}
+
 std::uint64_t residentBytes()
 {
     return statusEntry("VmRSS:");

@@ -9,6 +9,8 @@ namespace tetra {
 /// The size of a page of virtual memory, in bytes.
 std::size_t pageSize() noexcept;
 
+/// The machine's physical memory in bytes, in use or not; 0 if the system does not tell.
+std::uint64_t physicalBytes() noexcept;
 /// Physical memory that this process occupies now, mapped files included, in bytes; 0 if the system does not tell.
 std::uint64_t residentBytes();
 
