@@ -9,3 +9,17 @@
 #else
 #define TETRA_SIMD_CLONES
 #endif
+
+namespace tetra {
+
+/// Vectors of the compiler; wider ones than the machine has are done in pieces. For use inside functions only: how they
+/// are passed differs between instruction sets.
+using Float8 = float __attribute__((vector_size(32)));
+using Int8 = int __attribute__((vector_size(32)));
+using Double8 = double __attribute__((vector_size(64)));
+using Long8 = long __attribute__((vector_size(64)));
+using Double4 = double __attribute__((vector_size(32)));
+using Long4 = long __attribute__((vector_size(32)));
+using Int4 = int __attribute__((vector_size(16)));
+
+} // namespace tetra

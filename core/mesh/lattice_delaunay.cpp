@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/lattice_delaunay.h"
 
+#include "core/base/simd.h"
+
 #include <algorithm>
+#include <cstring>
 
 namespace tetra {
 
@@ -29,6 +32,8 @@ Status LatticeDelaunay::start(const std::array<std::uint32_t, 3>& size, const La
         weights_[axis] = metric[axis];
     if (const Status status = tetrahedra_.reserve(slotCapacity(size), "the tetrahedra of the refinement"); !status)
         return status;
+    if (const Status status = star_.attach(lattice_); !status)
+        return status;
     freeSlots_.clear();
     slotCount_ = startCount;
 
@@ -42,20 +47,17 @@ Status LatticeDelaunay::start(const std::array<std::uint32_t, 3>& size, const La
         std::array<PackedPoint, 4> vertices{};
         for (std::size_t i = 0; i < 4; ++i)
             vertices[i] = corners[cutAtOdd[slot][i] ^ (centreAtOrigin ? 0u : 1u)];
-        star_.clear(lattice_, vertices[0]);
-        star_.addFace(vertices[1], vertices[2], vertices[3]);
-        star_.finish(weights_);
-        if (star_.quantity(Star::Determinant)[0] < 0) {
-            std::swap(vertices[2], vertices[3]);
-            star_.clear(lattice_, vertices[0]);
+        const auto setStar = [&] {
+            star_.clear(vertices[0]);
             star_.addFace(vertices[1], vertices[2], vertices[3]);
             star_.finish(weights_);
+        };
+        setStar();
+        if (star_.faces()[0].determinant() < 0) {
+            std::swap(vertices[2], vertices[3]);
+            setStar();
         }
-        tetrahedra_[slot] = {vertices,
-                             {none, none, none, none},
-                             star_.quantity(Star::Determinant)[0],
-                             {star_.quantity(Star::Centre)[0], star_.quantity(Star::Centre + 1)[0],
-                              star_.quantity(Star::Centre + 2)[0]}};
+        tetrahedra_[slot] = {vertices, {none, none, none, none}, star_.faces()[0].sphere};
     }
     DelaunayTetrahedron& centre = tetrahedra_[4];
     for (std::uint32_t slot = 0; slot < 4; ++slot) {
@@ -81,49 +83,86 @@ bool LatticeDelaunay::onHullPlane(PackedPoint point, const DelaunayTetrahedron& 
            inPlane([this](PackedPoint p) { return lattice_.z(p); });
 }
 
-void LatticeDelaunay::findCavity(PackedPoint point, std::uint32_t containing)
+/// conflicts[i] != 0 if the point lies strictly inside the sphere of tetrahedron i, four at a time.
+inline void LatticeDelaunay::testSpheres(PackedPoint point, const std::array<std::uint32_t, 4>& slots,
+                                         std::array<std::int64_t, 4>& conflicts) const
 {
-    const std::int32_t x = lattice_.x(point), y = lattice_.y(point), z = lattice_.z(point);
-    std::size_t destroyedCount = 1;
-    std::size_t faceCount = 0;
+    const DelaunayTetrahedron* t[4] = {&tetrahedra_[slots[0]], &tetrahedra_[slots[1]], &tetrahedra_[slots[2]],
+                                       &tetrahedra_[slots[3]]};
+    Double4 rows[4];
+    for (std::size_t i = 0; i < 4; ++i)
+        std::memcpy(&rows[i], &t[i]->sphere, sizeof rows[i]);
+    const Int4 apex = {static_cast<int>(t[0]->vertices[0]), static_cast<int>(t[1]->vertices[0]),
+                       static_cast<int>(t[2]->vertices[0]), static_cast<int>(t[3]->vertices[0])};
+    Int4 apexX, apexY, apexZ;
+    lattice_.unpack(apex, apexX, apexY, apexZ);
+    const Double4 qx = __builtin_convertvector(lattice_.x(point) - apexX, Double4);
+    const Double4 qy = __builtin_convertvector(lattice_.y(point) - apexY, Double4);
+    const Double4 qz = __builtin_convertvector(lattice_.z(point) - apexZ, Double4);
+    const Double4 low01 = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6);
+    const Double4 high01 = __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7);
+    const Double4 low23 = __builtin_shufflevector(rows[2], rows[3], 0, 4, 2, 6);
+    const Double4 high23 = __builtin_shufflevector(rows[2], rows[3], 1, 5, 3, 7);
+    const Double4 centreX = __builtin_shufflevector(low01, low23, 0, 1, 4, 5);
+    const Double4 centreY = __builtin_shufflevector(high01, high23, 0, 1, 4, 5);
+    const Double4 centreZ = __builtin_shufflevector(low01, low23, 2, 3, 6, 7);
+    const Double4 determinant = __builtin_shufflevector(high01, high23, 2, 3, 6, 7);
+    const Double4 square = weights_[0] * qx * qx + weights_[1] * qy * qy + weights_[2] * qz * qz;
+    const auto conflict = determinant * square < centreX * qx + centreY * qy + centreZ * qz;
+    std::memcpy(conflicts.data(), &conflict, sizeof conflict);
+}
+
+TETRA_SIMD_CLONES void LatticeDelaunay::findCavity(PackedPoint point, std::uint32_t containing)
+{
     destroyed_.resize(std::max<std::size_t>(destroyed_.capacity(), 64));
     cavityFaces_.resize(std::max<std::size_t>(cavityFaces_.capacity(), 64));
-    tetrahedra_[containing].determinant = 0;
-    destroyed_[0] = containing;
+    DelaunayTetrahedron* const tetrahedra = tetrahedra_.data();
+    std::uint32_t* destroyed = destroyed_.data();
+    CavityFace* faces = cavityFaces_.data();
+    tetrahedra[containing].sphere[3] = 0;
+    destroyed[0] = containing;
+    std::size_t destroyedCount = 1;
+    std::size_t faceCount = 0;
     for (std::size_t next = 0; next < destroyedCount; ++next) {
-        if (destroyedCount + 4 > destroyed_.size())
+        if (destroyedCount + 4 > destroyed_.size()) {
             destroyed_.resize(2 * destroyed_.size());
-        if (faceCount + 8 > cavityFaces_.size())
+            destroyed = destroyed_.data();
+        }
+        if (faceCount + 8 > cavityFaces_.size()) {
             cavityFaces_.resize(2 * cavityFaces_.size());
-        const std::uint32_t inside = destroyed_[next];
-        const std::array<std::uint32_t, 4> neighbours = tetrahedra_[inside].neighbours;
+            faces = cavityFaces_.data();
+        }
+        const std::uint32_t inside = destroyed[next];
+        // A missing neighbour is replaced by the tetrahedron itself, which is dead and so neither joins nor bounds.
+        std::array<std::uint32_t, 4> outside = tetrahedra[inside].neighbours;
+        std::uint32_t missing = 0;
+        for (std::uint32_t& neighbour : outside) {
+            missing += neighbour == none;
+            neighbour = neighbour == none ? inside : neighbour;
+        }
         if (next + 1 < destroyedCount)
-            for (const std::uint32_t neighbour : tetrahedra_[destroyed_[next + 1]].neighbours)
-                __builtin_prefetch(&tetrahedra_[neighbour == none ? inside : neighbour]);
+            for (const std::uint32_t neighbour : tetrahedra[destroyed[next + 1]].neighbours)
+                __builtin_prefetch(tetrahedra + (neighbour == none ? inside : neighbour));
+        std::array<std::int64_t, 4> conflicts{};
+        testSpheres(point, outside, conflicts);
         for (std::uint8_t face = 0; face < 4; ++face) {
-            // Without branches on the outcome, which nobody can predict: the cache misses of all four tests overlap. A
-            // missing neighbour is replaced by the tetrahedron itself, which is dead and so neither joins nor bounds.
-            const std::uint32_t outside = neighbours[face] == none ? inside : neighbours[face];
-            DelaunayTetrahedron& other = tetrahedra_[outside];
-            const double qx = x - lattice_.x(other.vertices[0]);
-            const double qy = y - lattice_.y(other.vertices[0]);
-            const double qz = z - lattice_.z(other.vertices[0]);
-            const double square = weights_[0] * qx * qx + weights_[1] * qy * qy + weights_[2] * qz * qz;
-            const double sphere = other.centre[0] * qx + other.centre[1] * qy + other.centre[2] * qz;
-            const bool alive = other.determinant != 0;
-            const bool conflict = alive & (other.determinant * square < sphere);
-            other.determinant = conflict ? 0 : other.determinant;
-            destroyed_[destroyedCount] = outside;
+            // Without branches on the outcome, which nobody can predict.
+            DelaunayTetrahedron& other = tetrahedra[outside[face]];
+            const bool alive = other.sphere[3] != 0;
+            const bool conflict = alive & (conflicts[face] != 0);
+            other.sphere[3] = conflict ? 0 : other.sphere[3];
+            destroyed[destroyedCount] = outside[face];
             destroyedCount += conflict;
             const std::uint8_t back =
                 static_cast<std::uint8_t>((other.neighbours[1] == inside) + 2 * (other.neighbours[2] == inside) +
                                           3 * (other.neighbours[3] == inside));
-            cavityFaces_[faceCount] = {inside, outside, face, back};
+            faces[faceCount] = {inside, outside[face], face, back};
             faceCount += alive & !conflict;
         }
-        for (std::uint8_t face = 0; face < 4; ++face)
-            if (neighbours[face] == none && !onHullPlane(point, tetrahedra_[inside], face))
-                cavityFaces_[faceCount++] = {inside, none, face, 0};
+        if (missing > 0)
+            for (std::uint8_t face = 0; face < 4; ++face)
+                if (tetrahedra[inside].neighbours[face] == none && !onHullPlane(point, tetrahedra[inside], face))
+                    faces[faceCount++] = {inside, none, face, 0};
     }
     destroyed_.resize(destroyedCount);
     cavityFaces_.resize(faceCount);
@@ -131,7 +170,7 @@ void LatticeDelaunay::findCavity(PackedPoint point, std::uint32_t containing)
 
 void LatticeDelaunay::gatherStar(PackedPoint point)
 {
-    star_.clear(lattice_, point);
+    star_.clear(point);
     for (const CavityFace& face : cavityFaces_) {
         const std::array<PackedPoint, 4>& vertices = tetrahedra_[face.inside].vertices;
         star_.addFace(vertices[faceVertices[face.insideFace][0]], vertices[faceVertices[face.insideFace][1]],
@@ -164,22 +203,15 @@ void LatticeDelaunay::writeStar(PackedPoint point)
 {
     const std::span<const std::array<std::uint32_t, 3>> partners = star_.partners();
     const std::span<const PackedPoint> rim = star_.rim();
-    const double* const determinant = star_.quantity(Star::Determinant);
-    const double* const centreX = star_.quantity(Star::Centre);
-    const double* const centreY = star_.quantity(Star::Centre + 1);
-    const double* const centreZ = star_.quantity(Star::Centre + 2);
     for (std::size_t i = 0; i < created_.size(); ++i) {
-        const std::array<std::uint32_t, 3>& face = star_.faces()[i];
+        const std::array<std::uint32_t, 3>& corners = star_.corners()[i];
         const CavityFace& cavityFace = cavityFaces_[i];
-        DelaunayTetrahedron& tetrahedron = tetrahedra_[created_[i]];
-        tetrahedron.vertices = {point, rim[face[0]], rim[face[1]], rim[face[2]]};
-        tetrahedron.neighbours[0] = cavityFace.outside;
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const std::uint32_t partner = partners[i][corner];
-            tetrahedron.neighbours[corner + 1] = partner == Star::noPartner ? none : created_[partner];
-        }
-        tetrahedron.determinant = determinant[i];
-        tetrahedron.centre = {centreX[i], centreY[i], centreZ[i]};
+        const auto neighbour = [&](std::size_t corner) {
+            return partners[i][corner] == Star::noPartner ? none : created_[partners[i][corner]];
+        };
+        tetrahedra_[created_[i]] = {{point, rim[corners[0]], rim[corners[1]], rim[corners[2]]},
+                                    {cavityFace.outside, neighbour(0), neighbour(1), neighbour(2)},
+                                    star_.faces()[i].sphere};
         if (cavityFace.outside != none)
             tetrahedra_[cavityFace.outside].neighbours[cavityFace.outsideFace] = created_[i];
     }

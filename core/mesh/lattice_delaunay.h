@@ -20,8 +20,10 @@ namespace tetra {
 struct alignas(64) DelaunayTetrahedron {
     std::array<PackedPoint, 4> vertices;     ///< positive: det(v1 - v0, v2 - v0, v3 - v0) > 0
     std::array<std::uint32_t, 4> neighbours; ///< opposite to each vertex; LatticeDelaunay::none on the hull
-    double determinant;                      ///< six times the volume, a positive integer; 0 marks a dead slot
-    std::array<double, 3> centre;            ///< 2 * determinant * (circumcentre - v0), weighted by the metric
+    std::array<double, 4> sphere;            ///< 2 * determinant * (circumcentre - v0), weighted by the metric; then
+                                             ///< the determinant
+    /// Six times the volume, a positive integer; 0 marks a dead slot.
+    double determinant() const noexcept { return sphere[3]; }
 };
 
 /// Incremental Delaunay tetrahedrization of a box of lattice points, with exact arithmetic (S8; 3.1, ADD_VERTEX).
@@ -75,6 +77,8 @@ private:
     };
 
     void findCavity(PackedPoint point, std::uint32_t containing);
+    void testSpheres(PackedPoint point, const std::array<std::uint32_t, 4>& slots,
+                     std::array<std::int64_t, 4>& conflicts) const;
     bool onHullPlane(PackedPoint point, const DelaunayTetrahedron& tetrahedron, std::uint8_t face) const;
     void gatherStar(PackedPoint point);
     bool takeSlots();

@@ -44,7 +44,7 @@ private:
     };
 
     Status start();
-    void distributeStart();
+    Status distributeStart();
     Status addCorners();
     Status insertWorst(const PointBucket& worst, std::uint32_t bucketNumber);
     void collectDestroyed();
@@ -119,7 +119,7 @@ float Refinement::fillBucket(std::uint32_t slot, std::size_t face, double determ
     return bucket.error;
 }
 
-void Refinement::distributeStart()
+Status Refinement::distributeStart()
 {
     std::array<std::vector<PackedPoint>, LatticeDelaunay::startCount> inside;
     const auto& size = options_.size;
@@ -146,15 +146,18 @@ void Refinement::distributeStart()
                 inside[slot].push_back(point);
             }
     Star star;
+    if (Status status = star.attach(lattice_); !status)
+        return status;
     for (std::uint32_t slot = 0; slot < LatticeDelaunay::startCount; ++slot) {
         const auto& vertices = delaunay_[slot].vertices;
-        star.clear(lattice_, vertices[0]);
+        star.clear(vertices[0]);
         star.addFace(vertices[1], vertices[2], vertices[3]);
         star.finish({1, 1, 1});
         relocation_.run(lattice_, samples_, star, inside[slot]);
-        startErrors_[slot] = fillBucket(slot, 0, delaunay_[slot].determinant);
+        startErrors_[slot] = fillBucket(slot, 0, delaunay_[slot].determinant());
         std::vector<PackedPoint>().swap(inside[slot]);
     }
+    return {};
 }
 
 /// Hands the eight corners and the five tetrahedra to the sink, each tetrahedron with the latest of its corners.
@@ -208,7 +211,8 @@ Status Refinement::start()
         return status;
     if (Status status = siteOfPoint_.reserve(pointCount, "the numbers of the sites"); !status)
         return status;
-    distributeStart();
+    if (Status status = distributeStart(); !status)
+        return status;
     return addCorners();
 }
 
@@ -264,13 +268,12 @@ Status Refinement::insertWorst(const PointBucket& worst, std::uint32_t)
     if (hasPoints)
         relocation_.run(lattice_, samples_, star, points_);
     starHistory_.resize(star.faceCount());
-    const double* const determinants = star.quantity(Star::Determinant);
     for (std::size_t face = 0; face < star.faceCount(); ++face) {
         const std::uint32_t slot = delaunay_.created()[face];
         slots_[slot] = {static_cast<std::uint32_t>(tetrahedronCount_ + face), none};
-        const std::array<std::uint32_t, 3>& corners = star.faces()[face];
+        const std::array<std::uint32_t, 3>& corners = star.corners()[face];
         starHistory_[face] = {{rimSites_[corners[0]], rimSites_[corners[1]], rimSites_[corners[2]]},
-                              hasPoints ? fillBucket(slot, face, determinants[face]) : 0.0f};
+                              hasPoints ? fillBucket(slot, face, star.faces()[face].determinant()) : 0.0f};
     }
     tetrahedronCount_ += star.faceCount();
     ++siteCount_;

@@ -16,7 +16,7 @@ class PackedLattice {
 public:
     explicit PackedLattice(const std::array<std::uint32_t, 3>& size)
         : size_(size), shiftY_(width(size[0])), shiftZ_(shiftY_ + width(size[1])), maskX_((1u << shiftY_) - 1),
-          maskY_((1u << width(size[1])) - 1)
+          maskY_((1u << width(size[1])) - 1), maskZ_((1u << width(size[2])) - 1)
     {
     }
 
@@ -36,6 +36,14 @@ public:
     std::int32_t y(PackedPoint point) const noexcept { return static_cast<std::int32_t>(point >> shiftY_ & maskY_); }
     std::int32_t z(PackedPoint point) const noexcept { return static_cast<std::int32_t>(point >> shiftZ_); }
 
+    /// The coordinates of several points at once, in the compiler's vectors of int.
+    template <class Ints> void unpack(const Ints& points, Ints& x, Ints& y, Ints& z) const noexcept
+    {
+        x = points & static_cast<int>(maskX_);
+        y = points >> static_cast<int>(shiftY_) & static_cast<int>(maskY_);
+        z = points >> static_cast<int>(shiftZ_) & static_cast<int>(maskZ_);
+    }
+
     /// The point's number in the lattice, the first coordinate running fastest.
     std::uint32_t index(PackedPoint point) const noexcept
     {
@@ -51,6 +59,7 @@ private:
     std::uint32_t shiftZ_;
     std::uint32_t maskX_;
     std::uint32_t maskY_;
+    std::uint32_t maskZ_;
 };
 
 } // namespace tetra

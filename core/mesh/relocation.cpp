@@ -1,100 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/relocation.h"
 
-#include "core/base/simd.h"
+#include "core/mesh/cone_search.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace tetra {
 
 namespace {
 
-/// The largest coordinate for which every sum of the plane tests, at most 6 c^3, is exact in a float.
-constexpr std::int32_t exactReachOfFloat = 140;
-
-/// Points are tested this many at a time.
-constexpr std::size_t lanes = 8;
-
-template <class Real> struct Vector;
-template <> struct Vector<float> {
-    using Type = float __attribute__((vector_size(lanes * sizeof(float))));
-    using Mask = std::int32_t __attribute__((vector_size(lanes * sizeof(float))));
-};
-template <> struct Vector<double> {
-    using Type = double __attribute__((vector_size(lanes * sizeof(double))));
-    using Mask = std::int64_t __attribute__((vector_size(lanes * sizeof(double))));
-};
-
-/// owners[i] = the last face whose cone, seen from the apex, contains point i. `planes` holds nine numbers for each
-/// face, the normals of the three sides of its cone. Branch free: every face is tested, for `lanes` points at a time;
-/// the point arrays are padded to that.
-template <class Real>
-[[gnu::always_inline]] inline void findOwnersIn(std::span<const Real> planes, std::size_t pointCount, const float* x,
-                                                const float* y, const float* z, std::int32_t* owners)
-{
-    using Numbers = typename Vector<Real>::Type;
-    using Mask = typename Vector<Real>::Mask;
-    const auto load = [](Numbers& to, const float* from) {
-        Vector<float>::Type numbers;
-        std::memcpy(&numbers, from, sizeof numbers);
-        to = __builtin_convertvector(numbers, Numbers);
-    };
-    for (std::size_t i = 0; i < pointCount; i += lanes) {
-        Numbers px, py, pz;
-        load(px, x + i);
-        load(py, y + i);
-        load(pz, z + i);
-        Mask owner = {};
-        Mask face = {};
-        for (const Real* plane = planes.data(); plane != planes.data() + planes.size(); plane += 9) {
-            const Numbers side0 = plane[0] * px + plane[1] * py + plane[2] * pz;
-            const Numbers side1 = plane[3] * px + plane[4] * py + plane[5] * pz;
-            const Numbers side2 = plane[6] * px + plane[7] * py + plane[8] * pz;
-            const Mask inside = (side0 >= 0) & (side1 >= 0) & (side2 >= 0);
-            owner = inside ? face : owner;
-            face += 1;
-        }
-        const auto narrow = __builtin_convertvector(owner, Vector<float>::Mask);
-        std::memcpy(owners + i, &narrow, sizeof narrow);
-    }
-}
-
-TETRA_SIMD_CLONES void findOwnersFloat(std::span<const float> planes, std::size_t pointCount, const float* x,
-                                       const float* y, const float* z, std::int32_t* owners)
-{
-    findOwnersIn<float>(planes, pointCount, x, y, z, owners);
-}
-
-TETRA_SIMD_CLONES void findOwnersDouble(std::span<const double> planes, std::size_t pointCount, const float* x,
-                                        const float* y, const float* z, std::int32_t* owners)
-{
-    findOwnersIn<double>(planes, pointCount, x, y, z, owners);
-}
-
-template <class Real> std::span<const Real> facePlanes(const Star& star, std::vector<Real>& planes)
-{
-    planes.resize(9 * star.faceCount());
-    const std::size_t stride = star.paddedFaceCount();
-    const double* const normals = star.quantity(Star::NormalBC);
-    for (std::size_t face = 0; face < star.faceCount(); ++face)
-        for (std::size_t k = 0; k < 9; ++k)
-            planes[9 * face + k] = static_cast<Real>(normals[k * stride + face]);
-    return planes;
-}
+/// Point arrays are padded to what the search tests at a time.
+constexpr std::size_t lanes = coneSearchLanes;
 
 } // namespace
-
-void Relocation::findOwners(const Star& star)
-{
-    if (star.reach() <= exactReachOfFloat)
-        findOwnersFloat(facePlanes(star, floatPlanes_), points_.size(), x_.data(), y_.data(), z_.data(),
-                        owners_.data());
-    else
-        findOwnersDouble(facePlanes(star, doublePlanes_), points_.size(), x_.data(), y_.data(), z_.data(),
-                         owners_.data());
-}
 
 void Relocation::gatherCoordinates(const PackedLattice& lattice, PackedPoint apex, std::span<const PackedPoint> points)
 {
@@ -152,24 +71,20 @@ void Relocation::computeErrors(const PackedLattice& lattice, const LatticeSample
     samples.gather(lattice, placed_, values_.data());
     scaledErrors_.resize(placed_.size());
 
-    const std::size_t count = star.paddedFaceCount();
-    const double* const bc = star.quantity(Star::NormalBC);
-    const double* const ca = star.quantity(Star::NormalCA);
-    const double* const ab = star.quantity(Star::NormalAB);
-    const double* const determinant = star.quantity(Star::Determinant);
-    for (std::size_t face = 0; face + 1 < offsets_.size(); ++face) {
-        if (offsets_[face] == offsets_[face + 1])
+    for (std::size_t i = 0; i + 1 < offsets_.size(); ++i) {
+        if (offsets_[i] == offsets_[i + 1])
             continue;
-        const std::array<std::uint32_t, 3>& corners = star.faces()[face];
+        const std::array<std::uint32_t, 3>& corners = star.corners()[i];
+        const Star::Face& face = star.faces()[i];
         const double a = rimValues_[corners[0]] - apexValue;
         const double b = rimValues_[corners[1]] - apexValue;
         const double c = rimValues_[corners[2]] - apexValue;
-        const double slopeX = a * bc[face] + b * ca[face] + c * ab[face];
-        const double slopeY = a * bc[face + count] + b * ca[face + count] + c * ab[face + count];
-        const double slopeZ = a * bc[face + 2 * count] + b * ca[face + 2 * count] + c * ab[face + 2 * count];
-        for (std::uint32_t i = offsets_[face]; i < offsets_[face + 1]; ++i)
-            scaledErrors_[i] = std::abs(determinant[face] * (values_[i] - apexValue) - slopeX * placedX_[i] -
-                                        slopeY * placedY_[i] - slopeZ * placedZ_[i]);
+        const double slopeX = a * face.normalBC[0] + b * face.normalCA[0] + c * face.normalAB[0];
+        const double slopeY = a * face.normalBC[1] + b * face.normalCA[1] + c * face.normalAB[1];
+        const double slopeZ = a * face.normalBC[2] + b * face.normalCA[2] + c * face.normalAB[2];
+        for (std::uint32_t k = offsets_[i]; k < offsets_[i + 1]; ++k)
+            scaledErrors_[k] = std::abs(face.determinant() * (values_[k] - apexValue) - slopeX * placedX_[k] -
+                                        slopeY * placedY_[k] - slopeZ * placedZ_[k]);
     }
 }
 
@@ -177,7 +92,7 @@ void Relocation::run(const PackedLattice& lattice, const LatticeSamples& samples
                      std::span<const PackedPoint> points)
 {
     gatherCoordinates(lattice, star.apex(), points);
-    findOwners(star);
+    findCones(star, {x_, y_, z_}, planes_, owners_);
     sortByOwner(star.faceCount());
     computeErrors(lattice, samples, star);
 }

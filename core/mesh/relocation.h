@@ -27,22 +27,20 @@ public:
     std::span<const double> scaledErrors() const noexcept { return scaledErrors_; }
 
 private:
-    void findOwners(const Star& star);
     void gatherCoordinates(const PackedLattice& lattice, PackedPoint apex, std::span<const PackedPoint> points);
     void sortByOwner(std::size_t faceCount);
     void computeErrors(const PackedLattice& lattice, const LatticeSamples& samples, const Star& star);
 
-    std::vector<PackedPoint> points_;
-    std::vector<float> x_, y_, z_;
-    std::vector<std::int32_t> owners_;
-    std::vector<PackedPoint> placed_;
-    std::vector<float> placedX_, placedY_, placedZ_;
+    Buffer<PackedPoint> points_;
+    Buffer<float> x_, y_, z_;
+    Buffer<std::int32_t> owners_;
+    Buffer<PackedPoint> placed_;
+    Buffer<float> placedX_, placedY_, placedZ_;
     std::vector<std::uint32_t> offsets_;
-    std::vector<double> values_;
-    std::vector<double> scaledErrors_;
-    std::vector<double> rimValues_;
-    std::vector<float> floatPlanes_;
-    std::vector<double> doublePlanes_;
+    Buffer<double> values_;
+    Buffer<double> scaledErrors_;
+    Buffer<double> rimValues_;
+    Buffer<float> planes_;
 };
 
 } // namespace tetra

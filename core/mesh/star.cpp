@@ -5,138 +5,108 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstdlib>
+#include <cmath>
+#include <cstring>
+#include <limits>
 
 namespace tetra {
 
 namespace {
 
-/// Normals, determinants and spheres of `count` faces (a multiple of Star::lanes). `corners` holds twelve arrays: x, y,
-/// z and the weighted square of a, then of b, then of c.
-TETRA_SIMD_CLONES void computeFaces(std::size_t count, const double* corners, double* values)
+/// `rim` holds x, y, z and the weighted square of each vertex.
+TETRA_SIMD_CLONES void computeFaces(std::span<const std::array<std::uint32_t, 3>> corners,
+                                    const std::array<double, 4>* rim, Star::Face* faces)
 {
-    const double* const a = corners;
-    const double* const b = corners + 4 * count;
-    const double* const c = corners + 8 * count;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double ax = a[i], ay = a[i + count], az = a[i + 2 * count], aa = a[i + 3 * count];
-        const double bx = b[i], by = b[i + count], bz = b[i + 2 * count], bb = b[i + 3 * count];
-        const double cx = c[i], cy = c[i + count], cz = c[i + 2 * count], cc = c[i + 3 * count];
-        const double bcx = by * cz - bz * cy, bcy = bz * cx - bx * cz, bcz = bx * cy - by * cx;
-        const double cax = cy * az - cz * ay, cay = cz * ax - cx * az, caz = cx * ay - cy * ax;
-        const double abx = ay * bz - az * by, aby = az * bx - ax * bz, abz = ax * by - ay * bx;
-        values[i] = bcx, values[i + count] = bcy, values[i + 2 * count] = bcz;
-        values[i + 3 * count] = cax, values[i + 4 * count] = cay, values[i + 5 * count] = caz;
-        values[i + 6 * count] = abx, values[i + 7 * count] = aby, values[i + 8 * count] = abz;
-        values[i + 9 * count] = ax * bcx + ay * bcy + az * bcz;
-        values[i + 10 * count] = aa * bcx + bb * cax + cc * abx;
-        values[i + 11 * count] = aa * bcy + bb * cay + cc * aby;
-        values[i + 12 * count] = aa * bcz + bb * caz + cc * abz;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        Double4 a, b, c;
+        std::memcpy(&a, &rim[corners[i][0]], sizeof a);
+        std::memcpy(&b, &rim[corners[i][1]], sizeof b);
+        std::memcpy(&c, &rim[corners[i][2]], sizeof c);
+        // A cross product is u.yzx * v.zxy - u.zxy * v.yzx; the fourth lanes cancel to 0.
+        const Double4 aYzx = __builtin_shufflevector(a, a, 1, 2, 0, 3),
+                      aZxy = __builtin_shufflevector(a, a, 2, 0, 1, 3);
+        const Double4 bYzx = __builtin_shufflevector(b, b, 1, 2, 0, 3),
+                      bZxy = __builtin_shufflevector(b, b, 2, 0, 1, 3);
+        const Double4 cYzx = __builtin_shufflevector(c, c, 1, 2, 0, 3),
+                      cZxy = __builtin_shufflevector(c, c, 2, 0, 1, 3);
+        const Double4 bc = bYzx * cZxy - bZxy * cYzx;
+        const Double4 ca = cYzx * aZxy - cZxy * aYzx;
+        const Double4 ab = aYzx * bZxy - aZxy * bYzx;
+        Double4 sphere = a[3] * bc + b[3] * ca + c[3] * ab;
+        const Double4 products = a * bc;
+        sphere[3] = products[0] + products[1] + products[2];
+        std::memcpy(&faces[i].normalBC, &bc, sizeof bc);
+        std::memcpy(&faces[i].normalCA, &ca, sizeof ca);
+        std::memcpy(&faces[i].normalAB, &ab, sizeof ab);
+        std::memcpy(&faces[i].sphere, &sphere, sizeof sphere);
     }
 }
 
 } // namespace
 
-void Star::clear(const PackedLattice& lattice, PackedPoint apex)
+Status Star::attach(const PackedLattice& lattice)
 {
     lattice_ = &lattice;
+    rimStart_ = 0;
+    rimCount_ = 0;
+    rim_.resize(64);
+    const auto& size = lattice.size();
+    return stamps_.reserve(std::uint64_t(size[0]) * size[1] * size[2], "the marks of the refinement's points");
+}
+
+void Star::clear(PackedPoint apex)
+{
     apex_ = apex;
-    reach_ = 0;
-    rim_.clear();
-    faces_.clear();
-    for (const std::uint32_t slot : hashUsed_)
-        hash_[slot].position = 0;
-    hashUsed_.clear();
-}
-
-std::uint32_t Star::rimPosition(PackedPoint point)
-{
-    const std::uint32_t mask = static_cast<std::uint32_t>(hash_.size()) - 1;
-    std::uint32_t slot = (point * 0x9e3779b1u >> 7) & mask;
-    while (hash_[slot].position != 0) {
-        if (hash_[slot].point == point)
-            return hash_[slot].position - 1;
-        slot = (slot + 1) & mask;
+    rimStart_ += rimCount_;
+    rimCount_ = 0;
+    corners_.clear();
+    // After four thousand million rim vertices the stamps begin anew.
+    if (rimStart_ > std::numeric_limits<std::uint32_t>::max() / 2) {
+        std::fill_n(stamps_.data(), stamps_.capacity(), 0u);
+        rimStart_ = 0;
     }
-    rim_.push_back(point);
-    hash_[slot] = {point, static_cast<std::uint32_t>(rim_.size())};
-    hashUsed_.push_back(slot);
-    if (rim_.size() * 2 > hash_.size())
-        growHash();
-    return static_cast<std::uint32_t>(rim_.size()) - 1;
-}
-
-void Star::growHash()
-{
-    hash_.assign(hash_.size() * 4, HashEntry{});
-    hashUsed_.clear();
-    const std::uint32_t mask = static_cast<std::uint32_t>(hash_.size()) - 1;
-    for (std::uint32_t position = 0; position < rim_.size(); ++position) {
-        std::uint32_t slot = (rim_[position] * 0x9e3779b1u >> 7) & mask;
-        while (hash_[slot].position != 0)
-            slot = (slot + 1) & mask;
-        hash_[slot] = {rim_[position], position + 1};
-        hashUsed_.push_back(slot);
-    }
-}
-
-void Star::addFace(PackedPoint a, PackedPoint b, PackedPoint c)
-{
-    faces_.push_back({rimPosition(a), rimPosition(b), rimPosition(c)});
 }
 
 void Star::finish(const std::array<double, 3>& weights)
 {
     const std::int32_t apexX = lattice_->x(apex_), apexY = lattice_->y(apex_), apexZ = lattice_->z(apex_);
-    rimCoordinates_.resize(rim_.size() * 4);
-    for (std::size_t i = 0; i < rim_.size(); ++i) {
-        const std::int32_t x = lattice_->x(rim_[i]) - apexX;
-        const std::int32_t y = lattice_->y(rim_[i]) - apexY;
-        const std::int32_t z = lattice_->z(rim_[i]) - apexZ;
-        reach_ = std::max({reach_, std::abs(x), std::abs(y), std::abs(z)});
-        double* const coordinates = rimCoordinates_.data() + 4 * i;
-        coordinates[0] = x, coordinates[1] = y, coordinates[2] = z;
-        coordinates[3] = weights[0] * coordinates[0] * coordinates[0] + weights[1] * coordinates[1] * coordinates[1] +
-                         weights[2] * coordinates[2] * coordinates[2];
+    rimCoordinates_.resize(rimCount_);
+    double reach = 0;
+    for (std::size_t i = 0; i < rimCount_; ++i) {
+        const double x = lattice_->x(rim_[i]) - apexX;
+        const double y = lattice_->y(rim_[i]) - apexY;
+        const double z = lattice_->z(rim_[i]) - apexZ;
+        reach = std::max(reach, std::max(std::abs(x), std::max(std::abs(y), std::abs(z))));
+        rimCoordinates_[i] = {x, y, z, weights[0] * x * x + weights[1] * y * y + weights[2] * z * z};
     }
-    const std::size_t count = paddedFaceCount();
-    corners_.resize(12 * count);
-    values_.resize(QuantityCount * count);
-    for (std::size_t i = 0; i < faces_.size(); ++i)
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const double* const coordinates = rimCoordinates_.data() + std::size_t(4) * faces_[i][corner];
-            for (std::size_t k = 0; k < 4; ++k)
-                corners_[(4 * corner + k) * count + i] = coordinates[k];
-        }
-    for (std::size_t array = 0; array < 12; ++array)
-        std::fill_n(corners_.begin() + static_cast<std::ptrdiff_t>(array * count + faces_.size()),
-                    count - faces_.size(), 0.0);
-    computeFaces(count, corners_.data(), values_.data());
+    reach_ = reach;
+    faces_.resize(corners_.size());
+    computeFaces(corners_, rimCoordinates_.data(), faces_.data());
 }
 
 std::span<const std::array<std::uint32_t, 3>> Star::partners()
 {
-    if (rim_.size() > edgeStride_) {
-        edgeStride_ = std::bit_ceil(std::max<std::size_t>(rim_.size(), 32));
+    if (rimCount_ > edgeStride_) {
+        edgeStride_ = std::bit_ceil(std::max<std::size_t>(rimCount_, 32));
         edges_.assign(edgeStride_ * edgeStride_, 0);
     }
     // An edge (u, v) of one face is (v, u) of its partner. Three passes without a branch: note, look up, clear.
-    const auto edge = [this](std::uint32_t face, std::uint32_t corner, bool reversed) -> std::uint32_t& {
-        const std::size_t from = faces_[face][corner == 2 ? 0 : corner + 1];
-        const std::size_t to = faces_[face][corner == 0 ? 2 : corner - 1];
-        return edges_[reversed ? to * edgeStride_ + from : from * edgeStride_ + to];
-    };
-    const std::uint32_t count = static_cast<std::uint32_t>(faces_.size());
+    const std::uint32_t count = static_cast<std::uint32_t>(corners_.size());
+    const std::size_t stride = edgeStride_;
+    std::uint32_t* const edges = edges_.data();
     partners_.resize(count);
-    for (std::uint32_t face = 0; face < count; ++face)
-        for (std::uint32_t corner = 0; corner < 3; ++corner)
-            edge(face, corner, false) = face + 1;
-    for (std::uint32_t face = 0; face < count; ++face)
-        for (std::uint32_t corner = 0; corner < 3; ++corner)
-            partners_[face][corner] = edge(face, corner, true) - 1;
-    for (std::uint32_t face = 0; face < count; ++face)
-        for (std::uint32_t corner = 0; corner < 3; ++corner)
-            edge(face, corner, false) = 0;
+    for (std::uint32_t face = 0; face < count; ++face) {
+        const std::size_t a = corners_[face][0], b = corners_[face][1], c = corners_[face][2];
+        edges[b * stride + c] = edges[c * stride + a] = edges[a * stride + b] = face + 1;
+    }
+    for (std::uint32_t face = 0; face < count; ++face) {
+        const std::size_t a = corners_[face][0], b = corners_[face][1], c = corners_[face][2];
+        partners_[face] = {edges[c * stride + b] - 1, edges[a * stride + c] - 1, edges[b * stride + a] - 1};
+    }
+    for (std::uint32_t face = 0; face < count; ++face) {
+        const std::size_t a = corners_[face][0], b = corners_[face][1], c = corners_[face][2];
+        edges[b * stride + c] = edges[c * stride + a] = edges[a * stride + b] = 0;
+    }
     return partners_;
 }
 

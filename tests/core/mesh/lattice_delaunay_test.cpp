@@ -56,7 +56,7 @@ QString faultOf(const LatticeDelaunay& mesh, const std::vector<PackedPoint>& ver
     std::set<PackedPoint> used;
     for (std::uint32_t slot = 0; slot < mesh.slotCount(); ++slot) {
         const DelaunayTetrahedron& tetrahedron = mesh[slot];
-        if (tetrahedron.determinant == 0)
+        if (tetrahedron.determinant() == 0)
             continue;
         std::array<Point, 4> corners{};
         for (std::size_t i = 0; i < 4; ++i) {
@@ -64,7 +64,7 @@ QString faultOf(const LatticeDelaunay& mesh, const std::vector<PackedPoint>& ver
             used.insert(tetrahedron.vertices[i]);
         }
         const Whole sixVolumes = determinant(corners[1] - corners[0], corners[2] - corners[0], corners[3] - corners[0]);
-        if (sixVolumes <= 0 || static_cast<double>(sixVolumes) != tetrahedron.determinant)
+        if (sixVolumes <= 0 || static_cast<double>(sixVolumes) != tetrahedron.determinant())
             return "a tetrahedron is flat, inverted or misjudges its volume";
         volume += sixVolumes;
         for (std::size_t face = 0; face < 4; ++face) {
@@ -87,7 +87,7 @@ QString faultOf(const LatticeDelaunay& mesh, const std::vector<PackedPoint>& ver
                 continue;
             }
             const DelaunayTetrahedron& other = mesh[neighbour];
-            if (other.determinant == 0)
+            if (other.determinant() == 0)
                 return "a dead neighbour";
             if (std::ranges::count(other.neighbours, slot) != 1)
                 return "a neighbour does not know this one";
@@ -111,7 +111,7 @@ std::uint32_t locate(const LatticeDelaunay& mesh, PackedPoint packed)
 {
     const Point p = point(mesh.lattice(), packed);
     for (std::uint32_t slot = 0; slot < mesh.slotCount(); ++slot) {
-        if (mesh[slot].determinant == 0)
+        if (mesh[slot].determinant() == 0)
             continue;
         std::array<Point, 4> v{};
         for (std::size_t i = 0; i < 4; ++i)

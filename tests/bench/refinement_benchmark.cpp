@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Refinement of the synthetic C60 to error 0 with its whole history, against CGAL's bulk insertion of all the points in
+// the same run, on one thread; and the peak memory of a build into a file.
+
+#include "tests/bench/bench_report.h"
+#include "tests/bench/cgal_bulk_insertion.h"
+
+#include "core/base/reserved_array.h"
+#include "core/data/analytic_fields.h"
+#include "core/mesh/lattice_refinement.h"
+#include "core/model/model_writer.h"
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+#include <QTemporaryDir>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace tetra {
+
+namespace {
+
+/// Keeps the whole history in memory, as the figures of the prototypes did.
+class MemoryHistory : public HistorySink {
+public:
+    Status reserve(std::uint64_t points)
+    {
+        for (Status status :
+             {sites_.reserve(25 * points, "the history"), destroyers_.reserve(25 * points, "the history"),
+              errors_.reserve(25 * points, "the history")})
+            if (!status)
+                return status;
+        return {};
+    }
+    Status add(const HistoryStep& step) override
+    {
+        for (const HistoryTetrahedron& tetrahedron : step.star) {
+            sites_[count_] = tetrahedron.sites;
+            errors_[count_] = tetrahedron.error;
+            destroyers_[count_++] = Model::never;
+        }
+        const std::uint32_t site = static_cast<std::uint32_t>(points_.size());
+        for (const std::uint32_t destroyed : step.destroyed)
+            destroyers_[destroyed] = site;
+        points_.push_back(static_cast<std::uint32_t>(step.point));
+        runningErrors_.push_back(
+            std::min(step.errorBefore, runningErrors_.empty() ? step.errorBefore : runningErrors_.back()));
+        return {};
+    }
+    Status finish(float) override { return {}; }
+
+private:
+    std::uint64_t count_ = 0;
+    ReservedArray<std::array<std::uint32_t, 3>> sites_;
+    ReservedArray<std::uint32_t> destroyers_;
+    ReservedArray<float> errors_;
+    std::vector<std::uint32_t> points_;
+    std::vector<float> runningErrors_;
+};
+
+Result<LatticeRefinementResult> refine(const Dataset& dataset, HistorySink& sink)
+{
+    LatticeRefinementOptions options;
+    options.size = dataset.lattice.size;
+    options.spacing = dataset.lattice.spacing;
+    options.valueExtent = dataset.values.range().extent();
+    return visitSampleType(dataset.values.type(), [&]<class T>() {
+        return refineLattice(options, LatticeSamples(dataset.values.as<T>()), sink);
+    });
+}
+
+BenchCase measure(std::uint32_t n, SampleType type, int repeats)
+{
+    const Dataset dataset = makeSample({"c60", n, type}).value();
+    std::vector<double> ours;
+    std::vector<double> theirs;
+    LatticeRefinementResult result;
+    std::size_t cells = 0;
+    for (int i = 0; i < repeats; ++i) {
+        ours.push_back(secondsOf([&] {
+            MemoryHistory history;
+            if (history.reserve(dataset.lattice.pointCount()).ok())
+                result = refine(dataset, history).value();
+        }));
+        theirs.push_back(cgalBulkInsertionSeconds(n, cells));
+        std::fprintf(stderr, "c60 %u^3 %s, run %d of %d: %.3f s, %.2f of the yardstick\n", n,
+                     std::string(sampleTypeName(type)).c_str(), i + 1, repeats, ours.back(),
+                     ours.back() / theirs.back());
+    }
+    BenchCase one;
+    const std::string typeName(sampleTypeName(type));
+    one.name = QString("c60 %1^3 %2 to error 0, one thread").arg(n).arg(QString::fromStdString(typeName));
+    one.seconds = median(ours);
+    one.yardstick = "CGAL EPICK bulk insertion of all points";
+    one.yardstickSeconds = median(theirs);
+    one.more = {{"sites", qint64(result.sites)},
+                {"tetrahedra", qint64(result.tetrahedra)},
+                {"microseconds_per_site", 1e6 * one.seconds / result.sites},
+                {"yardstick_cells", qint64(cells)}};
+    return one;
+}
+
+/// A build into a file, in a process of its own whose peak memory the system tells.
+BenchCase measureMemory(std::uint32_t n, SampleType type)
+{
+    const QTemporaryDir folder;
+    std::fflush(nullptr);
+    BenchCase one;
+    one.name =
+        QString("c60 %1^3 %2, build into a file").arg(n).arg(QString::fromStdString(std::string(sampleTypeName(type))));
+    rusage usage{};
+    one.seconds = secondsOf([&] {
+        const pid_t child = ::fork();
+        if (child == 0) {
+            const Dataset dataset = makeSample({"c60", n, type}).value();
+            ModelDescription description;
+            description.builder = "refinement";
+            auto writer = ModelWriter::create(folder.filePath("model.tan").toStdString(), dataset, description);
+            ::_exit(writer.ok() && refine(dataset, **writer).ok() ? 0 : 1);
+        }
+        int status = 1;
+        ::wait4(child, &status, 0, &usage);
+    });
+    const double peak = 1024.0 * static_cast<double>(usage.ru_maxrss);
+    one.more = {{"peak_bytes", peak}, {"peak_bytes_per_site", peak / (double(n) * n * n)}};
+    return one;
+}
+
+} // namespace
+
+} // namespace tetra
+
+int main(int argc, char** argv)
+{
+    const QCoreApplication application(argc, argv);
+    QCommandLineParser parser;
+    parser.addHelpOption();
+    parser.addOption({"json", "Print one JSON object."});
+    parser.addOption({"repeats", "Runs of each case; the median is reported.", "N", "5"});
+    parser.addOption({"sizes", "Points along an axis, separated by commas.", "LIST", "32,64,128"});
+    parser.process(application);
+    const int repeats = std::max(1, parser.value("repeats").toInt());
+    std::vector<tetra::BenchCase> cases;
+    const QStringList sizes = parser.value("sizes").split(',');
+    // Peak memory first: a process forked from a large one would inherit its size.
+    for (const tetra::SampleType type : {tetra::SampleType::Float32, tetra::SampleType::UInt8})
+        cases.push_back(tetra::measureMemory(sizes.last().toUInt(), type));
+    for (const QString& size : sizes)
+        for (const tetra::SampleType type : {tetra::SampleType::Float32, tetra::SampleType::UInt8})
+            cases.push_back(tetra::measure(size.toUInt(), type, repeats));
+    tetra::printReport("refinement", cases, parser.isSet("json"));
+    return 0;
+}
