@@ -32,8 +32,11 @@ class Writer {
 public:
     virtual ~Writer() = default;
     virtual std::vector<std::string> nameFilters() const = 0;
+    /// 0 cannot, 1 made for it; from the name.
     virtual double score(const std::filesystem::path& path) const = 0;
-    virtual Status write(const Dataset& dataset, const std::filesystem::path& path, const Progress& progress) const = 0;
+    virtual std::vector<Parameter> parameters() const = 0;
+    virtual Status write(const Dataset& dataset, const std::filesystem::path& path, const ParameterValues& values,
+                         const Progress& progress) const = 0;
 };
 
 } // namespace tetra
