@@ -1,28 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/data/scalar_field.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace tetra {
+
+namespace {
+
+template <class T> struct Extremes {
+    T minimum =
+        std::numeric_limits<T>::has_infinity ? std::numeric_limits<T>::infinity() : std::numeric_limits<T>::max();
+    T maximum =
+        std::numeric_limits<T>::has_infinity ? -std::numeric_limits<T>::infinity() : std::numeric_limits<T>::lowest();
+    std::uint64_t notFinite = 0;
+};
+
+template <class T> Extremes<T> extend(Extremes<T> extremes, std::span<const T> samples)
+{
+    for (const T sample : samples) {
+        if constexpr (std::is_floating_point_v<T>)
+            if (!std::isfinite(sample)) {
+                ++extremes.notFinite;
+                continue;
+            }
+        extremes.minimum = std::min(extremes.minimum, sample);
+        extremes.maximum = std::max(extremes.maximum, sample);
+    }
+    return extremes;
+}
+
+template <class T> Extremes<T> extremesOf(std::span<const T> samples)
+{
+    using Part = tbb::blocked_range<std::size_t>;
+    return tbb::parallel_reduce(
+        Part(0, samples.size(), std::size_t(1) << 16), Extremes<T>{},
+        [&](const Part& part, const Extremes<T>& before) {
+            return extend(before, samples.subspan(part.begin(), part.size()));
+        },
+        [](const Extremes<T>& a, const Extremes<T>& b) {
+            return Extremes<T>{std::min(a.minimum, b.minimum), std::max(a.maximum, b.maximum),
+                               a.notFinite + b.notFinite};
+        });
+}
+
+} // namespace
 
 ScalarField::ScalarField(SampleType type, std::uint64_t count, std::shared_ptr<const std::byte> samples)
     : type_(type), count_(count), samples_(std::move(samples))
 {
     visitSampleType(type_, [this]<class T>() {
-        double minimum = std::numeric_limits<double>::infinity();
-        double maximum = -minimum;
-        for (const T sample : as<T>()) {
-            const double value = static_cast<double>(sample);
-            if (!std::isfinite(value)) {
-                ++notFinite_;
-                continue;
-            }
-            minimum = std::min(minimum, value);
-            maximum = std::max(maximum, value);
-        }
+        const Extremes<T> extremes = extremesOf(as<T>());
+        notFinite_ = extremes.notFinite;
         if (notFinite_ < count_)
-            range_ = {minimum, maximum};
+            range_ = {static_cast<double>(extremes.minimum), static_cast<double>(extremes.maximum)};
     });
 }
 
