@@ -2,6 +2,7 @@
 #include "core/graphics/cpu/draw_list.h"
 
 #include "core/graphics/cpu/clipping.h"
+#include "core/graphics/scene_check.h"
 #include "core/graphics/thick_lines.h"
 
 #include <tbb/blocked_range.h>
@@ -74,18 +75,6 @@ private:
     DrawList& list_;
 };
 
-Status checkSurface(const TriangleMesh& mesh, std::size_t verticesBefore)
-{
-    if (mesh.normals.size() != mesh.positions.size())
-        return Error{ErrorKind::WrongUsage, "A surface of the scene has not one normal for each vertex."};
-    if (mesh.positions.size() + verticesBefore >= Piece::own)
-        return Error{ErrorKind::OutOfResource, "The scene has more than two thousand million vertices."};
-    for (const auto& triangle : mesh.triangles)
-        if (std::ranges::max(triangle) >= mesh.positions.size())
-            return Error{ErrorKind::WrongUsage, "A triangle of the scene has a corner that does not exist."};
-    return {};
-}
-
 /// Adds the projected vertices; returns on which sides of the view they lie.
 Buffer<std::uint8_t> Builder::projectVertices(const TriangleMesh& mesh)
 {
@@ -141,8 +130,10 @@ Status Builder::addSurface(const Surface& surface)
     if (!surface.mesh || !(surface.opacity > 0))
         return {};
     const TriangleMesh& mesh = *surface.mesh;
-    if (Status status = checkSurface(mesh, list_.vertices.size()); !status)
+    if (Status status = checkMesh(mesh); !status)
         return status;
+    if (mesh.positions.size() + list_.vertices.size() >= Piece::own)
+        return Error{ErrorKind::OutOfResource, "The scene has more than two thousand million vertices."};
     const std::uint32_t material = addMaterial({surface.colour, std::min(surface.opacity, 1.0f), true});
     const auto firstVertex = static_cast<std::uint32_t>(list_.vertices.size());
     const Buffer<std::uint8_t> bits = projectVertices(mesh);
@@ -166,14 +157,6 @@ void Builder::addLines(const LineSet& lines, double samplesPerPixelAxis)
                                            ClipVertex{quad[static_cast<std::size_t>(c)]}}),
                              transform_, material);
     append({&piece, 1});
-}
-
-Status checkLines(const LineSet& lines)
-{
-    for (const auto& segment : lines.segments)
-        if (std::ranges::max(segment) >= lines.points.size())
-            return Error{ErrorKind::WrongUsage, "A line of the scene has an end that does not exist."};
-    return {};
 }
 
 } // namespace

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/graphics/gl/gl_functions.h"
+#include "core/graphics/picture.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <span>
+
+namespace tetra {
+
+/// A shader program. The context must be current for everything, also when it goes; `gl` must outlive it.
+class GlProgram {
+public:
+    /// From the text of a vertex shader and of one or more fragment shaders that complete each other. The error has the
+    /// driver's own text.
+    static Result<std::unique_ptr<GlProgram>> make(const GlFunctions& gl, const char* vertexShader,
+                                                   std::span<const char* const> fragmentShaders);
+    ~GlProgram();
+    GlProgram(const GlProgram&) = delete;
+    GlProgram& operator=(const GlProgram&) = delete;
+
+    void use() const { gl_.useProgram(name_); }
+    /// Uniforms of the program in use.
+    void set(const char* uniform, int value) const { gl_.uniform1i(location(uniform), value); }
+    void set(const char* uniform, unsigned value) const { gl_.uniform1ui(location(uniform), value); }
+    void set(const char* uniform, float value) const { gl_.uniform1f(location(uniform), value); }
+    void set(const char* uniform, const Eigen::Vector3f& v) const
+    {
+        gl_.uniform3f(location(uniform), v.x(), v.y(), v.z());
+    }
+    void set(const char* uniform, const Eigen::Vector4f& v) const
+    {
+        gl_.uniform4f(location(uniform), v.x(), v.y(), v.z(), v.w());
+    }
+    void set(const char* uniform, const Eigen::Matrix4f& matrix) const
+    {
+        gl_.uniformMatrix4fv(location(uniform), 1, 0, matrix.data());
+    }
+    /// Lets the sampler `uniform` read `texture` through the texture unit `unit`.
+    void setTexture(const char* uniform, int unit, unsigned texture) const;
+
+private:
+    GlProgram(const GlFunctions& gl, unsigned name) : gl_(gl), name_(name) {}
+    int location(const char* uniform) const { return gl_.getUniformLocation(name_, uniform); }
+
+    const GlFunctions& gl_;
+    unsigned name_;
+};
+
+} // namespace tetra

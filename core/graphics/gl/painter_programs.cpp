@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/graphics/gl/painter_programs.h"
+
+#include <array>
+#include <tan_shaders.h>
+
+namespace tetra {
+
+Result<PainterPrograms> makePainterPrograms(const GlFunctions& gl)
+{
+    PainterPrograms programs;
+    Status status;
+    const auto make = [&](std::unique_ptr<GlProgram>& program, const char* vertexShader,
+                          std::span<const char* const> fragmentShaders) {
+        if (!status)
+            return;
+        Result<std::unique_ptr<GlProgram>> made = GlProgram::make(gl, vertexShader, fragmentShaders);
+        if (made)
+            program = std::move(*made);
+        else
+            status = made.error();
+    };
+    make(programs.opaque, shaders::surfaceVert, std::array{shaders::opaqueFrag, shaders::lightingFrag});
+    make(programs.peel, shaders::surfaceVert, std::array{shaders::peelFrag, shaders::lightingFrag});
+    make(programs.line, shaders::lineVert, std::array{shaders::lineFrag});
+    make(programs.under, shaders::screenVert, std::array{shaders::underFrag});
+    make(programs.resolve, shaders::screenVert, std::array{shaders::resolveFrag});
+    if (!status)
+        return status.error();
+    return programs;
+}
+
+} // namespace tetra

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/graphics/gl/sample_targets.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <string>
+
+namespace tetra {
+namespace {
+
+struct TextureFormat {
+    unsigned internal;
+    unsigned format;
+    unsigned type;
+};
+constexpr TextureFormat colourFormat{gl::rgba16f, gl::rgba, gl::floatType};
+constexpr TextureFormat depthFormat{gl::depthComponent32f, gl::depthComponent, gl::floatType};
+constexpr TextureFormat keyFormat{gl::rg32ui, gl::rgInteger, gl::unsignedInt};
+
+GlObject makeTexture(const GlFunctions& gl, const SampleTargets& targets, const TextureFormat& format)
+{
+    GlObject texture(gl.genTextures, gl.deleteTextures);
+    gl.bindTexture(gl::texture2D, texture.name());
+    gl.texImage2D(gl::texture2D, 0, static_cast<int>(format.internal), targets.width, targets.height, 0, format.format,
+                  format.type, nullptr);
+    gl.texParameteri(gl::texture2D, gl::textureMinFilter, static_cast<int>(gl::nearest));
+    gl.texParameteri(gl::texture2D, gl::textureMagFilter, static_cast<int>(gl::nearest));
+    gl.bindTexture(gl::texture2D, 0);
+    return texture;
+}
+
+GlObject makeFramebuffer(const GlFunctions& gl, std::initializer_list<unsigned> colours, unsigned depthTexture)
+{
+    GlObject object(gl.genFramebuffers, gl.deleteFramebuffers);
+    gl.bindFramebuffer(gl::framebuffer, object.name());
+    std::array<unsigned, 2> attachments{};
+    unsigned count = 0;
+    for (const unsigned texture : colours) {
+        attachments[count] = gl::colourAttachment0 + count;
+        gl.framebufferTexture2D(gl::framebuffer, attachments[count++], gl::texture2D, texture, 0);
+    }
+    if (depthTexture != 0)
+        gl.framebufferTexture2D(gl::framebuffer, gl::depthAttachment, gl::texture2D, depthTexture, 0);
+    gl.drawBuffers(static_cast<int>(count), attachments.data());
+    return object;
+}
+
+/// Of the framebuffer that was made last, and of the memory for all.
+Status checkComplete(const GlFunctions& gl)
+{
+    const bool complete = gl.checkFramebufferStatus(gl::framebuffer) == gl::framebufferComplete;
+    if (gl.getError() == gl::outOfMemory)
+        return Error{ErrorKind::OutOfResource,
+                     "The graphics card has not enough memory for a picture of this size. Make it smaller, or use the "
+                     "CPU back end."};
+    if (!complete)
+        return Error{ErrorKind::OutOfResource, "The OpenGL driver cannot draw into floating-point textures, which "
+                                               "OpenGL 3.3 demands. Use the CPU back end."};
+    return {};
+}
+
+} // namespace
+
+Result<SampleTargets> makeSampleTargets(const GlFunctions& gl, int width, int height)
+{
+    int limit = 0;
+    gl.getIntegerv(gl::maximumTextureSize, &limit);
+    if (std::max(width, height) > limit)
+        return Error{ErrorKind::OutOfResource, "This OpenGL driver draws at most " + std::to_string(limit) +
+                                                   " samples a side. Make the picture smaller, take fewer samples, or "
+                                                   "use the CPU back end."};
+    SampleTargets targets;
+    targets.width = width;
+    targets.height = height;
+    targets.opaqueColour = makeTexture(gl, targets, colourFormat);
+    targets.opaqueDepth = makeTexture(gl, targets, depthFormat);
+    targets.opaqueFramebuffer = makeFramebuffer(gl, {targets.opaqueColour.name()}, targets.opaqueDepth.name());
+    if (Status status = checkComplete(gl); !status)
+        return status.error();
+    return targets;
+}
+
+Status makeLayers(const GlFunctions& gl, SampleTargets& targets)
+{
+    targets.accumulated = makeTexture(gl, targets, colourFormat);
+    targets.accumulatedFramebuffer = makeFramebuffer(gl, {targets.accumulated.name()}, 0);
+    targets.layerColour = makeTexture(gl, targets, colourFormat);
+    targets.layerDepth = makeTexture(gl, targets, depthFormat);
+    for (std::size_t i = 0; i < 2; ++i) {
+        targets.layerKeys[i] = makeTexture(gl, targets, keyFormat);
+        targets.layerFramebuffers[i] =
+            makeFramebuffer(gl, {targets.layerColour.name(), targets.layerKeys[i].name()}, targets.layerDepth.name());
+    }
+    return checkComplete(gl);
+}
+
+} // namespace tetra

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/graphics/scene_check.h"
+
+#include <algorithm>
+
+namespace tetra {
+
+Status checkMesh(const TriangleMesh& mesh)
+{
+    if (mesh.normals.size() != mesh.positions.size())
+        return Error{ErrorKind::WrongUsage, "A surface of the scene has not one normal for each vertex."};
+    for (const auto& triangle : mesh.triangles)
+        if (std::ranges::max(triangle) >= mesh.positions.size())
+            return Error{ErrorKind::WrongUsage, "A triangle of the scene has a corner that does not exist."};
+    return {};
+}
+
+Status checkLines(const LineSet& lines)
+{
+    for (const auto& segment : lines.segments)
+        if (std::ranges::max(segment) >= lines.points.size())
+            return Error{ErrorKind::WrongUsage, "A line of the scene has an end that does not exist."};
+    return {};
+}
+
+} // namespace tetra

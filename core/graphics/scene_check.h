@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/graphics/scene.h"
+
+namespace tetra {
+
+/// An error if the mesh has not one normal a vertex, or a triangle has a corner that does not exist. O(triangles).
+Status checkMesh(const TriangleMesh& mesh);
+/// An error if a segment has an end that does not exist. O(segments).
+Status checkLines(const LineSet& lines);
+
+} // namespace tetra

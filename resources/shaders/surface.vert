@@ -1,0 +1,21 @@
+#version 330 core
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A lit surface. Positions are relative to an origin of the mesh's own: far from zero, floats would be too coarse.
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+
+uniform mat4 clipFromMesh;
+uniform vec4 eye; // its place (w = 1), or the direction towards it (w = 0)
+
+out vec3 surfaceNormal;
+out vec3 towardsEye;
+
+// Peeling draws the same triangles again and again and compares their depths.
+invariant gl_Position;
+
+void main()
+{
+    gl_Position = clipFromMesh * vec4(position, 1.0);
+    surfaceNormal = normal;
+    towardsEye = eye.xyz - eye.w * position;
+}

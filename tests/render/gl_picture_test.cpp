@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures of the OpenGL back end against the CPU's, the reference (B4). Skipped where EGL gives no OpenGL 3.3.
+#include "core/graphics/gl/egl_context.h"
+#include "core/graphics/gl/scene_painter.h"
+#include "core/graphics/isosurface.h"
+#include "core/graphics/render_backend.h"
+#include "tests/core/graphics/lattice_mesh.h"
+#include "tests/render/picture_check.h"
+#include "tests/render/scenes.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace tetra;
+using namespace tetra::testing;
+
+namespace {
+
+Picture rendered(RenderBackend& backend, const Scene& scene, const Camera& camera, const PictureOptions& options)
+{
+    auto picture = backend.render(scene, camera, options);
+    if (!picture)
+        qFatal("%s", picture.error().text.c_str());
+    return std::move(picture).value();
+}
+
+/// True if the pixel lies, in each channel, within what the 3 x 3 pixels around it span in `other`.
+bool withinNeighbourhood(const Picture& picture, const Picture& other, int x, int y, int tolerance)
+{
+    for (std::size_t channel = 0; channel < 4; ++channel) {
+        int smallest = 255;
+        int largest = 0;
+        for (int v = std::max(0, y - 1); v <= std::min(picture.height - 1, y + 1); ++v)
+            for (int u = std::max(0, x - 1); u <= std::min(picture.width - 1, x + 1); ++u) {
+                smallest = std::min<int>(smallest, pixelAt(other, u, v)[channel]);
+                largest = std::max<int>(largest, pixelAt(other, u, v)[channel]);
+            }
+        const int value = pixelAt(picture, x, y)[channel];
+        if (value < smallest - tolerance || value > largest + tolerance)
+            return false;
+    }
+    return true;
+}
+
+/// Pixels differ by 2 at most: half a step of rounding in each picture, and half floats under many layers. Only where
+/// the picture has an edge may a sample fall on its other side, since corners are rounded to 1/256 of a sample in both,
+/// but not alike: there a pixel lies within its neighbours, and such pixels are few.
+bool samePicture(const Picture& cpu, const Picture& gl, const Picture& glAgain, const QString& name)
+{
+    if (gl.pixels != glAgain.pixels) {
+        qWarning("two OpenGL pictures of the same scene differ");
+        return false;
+    }
+    int moved = 0;
+    int wrong = 0;
+    int largest = 0;
+    Picture differences = cpu;
+    for (int y = 0; y < cpu.height; ++y)
+        for (int x = 0; x < cpu.width; ++x) {
+            const int here = difference(pixelAt(cpu, x, y), pixelAt(gl, x, y));
+            const auto shade = static_cast<std::uint8_t>(std::min(255, here * 16));
+            differences.pixels[static_cast<std::size_t>(y * cpu.width + x)] = {shade, shade, shade, 255};
+            largest = std::max(largest, here);
+            if (here > 2)
+                ++(withinNeighbourhood(gl, cpu, x, y, 2) ? moved : wrong);
+        }
+    if (wrong == 0 && moved <= static_cast<int>(cpu.pixels.size()) / 100)
+        return true;
+    qWarning("%d pixels are wrong, %d moved, the largest difference is %d; %s %s %s", wrong, moved, largest,
+             qPrintable(savePicture(cpu, name + "_cpu")), qPrintable(savePicture(gl, name + "_gl")),
+             qPrintable(savePicture(differences, name + "_difference")));
+    return false;
+}
+
+/// Isosurfaces of smooth noise: they fold over each other many times.
+Scene foldedScene()
+{
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> phase(0, 6.28);
+    std::array<Eigen::Vector4d, 6> waves;
+    for (auto& wave : waves)
+        wave = Eigen::Vector4d(phase(random), phase(random), phase(random), phase(random));
+    const auto mesh = latticeMesh(14, 2, Split::Six, [&](const Eigen::Vector3d& p) {
+        double sum = 0;
+        for (const auto& wave : waves)
+            sum += std::sin(wave.head<3>().dot(p) + wave.w());
+        return sum;
+    });
+    const auto gradients = vertexGradients(mesh);
+    Scene scene;
+    scene.bounds = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(2, 2, 2)};
+    const std::array<Colour, 3> colours = {{{0.9f, 0.6f, 0}, {0.3f, 0.7f, 0.9f}, {0, 0.6f, 0.5f}}};
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        auto surface = extractIsosurface(mesh, gradients, static_cast<double>(i) - 0.8);
+        scene.surfaces.push_back(
+            {std::make_shared<TriangleMesh>(std::move(*surface)), colours[i], i == 1 ? 1.0f : 0.35f});
+    }
+    scene.lines.push_back(boxOutline(scene.bounds, {0, 0, 0}, 2));
+    return scene;
+}
+
+Scene movedBy(const Scene& scene, const Eigen::Vector3d& offset)
+{
+    Scene result;
+    result.bounds = scene.bounds.translated(offset);
+    for (const Surface& surface : scene.surfaces) {
+        auto mesh = std::make_shared<TriangleMesh>(*surface.mesh);
+        for (auto& position : mesh->positions)
+            position += offset.cast<float>();
+        result.surfaces.push_back({mesh, surface.colour, surface.opacity});
+    }
+    return result;
+}
+
+struct View {
+    Scene scene;
+    Camera camera;
+    PictureOptions options{.width = 220, .height = 160};
+};
+
+View viewNamed(const QString& name)
+{
+    View view;
+    const Colour orange{0.9f, 0.6f, 0.1f};
+    if (name.startsWith("folded") || name == "far from the origin") {
+        view.scene = foldedScene();
+        if (name == "far from the origin")
+            view.scene = movedBy(view.scene, {5000, -3000, 8000});
+        view.camera = fitted({}, view.scene.bounds);
+        view.camera.perspective = name != "folded, orthographic";
+        if (name == "folded, eye inside")
+            view.camera.distance = 0.7;
+        view.options.transparentBackground = name == "folded, transparent background";
+        view.options.samplesPerAxis = name == "folded, one sample" ? 1 : 2;
+        return view;
+    }
+    view.scene.bounds = cube(1);
+    view.camera = fitted({}, view.scene.bounds);
+    view.options.background = {0.1f, 0.2f, 0.3f};
+    if (name == "opaque sphere") {
+        view.scene.surfaces = {{sphere({0, 0, 0}, 1, 100), orange, 1}};
+        view.scene.lines = {boxOutline(cube(1), {1, 1, 1}, 3)};
+    } else if (name == "spheres in each other") {
+        for (int i = 0; i < 12; ++i)
+            view.scene.surfaces.push_back(
+                {sphere({0.1f * static_cast<float>(i % 3), 0, 0}, 0.3f + 0.05f * static_cast<float>(i), 40),
+                 {static_cast<float>(i % 2), static_cast<float>(i % 3) / 2, 0.5f},
+                 0.1f + 0.05f * static_cast<float>(i)});
+    } else if (name == "equal depths") {
+        const auto sheet = quad({-1, 0, -1}, {2, 0, 0}, {0, 0, 2});
+        for (const Colour& colour : {Colour{1, 0, 0}, Colour{0, 1, 0}, Colour{0, 0, 1}})
+            view.scene.surfaces.push_back({sheet, colour, 0.5f});
+    } else if (name == "lines alone") {
+        view.scene.lines = {boxOutline(cube(1), {1, 1, 0}, 1), boxOutline(cube(0.5), {1, 0, 0}, 5)};
+    }
+    return view;
+}
+
+} // namespace
+
+class GlPictureTest : public QObject {
+    Q_OBJECT
+
+private:
+    std::unique_ptr<RenderBackend> cpu_ = makeCpuBackend();
+    std::unique_ptr<RenderBackend> gl_;
+
+private slots:
+    void initTestCase()
+    {
+        auto backend = makeGlBackend();
+        if (!backend)
+            QSKIP(("skipped: " + backend.error().text).c_str());
+        gl_ = std::move(*backend);
+        QCOMPARE(gl_->id(), std::string_view("gl"));
+    }
+
+    void sameAsTheCpu_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"opaque sphere", "spheres in each other", "equal depths", "lines alone", "nothing",
+                                 "folded", "folded, orthographic", "folded, eye inside",
+                                 "folded, transparent background", "folded, one sample", "far from the origin"})
+            QTest::newRow(name) << QString(name);
+    }
+    void sameAsTheCpu()
+    {
+        QFETCH(QString, name);
+        const View view = viewNamed(name);
+        const Picture cpu = rendered(*cpu_, view.scene, view.camera, view.options);
+        const Picture gl = rendered(*gl_, view.scene, view.camera, view.options);
+        const Picture again = rendered(*gl_, view.scene, view.camera, view.options);
+        QVERIFY(samePicture(cpu, gl, again, "gl_" + QString(name).replace(' ', '_').remove(',')));
+    }
+
+    /// A mesh that died and a new one at its address are told apart; sizes may change from picture to picture.
+    void meshesAreNotMixedUp()
+    {
+        for (int i = 1; i <= 20; ++i) {
+            View view = viewNamed("nothing");
+            const float size = 0.04f * static_cast<float>(i);
+            view.scene.surfaces = {{quad({-size, 0, -size}, {2 * size, 0, 0}, {0, 0, 2 * size}), {1, 0, 0}, 1}};
+            view.options.width = 60 + i;
+            const Picture cpu = rendered(*cpu_, view.scene, view.camera, view.options);
+            const Picture gl = rendered(*gl_, view.scene, view.camera, view.options);
+            QVERIFY(samePicture(cpu, gl, gl, "gl_meshes"));
+        }
+    }
+
+    void badScenesAreErrors()
+    {
+        auto mesh = std::make_shared<TriangleMesh>(*quad({0, 0, 0}, {1, 0, 0}, {0, 0, 1}));
+        mesh->triangles.push_back({0, 1, 4});
+        QCOMPARE(gl_->render({{{mesh, {}, 1}}, {}, cube(1)}, {}, {}).error().kind, ErrorKind::WrongUsage);
+        const LineSet line{{Eigen::Vector3f(0, 0, 0)}, {{0, 1}}, {}, 1};
+        QCOMPARE(gl_->render({{}, {line}, cube(1)}, {}, {}).error().kind, ErrorKind::WrongUsage);
+        QCOMPARE(gl_->render({}, {}, {.width = 0}).error().kind, ErrorKind::WrongUsage);
+        const auto tooLarge = gl_->render({}, {}, {.width = 32768, .height = 1, .samplesPerAxis = 4});
+        QCOMPARE(tooLarge.error().kind, ErrorKind::OutOfResource);
+        QVERIFY(gl_->render({}, {}, {.width = 5, .height = 5}).ok()); // still usable
+    }
+
+    void notFiniteCoordinatesAreLeftOut()
+    {
+        auto mesh = std::make_shared<TriangleMesh>(*sphere({0, 0, 0}, 1, 20));
+        mesh->positions[100].x() = std::numeric_limits<float>::quiet_NaN();
+        mesh->positions[300].x() = std::numeric_limits<float>::infinity();
+        View view = viewNamed("nothing");
+        view.scene.surfaces = {{mesh, {1, 0, 0}, 1}, {nullptr, {}, 1}};
+        const Picture cpu = rendered(*cpu_, view.scene, view.camera, view.options);
+        const Picture gl = rendered(*gl_, view.scene, view.camera, view.options);
+        QVERIFY(samePicture(cpu, gl, gl, "gl_not_finite"));
+    }
+
+    void cancels()
+    {
+        const View view = viewNamed("folded");
+        std::stop_source stop;
+        double last = 0;
+        bool falls = false;
+        const Progress progress(stop.get_token(), [&](double fraction, std::string_view) {
+            falls |= fraction < last;
+            last = fraction;
+        });
+        QVERIFY(gl_->render(view.scene, view.camera, view.options, progress).ok());
+        QCOMPARE(last, 1.0);
+        QVERIFY(!falls);
+        const Progress stopping(stop.get_token(), [&](double fraction, std::string_view) {
+            if (fraction > 0.2)
+                stop.request_stop();
+        });
+        QCOMPARE(gl_->render(view.scene, view.camera, view.options, stopping).error().kind, ErrorKind::Cancelled);
+    }
+
+    void severalBackendsLiveTogether()
+    {
+        auto other = makeGlBackend();
+        QVERIFY(other.ok());
+        const View view = viewNamed("opaque sphere");
+        const Picture one = rendered(*gl_, view.scene, view.camera, view.options);
+        QVERIFY(rendered(**other, view.scene, view.camera, view.options).pixels == one.pixels);
+        other->reset();
+        QVERIFY(rendered(*gl_, view.scene, view.camera, view.options).pixels == one.pixels);
+    }
+};
+
+QTEST_GUILESS_MAIN(GlPictureTest)
+#include "gl_picture_test.moc"
