@@ -14,8 +14,10 @@ namespace {
 
 using Tetrahedron = std::array<std::uint32_t, 4>;
 
-/// Between two looks at whether the work was cancelled.
-constexpr std::uint64_t tetrahedraAtOnce = 1 << 18;
+/// What is scanned before its result is checked: little enough for the result to be in the cache still.
+constexpr std::uint64_t tetrahedraAtOnce = 1 << 12;
+/// Pieces between two looks at whether the work was cancelled.
+constexpr std::uint64_t piecesAtOnce = 64;
 /// Room behind the mesh for tetrahedra that are written before it is known that they are dead.
 constexpr std::uint64_t slack = 1 << 10;
 
@@ -79,12 +81,14 @@ Status PrefixScan::run(const Progress& progress)
         return inconsistent(model_, "its star offsets do not fit its mesh sizes");
     out_.resize(expected_ + slack);
     std::uint32_t site = 0;
-    while (site < sites_) {
-        if (progress.cancelled())
-            return cancelledError("Extracting the mesh");
+    for (std::uint64_t piece = 0; site < sites_; ++piece) {
         const std::uint64_t begin = model_.starOffsets()[site];
-        progress.report(static_cast<double>(begin) / static_cast<double>(std::max<std::uint64_t>(scanned, 1)),
-                        "Extracting the mesh");
+        if (piece % piecesAtOnce == 0) {
+            if (progress.cancelled())
+                return cancelledError("Extracting the mesh");
+            progress.report(static_cast<double>(begin) / static_cast<double>(std::max<std::uint64_t>(scanned, 1)),
+                            "Extracting the mesh");
+        }
         const std::uint64_t foundBefore = found_;
         if (const Status right = scanSites(site, begin + tetrahedraAtOnce); !right)
             return right;

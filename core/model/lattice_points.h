@@ -9,38 +9,41 @@
 
 namespace tetra {
 
-/// Positions of many lattice points given by their index, without a division a point.
+/// Positions of many lattice points given by their index: without a division a point, and without a conversion to
+/// integers, so that a loop over points can be vectorised.
 class LatticePoints {
 public:
     explicit LatticePoints(const Lattice& lattice)
-        : sizeX_(lattice.size[0]), sizeXy_(std::uint64_t(lattice.size[0]) * lattice.size[1]),
-          perRow_(1.0 / lattice.size[0]), perSlice_(1.0 / static_cast<double>(sizeXy_)), spacing_(lattice.spacing),
-          origin_(lattice.origin)
+        : sizeX_(lattice.size[0]), sizeXy_(static_cast<double>(lattice.size[0]) * lattice.size[1]), perRow_(1 / sizeX_),
+          perSlice_(1 / sizeXy_), spacing_(lattice.spacing), origin_(lattice.origin)
     {
     }
 
     /// Where Lattice::position() puts the point, rounded to float. Any index is harmless; one outside has no meaning.
     Eigen::Vector3f position(std::uint32_t index) const
     {
-        const std::uint64_t slice = quotient(index, perSlice_);
-        const std::uint64_t inSlice = index - slice * sizeXy_;
-        const std::uint64_t row = quotient(inSlice, perRow_);
-        const std::uint64_t inRow = inSlice - row * sizeX_;
-        return (origin_ + spacing_.cwiseProduct(Eigen::Vector3d(static_cast<double>(inRow), static_cast<double>(row),
-                                                                static_cast<double>(slice))))
-            .cast<float>();
+        const double number = index;
+        const double slice = quotient(number, perSlice_);
+        const double inSlice = number - slice * sizeXy_;
+        const double row = quotient(inSlice, perRow_);
+        const double inRow = inSlice - row * sizeX_;
+        return {static_cast<float>(origin_[0] + spacing_[0] * inRow),
+                static_cast<float>(origin_[1] + spacing_[1] * row),
+                static_cast<float>(origin_[2] + spacing_[2] * slice)};
     }
 
 private:
-    /// Exact: half a unit away from the next integer the product errs by less than that, for 32-bit numbers.
-    static std::uint64_t quotient(std::uint64_t number, double perUnit)
+    /// floor(number / unit), exactly. Half a unit up and half a quotient down, the value lies between the middles of
+    /// two integers, at least 1 / (2 unit) away from either, far more than 32-bit numbers lose to rounding; adding 1.5 * 2^52
+    /// then rounds to the integer between them.
+    static double quotient(double number, double perUnit)
     {
-        return static_cast<std::uint64_t>(
-            static_cast<std::int64_t>((static_cast<double>(static_cast<std::int64_t>(number)) + 0.5) * perUnit));
+        constexpr double integersOnly = 0x1.8p52; // of either sign
+        return ((number + 0.5) * perUnit - 0.5 + integersOnly) - integersOnly;
     }
 
-    std::uint64_t sizeX_;
-    std::uint64_t sizeXy_;
+    double sizeX_;
+    double sizeXy_;
     double perRow_;
     double perSlice_;
     Eigen::Vector3d spacing_;
