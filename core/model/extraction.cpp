@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/extraction.h"
 
+#include "core/model/alive_scan.h"
 #include "core/model/lattice_points.h"
 
 #include <algorithm>
 #include <cmath>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace tetra {
 
@@ -14,12 +16,13 @@ namespace {
 
 using Tetrahedron = std::array<std::uint32_t, 4>;
 
-/// What is scanned before its result is checked: little enough for the result to be in the cache still.
+/// Scanned at once, as far as whole stars go: their offsets fit the cache, and the room behind the mesh is small.
 constexpr std::uint64_t tetrahedraAtOnce = 1 << 12;
+constexpr std::uint32_t starsAtOnce = 1 << 9;
+/// Room behind the mesh for tetrahedra that are written before it is known that they are dead.
+constexpr std::uint64_t slack = 2 * tetrahedraAtOnce;
 /// Pieces between two looks at whether the work was cancelled.
 constexpr std::uint64_t piecesAtOnce = 64;
-/// Room behind the mesh for tetrahedra that are written before it is known that they are dead.
-constexpr std::uint64_t slack = 1 << 10;
 
 Error inconsistent(const Model& model, const std::string& what)
 {
@@ -29,31 +32,7 @@ Error inconsistent(const Model& model, const std::string& what)
                                      ". Copy it again from where it came from, or build it again."};
 }
 
-/// Writes the tetrahedra of one star that are alive in the mesh of `sites` sites to `out`, which has room for all of
-/// them, and returns the end. Which ones are alive follows no pattern that a processor could predict: every one is
-/// written, and the next one goes over it if it was dead.
-Tetrahedron* copyAlive(const Model& model, std::uint32_t creator, std::uint64_t begin, std::uint64_t end,
-                       std::uint32_t sites, Tetrahedron* out)
-{
-    const std::array<std::uint32_t, 3>* const others = model.otherSites().data();
-    const std::uint32_t* const destroyers = model.destroyers().data();
-    for (std::uint64_t t = begin; t < end; ++t) {
-        *out = {creator, others[t][0], others[t][1], others[t][2]};
-        out += destroyers[t] >= sites;
-    }
-    return out;
-}
-
-/// No site of a tetrahedron may come after its creator: then it lies in the mesh, too.
-bool creatorsAreLatest(std::span<const Tetrahedron> tetrahedra)
-{
-    std::uint32_t wrong = 0;
-    for (const Tetrahedron& t : tetrahedra)
-        wrong |= std::uint32_t(t[1] >= t[0]) | std::uint32_t(t[2] >= t[0]) | std::uint32_t(t[3] >= t[0]);
-    return wrong == 0;
-}
-
-/// Takes the mesh out of the file star by star.
+/// Takes the mesh out of the file, some stars at a time.
 class PrefixScan {
 public:
     PrefixScan(const Model& model, std::uint32_t sites, Buffer<Tetrahedron>& out)
@@ -64,37 +43,41 @@ public:
     Status run(const Progress& progress);
 
 private:
-    Status scanSites(std::uint32_t& site, std::uint64_t until);
-    Status scanLongStar(std::uint32_t site, std::uint64_t begin, std::uint64_t end);
+    Status readOffsets();
+    Status scanStars();
+    Status scanLongStars();
+    Error tooMany() const;
 
     const Model& model_;
+    const AliveScanFunction scan_ = aliveScans().front().scan;
     const std::uint32_t sites_;
-    const std::uint64_t expected_; ///< tetrahedra in the mesh, as the file says
+    const std::uint64_t expected_;   ///< tetrahedra in the mesh, as the file says
+    std::uint64_t scannedInAll_ = 0; ///< tetrahedra that the sites created
     Buffer<Tetrahedron>& out_;
     std::uint64_t found_ = 0;
+    std::uint32_t site_ = 0;
+    std::vector<std::uint64_t> offsets_; ///< a checked copy of those from site_ on: the file may change
 };
 
 Status PrefixScan::run(const Progress& progress)
 {
-    const std::uint64_t scanned = model_.starOffsets()[sites_];
-    if (scanned > model_.tetrahedronCount() || expected_ > scanned || model_.starOffsets()[0] != 0)
+    scannedInAll_ = model_.starOffsets()[sites_];
+    if (scannedInAll_ > model_.tetrahedronCount() || expected_ > scannedInAll_ || model_.starOffsets()[0] != 0)
         return inconsistent(model_, "its star offsets do not fit its mesh sizes");
     out_.resize(expected_ + slack);
-    std::uint32_t site = 0;
-    for (std::uint64_t piece = 0; site < sites_; ++piece) {
-        const std::uint64_t begin = model_.starOffsets()[site];
+    for (std::uint64_t piece = 0; site_ < sites_; ++piece) {
+        if (const Status right = readOffsets(); !right)
+            return right;
         if (piece % piecesAtOnce == 0) {
             if (progress.cancelled())
                 return cancelledError("Extracting the mesh");
-            progress.report(static_cast<double>(begin) / static_cast<double>(std::max<std::uint64_t>(scanned, 1)),
+            progress.report(static_cast<double>(offsets_.front()) / static_cast<double>(scannedInAll_ + 1),
                             "Extracting the mesh");
         }
-        const std::uint64_t foundBefore = found_;
-        if (const Status right = scanSites(site, begin + tetrahedraAtOnce); !right)
+        const bool fits = offsets_.back() - offsets_.front() + aliveScanOverrun <= out_.size() - found_;
+        if (const Status right = fits ? scanStars() : scanLongStars(); !right)
             return right;
-        if (!creatorsAreLatest(std::span(out_).subspan(foundBefore, found_ - foundBefore)))
-            return inconsistent(model_, "a tetrahedron before site " + std::to_string(site) +
-                                            " has a site that comes after its creator");
+        site_ += static_cast<std::uint32_t>(offsets_.size() - 1);
     }
     if (found_ != expected_)
         return inconsistent(model_, "the mesh of " + std::to_string(sites_) + " sites has " + std::to_string(found_) +
@@ -103,40 +86,58 @@ Status PrefixScan::run(const Progress& progress)
     return {};
 }
 
-/// Goes on from `site` to the first one whose star begins at `until` or later.
-Status PrefixScan::scanSites(std::uint32_t& site, std::uint64_t until)
+/// Copies and checks the offsets of the stars of the next piece.
+Status PrefixScan::readOffsets()
 {
-    const std::uint64_t* const offsets = model_.starOffsets().data();
-    const std::uint64_t last = offsets[sites_];
-    for (; site < sites_ && offsets[site] < until; ++site) {
-        const std::uint64_t begin = offsets[site];
-        const std::uint64_t end = offsets[site + 1];
-        if (end < begin || end > last)
-            return inconsistent(model_, "the star offsets of site " + std::to_string(site) + " make no sense");
-        if (end - begin > out_.size() - found_) {
-            if (const Status right = scanLongStar(site, begin, end); !right)
-                return right;
-            continue;
-        }
-        Tetrahedron* const first = out_.data() + found_;
-        found_ += static_cast<std::uint64_t>(copyAlive(model_, site, begin, end, sites_, first) - first);
+    const std::uint64_t* const offsets = model_.starOffsets().data() + site_;
+    const std::uint32_t most = std::min(starsAtOnce, sites_ - site_);
+    offsets_.assign(1, offsets_.empty() ? 0 : offsets_.back());
+    while (offsets_.size() <= most && offsets_.back() - offsets_.front() < tetrahedraAtOnce) {
+        const std::uint64_t next = offsets[offsets_.size()];
+        if (next < offsets_.back() || next > scannedInAll_)
+            return inconsistent(model_, "the star offsets of site " + std::to_string(site_ + offsets_.size() - 1) +
+                                            " make no sense");
+        offsets_.push_back(next);
     }
     return {};
 }
 
-/// A star that may have more tetrahedra than there is room for: looks before it writes.
-Status PrefixScan::scanLongStar(std::uint32_t site, std::uint64_t begin, std::uint64_t end)
+Status PrefixScan::scanStars()
 {
-    for (std::uint64_t t = begin; t < end; ++t) {
-        if (model_.destroyers()[t] < sites_)
-            continue;
-        if (found_ == expected_)
-            return inconsistent(model_, "the mesh of " + std::to_string(sites_) + " sites has more than the " +
-                                            std::to_string(expected_) + " tetrahedra that it should have");
-        const std::array<std::uint32_t, 3>& others = model_.otherSites()[t];
-        out_[found_++] = {site, others[0], others[1], others[2]};
-    }
+    const AliveScan scanned =
+        scan_({model_.otherSites(), model_.destroyers(), site_, offsets_}, sites_, out_.data() + found_);
+    found_ = static_cast<std::uint64_t>(scanned.end - out_.data());
+    if (!scanned.sitesComeBefore)
+        return inconsistent(model_, "a tetrahedron of site " + std::to_string(site_) +
+                                        " or soon after has a site that " + "comes after its creator");
+    return found_ > expected_ ? tooMany() : Status();
+}
+
+/// Stars that may have more tetrahedra than there is room for: one tetrahedron at a time.
+Status PrefixScan::scanLongStars()
+{
+    for (std::size_t star = 0; star + 1 < offsets_.size(); ++star)
+        for (std::uint64_t t = offsets_[star]; t < offsets_[star + 1]; ++t) {
+            const auto creator = static_cast<std::uint32_t>(site_ + star);
+            const std::array<std::uint64_t, 2> one = {t, t + 1};
+            Tetrahedron alive[1 + aliveScanOverrun];
+            const AliveScan scanned = scan_({model_.otherSites(), model_.destroyers(), creator, one}, sites_, alive);
+            if (!scanned.sitesComeBefore)
+                return inconsistent(model_, "a tetrahedron of site " + std::to_string(creator) +
+                                                " has a site that comes after its creator");
+            if (scanned.end == alive)
+                continue;
+            if (found_ == expected_)
+                return tooMany();
+            out_[found_++] = alive[0];
+        }
     return {};
+}
+
+Error PrefixScan::tooMany() const
+{
+    return inconsistent(model_, "the mesh of " + std::to_string(sites_) + " sites has more than the " +
+                                    std::to_string(expected_) + " tetrahedra that it should have");
 }
 
 /// Fills in where the sites lie.

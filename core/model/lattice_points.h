@@ -34,8 +34,8 @@ public:
 
 private:
     /// floor(number / unit), exactly. Half a unit up and half a quotient down, the value lies between the middles of
-    /// two integers, at least 1 / (2 unit) away from either, far more than 32-bit numbers lose to rounding; adding 1.5 * 2^52
-    /// then rounds to the integer between them.
+    /// two integers, at least 1 / (2 unit) away from either, far more than 32-bit numbers lose to rounding; adding 1.5
+    /// * 2^52 then rounds to the integer between them.
     static double quotient(double number, double perUnit)
     {
         constexpr double integersOnly = 0x1.8p52; // of either sign

@@ -2,6 +2,7 @@
 // Any prefix of the sites gives the mesh that was there (R14, R15, S1, S2), and a damaged file an error.
 #include "core/model/extraction.h"
 
+#include "core/model/alive_scan.h"
 #include "core/model/lattice_points.h"
 #include "tests/core/model/model_fixture.h"
 
@@ -41,6 +42,47 @@ private slots:
             QCOMPARE(mesh.positions[site], dataset_.lattice.position(c[0], c[1], c[2]).cast<float>().eval());
             QCOMPARE(mesh.values[site], static_cast<float>(dataset_.values.at(point)));
         }
+    }
+
+    /// Every variant that this processor can run finds the same, wherever it begins.
+    void allVariantsOfTheScanAgree()
+    {
+        const std::span<const std::uint64_t> offsets = model_->starOffsets();
+        for (const AliveScanVariant& variant : aliveScans())
+            for (std::uint32_t first = 0; first < model_->siteCount(); first += 3)
+                for (std::uint32_t end = first; end <= model_->siteCount(); end += 5) {
+                    const Stars stars{model_->otherSites(), model_->destroyers(), first,
+                                      offsets.subspan(first, end - first + 1)};
+                    const std::uint32_t sites = (first + end) / 2 + 1;
+                    std::vector<std::array<std::uint32_t, 4>> out(offsets[end] - offsets[first] + aliveScanOverrun);
+                    auto expected = out;
+                    const AliveScan found = variant.scan(stars, sites, out.data());
+                    const AliveScan right = aliveScans().back().scan(stars, sites, expected.data());
+                    out.resize(std::size_t(found.end - out.data()));
+                    expected.resize(std::size_t(right.end - expected.data()));
+                    QVERIFY2(out == expected, variant.name.data());
+                    QVERIFY(found.sitesComeBefore && right.sitesComeBefore);
+                }
+    }
+
+    /// One wrong number in any place of a star is seen, and the largest numbers are not taken for negative ones.
+    void allVariantsSeeAWrongSite()
+    {
+        constexpr std::uint32_t creator = 0x80000005;
+        for (const AliveScanVariant& variant : aliveScans())
+            for (std::size_t count = 1; count < 10; ++count)
+                for (std::size_t wrong = 0; wrong <= 3 * count; ++wrong) {
+                    std::vector<std::array<std::uint32_t, 3>> others(count, {1, 0x7fffffff, creator - 1});
+                    const std::vector<std::uint32_t> destroyers(count, Model::never);
+                    if (wrong < 3 * count)
+                        others[wrong / 3][wrong % 3] = wrong % 2 == 0 ? creator : 0xffffffff;
+                    const std::array<std::uint64_t, 2> offsets = {0, count};
+                    std::vector<std::array<std::uint32_t, 4>> out(count + aliveScanOverrun);
+                    const AliveScan found =
+                        variant.scan({others, destroyers, creator, offsets}, 0x80000006, out.data());
+                    QCOMPARE(found.sitesComeBefore, wrong == 3 * count);
+                    QCOMPARE(std::size_t(found.end - out.data()), count);
+                }
     }
 
     void buffersAreUsedAgain()
@@ -204,7 +246,7 @@ void ExtractionTest::aDamagedFileIsAnError_data()
         "tetrahedra instead of");
     row(
         "never destroyed", [](FileParts& f) { f.elements<std::uint32_t>(SectionId::Destroyers)[0] = Model::never; },
-        "tetrahedra instead of");
+        "has more than the");
     row(
         "point", [](FileParts& f) { f.elements<std::uint32_t>(SectionId::SitePoints)[12] = 120; },
         "no point of its lattice");

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/alive_scan.h"
+
+#include <algorithm>
+#include <vector>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+namespace tetra {
+
+namespace {
+
+using Tetrahedron = std::array<std::uint32_t, 4>;
+
+bool comeBefore(const std::array<std::uint32_t, 3>& others, std::uint32_t creator)
+{
+    return (std::uint32_t(others[0] < creator) & std::uint32_t(others[1] < creator) &
+            std::uint32_t(others[2] < creator)) != 0;
+}
+
+AliveScan scanPortably(const Stars& stars, std::uint32_t sites, Tetrahedron* out)
+{
+    bool right = true;
+    for (std::size_t star = 0; star + 1 < stars.offsets.size(); ++star) {
+        const std::uint32_t creator = stars.firstSite + static_cast<std::uint32_t>(star);
+        for (std::uint64_t t = stars.offsets[star]; t < stars.offsets[star + 1]; ++t) {
+            const std::array<std::uint32_t, 3> others = stars.otherSites[t];
+            right &= comeBefore(others, creator);
+            *out = {creator, others[0], others[1], others[2]};
+            out += stars.destroyers[t] >= sites;
+        }
+    }
+    return {out, right};
+}
+
+#if defined(__x86_64__)
+
+/// One tetrahedron at a time, its sites as one vector. SSE2 compares signed numbers: flipping the top bits of both
+/// sides makes that the order of unsigned ones.
+AliveScan scanWithSse2(const Stars& stars, std::uint32_t sites, Tetrahedron* out)
+{
+    const __m128i topBits = _mm_set1_epi32(static_cast<int>(0x80000000));
+    __m128i right = _mm_set1_epi32(-1);
+    bool lastRight = true;
+    const std::uint64_t last = stars.otherSites.size() - 1; // 16 bytes cannot be read there
+    for (std::size_t star = 0; star + 1 < stars.offsets.size(); ++star) {
+        const std::uint32_t creator = stars.firstSite + static_cast<std::uint32_t>(star);
+        const __m128i creators = _mm_xor_si128(_mm_set1_epi32(static_cast<int>(creator)), topBits);
+        const __m128 creatorFirst = _mm_castsi128_ps(_mm_cvtsi32_si128(static_cast<int>(creator)));
+        std::uint64_t t = stars.offsets[star];
+        const std::uint64_t end = stars.offsets[star + 1];
+        for (; t < std::min(end, last); ++t) {
+            const __m128i others = _mm_loadu_si128(reinterpret_cast<const __m128i*>(stars.otherSites.data() + t));
+            right = _mm_and_si128(right, _mm_cmplt_epi32(_mm_xor_si128(others, topBits), creators));
+            const __m128 shifted = _mm_castsi128_ps(_mm_shuffle_epi32(others, _MM_SHUFFLE(2, 1, 0, 0)));
+            _mm_storeu_ps(reinterpret_cast<float*>(out), _mm_move_ss(shifted, creatorFirst));
+            out += stars.destroyers[t] >= sites;
+        }
+        if (t < end) {
+            const std::array<std::uint32_t, 3> others = stars.otherSites[t];
+            lastRight = comeBefore(others, creator);
+            *out = {creator, others[0], others[1], others[2]};
+            out += stars.destroyers[t] >= sites;
+        }
+    }
+    constexpr int threeNumbers = 0x0fff; // the fourth belongs to the next tetrahedron
+    return {out, lastRight && (_mm_movemask_epi8(right) & threeNumbers) == threeNumbers};
+}
+
+/// Four tetrahedra at a time: 12 numbers are spread to 16, the living ones pushed together.
+[[gnu::target("avx512f,avx512vl,avx512bw,bmi2,popcnt")]] AliveScan scanWithAvx512(const Stars& stars,
+                                                                                  std::uint32_t sites, Tetrahedron* out)
+{
+    constexpr std::uint32_t otherLanes = 0xeeee; // all but the creators'
+    const __m512i spread = _mm512_set_epi32(11, 10, 9, 0, 8, 7, 6, 0, 5, 4, 3, 0, 2, 1, 0, 0);
+    const __m128i bound = _mm_set1_epi32(static_cast<int>(sites));
+    std::uint32_t wrong = 0;
+    for (std::size_t star = 0; star + 1 < stars.offsets.size(); ++star) {
+        const std::uint32_t creator = stars.firstSite + static_cast<std::uint32_t>(star);
+        const __m512i creators = _mm512_set1_epi32(static_cast<int>(creator));
+        const std::uint64_t end = stars.offsets[star + 1];
+        for (std::uint64_t t = stars.offsets[star]; t < end; t += 4) {
+            const auto present = static_cast<std::uint32_t>(0xf >> (4 - std::min<std::uint64_t>(4, end - t)));
+            const auto presentNumbers = static_cast<__mmask16>(_pdep_u32(present, 0x249) * 0x7);
+            const auto presentLanes = _pdep_u32(present, 0x1111) * 0xf;
+            const std::uint32_t alive = _mm_mask_cmpge_epu32_mask(
+                static_cast<__mmask8>(present),
+                _mm_maskz_loadu_epi32(static_cast<__mmask8>(present), stars.destroyers.data() + t), bound);
+            const __m512i numbers = _mm512_maskz_loadu_epi32(presentNumbers, stars.otherSites.data() + t);
+            const __m512i four = _mm512_mask_permutexvar_epi32(creators, otherLanes, spread, numbers);
+            wrong |= _mm512_mask_cmpge_epu32_mask(static_cast<__mmask16>(presentLanes & otherLanes), four, creators);
+            const auto aliveLanes = static_cast<__mmask16>(_pdep_u32(alive, 0x1111) * 0xf);
+            _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(aliveLanes, four));
+            out += __builtin_popcount(alive);
+        }
+    }
+    return {out, wrong == 0};
+}
+
+bool hasAvx512()
+{
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+           __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("bmi2");
+}
+
+#endif
+
+std::vector<AliveScanVariant> runnableScans()
+{
+    std::vector<AliveScanVariant> scans;
+#if defined(__x86_64__)
+    if (hasAvx512())
+        scans.push_back({"avx512", scanWithAvx512});
+    scans.push_back({"sse2", scanWithSse2});
+#endif
+    scans.push_back({"portable", scanPortably});
+    return scans;
+}
+
+} // namespace
+
+std::span<const AliveScanVariant> aliveScans()
+{
+    static const std::vector<AliveScanVariant> scans = runnableScans();
+    return scans;
+}
+
+} // namespace tetra
