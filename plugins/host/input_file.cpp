@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/host/input_file.h"
+
+#include "core/model/format.h"
+
+#include <QFile>
+
+#include <algorithm>
+#include <span>
+
+namespace tetra {
+namespace {
+
+constexpr qint64 shownToReaders = 4096;
+
+} // namespace
+
+Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
+{
+    const auto bad = [&](const std::string& what) {
+        return Error{ErrorKind::BadInput, "'" + path.string() + "' " + what};
+    };
+    std::error_code problem;
+    const auto status = std::filesystem::status(path, problem);
+    if (!std::filesystem::exists(status))
+        return bad("does not exist, or its folder may not be entered. Check the name.");
+    if (std::filesystem::is_directory(status))
+        return bad("is a folder. Give a file in it.");
+    if (!std::filesystem::is_regular_file(status))
+        return bad("is a device or a pipe. Give a file.");
+
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly | QIODevice::Unbuffered))
+        return bad("cannot be read: " + file.errorString().toStdString() + ".");
+    Buffer<std::byte> bytes(shownToReaders);
+    const qint64 read = file.read(reinterpret_cast<char*>(bytes.data()), shownToReaders);
+    if (read < 0)
+        return bad("cannot be read: " + file.errorString().toStdString() + ".");
+    if (read == 0)
+        return bad("is empty. Copy it again from where it came from.");
+    bytes.resize(static_cast<std::size_t>(read));
+    return bytes;
+}
+
+bool isModelFile(const std::filesystem::path& path)
+{
+    if (path.extension() == ".tan")
+        return true;
+    const auto bytes = firstBytesOf(path);
+    return bytes && bytes->size() >= format::magic.size() &&
+           std::ranges::equal(std::as_bytes(std::span(format::magic)), std::span(*bytes).first(format::magic.size()));
+}
+
+} // namespace tetra

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/host/model_building.h"
+
+#include "core/base/memory.h"
+#include "core/model/model_writer.h"
+#include "plugins/host/output_check.h"
+#include "plugins/host/parameter_text.h"
+#include "plugins/host/parameter_values.h"
+#include "plugins/host/plugin_call.h"
+
+#include <array>
+#include <chrono>
+
+namespace tetra {
+namespace {
+
+Result<Provided<Builder>> named(PluginHost& host, const Dataset& dataset, const std::string& id)
+{
+    auto builder = host.builder(id);
+    if (!builder)
+        return builder;
+    if (const Acceptance acceptance = builder->plugin->accepts(dataset); !(acceptance.score > 0))
+        return Error{ErrorKind::BadInput,
+                     "The builder '" + id + "' does not accept '" + dataset.source.name + "': " + acceptance.reason};
+    return builder;
+}
+
+/// The values that the builder works with, as the model's provenance keeps them.
+std::vector<std::pair<std::string, std::string>> provenance(const std::vector<Parameter>& parameters,
+                                                            const ParameterValues& values)
+{
+    std::vector<std::pair<std::string, std::string>> texts;
+    for (const Parameter& parameter : parameters) {
+        const auto given = values.find(parameter.id);
+        texts.emplace_back(parameter.id, parameterText(given != values.end() ? given->second : parameter.defaultValue));
+    }
+    return texts;
+}
+
+Result<BuildReport> buildInto(const Builder& builder, const std::string& id, const Dataset& dataset,
+                              const ParameterValues& values, const std::filesystem::path& output,
+                              const Progress& progress)
+{
+    ModelDescription description;
+    description.builder = id;
+    description.parameters = provenance(builder.parameters(), values);
+    const auto writer = ModelWriter::create(output, dataset, std::move(description));
+    if (!writer)
+        return writer.error();
+    return callPlugin(id, [&] { return builder.build(dataset, values, **writer, progress); });
+}
+
+} // namespace
+
+Result<Provided<Builder>> chooseBuilder(PluginHost& host, const Dataset& dataset, const std::optional<std::string>& id)
+{
+    if (id)
+        return named(host, dataset, *id);
+    Provided<Builder> best;
+    double bestScore = 0;
+    std::string reasons;
+    for (auto& builder : host.builders()) {
+        const Acceptance acceptance = builder.plugin->accepts(dataset);
+        reasons += "\n" + builder.id + ": " + acceptance.reason;
+        if (acceptance.score > bestScore) {
+            bestScore = acceptance.score;
+            best = std::move(builder);
+        }
+    }
+    if (best.plugin == nullptr)
+        return Error{ErrorKind::BadInput, "No builder accepts '" + dataset.source.name + "'." + reasons +
+                                              host.explainMissing(PluginKind::Builder)};
+    return best;
+}
+
+Result<ModelBuild> buildModel(PluginHost& host, const Dataset& dataset, const std::optional<std::string>& builderId,
+                              const ParameterValues& values, const std::filesystem::path& output,
+                              const Progress& progress)
+{
+    const auto builder = chooseBuilder(host, dataset, builderId);
+    if (!builder)
+        return builder.error();
+    if (const Status known =
+            checkParameterValues("builder '" + builder->id + "'", builder->plugin->parameters(), values);
+        !known)
+        return known.error();
+    if (const Status safe = checkOutput(output, std::array{dataset.source.path}); !safe)
+        return safe.error();
+    if (const Status safe = checkModelOutput(output); !safe)
+        return safe.error();
+
+    const auto start = std::chrono::steady_clock::now();
+    const auto report = buildInto(*builder->plugin, builder->id, dataset, values, output, progress);
+    if (!report)
+        return report.error();
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    std::error_code problem;
+    const auto size = std::filesystem::file_size(output, problem);
+    return ModelBuild{builder->id, *report, elapsed.count(), peakResidentBytes(), problem ? 0 : size};
+}
+
+} // namespace tetra

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/data/dataset.h"
+#include "plugins/host/plugin_host.h"
+
+#include <optional>
+
+namespace tetra {
+
+/// The builder with this id, or without one the builder that accepts the dataset best. Errors: no such builder; it does
+/// not accept the dataset, and why.
+Result<Provided<Builder>> chooseBuilder(PluginHost& host, const Dataset& dataset,
+                                        const std::optional<std::string>& id = std::nullopt);
+
+/// What building a model took and gave.
+struct ModelBuild {
+    std::string builder; ///< id
+    BuildReport report;
+    double seconds = 0;
+    std::uint64_t peakBytes = 0; ///< the most memory that this process ever occupied, the dataset included
+    std::uint64_t fileBytes = 0;
+};
+
+/// Builds a model of `dataset` into `output`, which appears whole or not at all. `builderId` as in chooseBuilder();
+/// `values` may hold that builder's parameters and no others. The output never replaces the dataset's own file or
+/// anything that is no model (WrongUsage). Call from a worker thread; safe from any.
+Result<ModelBuild> buildModel(PluginHost& host, const Dataset& dataset, const std::optional<std::string>& builderId,
+                              const ParameterValues& values, const std::filesystem::path& output,
+                              const Progress& progress = {});
+
+} // namespace tetra

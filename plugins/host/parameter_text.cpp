@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/host/parameter_text.h"
+
+#include "core/base/number_text.h"
+#include "plugins/host/colour_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetra {
+namespace {
+
+std::vector<std::string_view> split(std::string_view text, char separator)
+{
+    std::vector<std::string_view> parts;
+    for (;;) {
+        const auto end = text.find(separator);
+        parts.push_back(text.substr(0, end));
+        if (end == std::string_view::npos)
+            return parts;
+        text.remove_prefix(end + 1);
+    }
+}
+
+bool isBounded(const Parameter& parameter)
+{
+    return parameter.maximum > parameter.minimum;
+}
+
+bool isWithinBounds(const Parameter& parameter, double number)
+{
+    return !isBounded(parameter) || (number >= parameter.minimum && number <= parameter.maximum);
+}
+
+Error notIn(const Parameter& parameter, std::string_view text)
+{
+    return {ErrorKind::WrongUsage, "'" + std::string(text) + "' does not fit '" + parameter.id + "': it takes " +
+                                       parameterDomain(parameter) + "."};
+}
+
+template <class T> Result<ParameterValue> parseNumberOf(const Parameter& parameter, std::string_view text)
+{
+    const auto number = parseNumber<T>(text);
+    if (!number || !std::isfinite(static_cast<double>(*number)) ||
+        !isWithinBounds(parameter, static_cast<double>(*number)))
+        return notIn(parameter, text);
+    return ParameterValue(*number);
+}
+
+Result<ParameterValue> parseIsovalues(const Parameter& parameter, std::string_view text)
+{
+    std::vector<Isovalue> isovalues;
+    for (const std::string_view part : split(text, ',')) {
+        const auto isovalue = parseIsovalue(part);
+        if (!isovalue)
+            return isovalue.error();
+        if (!isWithinBounds(parameter, isovalue->value))
+            return notIn(parameter, part);
+        isovalues.push_back(*isovalue);
+    }
+    return ParameterValue(isovalues);
+}
+
+std::string isovalueText(const Isovalue& isovalue)
+{
+    return formatNumber(isovalue.value) + ":" + colourText({isovalue.red, isovalue.green, isovalue.blue}) + ":" +
+           formatNumber(isovalue.opacity);
+}
+
+/// How a value is called, by its type.
+struct TypeName {
+    std::string operator()(bool) const { return "true or false"; }
+    std::string operator()(std::int64_t) const { return "a whole number"; }
+    std::string operator()(double) const { return "a number"; }
+    std::string operator()(const std::string&) const { return "a text"; }
+    std::string operator()(const std::vector<Isovalue>&) const { return "isovalues V[:COLOUR[:OPACITY]]"; }
+};
+
+struct ToText {
+    std::string operator()(bool value) const { return value ? "true" : "false"; }
+    std::string operator()(std::int64_t value) const { return std::to_string(value); }
+    std::string operator()(double value) const { return formatNumber(value); }
+    std::string operator()(const std::string& value) const { return value; }
+    std::string operator()(const std::vector<Isovalue>& values) const
+    {
+        std::string text;
+        for (const Isovalue& isovalue : values)
+            text += (text.empty() ? "" : ",") + isovalueText(isovalue);
+        return text;
+    }
+};
+
+} // namespace
+
+Result<Isovalue> parseIsovalue(std::string_view text)
+{
+    const auto parts = split(text, ':');
+    const Error wrong{ErrorKind::WrongUsage, "'" + std::string(text) +
+                                                 "' is no isovalue. Give VALUE, VALUE:COLOUR or VALUE:COLOUR:OPACITY, "
+                                                 "the opacity above 0 and at most 1: 128:#ff8000:0.5"};
+    const auto value = parseNumber<double>(parts[0]);
+    if (!value || !std::isfinite(*value) || parts.size() > 3)
+        return wrong;
+    Isovalue isovalue{.value = *value};
+    if (parts.size() > 1) {
+        const auto colour = parseColour(parts[1]);
+        if (!colour)
+            return colour.error();
+        isovalue.red = colour->red;
+        isovalue.green = colour->green;
+        isovalue.blue = colour->blue;
+    }
+    if (parts.size() > 2) {
+        const auto opacity = parseNumber<float>(parts[2]);
+        if (!opacity || !(*opacity > 0 && *opacity <= 1))
+            return wrong;
+        isovalue.opacity = *opacity;
+    }
+    return isovalue;
+}
+
+Result<ParameterValue> parseParameter(const Parameter& parameter, std::string_view text)
+{
+    if (std::holds_alternative<bool>(parameter.defaultValue)) {
+        if (text != "true" && text != "false")
+            return notIn(parameter, text);
+        return ParameterValue(text == "true");
+    }
+    if (std::holds_alternative<std::int64_t>(parameter.defaultValue))
+        return parseNumberOf<std::int64_t>(parameter, text);
+    if (std::holds_alternative<double>(parameter.defaultValue))
+        return parseNumberOf<double>(parameter, text);
+    if (std::holds_alternative<std::vector<Isovalue>>(parameter.defaultValue))
+        return parseIsovalues(parameter, text);
+    if (!parameter.choices.empty() && std::ranges::find(parameter.choices, text) == parameter.choices.end())
+        return notIn(parameter, text);
+    return ParameterValue(std::string(text));
+}
+
+std::string parameterText(const ParameterValue& value)
+{
+    return std::visit(ToText(), value);
+}
+
+std::string parameterDomain(const Parameter& parameter)
+{
+    std::string domain;
+    for (const std::string& choice : parameter.choices)
+        domain += (domain.empty() ? "one of " : ", ") + choice;
+    if (domain.empty())
+        domain = std::visit(TypeName(), parameter.defaultValue);
+    if (isBounded(parameter))
+        domain += " from " + formatNumber(parameter.minimum) + " to " + formatNumber(parameter.maximum);
+    if (!parameter.unit.empty())
+        domain += ", in " + parameter.unit;
+    return domain;
+}
+
+} // namespace tetra
