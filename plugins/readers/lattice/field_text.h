@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tetra {
+
+/// Small helpers for the text of headers and parameters; ASCII only, no locale.
+
+/// Without blanks, tabs and line ends at both ends.
+std::string_view trimmed(std::string_view text);
+
+std::string lowerCase(std::string_view text);
+
+/// The parts between any of `separators`, without empty ones.
+std::vector<std::string_view> split(std::string_view text, std::string_view separators);
+
+/// For messages: control characters and bytes that are no ASCII become '?', and long text is cut.
+std::string printable(std::string_view text);
+
+} // namespace tetra

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/lattice/gzip_decoding.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace tetra {
+
+namespace {
+
+Error damaged(const std::string& what)
+{
+    return {ErrorKind::BadInput, "its compressed data are damaged (" + what + "). Get the file again."};
+}
+
+/// The unpacked bytes as a stream.
+class GzipStream {
+public:
+    explicit GzipStream(std::span<const std::byte> packed) : rest_(packed)
+    {
+        constexpr int gzipOnly = 16;
+        ready_ = ::inflateInit2(&state_, MAX_WBITS + gzipOnly) == Z_OK;
+    }
+    ~GzipStream() { ::inflateEnd(&state_); }
+    GzipStream(const GzipStream&) = delete;
+    GzipStream& operator=(const GzipStream&) = delete;
+
+    /// Fills `to`, whose size fits into 32 bits, as far as there are bytes; says how many there were.
+    Result<std::size_t> read(std::span<std::byte> to)
+    {
+        if (!ready_)
+            return Error{ErrorKind::OutOfResource, "Not enough memory to unpack gzip data. Close other programs."};
+        state_.next_out = reinterpret_cast<Bytef*>(to.data());
+        state_.avail_out = static_cast<uInt>(to.size());
+        while (state_.avail_out > 0 && !ended_)
+            if (const Status unpacked = step(); !unpacked)
+                return unpacked.error();
+        return to.size() - state_.avail_out;
+    }
+
+private:
+    Status step()
+    {
+        constexpr std::size_t most = std::size_t(1) << 30;
+        const auto given = static_cast<uInt>(std::min(rest_.size(), most));
+        state_.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(rest_.data()));
+        state_.avail_in = given;
+        const uInt room = state_.avail_out;
+        const int code = ::inflate(&state_, Z_NO_FLUSH);
+        rest_ = rest_.subspan(given - state_.avail_in);
+        if (code == Z_STREAM_END)
+            return nextMember();
+        if (code == Z_MEM_ERROR)
+            return Error{ErrorKind::OutOfResource, "Not enough memory to unpack gzip data. Close other programs."};
+        if (code != Z_OK && code != Z_BUF_ERROR)
+            return damaged(state_.msg != nullptr ? state_.msg : "error " + std::to_string(code));
+        if (rest_.empty() && state_.avail_out == room)
+            return damaged("they are cut short");
+        return {};
+    }
+
+    Status nextMember()
+    {
+        if (std::ranges::all_of(rest_, [](std::byte byte) { return byte == std::byte(0); }))
+            ended_ = true;
+        else if (::inflateReset(&state_) != Z_OK)
+            return damaged("a new part cannot be started");
+        return {};
+    }
+
+    std::span<const std::byte> rest_;
+    z_stream state_{};
+    bool ready_ = false;
+    bool ended_ = false;
+};
+
+Error wrongSize(std::uint64_t expected, std::uint64_t found, bool more)
+{
+    return {ErrorKind::BadInput, "its compressed data hold " + std::string(more ? "more than " : "only ") +
+                                     std::to_string(found) + " bytes where the description asks for " +
+                                     std::to_string(expected) +
+                                     ". The sizes or the type are wrong, or the data are of "
+                                     "another file."};
+}
+
+} // namespace
+
+Status unpackGzip(std::span<const std::byte> packed, std::uint64_t skip, std::span<std::byte> content,
+                  const Progress& progress)
+{
+    constexpr std::uint64_t pieceBytes = std::uint64_t(1) << 20;
+    GzipStream stream(packed);
+    std::vector<std::byte> skipped(std::min(skip, pieceBytes));
+    const std::uint64_t total = skip + content.size();
+    for (std::uint64_t done = 0; done < total;) {
+        if (progress.cancelled())
+            return cancelledError("Reading");
+        const std::span<std::byte> piece = done < skip
+                                               ? std::span(skipped).first(std::min(skip - done, pieceBytes))
+                                               : content.subspan(done - skip, std::min(total - done, pieceBytes));
+        const Result<std::size_t> read = stream.read(piece);
+        if (!read)
+            return read.error();
+        done += *read;
+        if (*read < piece.size())
+            return wrongSize(total, done, false);
+        progress.report(static_cast<double>(done) / static_cast<double>(total), "Reading");
+    }
+    std::byte beyond{};
+    const Result<std::size_t> more = stream.read({&beyond, 1});
+    if (!more)
+        return more.error();
+    if (*more > 0)
+        return wrongSize(total, total, true);
+    return {};
+}
+
+} // namespace tetra

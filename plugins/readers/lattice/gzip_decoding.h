@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace tetra {
+
+/// Unpacks gzip data (RFC 1952), several members in a row included, into exactly `content`, leaving out the first
+/// `skip` bytes. Errors: no gzip data, damaged (the checksum is tested), cut short, more or fewer bytes in it than
+/// asked for, not enough memory, cancelled. Zeros after the last member are padding. Linear in the unpacked size.
+Status unpackGzip(std::span<const std::byte> packed, std::uint64_t skip, std::span<std::byte> content,
+                  const Progress& progress);
+
+/// No gzip data of this many bytes unpack to more: the format packs at most 1032 to one.
+constexpr std::uint64_t largestUnpackedSize(std::uint64_t packedBytes)
+{
+    return packedBytes > (std::uint64_t(1) << 52) ? std::uint64_t(1) << 62 : packedBytes * 1032;
+}
+
+} // namespace tetra

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/lattice/lattice_reader.h"
+
+#include "core/base/checksum.h"
+#include "core/base/mapped_file.h"
+#include "plugins/readers/lattice/field_text.h"
+#include "plugins/readers/lattice/nrrd_fields.h"
+#include "plugins/readers/lattice/nrrd_layout.h"
+#include "plugins/readers/lattice/raw_description.h"
+#include "plugins/readers/lattice/sample_reading.h"
+
+#include <algorithm>
+#include <array>
+#include <new>
+
+namespace tetra {
+
+namespace {
+
+namespace fs = std::filesystem;
+using File = std::shared_ptr<const MappedFile>;
+
+std::string_view asText(std::span<const std::byte> bytes)
+{
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+std::string extension(const fs::path& path)
+{
+    return lowerCase(path.extension().string());
+}
+
+bool isNrrdName(const fs::path& path)
+{
+    return extension(path) == ".nrrd" || extension(path) == ".nhdr";
+}
+
+Error inFile(const fs::path& path, const Error& error)
+{
+    if (error.kind == ErrorKind::Cancelled || error.kind == ErrorKind::OutOfResource)
+        return error;
+    return {error.kind, "Cannot read '" + path.string() + "': " + error.text};
+}
+
+/// What a file's bytes are, once it is known how they are to be taken.
+struct Volume {
+    File file;
+    std::size_t headerBytes = 0;
+    SampleLayout layout;
+};
+
+Result<File> openFile(const fs::path& path)
+{
+    Result<File> file = MappedFile::open(path);
+    if (file && (*file)->bytes().empty())
+        return inFile(path, {ErrorKind::BadInput, "it is empty. Get or make the file again."});
+    return file;
+}
+
+/// The data file of a detached header, else the header's own file.
+Result<Volume> openNrrd(const fs::path& path, const File& headerFile)
+{
+    const Result<NrrdFields> fields = parseNrrdFields(asText(headerFile->bytes()));
+    if (!fields)
+        return inFile(path, fields.error());
+    const Result<NrrdLayout> layout = nrrdLayout(*fields);
+    if (!layout)
+        return inFile(path, layout.error());
+    if (layout->dataFile.empty())
+        return Volume{headerFile, fields->headerBytes, layout->samples};
+    const Result<File> dataFile = openFile(path.parent_path() / layout->dataFile);
+    if (!dataFile)
+        return Error{dataFile.error().kind,
+                     dataFile.error().text + " The header '" + path.string() + "' names it as its data file."};
+    return Volume{*dataFile, 0, layout->samples};
+}
+
+Result<Volume> openRaw(const fs::path& path, const File& file, const ParameterValues& values)
+{
+    const Result<SampleLayout> layout = rawLayout(values, path.filename().string(), file->bytes().size());
+    if (!layout)
+        return inFile(path, layout.error());
+    return Volume{file, 0, *layout};
+}
+
+Result<Volume> openVolume(const fs::path& path, const ParameterValues& values)
+{
+    const Result<File> file = openFile(path);
+    if (!file)
+        return file.error();
+    if (isNrrdName(path) || looksLikeNrrd(asText((*file)->bytes())))
+        return openNrrd(path, *file);
+    return openRaw(path, *file, values);
+}
+
+Result<Dataset> readDataset(const fs::path& path, const Volume& volume, const Progress& progress)
+{
+    const Result<ScalarField> values =
+        readSamples(volume.file->bytes().subspan(volume.headerBytes), volume.layout, progress.part(0, 0.9));
+    if (volume.file->damaged())
+        return inFile(volume.file->path(), {ErrorKind::BadInput, "it changed while it was read. Read it again."});
+    if (!values)
+        return inFile(volume.file->path(), values.error());
+    Dataset dataset;
+    dataset.lattice = volume.layout.lattice;
+    dataset.values = *values;
+    dataset.source = {path.filename().string(), path, checksum(values->bytes())};
+    progress.report(1, "Reading");
+    return dataset;
+}
+
+} // namespace
+
+std::vector<std::string> LatticeReader::nameFilters() const
+{
+    return {"NRRD volume (*.nrrd *.nhdr)", "Raw volume (*.raw *.bin *.binary *.dat *.img *.vol)"};
+}
+
+double LatticeReader::score(const fs::path& path, std::span<const std::byte> firstBytes) const
+{
+    constexpr std::array<std::string_view, 6> rawNames = {".raw", ".bin", ".binary", ".dat", ".img", ".vol"};
+    if (looksLikeNrrd(asText(firstBytes)))
+        return 1;
+    if (isNrrdName(path))
+        return 0.9; // to say what is wrong with it
+    return std::ranges::find(rawNames, extension(path)) != rawNames.end() ? 0.3 : 0;
+}
+
+std::vector<Parameter> LatticeReader::parameters() const
+{
+    return rawParameters();
+}
+
+Result<Dataset> LatticeReader::read(const fs::path& path, const ParameterValues& values, const Progress& progress) const
+try {
+    const Result<Volume> volume = openVolume(path, values);
+    if (!volume)
+        return volume.error();
+    return readDataset(path, *volume, progress);
+} catch (const std::bad_alloc&) {
+    return Error{ErrorKind::OutOfResource, "Not enough memory to read the file. Close other programs."};
+}
+
+} // namespace tetra

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/lattice/nrrd_axes.h"
+
+#include "core/base/number_text.h"
+#include "plugins/readers/lattice/field_text.h"
+
+#include <cmath>
+
+namespace tetra {
+
+namespace {
+
+constexpr std::size_t largestDimension = 16; // of the format
+constexpr std::string_view blanks = " \t";
+
+Error wrongField(const std::string& field, std::string_view value, const std::string& why)
+{
+    return {ErrorKind::BadInput, "'" + field + ": " + printable(value) + "' in its header " + why};
+}
+
+/// The words of a field that has one for each axis; none if the field is not there.
+Result<std::vector<std::string_view>> wordsOf(const NrrdFields& fields, const std::string& field, std::size_t dimension)
+{
+    std::vector<std::string_view> words = split(fields[field], blanks);
+    if (fields.has(field) && words.size() != dimension)
+        return wrongField(field, fields[field],
+                          "must have one entry for each of the " + std::to_string(dimension) + " axes.");
+    return words;
+}
+
+Result<std::size_t> parseDimension(const NrrdFields& fields)
+{
+    const auto dimension = parseNumber<std::size_t>(fields["dimension"]);
+    if (!fields.has("dimension"))
+        return Error{ErrorKind::BadInput, "its header has no field 'dimension'."};
+    if (!dimension || *dimension == 0 || *dimension > largestDimension)
+        return wrongField("dimension", fields["dimension"], "must be a number from 1 to 16.");
+    return *dimension;
+}
+
+Status parseSizes(const NrrdFields& fields, std::vector<NrrdAxis>& axes)
+{
+    if (!fields.has("sizes"))
+        return Error{ErrorKind::BadInput, "its header has no field 'sizes'."};
+    const auto words = wordsOf(fields, "sizes", axes.size());
+    if (!words)
+        return words.error();
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+        const auto size = parseNumber<std::uint64_t>((*words)[axis]);
+        if (!size || *size == 0)
+            return wrongField("sizes", fields["sizes"], "must be whole numbers from 1.");
+        axes[axis].size = *size;
+    }
+    return {};
+}
+
+Status parseNumbers(const NrrdFields& fields, const std::string& field, std::vector<NrrdAxis>& axes,
+                    std::optional<double> NrrdAxis::*member)
+{
+    const auto words = wordsOf(fields, field, axes.size());
+    if (!words)
+        return words.error();
+    for (std::size_t axis = 0; axis < words->size(); ++axis) {
+        const auto number = parseNumber<double>((*words)[axis]);
+        if (!number)
+            return wrongField(field, fields[field], "must be numbers.");
+        if (std::isfinite(*number))
+            axes[axis].*member = *number;
+    }
+    return {};
+}
+
+Status parseKindsAndCenters(const NrrdFields& fields, std::vector<NrrdAxis>& axes)
+{
+    const auto kinds = wordsOf(fields, "kinds", axes.size());
+    if (!kinds)
+        return kinds.error();
+    for (std::size_t axis = 0; axis < kinds->size(); ++axis)
+        if (const std::string kind = lowerCase((*kinds)[axis]); kind != "???" && kind != "none")
+            axes[axis].kind = kind;
+    const auto centers = wordsOf(fields, "centers", axes.size());
+    if (!centers)
+        return centers.error();
+    for (std::size_t axis = 0; axis < centers->size(); ++axis)
+        axes[axis].centeredInCells = lowerCase((*centers)[axis]) == "cell";
+    return {};
+}
+
+/// Separates "(1,0,0) none (0, 1, 0)"; a parenthesis that is not closed reaches to the end.
+std::vector<std::string_view> splitVectors(std::string_view text)
+{
+    std::vector<std::string_view> words;
+    for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+        const std::size_t last = text.front() == '(' ? text.find(')') : text.find_first_of(" \t(", 1) - 1;
+        const std::size_t length = last >= text.size() ? text.size() : last + 1;
+        words.push_back(text.substr(0, length));
+        text.remove_prefix(length);
+    }
+    return words;
+}
+
+Status parseDirections(const NrrdFields& fields, std::vector<NrrdAxis>& axes)
+{
+    const std::string field = "space directions";
+    if (!fields.has(field))
+        return {};
+    const std::vector<std::string_view> words = splitVectors(fields[field]);
+    if (words.size() != axes.size())
+        return wrongField(field, fields[field],
+                          "must have one entry for each of the " + std::to_string(axes.size()) + " axes.");
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+        if (lowerCase(words[axis]) == "none")
+            continue;
+        axes[axis].direction = parseNrrdVector(words[axis]);
+        if (!axes[axis].direction)
+            return wrongField(field, fields[field], "must be 'none' or three numbers in parentheses for each axis.");
+    }
+    return {};
+}
+
+} // namespace
+
+std::optional<Eigen::Vector3d> parseNrrdVector(std::string_view text)
+{
+    text = trimmed(text);
+    if (!text.starts_with('(') || !text.ends_with(')'))
+        return {};
+    const std::vector<std::string_view> words = split(text.substr(1, text.size() - 2), ",");
+    if (words.size() != 3)
+        return {};
+    Eigen::Vector3d vector;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        const auto number = parseNumber<double>(trimmed(words[static_cast<std::size_t>(i)]));
+        if (!number)
+            return {};
+        vector[i] = *number;
+    }
+    return vector;
+}
+
+Result<std::vector<NrrdAxis>> parseNrrdAxes(const NrrdFields& fields)
+{
+    const Result<std::size_t> dimension = parseDimension(fields);
+    if (!dimension)
+        return dimension.error();
+    std::vector<NrrdAxis> axes(*dimension);
+    for (const Status& parsed : {parseSizes(fields, axes), parseNumbers(fields, "spacings", axes, &NrrdAxis::spacing),
+                                 parseNumbers(fields, "axis mins", axes, &NrrdAxis::minimum),
+                                 parseNumbers(fields, "axis maxs", axes, &NrrdAxis::maximum),
+                                 parseKindsAndCenters(fields, axes), parseDirections(fields, axes)})
+        if (!parsed)
+            return parsed.error();
+    return axes;
+}
+
+} // namespace tetra

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/lattice/nrrd_fields.h"
+
+#include "plugins/readers/lattice/field_text.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace tetra {
+
+namespace {
+
+constexpr std::string_view magic = "NRRD000";
+constexpr std::size_t longestHeader = std::size_t(1) << 20;
+
+/// Every field of the format, in one spelling.
+constexpr std::array<std::string_view, 30> knownFields = {"dimension",
+                                                          "type",
+                                                          "block size",
+                                                          "encoding",
+                                                          "endian",
+                                                          "content",
+                                                          "min",
+                                                          "max",
+                                                          "old min",
+                                                          "old max",
+                                                          "data file",
+                                                          "line skip",
+                                                          "byte skip",
+                                                          "number",
+                                                          "sample units",
+                                                          "sizes",
+                                                          "spacings",
+                                                          "thicknesses",
+                                                          "axis mins",
+                                                          "axis maxs",
+                                                          "centers",
+                                                          "labels",
+                                                          "units",
+                                                          "kinds",
+                                                          "space",
+                                                          "space dimension",
+                                                          "space units",
+                                                          "space origin",
+                                                          "space directions",
+                                                          "measurement frame"};
+
+/// Earlier spellings of a name that are still in use.
+std::string presentDayName(std::string_view name)
+{
+    constexpr std::array<std::array<std::string_view, 2>, 10> synonyms = {{{"blocksize", "block size"},
+                                                                           {"oldmin", "old min"},
+                                                                           {"oldmax", "old max"},
+                                                                           {"datafile", "data file"},
+                                                                           {"lineskip", "line skip"},
+                                                                           {"byteskip", "byte skip"},
+                                                                           {"sampleunits", "sample units"},
+                                                                           {"axismins", "axis mins"},
+                                                                           {"axismaxs", "axis maxs"},
+                                                                           {"centerings", "centers"}}};
+    const std::string lower = lowerCase(trimmed(name));
+    const auto found = std::ranges::find(synonyms, lower, [](const auto& pair) { return pair[0]; });
+    return found != synonyms.end() ? std::string((*found)[1]) : lower;
+}
+
+Error inLine(std::size_t line, const std::string& what)
+{
+    return {ErrorKind::BadInput, "line " + std::to_string(line) + " of its header " + what};
+}
+
+Status checkMagic(std::string_view line)
+{
+    if (!looksLikeNrrd(line))
+        return Error{ErrorKind::BadInput, "it is no NRRD file: it does not begin with 'NRRD0001' to 'NRRD0005'."};
+    const std::string_view version = trimmed(line.substr(magic.size()));
+    if (version.size() != 1 || version[0] < '1' || version[0] > '5')
+        return Error{ErrorKind::BadInput, "it is of a NRRD version that is not known, '" + printable(trimmed(line)) +
+                                              "'. Save it as NRRD0005 or earlier."};
+    return {};
+}
+
+Status addField(NrrdFields& fields, std::string_view line, std::size_t number)
+{
+    const std::size_t colon = line.find(':');
+    if (colon == std::string_view::npos)
+        return inLine(number, "is neither a field nor a comment: '" + printable(line) + "'.");
+    if (line.substr(colon).starts_with(":="))
+        return {}; // a key and a value of the user's own
+    const std::string name = presentDayName(line.substr(0, colon));
+    if (std::ranges::find(knownFields, name) == knownFields.end())
+        return inLine(number, "has the unknown field '" + printable(name) +
+                                  "'. Correct its name, or write ':=' for a note of your own.");
+    if (!fields.values.emplace(name, trimmed(line.substr(colon + 1))).second)
+        return inLine(number, "gives '" + name + "' a second time. Remove one of them.");
+    return {};
+}
+
+} // namespace
+
+bool looksLikeNrrd(std::string_view firstBytes)
+{
+    return firstBytes.starts_with(magic);
+}
+
+Result<NrrdFields> parseNrrdFields(std::string_view file)
+{
+    NrrdFields fields;
+    std::size_t position = 0;
+    for (std::size_t number = 1; position < file.size(); ++number) {
+        const std::size_t end = std::min(file.find('\n', position), file.size());
+        if (end > longestHeader)
+            return Error{ErrorKind::BadInput, "its header does not end: there is no empty line in the first MiB."};
+        const std::string_view line = file.substr(position, end - position);
+        position = std::min(end + 1, file.size());
+        fields.headerBytes = position;
+        if (number == 1) {
+            if (const Status known = checkMagic(line); !known)
+                return known.error();
+        } else if (line.empty() || line == "\r") {
+            return fields;
+        } else if (!line.starts_with('#')) {
+            if (const Status added = addField(fields, line, number); !added)
+                return added.error();
+        }
+    }
+    return fields;
+}
+
+} // namespace tetra

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/lattice/nrrd_layout.h"
+
+#include "core/base/number_text.h"
+#include "plugins/readers/lattice/field_text.h"
+#include "plugins/readers/lattice/nrrd_geometry.h"
+
+namespace tetra {
+
+namespace {
+
+Status missing(const NrrdFields& fields, const std::string& field)
+{
+    if (!fields[field].empty())
+        return {};
+    return Error{ErrorKind::BadInput, "its header has no field '" + field + "'. Add it."};
+}
+
+/// "LIST", or a pattern such as "slice%03d.raw 1 100 1".
+bool namesSeveralFiles(std::string_view dataFile)
+{
+    const auto words = split(dataFile, " \t");
+    return !words.empty() &&
+           (words[0] == "LIST" || (words.size() >= 4 && words[0].find('%') != std::string_view::npos));
+}
+
+Status parseEncoding(const NrrdFields& fields, SampleLayout& layout)
+{
+    const Result<SampleType> type = parseSampleType(fields["type"]);
+    if (!type)
+        return type.error();
+    layout.type = *type;
+    const Result<SampleEncoding> encoding = parseSampleEncoding(fields["encoding"]);
+    if (!encoding)
+        return encoding.error();
+    layout.encoding = *encoding;
+    const bool needsOrder = sampleSize(layout.type) > 1 && layout.encoding != SampleEncoding::Text;
+    if (needsOrder)
+        if (const Status there = missing(fields, "endian"); !there)
+            return there.error();
+    if (!fields["endian"].empty()) {
+        const Result<std::endian> order = parseByteOrder(fields["endian"]);
+        if (!order)
+            return order.error();
+        layout.order = *order;
+    }
+    return {};
+}
+
+Status parseSkips(const NrrdFields& fields, SampleLayout& layout)
+{
+    if (fields.has("line skip")) {
+        const auto lines = parseNumber<std::uint64_t>(fields["line skip"]);
+        if (!lines)
+            return Error{ErrorKind::BadInput, "its 'line skip' must be a whole number from 0."};
+        layout.skippedLines = *lines;
+    }
+    if (fields.has("byte skip")) {
+        const auto bytes = parseNumber<std::int64_t>(fields["byte skip"]);
+        if (!bytes || *bytes < -1 || (*bytes == -1 && layout.encoding != SampleEncoding::Raw))
+            return Error{ErrorKind::BadInput, "its 'byte skip' must be a whole number from 0, or -1 for raw data at "
+                                              "the end of the file."};
+        layout.atEndOfFile = *bytes == -1;
+        layout.skippedBytes = *bytes > 0 ? static_cast<std::uint64_t>(*bytes) : 0;
+    }
+    return {};
+}
+
+} // namespace
+
+Result<NrrdLayout> nrrdLayout(const NrrdFields& fields)
+{
+    for (const std::string field : {"type", "dimension", "sizes", "encoding"})
+        if (const Status there = missing(fields, field); !there)
+            return there.error();
+    NrrdLayout layout;
+    if (namesSeveralFiles(fields["data file"]))
+        return Error{ErrorKind::BadInput,
+                     "its samples are spread over several files ('data file: " + printable(fields["data file"]) +
+                         "'), which is not read. Join them into one file first."};
+    layout.dataFile = fields["data file"];
+    if (const Status parsed = parseEncoding(fields, layout.samples); !parsed)
+        return parsed.error();
+    if (const Status parsed = parseSkips(fields, layout.samples); !parsed)
+        return parsed.error();
+    const Result<Lattice> lattice = nrrdLattice(fields);
+    if (!lattice)
+        return lattice.error();
+    layout.samples.lattice = *lattice;
+    return layout;
+}
+
+} // namespace tetra

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/data/sample_type.h"
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace tetra {
+
+/// A layout that a raw file could have.
+struct RawGuess {
+    std::array<std::uint32_t, 3> size{};
+    SampleType type = SampleType::UInt8;
+};
+
+/// Layouts that fill a file of `bytes` bytes exactly, the likeliest first, at most five: what the file's name says, as
+/// in bonsai_256x256x128_uint8.raw; cubes; stacks of square slices whose side is a usual one.
+std::vector<RawGuess> guessRawLayouts(std::string_view fileName, std::uint64_t bytes);
+
+} // namespace tetra

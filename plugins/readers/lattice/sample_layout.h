@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/data/lattice.h"
+#include "core/data/sample_type.h"
+#include "plugins/readers/lattice/nrrd_types.h"
+
+#include <bit>
+#include <cstdint>
+
+namespace tetra {
+
+/// How the samples of a lattice lie in a file: what a NRRD header or the user says.
+struct SampleLayout {
+    Lattice lattice; ///< checked
+    SampleType type = SampleType::UInt8;
+    SampleEncoding encoding = SampleEncoding::Raw;
+    std::endian order = std::endian::native; ///< of types of more than one byte; text has none
+    std::uint64_t skippedLines = 0;          ///< before anything else
+    std::uint64_t skippedBytes = 0;          ///< after the lines and after unpacking
+    bool atEndOfFile = false;                ///< raw only: the samples are the last bytes, whatever stands before
+
+    std::uint64_t sampleBytes() const { return lattice.pointCount() * sampleSize(type); }
+};
+
+} // namespace tetra

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/lattice/sample_reading.h"
+
+#include "core/data/sample_buffer.h"
+#include "plugins/readers/lattice/gzip_decoding.h"
+#include "plugins/readers/lattice/lattice_checks.h"
+#include "plugins/readers/lattice/raw_decoding.h"
+#include "plugins/readers/lattice/text_decoding.h"
+
+#include <algorithm>
+#include <string>
+
+namespace tetra {
+
+namespace {
+
+std::string_view asText(std::span<const std::byte> bytes)
+{
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+std::string described(const SampleLayout& layout)
+{
+    const auto& size = layout.lattice.size;
+    return sizeText({size[0], size[1], size[2]}) + " samples of type " + std::string(sampleTypeName(layout.type)) +
+           ", " + std::to_string(layout.sampleBytes()) + " bytes";
+}
+
+Error tooFew(const SampleLayout& layout, const std::string& found)
+{
+    return {ErrorKind::BadInput, "it should hold " + described(layout) + ", but there are only " + found +
+                                     ". It is cut short, or its description (sizes, type, bytes to skip) is wrong."};
+}
+
+Result<std::span<const std::byte>> skipLines(std::span<const std::byte> data, std::uint64_t lines)
+{
+    for (std::uint64_t line = 0; line < lines; ++line) {
+        const std::size_t end = asText(data).find('\n');
+        if (end == std::string_view::npos)
+            return Error{ErrorKind::BadInput, "it has only " + std::to_string(line) + " of the " +
+                                                  std::to_string(lines) +
+                                                  " lines that are to be skipped. Check 'line skip'."};
+        data = data.subspan(end + 1);
+    }
+    return data;
+}
+
+/// The bytes that are the samples, in a file that is not compressed.
+Result<std::span<const std::byte>> rawBytes(std::span<const std::byte> data, const SampleLayout& layout)
+{
+    const std::uint64_t wanted = layout.sampleBytes();
+    const std::uint64_t skipped = std::min<std::uint64_t>(layout.skippedBytes, data.size());
+    const std::uint64_t found = data.size() - skipped;
+    if (found < wanted)
+        return tooFew(layout, std::to_string(found) + " bytes");
+    if (layout.atEndOfFile)
+        return data.last(wanted);
+    if (found > wanted)
+        return Error{ErrorKind::BadInput, "it should hold " + described(layout) + ", but there are " +
+                                              std::to_string(found) + ", " + std::to_string(found - wanted) +
+                                              " too many. Its description is wrong: check the sizes, the type and the "
+                                              "bytes to skip."};
+    return data.subspan(skipped);
+}
+
+/// Whether data that must be decoded can hold the samples at all.
+Status checkEnough(std::span<const std::byte> data, const SampleLayout& layout)
+{
+    const bool gzip = layout.encoding == SampleEncoding::Gzip;
+    const std::uint64_t most =
+        gzip ? largestUnpackedSize(data.size()) : (data.size() + 1) / 2 * sampleSize(layout.type);
+    if (most >= layout.sampleBytes())
+        return {};
+    return tooFew(layout, std::to_string(data.size()) + " bytes of " + (gzip ? "compressed data" : "text"));
+}
+
+Status decode(std::span<const std::byte> data, const SampleLayout& layout, std::span<std::byte> samples,
+              const Progress& progress)
+{
+    switch (layout.encoding) {
+    case SampleEncoding::Raw: return copyRawSamples(data, layout.type, layout.order, samples, progress);
+    case SampleEncoding::Text:
+        return readTextSamples(asText(data.subspan(std::min<std::uint64_t>(layout.skippedBytes, data.size()))),
+                               layout.type, samples, progress);
+    case SampleEncoding::Gzip: break;
+    }
+    const Status unpacked = unpackGzip(data, layout.skippedBytes, samples, progress);
+    if (unpacked)
+        toNativeOrder(samples, layout.type, layout.order);
+    return unpacked;
+}
+
+} // namespace
+
+Result<ScalarField> readSamples(std::span<const std::byte> data, const SampleLayout& layout, const Progress& progress)
+{
+    Result<std::span<const std::byte>> encoded = skipLines(data, layout.skippedLines);
+    if (encoded && layout.encoding == SampleEncoding::Raw)
+        encoded = rawBytes(*encoded, layout);
+    if (!encoded)
+        return encoded.error();
+    if (layout.encoding != SampleEncoding::Raw)
+        if (const Status enough = checkEnough(*encoded, layout); !enough)
+            return enough.error();
+    Result<std::shared_ptr<std::byte>> samples = allocateSamples(layout.type, layout.lattice.pointCount());
+    if (!samples)
+        return samples.error();
+    if (const Status decoded = decode(*encoded, layout, {samples->get(), layout.sampleBytes()}, progress); !decoded)
+        return decoded.error();
+    ScalarField values(layout.type, layout.lattice.pointCount(), *std::move(samples));
+    if (const Status finite = checkFinite(layout.lattice, values); !finite)
+        return finite.error();
+    return values;
+}
+
+} // namespace tetra

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/data/scalar_field.h"
+#include "plugins/readers/lattice/sample_layout.h"
+
+#include <cstddef>
+#include <span>
+
+namespace tetra {
+
+/// Reads the samples that `data` (all of a data file, or what follows a header) hold according to `layout`. Memory is
+/// taken only once it is plain that there are enough data for it. Errors: too few or too many data, with both numbers
+/// of bytes; damaged data; samples that are not finite; not enough memory; cancelled.
+Result<ScalarField> readSamples(std::span<const std::byte> data, const SampleLayout& layout, const Progress& progress);
+
+} // namespace tetra

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/data/sample_type.h"
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace tetra {
+
+/// Reads exactly as many numbers as `samples` has room for out of text; blanks, line ends and commas stand between
+/// them. Integer types take whole numbers only. Errors name the number and its place: not a number, out of the type's
+/// range, too few, too many, cancelled. Linear.
+Status readTextSamples(std::string_view text, SampleType type, std::span<std::byte> samples, const Progress& progress);
+
+} // namespace tetra
