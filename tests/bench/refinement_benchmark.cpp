@@ -127,6 +127,7 @@ BenchCase measureMemory(std::uint32_t n, SampleType type)
         ::wait4(child, &status, 0, &usage);
     });
     const double peak = 1024.0 * static_cast<double>(usage.ru_maxrss);
+    std::fprintf(stderr, "%s: %.0f bytes a site at its peak\n", qPrintable(one.name), peak / (double(n) * n * n));
     one.more = {{"peak_bytes", peak}, {"peak_bytes_per_site", peak / (double(n) * n * n)}};
     return one;
 }
