@@ -46,7 +46,7 @@ private:
     Status start();
     Status distributeStart();
     Status addCorners();
-    Status insertWorst(const PointBucket& worst, std::uint32_t bucketNumber);
+    Status insertWorst(PointBucket worst);
     void collectDestroyed();
     float fillBucket(std::uint32_t slot, std::size_t face, double determinant);
     std::uint32_t takeBucketNumber();
@@ -164,20 +164,20 @@ Status Refinement::distributeStart()
 Status Refinement::addCorners()
 {
     const auto& size = options_.size;
-    for (std::uint32_t corner = 0; corner < 8; ++corner) {
-        const PackedPoint point = lattice_.pack((corner & 1) * (size[0] - 1), (corner >> 1 & 1) * (size[1] - 1),
-                                                (corner >> 2 & 1) * (size[2] - 1));
-        siteOfPoint_[lattice_.index(point)] = corner;
+    std::array<std::uint32_t, 8> points{};
+    for (std::uint32_t corner = 0; corner < points.size(); ++corner) {
+        points[corner] = lattice_.index(lattice_.pack((corner & 1) * (size[0] - 1), (corner >> 1 & 1) * (size[1] - 1),
+                                                      (corner >> 2 & 1) * (size[2] - 1)));
+        siteOfPoint_[points[corner]] = corner;
     }
-    for (std::uint32_t corner = 0; corner < 8; ++corner) {
+    for (const std::uint32_t point : points) {
         starHistory_.clear();
-        std::uint64_t point = 0;
         for (std::uint32_t slot = 0; slot < LatticeDelaunay::startCount; ++slot) {
             std::array<std::uint32_t, 4> sites{};
             for (std::size_t i = 0; i < 4; ++i)
                 sites[i] = siteOfPoint_[lattice_.index(delaunay_[slot].vertices[i])];
-            const std::size_t latest = static_cast<std::size_t>(std::ranges::max_element(sites) - sites.begin());
-            if (sites[latest] != corner)
+            const auto latest = static_cast<std::size_t>(std::ranges::max_element(sites) - sites.begin());
+            if (sites[latest] != siteCount_)
                 continue;
             // An even permutation brings the latest to the front.
             constexpr std::uint8_t order[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
@@ -185,12 +185,7 @@ Status Refinement::addCorners()
                 {{sites[order[latest][0]], sites[order[latest][1]], sites[order[latest][2]]}, startErrors_[slot]});
             slots_[slot].history = static_cast<std::uint32_t>(tetrahedronCount_++);
         }
-        for (std::uint64_t x :
-             {std::uint64_t(corner & 1) * (size[0] - 1) + std::uint64_t(corner >> 1 & 1) * (size[1] - 1) * size[0] +
-              std::uint64_t(corner >> 2 & 1) * (size[2] - 1) * size[1] * size[0]})
-            point = x;
-        const Status status = sink_.add({point, std::numeric_limits<float>::infinity(), starHistory_, {}});
-        if (!status)
+        if (Status status = sink_.add({point, std::numeric_limits<float>::infinity(), starHistory_, {}}); !status)
             return status;
         ++siteCount_;
     }
@@ -244,7 +239,7 @@ void Refinement::collectDestroyed()
     }
 }
 
-Status Refinement::insertWorst(const PointBucket& worst, std::uint32_t)
+Status Refinement::insertWorst(PointBucket worst)
 {
     const PackedPoint point = worst.worst;
     const float errorBefore = worst.error;
@@ -297,7 +292,7 @@ Result<LatticeRefinementResult> Refinement::run(const Progress& progress)
                 return status.error();
             return LatticeRefinementResult{siteCount_, tetrahedronCount_, error};
         }
-        if (Status status = insertWorst(PointBucket(buckets_[number]), number); !status)
+        if (Status status = insertWorst(buckets_[number]); !status)
             return status.error();
         work += 200 + points_.size();
         if (work < workBetweenReports)
