@@ -214,6 +214,8 @@ Status Refinement::start()
 /// Takes the points and the history numbers of what the last insertion destroyed, and gives their buckets back.
 void Refinement::collectDestroyed()
 {
+    if (points_.capacity() > 65536 && points_.size() < points_.capacity() / 16)
+        std::vector<PackedPoint>().swap(points_);
     points_.clear();
     destroyedHistory_.clear();
     destroyedBuckets_.clear();
@@ -301,7 +303,7 @@ Result<LatticeRefinementResult> Refinement::run(const Progress& progress)
         if (progress.cancelled())
             return cancelledError("The refinement");
         progress.report(1 - static_cast<double>(pointsAboveStop_) / static_cast<double>(pointsAtStart), "Refining");
-        if (queue_.entryCount() > 4 * (buckets_.size() - freeBuckets_.size()) + 65536)
+        if (queue_.entryCount() > 2 * (buckets_.size() - freeBuckets_.size()) + 65536)
             queue_.sweep(buckets_);
     }
 }

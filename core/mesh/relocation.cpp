@@ -91,6 +91,10 @@ void Relocation::computeErrors(const PackedLattice& lattice, const LatticeSample
 void Relocation::run(const PackedLattice& lattice, const LatticeSamples& samples, const Star& star,
                      std::span<const PackedPoint> points)
 {
+    // The first insertions move millions of points, the later ones dozens: give the room of the first back.
+    constexpr std::size_t roomWorthKeeping = 65536;
+    if (points_.capacity() > std::max(roomWorthKeeping, 16 * points.size()))
+        *this = Relocation();
     gatherCoordinates(lattice, star.apex(), points);
     findCones(star, {x_, y_, z_}, planes_, owners_);
     sortByOwner(star.faceCount());
