@@ -42,6 +42,14 @@ Error inFile(const fs::path& path, const Error& error)
     return {error.kind, "Cannot read '" + path.string() + "': " + error.text};
 }
 
+/// An error in a data file, with the header whose description it does not fit.
+Error withHeader(const fs::path& header, Error error)
+{
+    if (error.kind == ErrorKind::BadInput)
+        error.text += " The header '" + header.string() + "' names it as its data file.";
+    return error;
+}
+
 /// What a file's bytes are, once it is known how they are to be taken.
 struct Volume {
     File file;
@@ -70,8 +78,7 @@ Result<Volume> openNrrd(const fs::path& path, const File& headerFile)
         return Volume{headerFile, fields->headerBytes, layout->samples};
     const Result<File> dataFile = openFile(path.parent_path() / layout->dataFile);
     if (!dataFile)
-        return Error{dataFile.error().kind,
-                     dataFile.error().text + " The header '" + path.string() + "' names it as its data file."};
+        return withHeader(path, dataFile.error());
     return Volume{*dataFile, 0, layout->samples};
 }
 
@@ -99,8 +106,10 @@ Result<Dataset> readDataset(const fs::path& path, const Volume& volume, const Pr
         readSamples(volume.file->bytes().subspan(volume.headerBytes), volume.layout, progress.part(0, 0.9));
     if (volume.file->damaged())
         return inFile(volume.file->path(), {ErrorKind::BadInput, "it changed while it was read. Read it again."});
-    if (!values)
-        return inFile(volume.file->path(), values.error());
+    if (!values) {
+        const Error error = inFile(volume.file->path(), values.error());
+        return volume.file->path() == path ? error : withHeader(path, error);
+    }
     Dataset dataset;
     dataset.lattice = volume.layout.lattice;
     dataset.values = *values;

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Raw files: what the user's description makes of them, and what is said when it does not fit.
+#include "plugins/readers/lattice/lattice_reader.h"
+#include "plugins/readers/lattice/raw_guess.h"
+#include "tests/plugins/readers/lattice/volume_files.h"
+
+#include <QtTest>
+
+#include <limits>
+
+using namespace tetra;
+
+Q_DECLARE_METATYPE(tetra::SampleType)
+Q_DECLARE_METATYPE(tetra::ParameterValues)
+
+namespace {
+
+QStringList guessTexts(std::string_view name, std::uint64_t bytes)
+{
+    QStringList texts;
+    for (const RawGuess& guess : guessRawLayouts(name, bytes))
+        texts << QString("%1x%2x%3 %4")
+                     .arg(guess.size[0])
+                     .arg(guess.size[1])
+                     .arg(guess.size[2])
+                     .arg(QString::fromUtf8(sampleTypeName(guess.type).data()));
+    return texts;
+}
+
+} // namespace
+
+class RawReaderTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void describesItsParameters();
+    void readsEveryTypeAndOrder_data();
+    void readsEveryTypeAndOrder();
+    void placesTheLattice();
+    void skipsAHeader();
+    void refuses_data();
+    void refuses();
+    void guesses_data();
+    void guesses();
+    void guessesFillTheFile();
+
+private:
+    TestFolder folder_;
+};
+
+void RawReaderTest::describesItsParameters()
+{
+    const std::vector<Parameter> parameters = LatticeReader().parameters();
+    QStringList ids;
+    for (const Parameter& parameter : parameters) {
+        ids << QString::fromStdString(parameter.id);
+        QVERIFY(!parameter.label.empty() && parameter.explanation.ends_with('.'));
+    }
+    QCOMPARE(ids, QStringList({"size", "type", "byte-order", "skip", "spacing", "origin"}));
+}
+
+void RawReaderTest::readsEveryTypeAndOrder_data()
+{
+    QTest::addColumn<SampleType>("type");
+    QTest::addColumn<bool>("big");
+    for (int number = 0; number < 8; ++number)
+        for (const bool big : {false, true}) {
+            const auto type = static_cast<SampleType>(number);
+            QTest::newRow(QByteArray(sampleTypeName(type).data()) + (big ? " big" : " little")) << type << big;
+        }
+}
+
+void RawReaderTest::readsEveryTypeAndOrder()
+{
+    QFETCH(SampleType, type);
+    QFETCH(bool, big);
+    const auto path = folder_.write("volume.raw", testSamples(type, big ? std::endian::big : std::endian::little));
+    const ParameterValues values = {{"size", std::string("3x4x5")},
+                                    {"type", std::string(sampleTypeName(type))},
+                                    {"byte-order", std::string(big ? "big" : "little")}};
+    const Result<Dataset> dataset = LatticeReader().read(path, values, {});
+    QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+    QVERIFY((dataset->lattice.size == std::array<std::uint32_t, 3>{3, 4, 5}));
+    QCOMPARE(dataset->lattice.spacing, Eigen::Vector3d(1, 1, 1));
+    QCOMPARE(dataset->lattice.origin, Eigen::Vector3d(0, 0, 0));
+    QCOMPARE(dataset->values.type(), type);
+    QVERIFY(holdsTestSamples(dataset->values));
+}
+
+void RawReaderTest::placesTheLattice()
+{
+    const auto path = folder_.write("placed.raw", testSamples(SampleType::UInt8));
+    for (const char* size : {"3x4x5", "3X4X5", "3,4,5", " 3 4  5 ", "3*4*5", "3 x 4 x 5"}) {
+        const Result<Dataset> dataset = LatticeReader().read(
+            path,
+            {{"size", std::string(size)}, {"spacing", std::string("1x2x0.5")}, {"origin", std::string("-1, 1e2, .5")}},
+            {});
+        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+        QCOMPARE(dataset->lattice.spacing, Eigen::Vector3d(1, 2, 0.5));
+        QCOMPARE(dataset->lattice.origin, Eigen::Vector3d(-1, 100, 0.5));
+    }
+}
+
+void RawReaderTest::skipsAHeader()
+{
+    const auto path = folder_.write("headed.dat", "header." + testSamples(SampleType::UInt8));
+    const Result<Dataset> dataset =
+        LatticeReader().read(path, {{"size", std::string("3x4x5")}, {"skip", std::int64_t(7)}}, {});
+    QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+    QVERIFY(holdsTestSamples(dataset->values));
+}
+
+void RawReaderTest::refuses_data()
+{
+    QTest::addColumn<QByteArray>("file");
+    QTest::addColumn<ParameterValues>("values");
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<QList<QByteArray>>("words");
+    const QByteArray samples = testSamples(SampleType::UInt8);
+    const auto row = [&](const char* name, const QByteArray& file, const ParameterValues& values, ErrorKind kind,
+                         const QList<QByteArray>& words) {
+        QTest::newRow(name) << file << values << static_cast<int>(kind) << words;
+    };
+    const auto text = [](const char* id, const char* value) {
+        return std::pair<const std::string, ParameterValue>(id, std::string(value));
+    };
+    const auto size = text("size", "3x4x5");
+    const auto wrongUsage = ErrorKind::WrongUsage;
+    const auto badInput = ErrorKind::BadInput;
+    row("empty", "", {size}, badInput, {"empty"});
+    row("nothing described", samples, {}, wrongUsage, {"60 bytes", "size and type"});
+    row("a cube", QByteArray(32768, 1), {}, wrongUsage, {"32768 bytes", "--size 32x32x32 --type uint8"});
+    row("a cube after a header", QByteArray(32768 + 10, 1), {{"skip", std::int64_t(10)}}, wrongUsage,
+        {"--size 32x32x32 --type uint8"});
+    row("size with two numbers", samples, {text("size", "12x5")}, wrongUsage, {"'12x5'", "64x64x32"});
+    row("size with four numbers", samples, {text("size", "3x4x5x1")}, wrongUsage, {"'3x4x5x1'"});
+    row("size not whole", samples, {text("size", "3x4x5.0")}, wrongUsage, {"'3x4x5.0'"});
+    row("size negative", samples, {text("size", "3x-4x5")}, wrongUsage, {"'3x-4x5'"});
+    row("one slice", samples, {text("size", "12x5x1")}, badInput, {"12 x 5 x 1", "at least 2"});
+    row("absurd size", samples, {text("size", "4000000000x4000000000x4000000000")}, badInput,
+        {"more than any machine"});
+    row("unknown type", samples, {size, text("type", "number")}, wrongUsage, {"'number'", "uint8"});
+    row("int64", samples, {size, text("type", "int64")}, wrongUsage, {"int64", "double"});
+    row("unknown order", samples, {size, text("byte-order", "both")}, wrongUsage, {"'both'"});
+    row("spacing not understood", samples, {size, text("spacing", "1")}, wrongUsage, {"spacing '1'"});
+    row("spacing zero", samples, {size, text("spacing", "1x1x0")}, badInput, {"positive"});
+    row("spacing NaN", samples, {size, text("spacing", "1 1 nan")}, badInput, {"positive"});
+    row("origin infinite", samples, {size, text("origin", "0,0,inf")}, badInput, {"finite"});
+    row("skip negative", samples, {size, {"skip", std::int64_t(-1)}}, wrongUsage, {"negative"});
+    row("cut short", samples.left(59), {size}, badInput, {"60 bytes", "only 59 bytes"});
+    row("too long", samples + "x", {size}, badInput, {"60 bytes", "61", "1 too many"});
+    row("another type", samples, {size, text("type", "uint16")}, badInput, {"120 bytes", "only 60 bytes"});
+    row("skip too much", samples, {size, {"skip", std::int64_t(1)}}, badInput, {"only 59 bytes"});
+    row("skip beyond the end", samples, {size, {"skip", std::int64_t(1) << 60}}, badInput, {"only 0 bytes"});
+    QByteArray floats = testSamples(SampleType::Float32);
+    const float notANumber = std::numeric_limits<float>::quiet_NaN();
+    floats.replace(4, 4, reinterpret_cast<const char*>(&notANumber), 4);
+    row("NaN", floats, {size, text("type", "float")}, badInput, {"1 of its 60 samples", "(1, 0, 0)"});
+}
+
+void RawReaderTest::refuses()
+{
+    QFETCH(QByteArray, file);
+    QFETCH(ParameterValues, values);
+    QFETCH(int, kind);
+    QFETCH(QList<QByteArray>, words);
+    const Result<Dataset> dataset = LatticeReader().read(folder_.write("wrong.raw", file), values, {});
+    QVERIFY(!dataset.ok());
+    const QByteArray text = QByteArray::fromStdString(dataset.error().text);
+    QVERIFY2(static_cast<int>(dataset.error().kind) == kind, text);
+    QVERIFY2(text.contains("wrong.raw") && text.endsWith('.'), text);
+    for (const QByteArray& word : words)
+        QVERIFY2(text.contains(word), text);
+}
+
+void RawReaderTest::guesses_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<quint64>("bytes");
+    QTest::addColumn<QStringList>("texts");
+    const auto row = [](const char* name, quint64 bytes, const QStringList& texts) {
+        QTest::newRow(name) << name << bytes << texts;
+    };
+    row("bonsai_256x256x128_uint8.raw", 256 * 256 * 128, {"256x256x128 uint8"});
+    row("head.64x64x93-int16.raw", 64 * 64 * 93 * 2, {"64x64x93 int16"});
+    row("headed_64X64X93.raw", 64 * 64 * 93 * 4, {"64x64x93 float"});
+    row("wrong_10x10x10_uint8.raw", 41 * 41 * 41, {"41x41x41 uint8"});
+    row("cube.raw", 64 * 64 * 64,
+        {"64x64x64 uint8", "32x32x32 double", "128x128x16 uint8", "64x64x32 uint16", "64x64x16 float"});
+    row("prime.raw", 1000003, {});
+    row("empty.raw", 0, {});
+    row("huge.raw", ~quint64(0), {});
+}
+
+void RawReaderTest::guesses()
+{
+    QFETCH(QString, name);
+    QFETCH(quint64, bytes);
+    QFETCH(QStringList, texts);
+    QCOMPARE(guessTexts(name.toStdString(), bytes), texts);
+}
+
+void RawReaderTest::guessesFillTheFile()
+{
+    for (std::uint64_t bytes = 0; bytes < 3'000'000; bytes += 512) {
+        const std::vector<RawGuess> guesses = guessRawLayouts("x.raw", bytes);
+        QVERIFY(guesses.size() <= 5);
+        for (const RawGuess& guess : guesses)
+            QCOMPARE(std::uint64_t(guess.size[0]) * guess.size[1] * guess.size[2] * sampleSize(guess.type), bytes);
+    }
+}
+
+QTEST_GUILESS_MAIN(RawReaderTest)
+#include "raw_reader_test.moc"
