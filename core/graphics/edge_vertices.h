@@ -25,9 +25,9 @@ struct EdgeVertices {
 /// The largest number of corners that numberEdgeVertices can number.
 inline constexpr std::uint64_t largestCornerCount = 0xffffffff;
 
-/// Numbers the crossed edges. Corners are dealt by their edge to a fixed number of parts, each with a small hash table
-/// of its own: O(corners), on all threads, and the same numbering with any number of them. About 20 bytes a corner
-/// while it runs. May throw std::bad_alloc.
+/// Numbers the crossed edges: first inside each chunk, then what is left is dealt by hash to a fixed number of parts,
+/// so that every hash table fits the cache. O(corners), on all threads, and the same numbering with any number of them.
+/// Up to 30 bytes a corner while it runs. May throw std::bad_alloc.
 EdgeVertices numberEdgeVertices(const TetrahedralMesh& mesh, std::span<const CrossedChunk> chunks);
 
 } // namespace tetra

@@ -33,12 +33,6 @@ void forEachTile(const DrawList& list, const ScreenTriangle& triangle, const Til
                   static_cast<std::size_t>(column));
 }
 
-/// The first sample whose centre does not lie before this place.
-int sampleFrom(std::int32_t place)
-{
-    return (place + subsampleSteps / 2 - 1) >> subsampleBits;
-}
-
 } // namespace
 
 SampleRectangle TileGrid::tile(std::size_t index) const noexcept
@@ -46,17 +40,6 @@ SampleRectangle TileGrid::tile(std::size_t index) const noexcept
     const int left = static_cast<int>(index % static_cast<std::size_t>(columns())) * side;
     const int top = static_cast<int>(index / static_cast<std::size_t>(columns())) * side;
     return {left, top, std::min(left + side, width), std::min(top + side, height)};
-}
-
-SampleRectangle samplesUnder(const DrawList& list, const ScreenTriangle& triangle, const SampleRectangle& within)
-{
-    const ScreenVertex& a = list.vertices[triangle.vertices[0]];
-    const ScreenVertex& b = list.vertices[triangle.vertices[1]];
-    const ScreenVertex& c = list.vertices[triangle.vertices[2]];
-    return {std::max(within.left, sampleFrom(std::min({a.x, b.x, c.x}))),
-            std::max(within.top, sampleFrom(std::min({a.y, b.y, c.y}))),
-            std::min(within.right, sampleFrom(std::max({a.x, b.x, c.x}) + 1)),
-            std::min(within.bottom, sampleFrom(std::max({a.y, b.y, c.y}) + 1))};
 }
 
 TileBins::TileBins(const DrawList& list, const TileGrid& grid) : first_(grid.count() + 1, 0)

@@ -4,6 +4,7 @@
 #include "core/base/buffer.h"
 #include "core/graphics/cpu/draw_list.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -51,7 +52,22 @@ private:
     Buffer<std::uint32_t> triangles_;
 };
 
+/// The first sample whose centre does not lie before this place, which is in the vertices' steps.
+inline int sampleFrom(std::int32_t place) noexcept
+{
+    return (place + subsampleSteps / 2 - 1) >> subsampleBits;
+}
+
 /// The samples whose centres a triangle's bounding box holds, inside `within`; may be empty (right <= left).
-SampleRectangle samplesUnder(const DrawList& list, const ScreenTriangle& triangle, const SampleRectangle& within);
+inline SampleRectangle samplesUnder(const DrawList& list, const ScreenTriangle& triangle, const SampleRectangle& within)
+{
+    const ScreenVertex& a = list.vertices[triangle.vertices[0]];
+    const ScreenVertex& b = list.vertices[triangle.vertices[1]];
+    const ScreenVertex& c = list.vertices[triangle.vertices[2]];
+    return {std::max(within.left, sampleFrom(std::min({a.x, b.x, c.x}))),
+            std::max(within.top, sampleFrom(std::min({a.y, b.y, c.y}))),
+            std::min(within.right, sampleFrom(std::max({a.x, b.x, c.x}) + 1)),
+            std::min(within.bottom, sampleFrom(std::max({a.y, b.y, c.y}) + 1))};
+}
 
 } // namespace tetra
