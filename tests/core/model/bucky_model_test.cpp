@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Bucky Ball from end to end: refined, written, mapped, proved right at every level (R8, R13, R14, B3), with no
-// more sites than the paper's Table 2 and no more bytes than the format promises.
+// The Bucky Ball from end to end: refined, written, mapped, proved right at every level of the paper's Table 2 and
+// coarser ones (R8, R13, R14, B3), in no more bytes than the format promises.
 #include "core/base/checksum.h"
 #include "core/mesh/lattice_refinement.h"
 #include "core/model/model_writer.h"
