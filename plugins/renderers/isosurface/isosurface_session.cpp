@@ -74,7 +74,7 @@ Status IsosurfaceSession::extractMissing(std::span<const Isovalue> isovalues, co
         if (isShown(isovalue) && !surfaces_.contains(isovalue.value))
             missing.push_back(isovalue.value);
     std::ranges::sort(missing);
-    missing.erase(std::ranges::unique(missing).begin(), missing.end());
+    missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
     if (missing.empty())
         return {};
 
