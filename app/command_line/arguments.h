@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/command_line/syntax.h"
+#include "core/base/result.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace tetra {
+
+/// The words given to a subcommand, sorted by its syntax.
+struct Arguments {
+    std::vector<std::string> positionals;
+    std::vector<std::pair<std::string, std::string>> options; ///< name and value, as given
+
+    bool has(std::string_view name) const;
+    std::optional<std::string> value(std::string_view name) const;
+    std::vector<std::string> values(std::string_view name) const;
+};
+
+/// Takes "--name value", "--name=value", "-o value" and "--", after which nothing is an option. Errors (WrongUsage): an
+/// unknown option, with the nearest known one; a missing or superfluous value, option or word; an option given twice.
+Result<Arguments> parseArguments(const Syntax& syntax, std::span<const std::string> words);
+
+} // namespace tetra

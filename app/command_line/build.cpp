@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/datasets.h"
+#include "app/command_line/option_values.h"
+#include "app/command_line/plugin_options.h"
+#include "app/command_line/subcommands.h"
+#include "app/command_line/table.h"
+#include "plugins/host/model_building.h"
+#include "plugins/host/output_check.h"
+
+#include <QFile>
+
+#include <tbb/global_control.h>
+
+#include <array>
+
+namespace tetra {
+namespace {
+
+constexpr std::int64_t mostThreads = 1024;
+
+std::vector<Parameter> builderParameters(PluginHost& host)
+{
+    std::vector<Parameter> all;
+    for (const auto& builder : host.builders())
+        for (Parameter& parameter : builder.plugin->parameters())
+            all.push_back(std::move(parameter));
+    return all;
+}
+
+std::string builderIds(PluginHost& host)
+{
+    std::string ids;
+    for (const auto& builder : host.builders())
+        ids += (ids.empty() ? "" : "|") + builder.id;
+    return ids.empty() ? "ID" : ids;
+}
+
+/// Before anything long is done.
+Status checkOutputs(const std::filesystem::path& input, const std::filesystem::path& output)
+{
+    if (const Status distinct = checkOutput(output, std::array{input}); !distinct)
+        return distinct;
+    return checkModelOutput(output);
+}
+
+Outcome describe(const ModelBuild& build, const std::string& output)
+{
+    const BuildReport& report = build.report;
+    Outcome outcome;
+    outcome.figures = {{"model", QFile::decodeName(output.c_str())},
+                       {"builder", QString::fromStdString(build.builder)},
+                       {"sites", static_cast<qint64>(report.sites)},
+                       {"tetrahedra", static_cast<qint64>(report.tetrahedra)},
+                       {"seconds", build.seconds},
+                       {"peak_bytes", static_cast<qint64>(build.peakBytes)},
+                       {"inverted", static_cast<qint64>(report.inverted)},
+                       {"degenerate", static_cast<qint64>(report.degenerate)},
+                       {"bytes", static_cast<qint64>(build.fileBytes)}};
+    outcome.text = output + ": " + std::to_string(report.sites) + " sites, " + std::to_string(report.tetrahedra) +
+                   " tetrahedra in the history, " + byteText(build.fileBytes) + "\nbuilt by " + build.builder + " in " +
+                   rounded(build.seconds, 3) + " s, using at most " + byteText(build.peakBytes) + " of memory\n";
+    if (report.inverted + report.degenerate > 0)
+        outcome.text += std::to_string(report.inverted) + " cells inverted, " + std::to_string(report.degenerate) +
+                        " without volume\n";
+    return outcome;
+}
+
+} // namespace
+
+Syntax buildSyntax(PluginHost& host)
+{
+    Syntax syntax{
+        .purpose = "build a multiresolution model from a dataset",
+        .explanation = "The model holds the whole history of the mesh, coarse to fine, so that any accuracy can be had "
+                       "from it later without building again. The file appears when it is complete; when the build is "
+                       "cancelled or fails, nothing is left and an older model of that name stays as it was.",
+        .positionals = {{"IN", "The dataset: " + std::string("a file that one of the readers knows.")}},
+        .options = {outputOption("MODEL", "The model to write, by habit with the ending .tan."),
+                    {.name = "builder",
+                     .placeholder = builderIds(host),
+                     .explanation = "Who builds.",
+                     .byDefault = "the one that suits the dataset best"},
+                    {.name = "threads",
+                     .placeholder = "N",
+                     .explanation = "The most threads to use.",
+                     .byDefault = "as many as the machine has"}},
+        .examples = {{"tan build engine.nrrd -o engine.tan", "Everything, down to an error of 0."},
+                     {"tan build engine.nrrd --error 0.5 -o engine.tan", "A smaller model, exact to 0.5 %."}}};
+    addPluginOptions(syntax, builderParameters(host));
+    addPluginOptions(syntax, readerParameters(host));
+    return syntax;
+}
+
+Result<Outcome> runBuild(const Invocation& invocation)
+{
+    const Arguments& arguments = invocation.arguments;
+    const std::string& input = arguments.positionals[0];
+    const std::string output = *arguments.value("output");
+    const auto threads = wholeNumberOption(arguments, "threads", 0, 1, mostThreads);
+    if (!threads)
+        return threads.error();
+    std::optional<tbb::global_control> limit;
+    if (*threads > 0)
+        limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*threads));
+    if (const Status safe = checkOutputs(input, output); !safe)
+        return safe.error();
+
+    const auto dataset = openDatasetWithOptions(invocation, input, invocation.progress.part(0, 0.05));
+    if (!dataset)
+        return dataset.error();
+    const auto builder = chooseBuilder(invocation.host, *dataset, arguments.value("builder"));
+    if (!builder)
+        return builder.error();
+    const auto parameters = builder->plugin->parameters();
+    if (const Status known = checkPluginOptions(arguments, builderParameters(invocation.host), parameters,
+                                                "builder '" + builder->id + "'");
+        !known)
+        return known.error();
+    const auto values = pluginValues(arguments, parameters);
+    if (!values)
+        return values.error();
+    const auto build =
+        buildModel(invocation.host, *dataset, builder->id, *values, output, invocation.progress.part(0.05, 1));
+    if (!build)
+        return build.error();
+    return describe(*build, output);
+}
+
+} // namespace tetra

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/command_line.h"
+
+#include "app/command_line/help.h"
+#include "app/command_line/nearest.h"
+#include "app/command_line/progress_line.h"
+#include "app/command_line/subcommand.h"
+
+#include <QJsonDocument>
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <new>
+
+namespace tetra {
+namespace {
+
+const Subcommand* findSubcommand(std::string_view name)
+{
+    const auto found = std::ranges::find(subcommands(), name, &Subcommand::name);
+    return found == subcommands().end() ? nullptr : &*found;
+}
+
+int exitCode(ErrorKind kind)
+{
+    switch (kind) {
+    case ErrorKind::WrongUsage: return 2;
+    case ErrorKind::BadInput: return 3;
+    case ErrorKind::CannotWrite:
+    case ErrorKind::OutOfResource: return 4;
+    case ErrorKind::Cancelled: break;
+    }
+    return 130;
+}
+
+int fail(const Streams& streams, const Error& error)
+{
+    streams.messages << "tan: " << error.text << std::endl;
+    return exitCode(error.kind);
+}
+
+/// Standard output may be a file on a full disk: then nothing was said, and that is an error.
+int print(const Streams& streams, const std::string& text, int code)
+{
+    streams.output << text << std::flush;
+    if (!streams.output)
+        return fail(streams, {ErrorKind::CannotWrite, "Standard output cannot be written. Is its disk full?"});
+    return code;
+}
+
+std::string wholeHelp(PluginHost& host)
+{
+    std::vector<std::pair<std::string, std::string>> purposes;
+    for (const Subcommand& subcommand : subcommands())
+        purposes.emplace_back(subcommand.name, subcommand.syntax(host).purpose);
+    return programHelp(purposes);
+}
+
+void addCommonOptions(Syntax& syntax)
+{
+    syntax.options.push_back(
+        {.name = "json", .placeholder = "", .explanation = "Print one JSON object instead of text."});
+    syntax.options.push_back({.name = "help", .placeholder = "", .explanation = "Print this text.", .letter = 'h'});
+}
+
+Error unknownSubcommand(const std::string& word)
+{
+    std::vector<std::string> names;
+    std::ranges::transform(subcommands(), std::back_inserter(names),
+                           [](const Subcommand& subcommand) { return std::string(subcommand.name); });
+    const auto meant = nearest(word, names);
+    return {ErrorKind::WrongUsage, "'" + word + "' is neither a subcommand nor a file." +
+                                       (meant ? " Did you mean '" + *meant + "'?" : "") + " 'tan --help' lists them."};
+}
+
+Result<Outcome> runGuarded(const Subcommand& subcommand, const Invocation& invocation)
+{
+    try {
+        return subcommand.run(invocation);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorKind::OutOfResource, "The memory of this machine is not enough for this."};
+    } catch (const std::exception& problem) {
+        return Error{ErrorKind::BadInput, std::string("This failed unexpectedly: ") + problem.what()};
+    }
+}
+
+int runSubcommand(const Subcommand& subcommand, std::span<const std::string> words, PluginHost& host,
+                  const Streams& streams, const std::stop_token& stop)
+{
+    Syntax syntax = subcommand.syntax(host);
+    addCommonOptions(syntax);
+    if (std::ranges::any_of(words, [](const std::string& word) { return word == "--help" || word == "-h"; }))
+        return print(streams, subcommandHelp(subcommand.name, syntax), 0);
+    const auto arguments = parseArguments(syntax, words);
+    if (!arguments)
+        return fail(streams, {arguments.error().kind, arguments.error().text + " 'tan " + std::string(subcommand.name) +
+                                                          " --help' explains it."});
+
+    ProgressLine line(streams.messages, streams.messagesAreTerminal);
+    const Progress progress = line.progress(stop);
+    const auto outcome = runGuarded(subcommand, {*arguments, host, progress});
+    line.clear();
+    if (!outcome)
+        return fail(streams, outcome.error());
+    const std::string text = arguments->has("json")
+                                 ? QJsonDocument(outcome->figures).toJson(QJsonDocument::Indented).toStdString()
+                                 : outcome->text;
+    return print(streams, text, outcome->isYes ? 0 : 1);
+}
+
+} // namespace
+
+bool isForWindow(std::span<const std::string> words)
+{
+    if (words.empty())
+        return true;
+    std::error_code problem;
+    return words.size() == 1 && !words[0].starts_with('-') && findSubcommand(words[0]) == nullptr &&
+           std::filesystem::exists(words[0], problem);
+}
+
+int runCommandLine(std::span<const std::string> words, PluginHost& host, const Streams& streams,
+                   const std::stop_token& stop)
+{
+    const std::string first = words.empty() ? "--help" : words[0];
+    if (first == "--help" || first == "-h" || first == "help")
+        return print(streams, wholeHelp(host), 0);
+    if (first == "--version")
+        return print(streams, "tan " TAN_VERSION "\n", 0);
+    const Subcommand* subcommand = findSubcommand(first);
+    if (subcommand == nullptr)
+        return fail(streams, unknownSubcommand(first));
+    return runSubcommand(*subcommand, words.subspan(1), host, streams, stop);
+}
+
+} // namespace tetra

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugins/host/plugin_host.h"
+
+#include <ostream>
+#include <span>
+#include <stop_token>
+#include <string>
+
+namespace tetra {
+
+/// Where a run of the command line writes.
+struct Streams {
+    std::ostream& output;   ///< figures, and nothing else
+    std::ostream& messages; ///< progress and errors
+    bool messagesAreTerminal = false;
+};
+
+/// Does what `words` (without the program's name) say and gives the exit code: docs/command-line.md. Never throws.
+int runCommandLine(std::span<const std::string> words, PluginHost& host, const Streams& streams,
+                   const std::stop_token& stop = {});
+
+/// Whether `words` ask for the window: none at all, or one that is a file and no subcommand.
+bool isForWindow(std::span<const std::string> words);
+
+} // namespace tetra

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/datasets.h"
+#include "app/command_line/option_values.h"
+#include "app/command_line/plugin_options.h"
+#include "app/command_line/subcommands.h"
+#include "app/command_line/table.h"
+#include "core/model/model.h"
+#include "plugins/host/input_file.h"
+
+#include <QJsonArray>
+
+namespace tetra {
+namespace {
+
+QString toQString(const std::string& text)
+{
+    return QString::fromStdString(text);
+}
+
+QJsonObject provenanceFigures(const ModelDescription& description)
+{
+    QJsonObject parameters;
+    for (const auto& [id, value] : description.parameters)
+        parameters[toQString(id)] = toQString(value);
+    return {{"builder", toQString(description.builder)},
+            {"parameters", parameters},
+            {"source", toQString(description.sourceName)}};
+}
+
+std::string provenanceText(const ModelDescription& description)
+{
+    std::string text = "built by " + description.builder + " from " + description.sourceName;
+    for (const auto& [id, value] : description.parameters)
+        text += ", " + id + " " + value;
+    return text + "\n";
+}
+
+Result<Outcome> describeModel(const std::string& path, const std::vector<Accuracy>& levels)
+{
+    const auto opened = Model::open(path);
+    if (!opened)
+        return opened.error();
+    const Model& model = **opened;
+    const ModelDescription& description = model.description();
+
+    QJsonArray list;
+    std::vector<std::vector<std::string>> rows = {{"error %", "sites", "tetrahedra", "reached %"}};
+    for (const Accuracy& level : levels) {
+        const MeshSize size = meshSizeAt(model, level);
+        list.append(QJsonObject{{"error", level.error},
+                                {"warping", 0},
+                                {"sites", static_cast<qint64>(size.sites)},
+                                {"tetrahedra", static_cast<qint64>(size.tetrahedra)},
+                                {"reached", size.error}});
+        rows.push_back(
+            {rounded(level.error), std::to_string(size.sites), std::to_string(size.tetrahedra), rounded(size.error)});
+    }
+    if (const Status intact = model.checkIntact(); !intact)
+        return intact.error();
+
+    Outcome outcome;
+    outcome.figures = latticeFigures(description.lattice, description.sampleType, description.range);
+    for (const auto& [key, value] : provenanceFigures(description).toVariantMap().asKeyValueRange())
+        outcome.figures[key] = QJsonValue::fromVariant(value);
+    outcome.figures["sites"] = static_cast<qint64>(model.siteCount());
+    outcome.figures["tetrahedra"] = static_cast<qint64>(model.tetrahedronCount());
+    outcome.figures["bytes"] = static_cast<qint64>(model.fileSize());
+    outcome.figures["levels"] = list;
+    outcome.text = path + ": model of a " +
+                   latticeText(description.lattice, description.sampleType, description.range) + "\n" +
+                   provenanceText(description) + std::to_string(model.siteCount()) + " sites, " +
+                   std::to_string(model.tetrahedronCount()) + " tetrahedra in the history, " +
+                   byteText(model.fileSize()) + "\n\n" + table(rows);
+    return outcome;
+}
+
+Result<Outcome> describeDataset(const Invocation& invocation, const std::string& path)
+{
+    const auto dataset = openDatasetWithOptions(invocation, path, invocation.progress);
+    if (!dataset)
+        return dataset.error();
+    std::error_code problem;
+    const auto bytes = std::filesystem::file_size(path, problem);
+    const auto range = dataset->values.range();
+    Outcome outcome{.figures = latticeFigures(dataset->lattice, dataset->values.type(), range),
+                    .text = path + ": " + latticeText(dataset->lattice, dataset->values.type(), range) + "\n"};
+    outcome.figures["bytes"] = static_cast<qint64>(problem ? 0 : bytes);
+    return outcome;
+}
+
+} // namespace
+
+Syntax infoSyntax(PluginHost& host)
+{
+    Syntax syntax{.purpose = "say what a model or a dataset holds",
+                  .explanation =
+                      "Of a model: its domain, how it was made, and the size of the mesh at each level of "
+                      "detail. The sizes are looked up, not counted, so this is quick for models of any size. "
+                      "Of a dataset: its size, its type and its range of values.",
+                  .positionals = {{"FILE", "A model, or a dataset that one of the readers knows."}},
+                  .options = {levelsOption()},
+                  .examples = {{"tan info engine.tan --lod 1,.5,.1", "The meshes at three accuracies."},
+                               {"tan info engine.nrrd --json", "A dataset, for a program."}}};
+    addPluginOptions(syntax, readerParameters(host));
+    return syntax;
+}
+
+Result<Outcome> runInfo(const Invocation& invocation)
+{
+    const std::string& path = invocation.arguments.positionals[0];
+    const auto levels = levelsOf(invocation.arguments);
+    if (!levels)
+        return levels.error();
+    if (!isModelFile(path))
+        return describeDataset(invocation, path);
+    if (const Status known =
+            checkPluginOptions(invocation.arguments, readerParameters(invocation.host), {}, "model '" + path + "'");
+        !known)
+        return known.error();
+    return describeModel(path, *levels);
+}
+
+} // namespace tetra

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/graphics/isosurface.h"
+
+#include "app/command_line/model_mesh.h"
+#include "app/command_line/option_values.h"
+#include "app/command_line/ply_file.h"
+#include "app/command_line/subcommands.h"
+#include "app/command_line/table.h"
+#include "core/base/number_text.h"
+#include "plugins/host/output_check.h"
+
+#include <QFile>
+
+#include <array>
+#include <chrono>
+#include <limits>
+
+namespace tetra {
+namespace {
+
+Result<std::vector<double>> isovaluesOf(const Arguments& arguments)
+{
+    std::vector<double> isovalues;
+    for (const std::string& list : arguments.values("value")) {
+        constexpr double most = std::numeric_limits<double>::max();
+        const auto some = parseNumbers("value", list, -most, most);
+        if (!some)
+            return some.error();
+        isovalues.insert(isovalues.end(), some->begin(), some->end());
+    }
+    return isovalues;
+}
+
+/// A surface of a value that the data do not have is empty, which is hardly what was meant.
+Status checkInRange(const std::vector<double>& isovalues, const ValueRange& range)
+{
+    for (const double isovalue : isovalues)
+        if (isovalue < range.minimum || isovalue > range.maximum)
+            return Error{ErrorKind::WrongUsage, "The data have no value " + formatNumber(isovalue) +
+                                                    ": they lie between " + formatNumber(range.minimum) + " and " +
+                                                    formatNumber(range.maximum) + "."};
+    return {};
+}
+
+Status checkName(const std::filesystem::path& output)
+{
+    if (output.extension() == ".ply")
+        return {};
+    return Error{ErrorKind::WrongUsage,
+                 "'" + output.string() + "' does not end in .ply, the one format in which surfaces are written."};
+}
+
+Result<std::vector<ValuedSurface>> extractAll(const TetrahedralMesh& mesh, const std::vector<double>& isovalues,
+                                              const Progress& progress)
+{
+    const auto gradients = vertexGradients(mesh);
+    std::vector<ValuedSurface> surfaces;
+    for (std::size_t index = 0; index < isovalues.size(); ++index) {
+        const double share = 1.0 / static_cast<double>(isovalues.size());
+        const double begin = share * static_cast<double>(index);
+        auto surface = extractIsosurface(mesh, gradients, isovalues[index], progress.part(begin, begin + share));
+        if (!surface)
+            return surface.error();
+        surfaces.push_back({isovalues[index], *std::move(surface)});
+    }
+    return surfaces;
+}
+
+} // namespace
+
+Syntax isosurfaceSyntax(PluginHost&)
+{
+    return {.purpose = "write isosurfaces of a model as a triangle mesh",
+            .explanation =
+                "Marching tetrahedra over the mesh of the accuracy asked for: closed but for the domain's "
+                "boundary, with shared vertices and smooth normals. The file is binary PLY; each vertex has a "
+                "position, a normal and the isovalue that it belongs to.",
+            .positionals = {{"MODEL", "The model."}},
+            .options = {{.name = "value",
+                         .placeholder = "V[,V2...]",
+                         .explanation = "The isovalues, in units of the data.",
+                         .repeatable = true,
+                         .required = true},
+                        errorOption(),
+                        outputOption("FILE.ply", "The file to write.")},
+            .examples = {
+                {"tan isosurface engine.tan --error 0.5 --value 100,180 -o engine.ply", "Two surfaces in one file."}}};
+}
+
+Result<Outcome> runIsosurface(const Invocation& invocation)
+{
+    const Arguments& arguments = invocation.arguments;
+    const std::filesystem::path input = arguments.positionals[0];
+    const std::filesystem::path output = *arguments.value("output");
+    const auto accuracy = accuracyOption(arguments);
+    if (!accuracy)
+        return accuracy.error();
+    const auto isovalues = isovaluesOf(arguments);
+    if (!isovalues)
+        return isovalues.error();
+    if (const Status named = checkName(output); !named)
+        return named.error();
+    if (const Status safe = checkOutput(output, std::array{input}); !safe)
+        return safe.error();
+
+    const auto start = std::chrono::steady_clock::now();
+    const auto shown = openModelMesh(input, *accuracy, invocation.progress.part(0, 0.3));
+    if (!shown)
+        return shown.error();
+    if (const Status inRange = checkInRange(*isovalues, shown->model->description().range); !inRange)
+        return inRange.error();
+    const auto surfaces = extractAll(*shown->mesh, *isovalues, invocation.progress.part(0.3, 0.8));
+    if (!surfaces)
+        return surfaces.error();
+    if (const Status written = writePly(output, *surfaces, invocation.progress.part(0.8, 1)); !written)
+        return written.error();
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+
+    std::size_t vertices = 0;
+    std::size_t triangles = 0;
+    for (const ValuedSurface& surface : *surfaces) {
+        vertices += surface.mesh.positions.size();
+        triangles += surface.mesh.triangles.size();
+    }
+    return Outcome{.figures = {{"file", QFile::decodeName(output.c_str())},
+                               {"vertices", static_cast<qint64>(vertices)},
+                               {"triangles", static_cast<qint64>(triangles)},
+                               {"sites", static_cast<qint64>(shown->size.sites)},
+                               {"tetrahedra", static_cast<qint64>(shown->size.tetrahedra)},
+                               {"seconds", elapsed.count()}},
+                   .text = output.string() + ": " + std::to_string(vertices) + " vertices, " +
+                           std::to_string(triangles) + " triangles from " + std::to_string(shown->size.tetrahedra) +
+                           " tetrahedra, in " + rounded(elapsed.count(), 3) + " s\n"};
+}
+
+} // namespace tetra

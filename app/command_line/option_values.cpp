@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/option_values.h"
+
+#include "core/base/number_text.h"
+
+namespace tetra {
+namespace {
+
+constexpr std::string_view defaultLevels = "4,3,2,1,.5,.2,.1,0";
+constexpr double defaultError = 1;
+
+template <class T> std::string text(T number)
+{
+    return formatNumber(static_cast<double>(number));
+}
+
+template <class T>
+Result<T> parseBounded(std::string_view option, std::string_view given, T least, T most, std::string_view what)
+{
+    const auto number = parseNumber<T>(given);
+    if (number && *number >= least && *number <= most) // a NaN is not
+        return *number;
+    return Error{ErrorKind::WrongUsage, "'" + std::string(given) + "' does not fit '--" + std::string(option) +
+                                            "': it takes " + std::string(what) + " from " + text(least) + " to " +
+                                            text(most) + "."};
+}
+
+} // namespace
+
+Result<double> numberOption(const Arguments& arguments, std::string_view name, double byDefault, double least,
+                            double most)
+{
+    const auto given = arguments.value(name);
+    return given ? parseBounded<double>(name, *given, least, most, "a number") : byDefault;
+}
+
+Result<std::int64_t> wholeNumberOption(const Arguments& arguments, std::string_view name, std::int64_t byDefault,
+                                       std::int64_t least, std::int64_t most)
+{
+    const auto given = arguments.value(name);
+    return given ? parseBounded<std::int64_t>(name, *given, least, most, "a whole number") : byDefault;
+}
+
+Result<std::vector<double>> parseNumbers(std::string_view option, std::string_view list, double least, double most)
+{
+    std::vector<double> numbers;
+    for (;;) {
+        const auto end = list.find(',');
+        const auto number =
+            parseBounded<double>(option, list.substr(0, end), least, most, "numbers, separated by commas,");
+        if (!number)
+            return number.error();
+        numbers.push_back(*number);
+        if (end == std::string_view::npos)
+            return numbers;
+        list.remove_prefix(end + 1);
+    }
+}
+
+Option errorOption()
+{
+    return {.name = "error",
+            .placeholder = "PERCENT",
+            .explanation = "The largest error that the mesh may have, in % of the data's range of values; 0 takes the "
+                           "finest mesh.",
+            .byDefault = formatNumber(defaultError)};
+}
+
+Result<Accuracy> accuracyOption(const Arguments& arguments)
+{
+    const auto error = numberOption(arguments, "error", defaultError, 0, 100);
+    if (!error)
+        return error.error();
+    return Accuracy{.error = *error};
+}
+
+Option levelsOption()
+{
+    return {.name = "lod",
+            .placeholder = "LIST",
+            .explanation = "The levels of detail: errors in % of the data's range of values, separated by commas.",
+            .byDefault = std::string(defaultLevels)};
+}
+
+Result<std::vector<Accuracy>> levelsOf(const Arguments& arguments)
+{
+    const auto errors = parseNumbers("lod", arguments.value("lod").value_or(std::string(defaultLevels)), 0, 100);
+    if (!errors)
+        return errors.error();
+    std::vector<Accuracy> levels;
+    for (const double error : *errors)
+        levels.push_back({.error = error});
+    return levels;
+}
+
+Option outputOption(std::string placeholder, std::string explanation, bool required)
+{
+    return {.name = "output",
+            .placeholder = std::move(placeholder),
+            .explanation = std::move(explanation),
+            .letter = 'o',
+            .required = required};
+}
+
+} // namespace tetra

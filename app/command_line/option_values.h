@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/command_line/arguments.h"
+#include "core/model/extraction.h"
+
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+namespace tetra {
+
+/// The number that an option has, or `byDefault`. Errors (WrongUsage) name the option and its bounds.
+Result<double> numberOption(const Arguments& arguments, std::string_view name, double byDefault, double least,
+                            double most);
+Result<std::int64_t> wholeNumberOption(const Arguments& arguments, std::string_view name, std::int64_t byDefault,
+                                       std::int64_t least, std::int64_t most);
+
+/// Numbers separated by commas: "4,3,.5".
+Result<std::vector<double>> parseNumbers(std::string_view option, std::string_view text, double least, double most);
+
+/// --error, the accuracy of a query in % of the value range.
+Option errorOption();
+Result<Accuracy> accuracyOption(const Arguments& arguments);
+
+/// --lod, the levels of detail to tell of.
+Option levelsOption();
+Result<std::vector<Accuracy>> levelsOf(const Arguments& arguments);
+
+/// --output, -o.
+Option outputOption(std::string placeholder, std::string explanation, bool required = true);
+
+} // namespace tetra

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/plugin_options.h"
+
+#include "plugins/host/parameter_text.h"
+
+#include <algorithm>
+
+namespace tetra {
+namespace {
+
+bool isSwitch(const Parameter& parameter)
+{
+    return std::holds_alternative<bool>(parameter.defaultValue);
+}
+
+bool isOnByDefault(const Parameter& parameter)
+{
+    return isSwitch(parameter) && std::get<bool>(parameter.defaultValue);
+}
+
+bool isList(const Parameter& parameter)
+{
+    return std::holds_alternative<std::vector<Isovalue>>(parameter.defaultValue);
+}
+
+std::string optionName(const Parameter& parameter)
+{
+    if (isOnByDefault(parameter))
+        return "no-" + parameter.id;
+    if (isList(parameter) && parameter.id.ends_with('s'))
+        return parameter.id.substr(0, parameter.id.size() - 1);
+    return parameter.id;
+}
+
+std::string placeholder(const Parameter& parameter)
+{
+    if (isSwitch(parameter))
+        return "";
+    if (isList(parameter))
+        return "V[:COLOUR[:OPACITY]]";
+    if (!parameter.choices.empty()) {
+        std::string choices;
+        for (const std::string& choice : parameter.choices)
+            choices += (choices.empty() ? "" : "|") + choice;
+        return choices;
+    }
+    return std::holds_alternative<std::string>(parameter.defaultValue) ? "TEXT" : "NUMBER";
+}
+
+Option optionOf(const Parameter& parameter)
+{
+    Option option{.name = optionName(parameter),
+                  .placeholder = placeholder(parameter),
+                  .explanation = parameter.explanation,
+                  .repeatable = isList(parameter)};
+    if (isOnByDefault(parameter))
+        option.explanation = "Not: " + parameter.explanation;
+    if (!parameter.unit.empty())
+        option.explanation += " In " + parameter.unit + ".";
+    if (!isSwitch(parameter) && !isList(parameter))
+        option.byDefault = parameterText(parameter.defaultValue);
+    return option;
+}
+
+Result<ParameterValue> parseOption(const Arguments& arguments, const Parameter& parameter, const std::string& name)
+{
+    if (isSwitch(parameter))
+        return ParameterValue(!isOnByDefault(parameter));
+    std::string text;
+    for (const std::string& value : arguments.values(name))
+        text += (text.empty() ? "" : ",") + value;
+    return parseParameter(parameter, text);
+}
+
+} // namespace
+
+void addPluginOptions(Syntax& syntax, const std::vector<Parameter>& parameters)
+{
+    for (const Parameter& parameter : parameters)
+        if (std::ranges::find(syntax.options, optionName(parameter), &Option::name) == syntax.options.end())
+            syntax.options.push_back(optionOf(parameter));
+}
+
+Result<ParameterValues> pluginValues(const Arguments& arguments, const std::vector<Parameter>& parameters)
+{
+    ParameterValues values;
+    for (const Parameter& parameter : parameters) {
+        const std::string name = optionName(parameter);
+        if (!arguments.has(name))
+            continue;
+        const auto value = parseOption(arguments, parameter, name);
+        if (!value)
+            return value.error();
+        values[parameter.id] = *value;
+    }
+    return values;
+}
+
+Status checkPluginOptions(const Arguments& arguments, const std::vector<Parameter>& all,
+                          const std::vector<Parameter>& used, const std::string& owner)
+{
+    for (const Parameter& parameter : all)
+        if (arguments.has(optionName(parameter)) && std::ranges::find(used, parameter.id, &Parameter::id) == used.end())
+            return Error{ErrorKind::WrongUsage, "The " + owner + " has no option '--" + optionName(parameter) + "'."};
+    return {};
+}
+
+} // namespace tetra

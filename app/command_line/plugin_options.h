@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/command_line/arguments.h"
+#include "plugins/api/parameter.h"
+
+#include <vector>
+
+namespace tetra {
+
+/// Adds an option for each parameter, unless one of that name is there already: "--id VALUE"; "--id" for a truth value
+/// that is false by default, "--no-id" for one that is true; one option a time, repeated, for isovalues ("--isovalue"
+/// for the parameter "isovalues").
+void addPluginOptions(Syntax& syntax, const std::vector<Parameter>& parameters);
+
+/// The values that the arguments give to these parameters. The error names the option and what it takes.
+Result<ParameterValues> pluginValues(const Arguments& arguments, const std::vector<Parameter>& parameters);
+
+/// An error (WrongUsage) if the arguments hold an option made from one of the parameters in `all` that is not one of
+/// those in `used`. `owner` is whose parameters those are: "builder 'refinement'".
+Status checkPluginOptions(const Arguments& arguments, const std::vector<Parameter>& all,
+                          const std::vector<Parameter>& used, const std::string& owner);
+
+} // namespace tetra

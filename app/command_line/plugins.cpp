@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/subcommands.h"
+#include "app/command_line/table.h"
+
+#include <QJsonArray>
+
+namespace tetra {
+namespace {
+
+/// Loading tells whether the libraries that a plugin needs are there; the metadata alone do not.
+void loadAll(PluginHost& host)
+{
+    host.builders();
+    host.renderers();
+    host.readers();
+    host.writers();
+}
+
+QString toQString(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+} // namespace
+
+Syntax pluginsSyntax(PluginHost&)
+{
+    return {.purpose = "list the plugins, and what is wrong with those that cannot be used",
+            .explanation =
+                "Every plugin found is loaded to see whether all that it needs is there. A plugin that cannot "
+                "be used is named with the reason and the remedy; it does not keep the program from working.",
+            .positionals = {},
+            .options = {},
+            .examples = {{"tan plugins", "All plugins, a line each."}}};
+}
+
+Result<Outcome> runPlugins(const Invocation& invocation)
+{
+    loadAll(invocation.host);
+    Outcome outcome;
+    QJsonArray list;
+    std::string errors;
+    std::vector<std::vector<std::string>> rows = {{"kind", "id", "version", "state"}};
+    for (const PluginStatus& plugin : invocation.host.plugins()) {
+        const PluginMetadata& metadata = plugin.metadata;
+        const std::string kind(plugin.hasMetadata ? pluginKindName(metadata.kind) : "unknown");
+        const std::string version = plugin.hasMetadata ? toText(metadata.version) : "";
+        list.append(QJsonObject{{"id", toQString(metadata.id)},
+                                {"kind", toQString(kind)},
+                                {"version", toQString(version)},
+                                {"state", toQString(pluginStateName(plugin.state))},
+                                {"error", toQString(plugin.error)},
+                                {"name", toQString(metadata.name)},
+                                {"file", toQString(plugin.path.string())}});
+        rows.push_back({kind, metadata.id, version, std::string(pluginStateName(plugin.state))});
+        if (!plugin.error.empty())
+            errors += "\n" + metadata.id + " (" + plugin.path.string() + "): " + plugin.error + "\n";
+    }
+    outcome.figures = {{"plugins", list}};
+    outcome.text = table(rows) + errors + "\nSearched in:\n";
+    for (const auto& folder : invocation.host.folders())
+        outcome.text += "  " + folder.string() + "\n";
+    return outcome;
+}
+
+} // namespace tetra

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/graphics/picture.h"
+
+#include <filesystem>
+
+namespace tetra {
+
+/// Writes a picture as PNG, safely (FileWriter).
+Status writePng(const std::filesystem::path& path, const Picture& picture);
+
+} // namespace tetra

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/datasets.h"
+#include "app/command_line/option_values.h"
+#include "app/command_line/plugin_options.h"
+#include "app/command_line/subcommands.h"
+#include "app/command_line/table.h"
+#include "core/data/analytic_fields.h"
+#include "plugins/host/dataset_saving.h"
+
+#include <QFile>
+#include <QJsonArray>
+
+#include <algorithm>
+
+namespace tetra {
+namespace {
+
+constexpr std::int64_t defaultSize = 64;
+constexpr std::array<SampleType, 8> sampleTypes = {SampleType::UInt8,   SampleType::Int8,   SampleType::UInt16,
+                                                   SampleType::Int16,   SampleType::UInt32, SampleType::Int32,
+                                                   SampleType::Float32, SampleType::Float64};
+
+std::string typeNames()
+{
+    std::string names;
+    for (const SampleType type : sampleTypes)
+        names += (names.empty() ? "" : "|") + std::string(sampleTypeName(type));
+    return names;
+}
+
+std::vector<Parameter> writerParameters(PluginHost& host)
+{
+    std::vector<Parameter> all;
+    for (const auto& writer : host.writers())
+        for (Parameter& parameter : writer.plugin->parameters())
+            all.push_back(std::move(parameter));
+    return all;
+}
+
+Outcome listOfSamples()
+{
+    QJsonArray list;
+    std::string text;
+    for (const SampleKind& kind : sampleKinds()) {
+        const std::string name(kind.name);
+        const std::string description(kind.description);
+        list.append(
+            QJsonObject{{"name", QString::fromStdString(name)}, {"description", QString::fromStdString(description)}});
+        text += name + "\n    " + description + "\n";
+    }
+    return {.figures = {{"samples", list}}, .text = text};
+}
+
+Result<SampleRequest> requestOf(const Arguments& arguments)
+{
+    SampleRequest request;
+    request.name = arguments.positionals[0];
+    const auto size = wholeNumberOption(arguments, "size", defaultSize, smallestSampleSize, largestSampleSize);
+    if (!size)
+        return size.error();
+    request.size = static_cast<std::uint32_t>(*size);
+    const auto seed = wholeNumberOption(arguments, "seed", 1, 0, std::int64_t(1) << 53);
+    if (!seed)
+        return seed.error();
+    request.seed = static_cast<std::uint64_t>(*seed);
+    if (const auto given = arguments.value("type")) {
+        const auto type = std::ranges::find(sampleTypes, *given, sampleTypeName);
+        if (type == sampleTypes.end())
+            return Error{ErrorKind::WrongUsage,
+                         "'" + *given + "' does not fit '--type': it takes " + typeNames() + "."};
+        request.type = *type;
+    }
+    return request;
+}
+
+} // namespace
+
+Syntax sampleSyntax(PluginHost& host)
+{
+    std::string names;
+    for (const SampleKind& kind : sampleKinds())
+        names += (names.empty() ? "" : ", ") + std::string(kind.name);
+    Syntax syntax{
+        .purpose = "make a dataset from a formula, to try things without data",
+        .explanation =
+            "The dataset is a cube of samples with values from 0 to 1, or over the whole range of an integer "
+            "type. It is the same on every machine.",
+        .positionals = {{"NAME", "Which one: " + names + ".", false}},
+        .options =
+            {outputOption("FILE", "The file to write; its ending says the format.", false),
+             {.name = "size",
+              .placeholder = "N",
+              .explanation = "Samples along each axis, " + std::to_string(smallestSampleSize) + " to " +
+                             std::to_string(largestSampleSize) + ".",
+              .byDefault = std::to_string(defaultSize)},
+             {.name = "type",
+              .placeholder = typeNames(),
+              .explanation = "The type of the samples.",
+              .byDefault = "the sample's own"},
+             {.name = "seed", .placeholder = "N", .explanation = "Another noise for each number.", .byDefault = "1"},
+             {.name = "list", .placeholder = "", .explanation = "Only say which samples there are."}},
+        .examples = {{"tan sample c60 --size 64 -o c60.nrrd", "The electrons around a ball of sixty carbon atoms."},
+                     {"tan sample --list", "What there is."}}};
+    addPluginOptions(syntax, writerParameters(host));
+    return syntax;
+}
+
+Result<Outcome> runSample(const Invocation& invocation)
+{
+    const Arguments& arguments = invocation.arguments;
+    if (arguments.has("list"))
+        return listOfSamples();
+    const auto output = arguments.value("output");
+    if (arguments.positionals.empty() || !output)
+        return Error{ErrorKind::WrongUsage,
+                     "Both NAME and '-o FILE' are wanted: tan sample c60 -o c60.nrrd. 'tan sample "
+                     "--list' says which samples there are."};
+    const auto request = requestOf(arguments);
+    if (!request)
+        return request.error();
+    const auto values = pluginValues(arguments, writerParameters(invocation.host));
+    if (!values)
+        return values.error();
+    const auto dataset = makeSample(*request, invocation.progress.part(0, 0.7));
+    if (!dataset)
+        return dataset.error();
+    if (const Status saved = saveDataset(invocation.host, *dataset, *output, *values, invocation.progress.part(0.7, 1));
+        !saved)
+        return saved.error();
+
+    const auto range = dataset->values.range();
+    Outcome outcome{.figures = latticeFigures(dataset->lattice, dataset->values.type(), range),
+                    .text = *output + ": " + latticeText(dataset->lattice, dataset->values.type(), range) + "\n"};
+    outcome.figures["file"] = QFile::decodeName(output->c_str());
+    outcome.figures["name"] = QString::fromStdString(arguments.positionals[0]);
+    return outcome;
+}
+
+} // namespace tetra

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/command_line/arguments.h"
+#include "core/base/progress.h"
+#include "plugins/host/plugin_host.h"
+
+#include <QJsonObject>
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace tetra {
+
+/// What a subcommand gets.
+struct Invocation {
+    const Arguments& arguments;
+    PluginHost& host;
+    const Progress& progress;
+};
+
+/// What a subcommand gives: the same figures twice, for programs (--json) and for people.
+struct Outcome {
+    QJsonObject figures;
+    std::string text;  ///< lines
+    bool isYes = true; ///< the answer, of a subcommand that is a question
+};
+
+/// Something that `tan` does. The syntax is asked for first; it may depend on the plugins that are there.
+struct Subcommand {
+    std::string_view name;
+    Syntax (*syntax)(PluginHost& host);
+    Result<Outcome> (*run)(const Invocation& invocation);
+};
+
+/// All of them, in the order of the help.
+std::span<const Subcommand> subcommands();
+
+} // namespace tetra

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/subcommands.h"
+
+#include <array>
+
+namespace tetra {
+
+std::span<const Subcommand> subcommands()
+{
+    static constexpr std::array<Subcommand, 7> all = {{
+        {"sample", sampleSyntax, runSample},
+        {"build", buildSyntax, runBuild},
+        {"info", infoSyntax, runInfo},
+        {"verify", verifySyntax, runVerify},
+        {"isosurface", isosurfaceSyntax, runIsosurface},
+        {"render", renderSyntax, runRender},
+        {"plugins", pluginsSyntax, runPlugins},
+    }};
+    return all;
+}
+
+} // namespace tetra

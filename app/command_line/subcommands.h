@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/command_line/subcommand.h"
+
+/// One source for each, of the same name.
+namespace tetra {
+
+Syntax sampleSyntax(PluginHost& host);
+Result<Outcome> runSample(const Invocation& invocation);
+
+Syntax buildSyntax(PluginHost& host);
+Result<Outcome> runBuild(const Invocation& invocation);
+
+Syntax infoSyntax(PluginHost& host);
+Result<Outcome> runInfo(const Invocation& invocation);
+
+Syntax verifySyntax(PluginHost& host);
+Result<Outcome> runVerify(const Invocation& invocation);
+
+Syntax isosurfaceSyntax(PluginHost& host);
+Result<Outcome> runIsosurface(const Invocation& invocation);
+
+Syntax renderSyntax(PluginHost& host);
+Result<Outcome> runRender(const Invocation& invocation);
+
+Syntax pluginsSyntax(PluginHost& host);
+Result<Outcome> runPlugins(const Invocation& invocation);
+
+} // namespace tetra

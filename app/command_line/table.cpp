@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/table.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace tetra {
+
+std::string table(const std::vector<std::vector<std::string>>& rows)
+{
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows) {
+        widths.resize(std::max(widths.size(), row.size()));
+        for (std::size_t column = 0; column < row.size(); ++column)
+            widths[column] = std::max(widths[column], row[column].size());
+    }
+    std::string text;
+    for (const auto& row : rows) {
+        for (std::size_t column = 0; column < row.size(); ++column)
+            text += std::string(widths[column] - row[column].size() + 2, ' ') + row[column];
+        text += '\n';
+    }
+    return text;
+}
+
+std::string rounded(double number, int digits)
+{
+    char text[64];
+    const auto [end, problem] = std::to_chars(text, text + sizeof text, number, std::chars_format::general, digits);
+    return problem == std::errc() ? std::string(text, end) : std::string();
+}
+
+std::string byteText(std::uint64_t bytes)
+{
+    constexpr const char* units[] = {"bytes", "kB", "MB", "GB", "TB"};
+    auto number = static_cast<double>(bytes);
+    std::size_t unit = 0;
+    while (number >= 999.5 && unit + 1 < std::size(units)) {
+        number /= 1000;
+        ++unit;
+    }
+    return rounded(number, 3) + " " + units[unit];
+}
+
+} // namespace tetra

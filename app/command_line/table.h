@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tetra {
+
+/// Rows of cells as text in columns, aligned to the right, the first row being the heads. Rows have equally many cells.
+std::string table(const std::vector<std::vector<std::string>>& rows);
+
+/// The number with at most `digits` significant digits, whatever the locale: for people, not for programs.
+std::string rounded(double number, int digits = 4);
+
+/// "1.5 MB".
+std::string byteText(std::uint64_t bytes);
+
+} // namespace tetra

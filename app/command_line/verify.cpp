@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/datasets.h"
+#include "app/command_line/option_values.h"
+#include "app/command_line/plugin_options.h"
+#include "app/command_line/subcommands.h"
+#include "app/command_line/table.h"
+#include "core/model/verification.h"
+
+#include <QJsonArray>
+
+#include <algorithm>
+
+namespace tetra {
+namespace {
+
+QJsonArray toJson(const std::vector<std::string>& texts)
+{
+    QJsonArray list;
+    for (const std::string& text : texts)
+        list.append(QString::fromStdString(text));
+    return list;
+}
+
+QJsonObject levelFigures(const LevelVerdict& level)
+{
+    return {{"error", level.asked.error},
+            {"warping", 0},
+            {"ok", level.ok()},
+            {"conforming", level.conforming},
+            {"covers", level.covers},
+            {"inverted", static_cast<qint64>(level.inverted)},
+            {"largest_error", level.largestError},
+            {"largest_warping", level.largestWarping},
+            {"sites", static_cast<qint64>(level.sites)},
+            {"tetrahedra", static_cast<qint64>(level.tetrahedra)},
+            {"failures", toJson(level.failures)}};
+}
+
+std::vector<std::string> levelRow(const LevelVerdict& level)
+{
+    const auto yes = [](bool answer) { return std::string(answer ? "yes" : "NO"); };
+    return {
+        rounded(level.asked.error), yes(level.ok()),   std::to_string(level.sites),    std::to_string(level.tetrahedra),
+        yes(level.conforming),      yes(level.covers), std::to_string(level.inverted), rounded(level.largestError)};
+}
+
+/// Each failure once, with all levels that it is true of.
+std::string failureText(const Verdict& verdict)
+{
+    std::string text;
+    for (const std::string& failure : verdict.failures)
+        text += "\n" + failure;
+    std::vector<std::pair<std::string, std::string>> levelsOfFailures;
+    for (const LevelVerdict& level : verdict.levels)
+        for (const std::string& failure : level.failures) {
+            const auto known =
+                std::ranges::find(levelsOfFailures, failure, [](const auto& entry) { return entry.first; });
+            if (known == levelsOfFailures.end())
+                levelsOfFailures.emplace_back(failure, rounded(level.asked.error));
+            else
+                known->second += ", " + rounded(level.asked.error);
+        }
+    for (const auto& [failure, levels] : levelsOfFailures)
+        text += "\nat " + levels + " %: " + failure;
+    return text.empty() ? text : text + "\n";
+}
+
+Outcome describe(const Verdict& verdict, const std::string& path)
+{
+    Outcome outcome;
+    QJsonArray levels;
+    std::vector<std::vector<std::string>> rows = {
+        {"error %", "ok", "sites", "tetrahedra", "conforming", "covers", "inverted", "largest error %"}};
+    for (const LevelVerdict& level : verdict.levels) {
+        levels.append(levelFigures(level));
+        rows.push_back(levelRow(level));
+    }
+    outcome.isYes = verdict.ok();
+    outcome.figures = {{"ok", verdict.ok()}, {"failures", toJson(verdict.failures)}, {"levels", levels}};
+    outcome.text =
+        path + (verdict.ok() ? ": proved\n\n" : ": NOT what it claims to be\n\n") + table(rows) + failureText(verdict);
+    return outcome;
+}
+
+} // namespace
+
+Syntax verifySyntax(PluginHost& host)
+{
+    Syntax syntax{
+        .purpose = "prove that a model is what it claims to be",
+        .explanation =
+            "Checks with code of its own, for each level of detail: every face of the mesh belongs to two "
+            "cells or to the hull, the cells fill the domain exactly, none is flat or inverted, and the error "
+            "at every sample of the original data is at most the one claimed. Also the file itself: its "
+            "checksums, its structure, and its values against the original ones.",
+        .positionals = {{"MODEL", "The model."}},
+        .options = {{.name = "against",
+                     .placeholder = "IN",
+                     .explanation = "The dataset that the model was built from.",
+                     .required = true},
+                    levelsOption()},
+        .examples = {{"tan verify engine.tan --against engine.nrrd", "All usual levels."},
+                     {"tan verify engine.tan --against engine.nrrd --lod 1 --json", "One level, for a program."}}};
+    addPluginOptions(syntax, readerParameters(host));
+    return syntax;
+}
+
+Result<Outcome> runVerify(const Invocation& invocation)
+{
+    const std::string& path = invocation.arguments.positionals[0];
+    const auto levels = levelsOf(invocation.arguments);
+    if (!levels)
+        return levels.error();
+    const auto model = Model::open(path);
+    if (!model)
+        return model.error();
+    const auto original =
+        openDatasetWithOptions(invocation, *invocation.arguments.value("against"), invocation.progress.part(0, 0.05));
+    if (!original)
+        return original.error();
+    const auto verdict = verify(**model, *original, *levels, invocation.progress.part(0.05, 1));
+    if (!verdict)
+        return verdict.error();
+    return describe(*verdict, path);
+}
+
+} // namespace tetra

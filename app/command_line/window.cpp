@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/window.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include <unistd.h>
+
+namespace tetra {
+
+Error startWindow(char** argumentsOfProgram)
+{
+    std::error_code problem;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", problem);
+    const auto desktop = program.parent_path() / "tan-desktop";
+    execv(desktop.c_str(), argumentsOfProgram);
+    return {ErrorKind::OutOfResource, "The window program '" + desktop.string() +
+                                          "' cannot be started: " + std::strerror(errno) +
+                                          ". Install it, or see 'tan --help' for what works "
+                                          "without it."};
+}
+
+} // namespace tetra
