@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/sample_files.h"
+
+#include "core/data/analytic_fields.h"
+#include "core/model/model_writer.h"
+
+#include <QtGlobal>
+
+#include <fstream>
+
+namespace tetra {
+namespace {
+
+/// Tests cannot go on without their samples.
+template <class Value> Value require(Result<Value> result)
+{
+    if (!result)
+        qFatal("%s", result.error().text.c_str());
+    return *std::move(result);
+}
+
+} // namespace
+
+std::unique_ptr<PluginHost> hostOfThisBuild()
+{
+    PluginHostOptions options;
+    options.folders = {TAN_BINARY_DIR "/lib/tan/plugins"};
+    return std::make_unique<PluginHost>(options);
+}
+
+Dataset sampleDataset(std::uint32_t size)
+{
+    SampleRequest request;
+    request.size = size;
+    request.type = SampleType::UInt8;
+    return require(makeSample(request));
+}
+
+std::filesystem::path writeNrrd(const Dataset& dataset, const std::filesystem::path& folder)
+{
+    const std::filesystem::path path = folder / "c60.nrrd";
+    std::ofstream file(path, std::ios::binary);
+    const auto& size = dataset.lattice.size;
+    file << "NRRD0004\ntype: " << sampleTypeName(dataset.values.type()) << "\ndimension: 3\nsizes: " << size[0] << ' '
+         << size[1] << ' ' << size[2] << "\nspacings: 1 1 1\nendian: little\nencoding: raw\n\n";
+    const auto bytes = dataset.values.bytes();
+    file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    return path;
+}
+
+std::filesystem::path buildSampleModel(PluginHost& host, const Dataset& dataset, const std::filesystem::path& folder,
+                                       double errorPercent)
+{
+    const auto builder = require(host.builder("refinement"));
+    const std::filesystem::path path = folder / "c60.tan";
+    ModelDescription description;
+    description.builder = builder.id;
+    const auto writer = require(ModelWriter::create(path, dataset, description));
+    require(builder.plugin->build(dataset, {{"error", errorPercent}}, *writer, {}));
+    return path;
+}
+
+} // namespace tetra

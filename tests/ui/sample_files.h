@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/data/dataset.h"
+#include "core/model/model.h"
+#include "plugins/host/plugin_host.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace tetra {
+
+/// A host of the plugins of this build.
+std::unique_ptr<PluginHost> hostOfThisBuild();
+
+/// The c60 sample with size^3 points of 8 bits.
+Dataset sampleDataset(std::uint32_t size);
+
+/// Writes the dataset as an NRRD file with its samples inside. Returns its path.
+std::filesystem::path writeNrrd(const Dataset& dataset, const std::filesystem::path& folder);
+
+/// Builds the dataset's model by the refinement builder, down to `errorPercent`. Returns its path.
+std::filesystem::path buildSampleModel(PluginHost& host, const Dataset& dataset, const std::filesystem::path& folder,
+                                       double errorPercent = 0);
+
+} // namespace tetra

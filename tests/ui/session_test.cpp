@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/graphics/palette.h"
+#include "tests/ui/sample_files.h"
+#include "ui/session/session.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace tetra;
+
+/// What the window's logic says without any window: accuracy (R14, R26), isovalues (R19), undo.
+class SessionTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init();
+    void sizeFollowsTheAccuracyAndNeedsNoExtraction();
+    void opensAtAnAccuracyThatIsQuickToDraw();
+    void everyEditIsOneStepAndUndoRestoresIt();
+    void aDragIsOneStep();
+    void aDragThatEndsWhereItBeganIsNoStep();
+    void twoDragsAreTwoSteps();
+    void nothingIsAcceptedOutsideTheRange();
+    void newIsovaluesFillTheWidestGapInFreeColours();
+    void openingAnotherModelForgetsTheEdits();
+    void withoutAModelNothingCanBeEdited();
+
+private:
+    QTemporaryDir folder_;
+    std::unique_ptr<PluginHost> host_;
+    std::shared_ptr<const Model> model_;
+    std::unique_ptr<Session> session_;
+};
+
+void SessionTest::initTestCase()
+{
+    host_ = hostOfThisBuild();
+    const auto path = buildSampleModel(*host_, sampleDataset(24), folder_.path().toStdString());
+    const auto model = Model::open(path);
+    QVERIFY2(model.ok(), model ? "" : model.error().text.c_str());
+    model_ = *model;
+}
+
+void SessionTest::init()
+{
+    session_ = std::make_unique<Session>();
+    session_->open(model_, {Isovalue{100}});
+}
+
+void SessionTest::sizeFollowsTheAccuracyAndNeedsNoExtraction()
+{
+    for (const double percent : {4.0, 1.0, 0.1, 0.0}) {
+        session_->setError(percent);
+        const auto mesh = extractPrefix(*model_, session_->meshSize().sites);
+        QVERIFY(mesh.ok());
+        QCOMPARE(mesh->tetrahedra.size(), session_->meshSize().tetrahedra);
+        QVERIFY(session_->meshSize().error <= percent);
+    }
+    QCOMPARE(session_->meshSize().sites, model_->siteCount());
+}
+
+void SessionTest::opensAtAnAccuracyThatIsQuickToDraw()
+{
+    QCOMPARE(session_->view().error(), 1.0);
+    QVERIFY(session_->meshSize().tetrahedra <= 1'000'000);
+}
+
+void SessionTest::everyEditIsOneStepAndUndoRestoresIt()
+{
+    QUndoStack& stack = session_->undoStack();
+    session_->setError(2);
+    session_->addIsovalue(50);
+    Isovalue changed = session_->view().isovalues()[1];
+    changed.opacity = 0.5F;
+    session_->setIsovalue(1, changed);
+    session_->removeIsovalue(0);
+    QCOMPARE(stack.count(), 4);
+    QCOMPARE(session_->view().isovalues(), std::vector<Isovalue>{changed});
+
+    stack.undo();
+    QCOMPARE(session_->view().isovalueCount(), 2);
+    QCOMPARE(session_->view().isovalues()[0], Isovalue{100});
+    stack.undo();
+    QCOMPARE(session_->view().isovalues()[1].opacity, 1.0F);
+    stack.undo();
+    QCOMPARE(session_->view().isovalueCount(), 1);
+    stack.undo();
+    QCOMPARE(session_->view().error(), 1.0);
+    for (int i = 0; i < 4; ++i)
+        stack.redo();
+    QCOMPARE(session_->view().error(), 2.0);
+    QCOMPARE(session_->view().isovalues(), std::vector<Isovalue>{changed});
+}
+
+void SessionTest::aDragIsOneStep()
+{
+    session_->beginGesture();
+    for (const double percent : {0.9, 0.8, 0.7})
+        session_->setError(percent);
+    session_->endGesture();
+    QCOMPARE(session_->undoStack().count(), 1);
+    QCOMPARE(session_->view().error(), 0.7);
+    session_->undoStack().undo();
+    QCOMPARE(session_->view().error(), 1.0);
+
+    session_->beginGesture();
+    for (const double value : {101, 102, 103})
+        session_->setIsovalue(0, Isovalue{value});
+    session_->endGesture();
+    QCOMPARE(session_->undoStack().count(), 1);
+    session_->undoStack().undo();
+    QCOMPARE(session_->view().isovalues()[0].value, 100.0);
+}
+
+void SessionTest::aDragThatEndsWhereItBeganIsNoStep()
+{
+    session_->beginGesture();
+    session_->setError(0.5);
+    session_->setError(1);
+    session_->endGesture();
+    QCOMPARE(session_->undoStack().count(), 0);
+    QVERIFY(!session_->undoStack().canUndo());
+}
+
+void SessionTest::twoDragsAreTwoSteps()
+{
+    for (const double percent : {0.5, 2.0}) {
+        session_->beginGesture();
+        session_->setError(percent);
+        session_->endGesture();
+    }
+    session_->setError(3);
+    session_->setError(4);
+    QCOMPARE(session_->undoStack().count(), 4);
+}
+
+void SessionTest::nothingIsAcceptedOutsideTheRange()
+{
+    session_->setError(-1);
+    QCOMPARE(session_->view().error(), 0.0);
+    session_->setError(1000);
+    QCOMPARE(session_->view().error(), 100.0);
+    Isovalue isovalue;
+    isovalue.value = 1e9;
+    isovalue.opacity = 0;
+    session_->setIsovalue(0, isovalue);
+    QCOMPARE(session_->view().isovalues()[0].value, session_->range().maximum);
+    QCOMPARE(session_->view().isovalues()[0].opacity, 0.01F);
+    session_->removeIsovalue(7);
+    session_->setIsovalue(-1, isovalue);
+    QCOMPARE(session_->view().isovalueCount(), 1);
+}
+
+void SessionTest::newIsovaluesFillTheWidestGapInFreeColours()
+{
+    session_->open(model_, {});
+    const ValueRange range = session_->range();
+    for (int i = 0; i < 9; ++i)
+        session_->addIsovalue();
+    const auto& isovalues = session_->view().isovalues();
+    QCOMPARE(isovalues[0].value, (range.minimum + range.maximum) / 2);
+    for (std::size_t i = 0; i < isovalues.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            QVERIFY(isovalues[i].value != isovalues[j].value);
+            if (i < 7)
+                QVERIFY(isovalues[i].red != isovalues[j].red || isovalues[i].green != isovalues[j].green ||
+                        isovalues[i].blue != isovalues[j].blue);
+        }
+    // A colour that becomes free is taken again.
+    session_->removeIsovalue(0);
+    while (session_->view().isovalueCount() > 3)
+        session_->removeIsovalue(3);
+    session_->addIsovalue();
+    QCOMPARE(session_->view().isovalues()[3].red, distinctColour(0).red);
+}
+
+void SessionTest::openingAnotherModelForgetsTheEdits()
+{
+    session_->setError(2);
+    session_->open(model_, {});
+    QCOMPARE(session_->undoStack().count(), 0);
+    QCOMPARE(session_->view().isovalueCount(), 0);
+}
+
+void SessionTest::withoutAModelNothingCanBeEdited()
+{
+    session_->close();
+    session_->setError(2);
+    session_->addIsovalue();
+    QCOMPARE(session_->undoStack().count(), 0);
+    QCOMPARE(session_->meshSize().sites, 0U);
+}
+
+QTEST_GUILESS_MAIN(SessionTest)
+#include "session_test.moc"

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/work/latest_job.h"
+#include "ui/work/long_task.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <atomic>
+#include <latch>
+
+using namespace tetra;
+
+/// How work leaves the GUI thread: the newest request wins, cancelled ones drop, progress and remaining time are told.
+class WorkTest : public QObject {
+    Q_OBJECT
+private slots:
+    void theNewestJobWins();
+    void aRunningJobIsAskedToStop();
+    void aPatientJobIsFinishedFirst();
+    void patienceEnds();
+    void destroyingStopsTheJob();
+    void aTaskTellsProgressAndItsEnd();
+    void aCancelledTaskStillEnds();
+    void aReplacedTaskDoesNotTellItsEnd();
+};
+
+namespace {
+
+/// Runs until it is told to stop.
+void untilStopped(const std::stop_token& stop)
+{
+    std::mutex mutex;
+    std::unique_lock lock(mutex);
+    std::condition_variable_any().wait(lock, stop, [] { return false; });
+}
+
+} // namespace
+
+void WorkTest::theNewestJobWins()
+{
+    LatestJob jobs;
+    std::latch begun(1);
+    std::latch goOn(1);
+    std::atomic<int> sum = 0;
+    jobs.submit([&](const std::stop_token&) {
+        begun.count_down();
+        goOn.wait();
+        sum += 1;
+    });
+    begun.wait();
+    jobs.submit([&](const std::stop_token&) { sum += 10; });
+    jobs.submit([&](const std::stop_token&) { sum += 100; });
+    goOn.count_down();
+    QTRY_COMPARE(sum.load(), 101);
+}
+
+void WorkTest::aRunningJobIsAskedToStop()
+{
+    LatestJob jobs;
+    std::atomic<int> stopped = 0;
+    std::latch begun(1);
+    jobs.submit([&](const std::stop_token& stop) {
+        begun.count_down();
+        untilStopped(stop);
+        ++stopped;
+    });
+    begun.wait();
+    jobs.submit([&](const std::stop_token&) { ++stopped; });
+    QTRY_COMPARE(stopped.load(), 2);
+}
+
+void WorkTest::aPatientJobIsFinishedFirst()
+{
+    LatestJob jobs;
+    std::atomic<bool> wasStopped = true;
+    std::atomic<bool> next = false;
+    std::latch begun(1);
+    std::latch goOn(1);
+    jobs.submit(
+        [&](const std::stop_token& stop) {
+            begun.count_down();
+            goOn.wait();
+            wasStopped = stop.stop_requested();
+        },
+        std::chrono::hours(1));
+    begun.wait();
+    jobs.submit([&](const std::stop_token&) { next = true; });
+    goOn.count_down();
+    QTRY_VERIFY(next);
+    QVERIFY(!wasStopped);
+}
+
+void WorkTest::patienceEnds()
+{
+    LatestJob jobs;
+    std::atomic<bool> next = false;
+    std::latch begun(1);
+    jobs.submit(
+        [&](const std::stop_token& stop) {
+            begun.count_down();
+            untilStopped(stop);
+        },
+        std::chrono::milliseconds(20));
+    begun.wait();
+    jobs.submit([&](const std::stop_token&) { next = true; });
+    QTRY_VERIFY(next);
+}
+
+void WorkTest::destroyingStopsTheJob()
+{
+    std::atomic<bool> ended = false;
+    {
+        LatestJob jobs;
+        std::latch begun(1);
+        jobs.submit([&](const std::stop_token& stop) {
+            begun.count_down();
+            untilStopped(stop);
+            ended = true;
+        });
+        begun.wait();
+    }
+    QVERIFY(ended);
+}
+
+void WorkTest::aTaskTellsProgressAndItsEnd()
+{
+    LongTask task;
+    QSignalSpy progressed(&task, &LongTask::progressed);
+    QSignalSpy finished(&task, &LongTask::finished);
+    std::latch goOn(1);
+    bool done = false;
+    task.start([&](const Progress& progress) -> std::function<void()> {
+        progress.report(0.5, "Counting");
+        goOn.wait();
+        return [&] { done = true; };
+    });
+    QVERIFY(task.running());
+    QTRY_VERIFY(!progressed.empty() && progressed.last()[0].value<TaskProgress>().fraction == 0.5);
+    QCOMPARE(progressed.last()[0].value<TaskProgress>().activity, QString("Counting"));
+    goOn.count_down();
+    QTRY_VERIFY(done);
+    QCOMPARE(finished.count(), 1);
+    QVERIFY(!task.running());
+}
+
+void WorkTest::aCancelledTaskStillEnds()
+{
+    LongTask task;
+    bool wasCancelled = false;
+    task.start([&](const Progress& progress) -> std::function<void()> {
+        while (!progress.cancelled())
+            std::this_thread::yield();
+        return [&, cancelled = progress.cancelled()] { wasCancelled = cancelled; };
+    });
+    task.cancel();
+    QTRY_VERIFY(wasCancelled);
+}
+
+void WorkTest::aReplacedTaskDoesNotTellItsEnd()
+{
+    LongTask task;
+    QSignalSpy finished(&task, &LongTask::finished);
+    int told = 0;
+    for (const int number : {1, 2})
+        task.start(
+            [&told, number](const Progress&) -> std::function<void()> { return [&told, number] { told += number; }; });
+    QTRY_COMPARE(told, 2);
+    QCOMPARE(finished.count(), 1);
+}
+
+QTEST_GUILESS_MAIN(WorkTest)
+#include "work_test.moc"

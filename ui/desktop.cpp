@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/desktop.h"
+
+#include "ui/widgets/icons.h"
+#include "ui/window/main_window.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QLibraryInfo>
+#include <QTranslator>
+
+#include <clocale>
+#include <map>
+#include <optional>
+
+namespace tetra {
+namespace {
+
+class Desktop {
+    Q_DECLARE_TR_FUNCTIONS(Desktop)
+};
+
+void loadTranslations(QApplication& application, QTranslator& ours, QTranslator& ofQt)
+{
+    if (ofQt.load(QLocale(), "qtbase", "_", QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+        QCoreApplication::installTranslator(&ofQt);
+    if (ours.load(QLocale(), "tan", "_", ":/i18n"))
+        application.installTranslator(&ours);
+}
+
+std::optional<BackendChoice> backendNamed(const QString& name)
+{
+    static const std::map<QString, BackendChoice> names{
+        {"auto", BackendChoice::Automatic}, {"cpu", BackendChoice::Cpu}, {"gl", BackendChoice::Gl}};
+    const auto found = names.find(name);
+    return found == names.end() ? std::nullopt : std::optional(found->second);
+}
+
+} // namespace
+
+int runDesktop(int argc, char** argv)
+{
+    QApplication application(argc, argv);
+    // QApplication takes over the user's locale; libraries that read or write numbers must not see its decimal comma.
+    std::setlocale(LC_NUMERIC, "C");
+    QCoreApplication::setOrganizationName("TAn");
+    QCoreApplication::setApplicationName("TAn");
+    QCoreApplication::setApplicationVersion(TAN_VERSION);
+    QApplication::setWindowIcon(programIcon());
+    QTranslator ours;
+    QTranslator ofQt;
+    loadTranslations(application, ours, ofQt);
+
+    QCommandLineParser parser;
+    parser.setApplicationDescription(Desktop::tr("Shows volume data at any accuracy."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addOption({"backend", Desktop::tr("What draws the picture: auto, cpu or gl."), "name", "auto"});
+    parser.addPositionalArgument("file", Desktop::tr("A dataset or a .tan model to open."), "[file]");
+    parser.process(application);
+    const auto backend = backendNamed(parser.value("backend"));
+    if (!backend || parser.positionalArguments().size() > 1) {
+        fputs(qPrintable(parser.helpText()), stderr);
+        return 2;
+    }
+
+    const std::unique_ptr<PluginHost> host = PluginHost::standard();
+    Workbench workbench(*host);
+    MainWindow window(workbench, *backend);
+    window.show();
+    for (const QString& file : parser.positionalArguments())
+        window.open(file);
+    return QApplication::exec();
+}
+
+} // namespace tetra

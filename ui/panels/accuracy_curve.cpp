@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/accuracy_curve.h"
+
+#include "ui/session/number_text.h"
+
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetra {
+namespace {
+
+constexpr std::array<double, 6> labelledErrors{20, 4, 1, 0.2, 0.05, 0};
+constexpr std::array<double, 6> minorErrors{10, 2, 0.5, 0.1, 0.02, 0.01};
+constexpr double markRadius = 4.5;
+constexpr int tallest = 220; ///< more shows nothing more
+
+/// "10", "1k", "100k", "1M": the axis has no room for more.
+QString shortCount(double count)
+{
+    const QLocale locale;
+    if (count >= 1e9)
+        return AccuracyCurve::tr("%1G").arg(locale.toString(count / 1e9, 'g', 3));
+    if (count >= 1e6)
+        return AccuracyCurve::tr("%1M").arg(locale.toString(count / 1e6, 'g', 3));
+    if (count >= 1e3)
+        return AccuracyCurve::tr("%1k").arg(locale.toString(count / 1e3, 'g', 3));
+    return locale.toString(count, 'g', 3);
+}
+
+/// The decades that the sites axis spans, from a whole one to just above the most sites.
+struct Decades {
+    double first = 0;
+    double last = 3;
+};
+
+Decades decadesOf(const std::vector<CurvePoint>& points)
+{
+    if (points.empty())
+        return {};
+    const double first = std::floor(std::log10(std::max<double>(points.front().sites, 1)));
+    const double last = std::log10(std::max<double>(points.back().sites, 1)) + 0.1;
+    return {first, std::max(last, first + 1)};
+}
+
+QColor faded(const QColor& colour, double opacity)
+{
+    QColor result = colour;
+    result.setAlphaF(static_cast<float>(opacity));
+    return result;
+}
+
+} // namespace
+
+AccuracyCurve::AccuracyCurve(QWidget* parent) : QWidget(parent)
+{
+    setObjectName("accuracy.curve");
+    setFocusPolicy(Qt::StrongFocus);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    setMaximumHeight(tallest);
+    setCursor(Qt::CrossCursor);
+    setAccessibleName(tr("Sites against error"));
+    setToolTip(tr("Number of sites needed for each error. Click, drag or use the arrow keys to choose the accuracy."));
+}
+
+void AccuracyCurve::setCurve(std::vector<CurvePoint> points)
+{
+    points_ = std::move(points);
+    update();
+}
+
+void AccuracyCurve::setMarked(const CurvePoint& chosen)
+{
+    marked_ = chosen;
+    setAccessibleDescription(tr("%1 sites at an error of %2").arg(countText(chosen.sites), percentText(chosen.error)));
+    update();
+}
+
+int AccuracyCurve::leftMargin() const
+{
+    return fontMetrics().horizontalAdvance("100k") + 8;
+}
+
+int AccuracyCurve::rightMargin() const
+{
+    return 12;
+}
+
+QSize AccuracyCurve::sizeHint() const
+{
+    return {300, 200};
+}
+
+QSize AccuracyCurve::minimumSizeHint() const
+{
+    return {220, 120};
+}
+
+QRectF AccuracyCurve::plot() const
+{
+    const int line = fontMetrics().height();
+    return QRectF(rect()).adjusted(leftMargin(), line + 4, -rightMargin(), -2 * line - 6);
+}
+
+double AccuracyCurve::xOf(double percent) const
+{
+    return plot().left() + accuracyPosition(percent) * plot().width();
+}
+
+double AccuracyCurve::yOf(double sites) const
+{
+    const auto [first, last] = decadesOf(points_);
+    const double fraction = (std::log10(std::max(sites, 1.0)) - first) / (last - first);
+    return plot().bottom() - std::clamp(fraction, 0.0, 1.0) * plot().height();
+}
+
+void AccuracyCurve::chooseAt(double x)
+{
+    emit chosen(accuracyAt(std::clamp((x - plot().left()) / plot().width(), 0.0, 1.0)));
+}
+
+void AccuracyCurve::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton)
+        chooseAt(event->position().x());
+}
+
+void AccuracyCurve::mouseMoveEvent(QMouseEvent* event)
+{
+    if (event->buttons().testFlag(Qt::LeftButton))
+        chooseAt(event->position().x());
+}
+
+void AccuracyCurve::wheelEvent(QWheelEvent* event)
+{
+    if (const int steps = event->angleDelta().y() / 120; steps != 0)
+        emit chosen(steppedAccuracy(marked_.error, steps));
+}
+
+void AccuracyCurve::keyPressEvent(QKeyEvent* event)
+{
+    if (const auto accuracy = accuracyByKey(marked_.error, event->key()))
+        emit chosen(*accuracy);
+    else
+        QWidget::keyPressEvent(event);
+}
+
+void AccuracyCurve::paintEvent(QPaintEvent* event)
+{
+    Q_UNUSED(event);
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintAxes(painter);
+    if (points_.empty())
+        return;
+    paintCurve(painter);
+    paintMark(painter);
+}
+
+void AccuracyCurve::paintAxes(QPainter& painter) const
+{
+    const QRectF area = plot();
+    const QColor text = palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::WindowText);
+    const int line = fontMetrics().height();
+    painter.fillRect(area, palette().color(QPalette::Base));
+
+    painter.setPen(QPen(faded(text, 0.12), 1));
+    for (const double error : minorErrors)
+        painter.drawLine(QPointF(xOf(error), area.top()), QPointF(xOf(error), area.bottom()));
+    for (const double error : labelledErrors) {
+        painter.setPen(QPen(faded(text, 0.12), 1));
+        painter.drawLine(QPointF(xOf(error), area.top()), QPointF(xOf(error), area.bottom()));
+        painter.setPen(text);
+        painter.drawText(QRectF(xOf(error) - 30, area.bottom() + 2, 60, line), Qt::AlignHCenter,
+                         QLocale().toString(error, 'g', 3));
+    }
+    const auto [first, last] = decadesOf(points_);
+    for (double decade = first; decade <= last; ++decade) {
+        const double y = yOf(std::pow(10.0, decade));
+        painter.setPen(QPen(faded(text, 0.12), 1));
+        painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+        painter.setPen(text);
+        painter.drawText(QRectF(0, y - line / 2.0, area.left() - 5, line), Qt::AlignRight | Qt::AlignVCenter,
+                         shortCount(std::pow(10.0, decade)));
+    }
+    painter.setPen(QPen(faded(text, 0.5), 1));
+    painter.drawLine(area.bottomLeft(), area.bottomRight());
+    painter.drawLine(area.bottomLeft(), area.topLeft());
+    painter.setPen(text);
+    painter.drawText(QRectF(0, 0, width(), line), Qt::AlignLeft, tr("Sites"));
+    painter.drawText(QRectF(area.left(), area.bottom() + line + 3, area.width(), line), Qt::AlignHCenter,
+                     tr("Error, % of the value range"));
+}
+
+void AccuracyCurve::paintCurve(QPainter& painter) const
+{
+    QPainterPath path(QPointF(xOf(points_.front().error), yOf(points_.front().sites)));
+    for (const CurvePoint& point : points_)
+        path.lineTo(xOf(point.error), yOf(point.sites));
+    QPainterPath below = path;
+    below.lineTo(plot().bottomRight());
+    below.lineTo(plot().bottomLeft());
+    const QColor colour = palette().color(QPalette::Highlight);
+    painter.fillPath(below, faded(colour, 0.12));
+    painter.setPen(QPen(colour, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPath(path);
+}
+
+void AccuracyCurve::paintMark(QPainter& painter) const
+{
+    const QPointF mark(xOf(marked_.error), yOf(marked_.sites));
+    const QColor text = palette().color(QPalette::WindowText);
+    painter.setPen(QPen(faded(text, 0.6), 1, Qt::DashLine));
+    painter.drawLine(QPointF(mark.x(), plot().bottom()), mark);
+    painter.drawLine(QPointF(plot().left(), mark.y()), mark);
+    painter.setPen(QPen(palette().color(QPalette::Base), 1.5));
+    painter.setBrush(hasFocus() ? palette().color(QPalette::Highlight) : text);
+    painter.drawEllipse(mark, markRadius, markRadius);
+    if (hasFocus()) {
+        painter.setPen(QPen(palette().color(QPalette::Highlight), 1));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    }
+}
+
+} // namespace tetra

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/accuracy_scale.h"
+
+#include <QWidget>
+
+namespace tetra {
+
+/// The curve of the paper's Fig. 10: sites against error, both logarithmic, with the chosen accuracy marked. Clicking,
+/// dragging, the wheel and the arrow keys choose another. Its error axis is that of accuracy_scale.h.
+class AccuracyCurve : public QWidget {
+    Q_OBJECT
+public:
+    explicit AccuracyCurve(QWidget* parent = nullptr);
+
+    /// `points` from coarse to fine, as sitesAgainstError() gives them; empty shows the axes only.
+    void setCurve(std::vector<CurvePoint> points);
+    void setMarked(const CurvePoint& chosen);
+    /// The distances of the error axis from the left and the right edge, so that a slider can be laid out along it.
+    int leftMargin() const;
+    int rightMargin() const;
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+signals:
+    /// By the user, in %.
+    void chosen(double percent);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    QRectF plot() const;
+    double xOf(double percent) const;
+    double yOf(double sites) const;
+    void chooseAt(double x);
+    void paintAxes(QPainter& painter) const;
+    void paintCurve(QPainter& painter) const;
+    void paintMark(QPainter& painter) const;
+
+    std::vector<CurvePoint> points_;
+    CurvePoint marked_;
+};
+
+} // namespace tetra

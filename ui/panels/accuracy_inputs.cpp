@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/accuracy_inputs.h"
+
+#include "ui/session/accuracy_scale.h"
+
+#include <QKeyEvent>
+#include <QSignalBlocker>
+#include <QStyle>
+#include <QStyleOptionSlider>
+#include <QWheelEvent>
+
+#include <cmath>
+
+namespace tetra {
+namespace {
+
+constexpr int sliderSteps = 1000;
+
+} // namespace
+
+AccuracySlider::AccuracySlider(QWidget* parent) : QSlider(Qt::Horizontal, parent)
+{
+    setObjectName("accuracy.slider");
+    setRange(0, sliderSteps);
+    setAccessibleName(tr("Error in percent of the value range"));
+    setToolTip(tr("Error in percent of the value range: coarse on the left, every sample exact on the right"));
+    connect(this, &QSlider::valueChanged, this,
+            [this](int position) { emit chosen(accuracyAt(static_cast<double>(position) / sliderSteps)); });
+}
+
+void AccuracySlider::setAccuracy(double percent)
+{
+    accuracy_ = percent;
+    const QSignalBlocker blocker(this);
+    setValue(static_cast<int>(std::lround(accuracyPosition(percent) * sliderSteps)));
+}
+
+int AccuracySlider::handleInset() const
+{
+    return style()->pixelMetric(QStyle::PM_SliderLength, nullptr, this) / 2;
+}
+
+void AccuracySlider::keyPressEvent(QKeyEvent* event)
+{
+    if (const auto percent = accuracyByKey(accuracy_, event->key()))
+        emit chosen(*percent);
+    else
+        QSlider::keyPressEvent(event);
+}
+
+void AccuracySlider::wheelEvent(QWheelEvent* event)
+{
+    if (const int steps = event->angleDelta().y() / 120; steps != 0)
+        emit chosen(steppedAccuracy(accuracy_, steps));
+    event->accept();
+}
+
+AccuracyBox::AccuracyBox(QWidget* parent) : QDoubleSpinBox(parent)
+{
+    setObjectName("accuracy.box");
+    setDecimals(4);
+    setRange(0, 100);
+    setSuffix(tr(" %"));
+    setAlignment(Qt::AlignRight);
+    setKeyboardTracking(false);
+    setAccessibleName(tr("Error in percent of the value range"));
+    setToolTip(tr("Error in percent of the value range"));
+    connect(this, &QDoubleSpinBox::valueChanged, this, &AccuracyBox::chosen);
+}
+
+void AccuracyBox::setAccuracy(double percent)
+{
+    const QSignalBlocker blocker(this);
+    setValue(percent);
+}
+
+QString AccuracyBox::textFromValue(double value) const
+{
+    return locale().toString(value, 'g', 4);
+}
+
+void AccuracyBox::stepBy(int steps)
+{
+    setValue(steppedAccuracy(value(), -steps));
+}
+
+AccuracyBox::StepEnabled AccuracyBox::stepEnabled() const
+{
+    StepEnabled steps;
+    steps.setFlag(StepUpEnabled, value() < coarsestOnScale);
+    steps.setFlag(StepDownEnabled, value() > 0);
+    return steps;
+}
+
+} // namespace tetra

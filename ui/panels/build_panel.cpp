@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/build_panel.h"
+
+#include "ui/panels/parameter_form.h"
+#include "ui/session/number_text.h"
+#include "ui/session/plugin_texts.h"
+#include "ui/session/target_path.h"
+#include "ui/widgets/icons.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStackedWidget>
+
+#include <cmath>
+
+namespace tetra {
+namespace {
+
+constexpr int barSteps = 1000;
+
+QLabel* wrappedLabel(const char* name, const QString& text = {})
+{
+    auto* label = new QLabel(text);
+    label->setObjectName(name);
+    label->setWordWrap(true);
+    return label;
+}
+
+QLabel* titleLabel(const char* name)
+{
+    QLabel* label = wrappedLabel(name);
+    QFont bold = label->font();
+    bold.setBold(true);
+    label->setFont(bold);
+    return label;
+}
+
+QString factsOf(const Dataset& dataset)
+{
+    const auto& size = dataset.lattice.size;
+    const ValueRange range = dataset.values.range();
+    const QLocale locale;
+    return BuildPanel::tr("%1 × %2 × %3 samples, %4, values %5 to %6")
+        .arg(size[0])
+        .arg(size[1])
+        .arg(size[2])
+        .arg(QString::fromUtf8(sampleTypeName(dataset.values.type())), locale.toString(range.minimum, 'g', 6),
+             locale.toString(range.maximum, 'g', 6));
+}
+
+} // namespace
+
+BuildPanel::BuildPanel(Workbench& workbench, QWidget* parent)
+    : QWidget(parent), workbench_(workbench), pages_(new QStackedWidget)
+{
+    setObjectName("build");
+    nothingPage_ = makeNothingPage();
+    describePage_ = makeDescribePage();
+    buildPage_ = makeBuildPage();
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(pages_);
+    for (QWidget* page : {nothingPage_, describePage_, buildPage_})
+        pages_->addWidget(page);
+    connectWorkbench();
+    showRunning(false);
+    showTarget();
+}
+
+QWidget* BuildPanel::makeNothingPage()
+{
+    QLabel* label = wrappedLabel("build.nothing", tr("Open a dataset to build a model of it."));
+    label->setAlignment(Qt::AlignTop);
+    return label;
+}
+
+QWidget* BuildPanel::makeDescribePage()
+{
+    rawFile_ = titleLabel("describe.file");
+    description_ = new ParameterForm("describe");
+    auto* read = new QPushButton(tr("&Read"));
+    read->setObjectName("describe.read");
+    read->setDefault(true);
+    connect(read, &QPushButton::clicked, this, [this] { workbench_.describe(description_->values()); });
+
+    auto* page = new QWidget;
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins({});
+    layout->addWidget(rawFile_);
+    layout->addWidget(
+        wrappedLabel("describe.text", tr("This file does not say how its samples are laid out. Describe it:")));
+    layout->addWidget(description_);
+    layout->addWidget(read);
+    layout->addStretch();
+    return page;
+}
+
+QWidget* BuildPanel::makeBuildPage()
+{
+    name_ = titleLabel("build.name");
+    facts_ = wrappedLabel("build.facts");
+    builder_ = new QComboBox;
+    builder_->setObjectName("build.builder");
+    builder_->setAccessibleName(tr("Builder"));
+    builder_->setToolTip(tr("How the model is built"));
+    reason_ = wrappedLabel("build.reason");
+    reason_->setForegroundRole(QPalette::PlaceholderText);
+    options_ = new ParameterForm("build.option");
+    build_ = new QPushButton;
+    build_->setObjectName("build.start");
+    build_->setIcon(glyphIcon(Glyph::Build));
+
+    inputs_ = new QWidget;
+    auto* inputs = new QVBoxLayout(inputs_);
+    inputs->setContentsMargins({});
+    auto* builderLabel = new QLabel(tr("B&uilder"));
+    builderLabel->setBuddy(builder_);
+    inputs->addWidget(builderLabel);
+    inputs->addWidget(builder_);
+    inputs->addWidget(reason_);
+    inputs->addSpacing(6);
+    inputs->addWidget(options_);
+    inputs->addSpacing(6);
+    inputs->addLayout(makeTargetRow());
+
+    auto* page = new QWidget;
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins({});
+    layout->addWidget(name_);
+    layout->addWidget(facts_);
+    layout->addSpacing(8);
+    layout->addWidget(inputs_);
+    layout->addSpacing(6);
+    layout->addWidget(build_);
+    layout->addWidget(makeProgress());
+    layout->addStretch();
+    connect(builder_, &QComboBox::currentIndexChanged, this, &BuildPanel::showBuilder);
+    connect(build_, &QPushButton::clicked, this, &BuildPanel::build);
+    return page;
+}
+
+QLayout* BuildPanel::makeTargetRow()
+{
+    target_ = new QLineEdit;
+    target_->setObjectName("build.target");
+    target_->setAccessibleName(tr("Model file"));
+    target_->setToolTip(tr("The file that the model is written to"));
+    browse_ = new QPushButton(tr("Browse…"));
+    browse_->setObjectName("build.browse");
+    targetHint_ = wrappedLabel("build.targetHint");
+    auto* label = new QLabel(tr("&Model file"));
+    label->setBuddy(target_);
+    auto* row = new QHBoxLayout;
+    row->addWidget(target_, 1);
+    row->addWidget(browse_);
+    auto* column = new QVBoxLayout;
+    column->addWidget(label);
+    column->addLayout(row);
+    column->addWidget(targetHint_);
+    connect(target_, &QLineEdit::textChanged, this, &BuildPanel::showTarget);
+    connect(browse_, &QPushButton::clicked, this, &BuildPanel::browse);
+    return column;
+}
+
+QWidget* BuildPanel::makeProgress()
+{
+    bar_ = new QProgressBar;
+    bar_->setObjectName("build.progress");
+    bar_->setRange(0, barSteps);
+    bar_->setAccessibleName(tr("Progress of the build"));
+    activity_ = wrappedLabel("build.activity");
+    cancel_ = new QPushButton(tr("&Cancel"));
+    cancel_->setObjectName("build.cancel");
+    connect(cancel_, &QPushButton::clicked, this, [this] {
+        cancel_->setEnabled(false);
+        activity_->setText(tr("Cancelling…"));
+        workbench_.building().cancel();
+    });
+    progress_ = new QWidget;
+    auto* layout = new QVBoxLayout(progress_);
+    layout->setContentsMargins({});
+    layout->addWidget(bar_);
+    layout->addWidget(activity_);
+    layout->addWidget(cancel_);
+    return progress_;
+}
+
+void BuildPanel::connectWorkbench()
+{
+    connect(&workbench_, &Workbench::datasetOpened, this, &BuildPanel::showDataset);
+    connect(&workbench_, &Workbench::descriptionNeeded, this, &BuildPanel::showDescription);
+    LongTask& building = workbench_.building();
+    connect(&building, &LongTask::started, this, [this] { showRunning(true); });
+    connect(&building, &LongTask::progressed, this, &BuildPanel::showProgress);
+    connect(&building, &LongTask::finished, this, [this] { showRunning(false); });
+}
+
+void BuildPanel::showDescription(const std::vector<Parameter>& parameters)
+{
+    rawFile_->setText(QFileInfo(pathText(workbench_.undescribedFile())).fileName());
+    description_->setParameters(parameters);
+    pages_->setCurrentWidget(describePage_);
+}
+
+void BuildPanel::showDataset()
+{
+    const Dataset& dataset = *workbench_.dataset();
+    name_->setText(QString::fromStdString(dataset.source.name));
+    facts_->setText(factsOf(dataset));
+    const QSignalBlocker blocker(builder_);
+    builder_->clear();
+    double best = 0;
+    for (const Provided<Builder>& provided : workbench_.host().builders()) {
+        const Acceptance acceptance = provided.plugin->accepts(dataset);
+        builder_->addItem(pluginText(provided.name), QString::fromStdString(provided.id));
+        const int index = builder_->count() - 1;
+        builder_->setItemData(index, pluginText(acceptance.reason), Qt::ToolTipRole);
+        if (acceptance.score > best) {
+            best = acceptance.score;
+            builder_->setCurrentIndex(index);
+        }
+    }
+    target_->setText(proposedModelPath(dataset.source.path));
+    showBuilder();
+    pages_->setCurrentWidget(buildPage_);
+}
+
+void BuildPanel::showBuilder()
+{
+    reason_->setText(builder_->currentData(Qt::ToolTipRole).toString());
+    const auto builder = workbench_.host().builder(builder_->currentData().toString().toStdString());
+    options_->setParameters(builder ? builder->plugin->parameters() : std::vector<Parameter>{});
+    build_->setEnabled(builder.ok());
+}
+
+void BuildPanel::showTarget()
+{
+    const bool exists = QFileInfo::exists(target_->text());
+    build_->setText(exists ? tr("&Build and Replace") : tr("&Build"));
+    targetHint_->setText(exists ? tr("This file exists; it is replaced when the build is done.") : QString());
+    targetHint_->setVisible(exists);
+}
+
+void BuildPanel::showRunning(bool running)
+{
+    inputs_->setEnabled(!running);
+    build_->setVisible(!running);
+    progress_->setVisible(running);
+    cancel_->setEnabled(true);
+    bar_->setValue(0);
+    activity_->setText(running ? tr("Starting…") : QString());
+    showTarget();
+}
+
+void BuildPanel::showProgress(const TaskProgress& progress)
+{
+    bar_->setValue(static_cast<int>(std::lround(progress.fraction * barSteps)));
+    if (!cancel_->isEnabled() || progress.activity.isEmpty())
+        return;
+    activity_->setText(progress.remainingSeconds
+                           ? tr("%1, %2 left").arg(progress.activity, durationText(*progress.remainingSeconds))
+                           : progress.activity);
+}
+
+void BuildPanel::browse()
+{
+    auto* dialog = new QFileDialog(window(), tr("Model File"), target_->text(), tr("Models (*.tan)"));
+    dialog->setObjectName("build.targetDialog");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix("tan");
+    dialog->setOption(QFileDialog::DontConfirmOverwrite); // the Build button says so
+    dialog->selectFile(target_->text());
+    connect(dialog, &QFileDialog::fileSelected, target_, &QLineEdit::setText);
+    dialog->open();
+}
+
+void BuildPanel::build()
+{
+    workbench_.build({builder_->currentData().toString().toStdString(), options_->values(), filePath(target_->text())});
+}
+
+} // namespace tetra

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/workbench.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QStackedWidget;
+
+namespace tetra {
+
+class ParameterForm;
+
+/// Where a raw file is described and a model is built of a dataset.
+class BuildPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit BuildPanel(Workbench& workbench, QWidget* parent = nullptr);
+
+private:
+    QWidget* makeNothingPage();
+    QWidget* makeDescribePage();
+    QWidget* makeBuildPage();
+    QLayout* makeTargetRow();
+    QWidget* makeProgress();
+    void connectWorkbench();
+
+    void showDescription(const std::vector<Parameter>& parameters);
+    void showDataset();
+    void showBuilder();
+    void showTarget();
+    void showRunning(bool running);
+    void showProgress(const TaskProgress& progress);
+    void browse();
+    void build();
+
+    Workbench& workbench_;
+    QStackedWidget* pages_;
+    QWidget* nothingPage_;
+    QLabel* rawFile_;
+    ParameterForm* description_;
+    QWidget* describePage_;
+    QLabel* name_;
+    QLabel* facts_;
+    QComboBox* builder_;
+    QLabel* reason_;
+    ParameterForm* options_;
+    QLineEdit* target_;
+    QPushButton* browse_;
+    QLabel* targetHint_;
+    QPushButton* build_;
+    QWidget* inputs_;
+    QWidget* buildPage_;
+    QWidget* progress_;
+    QProgressBar* bar_;
+    QLabel* activity_;
+    QPushButton* cancel_;
+};
+
+} // namespace tetra

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/isovalue_row.h"
+
+#include "ui/widgets/colour_button.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/value_box.h"
+#include "ui/widgets/value_slider.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QToolButton>
+
+namespace tetra {
+
+IsovalueRow::IsovalueRow(Session& session, int index, QWidget* parent)
+    : QWidget(parent), session_(session), index_(index), visible_(new QCheckBox), colour_(new ColourButton),
+      value_(new ValueSlider("value", session)), opacity_(new ValueSlider("opacity", session)), remove_(new QToolButton)
+{
+    const ValueRange range = session.range();
+    value_->setRange(range.minimum, range.maximum);
+    value_->setTexts(tr("Isovalue"),
+                     tr("Isovalue, in the units of the data: %1 to %2")
+                         .arg(QLocale().toString(range.minimum, 'g', 6), QLocale().toString(range.maximum, 'g', 6)));
+    opacity_->setRange(1, 100);
+    opacity_->box()->setDecimals(0);
+    opacity_->box()->setSuffix(tr(" %"));
+    opacity_->setTexts(tr("Opacity"), tr("Opacity in percent; below 100 % what lies behind shows through"));
+    visible_->setToolTip(tr("Show this isosurface"));
+    visible_->setAccessibleName(tr("Show this isosurface"));
+    remove_->setIcon(glyphIcon(Glyph::Remove));
+    remove_->setAutoRaise(true);
+    remove_->setToolTip(tr("Remove this isovalue (Del)"));
+    remove_->setAccessibleName(tr("Remove this isovalue"));
+    layOut();
+    setIndex(index);
+    connectControls();
+}
+
+void IsovalueRow::layOut()
+{
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 4, 0, 4);
+    grid->setHorizontalSpacing(6);
+    grid->setVerticalSpacing(2);
+    grid->setColumnStretch(2, 1);
+    grid->addWidget(visible_, 0, 0);
+    grid->addWidget(colour_, 0, 1);
+    grid->addWidget(value_, 0, 2);
+    grid->addWidget(remove_, 0, 3);
+    auto* label = new QLabel(tr("Opacity"));
+    grid->addWidget(label, 1, 0, 1, 2);
+    grid->addWidget(opacity_, 1, 2);
+    // Both number boxes as wide as the wider one, so that the sliders above each other end at one line.
+    const int width = std::max(value_->box()->sizeHint().width(), opacity_->box()->sizeHint().width());
+    value_->box()->setFixedWidth(width);
+    opacity_->box()->setFixedWidth(width);
+}
+
+void IsovalueRow::connectControls()
+{
+    connect(visible_, &QCheckBox::clicked, this,
+            [this](bool on) { edit([on](Isovalue& isovalue) { isovalue.visible = on; }); });
+    connect(colour_, &ColourButton::colourChosen, this, [this](const QColor& colour) {
+        edit([&colour](Isovalue& isovalue) {
+            isovalue.red = colour.redF();
+            isovalue.green = colour.greenF();
+            isovalue.blue = colour.blueF();
+        });
+    });
+    connect(value_, &ValueSlider::edited, this,
+            [this](double value) { edit([value](Isovalue& isovalue) { isovalue.value = value; }); });
+    connect(opacity_, &ValueSlider::edited, this, [this](double percent) {
+        edit([percent](Isovalue& isovalue) { isovalue.opacity = static_cast<float>(percent / 100); });
+    });
+    connect(remove_, &QToolButton::clicked, this, [this] { session_.removeIsovalue(index_); });
+}
+
+void IsovalueRow::setIndex(int index)
+{
+    index_ = index;
+    const QString name = QString("isovalue.%1").arg(index);
+    setObjectName(name);
+    visible_->setObjectName(name + ".visible");
+    colour_->setObjectName(name + ".colour");
+    remove_->setObjectName(name + ".remove");
+    value_->rename(name + ".value");
+    opacity_->rename(name + ".opacity");
+    refresh();
+}
+
+void IsovalueRow::refresh()
+{
+    visible_->setChecked(isovalue().visible);
+    colour_->setColour(QColor::fromRgbF(isovalue().red, isovalue().green, isovalue().blue));
+    value_->setValue(isovalue().value);
+    opacity_->setValue(isovalue().opacity * 100.0);
+}
+
+void IsovalueRow::focusValue()
+{
+    value_->box()->setFocus();
+    value_->box()->selectAll();
+}
+
+void IsovalueRow::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Delete)
+        session_.removeIsovalue(index_);
+    else
+        QWidget::keyPressEvent(event);
+}
+
+const Isovalue& IsovalueRow::isovalue() const
+{
+    return session_.view().isovalues()[static_cast<std::size_t>(index_)];
+}
+
+void IsovalueRow::edit(const std::function<void(Isovalue&)>& change)
+{
+    Isovalue changed = isovalue();
+    change(changed);
+    session_.setIsovalue(index_, changed);
+    refresh(); // also when the session did not take it as it is
+}
+
+} // namespace tetra

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/accuracy_scale.h"
+
+#include "core/model/extraction.h"
+
+#include <Qt>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetra {
+namespace {
+
+/// The round numbers of a decade, close enough together that a step is a small change.
+constexpr std::array<double, 10> roundNumbers{1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8};
+
+double roundedToThreeDigits(double value)
+{
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2);
+    // Dividing by a whole number keeps the result the double nearest to the decimal number.
+    return unit < 1 ? std::round(value / unit) / std::round(1 / unit) : std::round(value / unit) * unit;
+}
+
+/// All round numbers of the scale, coarse first, then zero.
+std::vector<double> ladder()
+{
+    std::vector<double> steps;
+    for (int exponent = 2; exponent >= -2; --exponent)
+        for (auto number = roundNumbers.rbegin(); number != roundNumbers.rend(); ++number) {
+            const double percent = roundedToThreeDigits(*number * std::pow(10.0, exponent));
+            if (percent <= coarsestOnScale && percent >= finestOnScale)
+                steps.push_back(percent);
+        }
+    steps.push_back(0);
+    return steps;
+}
+
+} // namespace
+
+double accuracyPosition(double percent)
+{
+    if (percent <= 0)
+        return 1;
+    const double fraction = std::log(coarsestOnScale / percent) / std::log(coarsestOnScale / finestOnScale);
+    return std::clamp(fraction, 0.0, 1.0) * logarithmicPart;
+}
+
+double accuracyAt(double position)
+{
+    if (position > (1 + logarithmicPart) / 2)
+        return 0;
+    const double fraction = std::clamp(position / logarithmicPart, 0.0, 1.0);
+    return roundedToThreeDigits(coarsestOnScale * std::pow(finestOnScale / coarsestOnScale, fraction));
+}
+
+double steppedAccuracy(double percent, int steps)
+{
+    const std::vector<double> all = ladder();
+    const auto last = static_cast<std::ptrdiff_t>(all.size()) - 1;
+    const auto notCoarser = std::ranges::find_if(all, [&](double step) { return step <= percent; });
+    std::ptrdiff_t index = std::min<std::ptrdiff_t>(notCoarser - all.begin(), last);
+    // Between two round numbers the first step towards finer goes to the finer of the two, not past it.
+    if (all[static_cast<std::size_t>(index)] < percent && steps > 0)
+        --steps;
+    index = std::clamp<std::ptrdiff_t>(index + steps, 0, last);
+    return all[static_cast<std::size_t>(index)];
+}
+
+std::optional<double> accuracyByKey(double percent, int key)
+{
+    constexpr int page = 5;
+    switch (key) {
+    case Qt::Key_Left:
+    case Qt::Key_Down: return steppedAccuracy(percent, -1);
+    case Qt::Key_Right:
+    case Qt::Key_Up: return steppedAccuracy(percent, 1);
+    case Qt::Key_PageDown: return steppedAccuracy(percent, -page);
+    case Qt::Key_PageUp: return steppedAccuracy(percent, page);
+    case Qt::Key_Home: return coarsestOnScale;
+    case Qt::Key_End: return 0;
+    default: return std::nullopt;
+    }
+}
+
+std::vector<CurvePoint> sitesAgainstError(const Model& model, int points)
+{
+    std::vector<CurvePoint> curve;
+    curve.reserve(static_cast<std::size_t>(points) + 1);
+    for (int point = 0; point < points; ++point) {
+        const double fraction = static_cast<double>(point) / (points - 1);
+        const double error = coarsestOnScale * std::pow(finestOnScale / coarsestOnScale, fraction);
+        curve.push_back({error, meshSizeAt(model, {error}).sites});
+    }
+    curve.push_back({0, meshSizeAt(model, {0}).sites});
+    return curve;
+}
+
+double startingError(const Model& model)
+{
+    constexpr std::uint64_t quick = 1'000'000; // tetrahedra
+    for (const double percent : {1.0, 2.0, 3.0, 4.0})
+        if (meshSizeAt(model, {percent}).tetrahedra <= quick)
+            return percent;
+    double percent = 5;
+    while (percent < coarsestOnScale && meshSizeAt(model, {percent}).tetrahedra > quick)
+        percent = steppedAccuracy(percent, -1);
+    return percent;
+}
+
+} // namespace tetra

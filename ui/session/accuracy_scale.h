@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/model/model.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace tetra {
+
+/// The levels of detail of the paper's tables, % of the value range.
+inline constexpr std::array<double, 8> accuracyPresets{4, 3, 2, 1, 0.5, 0.2, 0.1, 0};
+
+/// The slider and the curve share one scale, the same for every model: coarse on the left, fine on the right,
+/// logarithmic between these two, then a gap, and zero at the very end.
+inline constexpr double coarsestOnScale = 20;
+inline constexpr double finestOnScale = 0.01;
+/// The position where the logarithmic part ends.
+inline constexpr double logarithmicPart = 0.94;
+
+/// Where an error (in %) lies on the scale, in [0, 1].
+double accuracyPosition(double percent);
+/// The error at a position, to three significant digits; zero in the outer half of the gap.
+double accuracyAt(double position);
+/// The next round number that is finer (steps > 0) or coarser (steps < 0).
+double steppedAccuracy(double percent, int steps);
+
+/// What a key (Qt::Key) does on the scale: arrows step, page keys step wider, Home and End go to its ends.
+std::optional<double> accuracyByKey(double percent, int key);
+
+/// A point of the curve of Fig. 10.
+struct CurvePoint {
+    double error = 0; ///< %
+    std::uint32_t sites = 0;
+};
+
+/// Sites against error, from coarse to fine over the whole scale; the last point is at zero. O(points * log sites).
+std::vector<CurvePoint> sitesAgainstError(const Model& model, int points = 240);
+
+/// The most accurate preset from 1 % upwards whose mesh is still quick to extract and to draw.
+double startingError(const Model& model);
+
+} // namespace tetra

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/graphics/picture.h"
+
+#include <QImage>
+
+namespace tetra {
+
+/// The same pixels as Qt's image. O(pixels).
+QImage imageOf(const Picture& picture);
+
+} // namespace tetra

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/recent_files.h"
+
+#include <QFileInfo>
+#include <QSettings>
+
+namespace tetra {
+namespace {
+
+constexpr qsizetype most = 10;
+constexpr const char* key = "recentFiles";
+
+} // namespace
+
+QStringList recentFiles()
+{
+    QStringList files = QSettings().value(key).toStringList();
+    files.removeIf([](const QString& path) { return !QFileInfo::exists(path); });
+    return files;
+}
+
+void addRecentFile(const QString& path)
+{
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    QStringList files = recentFiles();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    QSettings().setValue(key, files.mid(0, most));
+}
+
+void forgetRecentFiles()
+{
+    QSettings().remove(key);
+}
+
+} // namespace tetra

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStringList>
+
+namespace tetra {
+
+/// The files opened last, newest first, at most ten, kept in the user's settings; files that are gone are left out.
+QStringList recentFiles();
+void addRecentFile(const QString& path);
+void forgetRecentFiles();
+
+} // namespace tetra

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/model/extraction.h"
+#include "core/model/model.h"
+#include "ui/session/view_commands.h"
+#include "ui/session/view_state.h"
+
+#include <QUndoStack>
+
+#include <memory>
+#include <optional>
+
+namespace tetra {
+
+/// What is open and what is seen of it: the logic between the model and the widgets, free of both. Every edit is one
+/// step of the undo stack; edits between beginGesture() and endGesture() (a drag) are one step together.
+class Session : public QObject {
+    Q_OBJECT
+public:
+    explicit Session(QObject* parent = nullptr);
+
+    const std::shared_ptr<const Model>& model() const noexcept { return model_; }
+    const ViewState& view() const noexcept { return view_; }
+    QUndoStack& undoStack() noexcept { return undoStack_; }
+    /// The mesh at the chosen accuracy, known without extracting it; zeros without a model.
+    MeshSize meshSize() const;
+    /// The range of the model's values; empty without a model.
+    ValueRange range() const;
+
+    /// Shows `model` at an accuracy that is quick to draw. The history of edits starts anew.
+    void open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues);
+    void close();
+
+    void beginGesture();
+    void endGesture();
+    /// Clamped to [0, 100] %.
+    void setError(double percent);
+    /// At `value`, or in the middle of the widest range of values without one; in a colour that is not in use.
+    void addIsovalue(std::optional<double> value = std::nullopt);
+    /// Out of range indices are ignored.
+    void removeIsovalue(int index);
+    /// The value is clamped to the model's range, the opacity to [0.01, 1].
+    void setIsovalue(int index, Isovalue isovalue);
+
+signals:
+    void modelChanged();
+
+private:
+    bool hasIsovalue(int index) const;
+
+    std::shared_ptr<const Model> model_;
+    ViewState view_;
+    QUndoStack undoStack_;
+    Gesture lastGesture_ = 0;
+    Gesture gesture_ = 0;
+};
+
+} // namespace tetra

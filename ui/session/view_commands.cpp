@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/view_commands.h"
+
+namespace tetra {
+
+ChangeError::ChangeError(ViewState& state, double percent, Gesture gesture)
+    : QUndoCommand(tr("change of accuracy")), state_(state), before_(state.error()), after_(percent), gesture_(gesture)
+{
+}
+
+bool ChangeError::mergeWith(const QUndoCommand* next)
+{
+    const auto& other = *static_cast<const ChangeError*>(next);
+    if (gesture_ == 0 || other.gesture_ != gesture_)
+        return false;
+    after_ = other.after_;
+    setObsolete(after_ == before_);
+    return true;
+}
+
+ChangeIsovalue::ChangeIsovalue(ViewState& state, int index, const Isovalue& isovalue, Gesture gesture)
+    : QUndoCommand(tr("change of isovalue")), state_(state), index_(index),
+      before_(state.isovalues()[static_cast<std::size_t>(index)]), after_(isovalue), gesture_(gesture)
+{
+}
+
+bool ChangeIsovalue::mergeWith(const QUndoCommand* next)
+{
+    const auto& other = *static_cast<const ChangeIsovalue*>(next);
+    if (gesture_ == 0 || other.gesture_ != gesture_ || other.index_ != index_)
+        return false;
+    after_ = other.after_;
+    setObsolete(after_ == before_);
+    return true;
+}
+
+AddIsovalue::AddIsovalue(ViewState& state, const Isovalue& isovalue)
+    : QUndoCommand(tr("new isovalue")), state_(state), index_(state.isovalueCount()), isovalue_(isovalue)
+{
+}
+
+RemoveIsovalue::RemoveIsovalue(ViewState& state, int index)
+    : QUndoCommand(tr("removal of isovalue")), state_(state), index_(index),
+      isovalue_(state.isovalues()[static_cast<std::size_t>(index)])
+{
+}
+
+} // namespace tetra

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/view_state.h"
+
+#include <QCoreApplication>
+#include <QUndoCommand>
+
+namespace tetra {
+
+/// The ids by which the undo stack merges commands; zero is "never".
+enum class CommandId { ChangeError = 1, ChangeIsovalue };
+
+/// The number of a gesture (one drag): commands of one gesture merge into one step. Zero is no gesture.
+using Gesture = std::uint64_t;
+
+class ChangeError : public QUndoCommand {
+    Q_DECLARE_TR_FUNCTIONS(ChangeError)
+public:
+    ChangeError(ViewState& state, double percent, Gesture gesture);
+    int id() const override { return static_cast<int>(CommandId::ChangeError); }
+    void redo() override { state_.setError(after_); }
+    void undo() override { state_.setError(before_); }
+    bool mergeWith(const QUndoCommand* next) override;
+
+private:
+    ViewState& state_;
+    double before_;
+    double after_;
+    Gesture gesture_;
+};
+
+class ChangeIsovalue : public QUndoCommand {
+    Q_DECLARE_TR_FUNCTIONS(ChangeIsovalue)
+public:
+    ChangeIsovalue(ViewState& state, int index, const Isovalue& isovalue, Gesture gesture);
+    int id() const override { return static_cast<int>(CommandId::ChangeIsovalue); }
+    void redo() override { state_.setIsovalue(index_, after_); }
+    void undo() override { state_.setIsovalue(index_, before_); }
+    bool mergeWith(const QUndoCommand* next) override;
+
+private:
+    ViewState& state_;
+    int index_;
+    Isovalue before_;
+    Isovalue after_;
+    Gesture gesture_;
+};
+
+class AddIsovalue : public QUndoCommand {
+    Q_DECLARE_TR_FUNCTIONS(AddIsovalue)
+public:
+    AddIsovalue(ViewState& state, const Isovalue& isovalue);
+    void redo() override { state_.insertIsovalue(index_, isovalue_); }
+    void undo() override { state_.removeIsovalue(index_); }
+
+private:
+    ViewState& state_;
+    int index_;
+    Isovalue isovalue_;
+};
+
+class RemoveIsovalue : public QUndoCommand {
+    Q_DECLARE_TR_FUNCTIONS(RemoveIsovalue)
+public:
+    RemoveIsovalue(ViewState& state, int index);
+    void redo() override { state_.removeIsovalue(index_); }
+    void undo() override { state_.insertIsovalue(index_, isovalue_); }
+
+private:
+    ViewState& state_;
+    int index_;
+    Isovalue isovalue_;
+};
+
+} // namespace tetra

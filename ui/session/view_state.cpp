@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/view_state.h"
+
+namespace tetra {
+
+void ViewState::reset(double error, std::vector<Isovalue> isovalues)
+{
+    error_ = error;
+    isovalues_ = std::move(isovalues);
+    emit wasReset();
+}
+
+void ViewState::setError(double percent)
+{
+    error_ = percent;
+    emit errorChanged(percent);
+}
+
+void ViewState::insertIsovalue(int index, const Isovalue& isovalue)
+{
+    isovalues_.insert(isovalues_.begin() + index, isovalue);
+    emit isovalueInserted(index);
+}
+
+void ViewState::removeIsovalue(int index)
+{
+    isovalues_.erase(isovalues_.begin() + index);
+    emit isovalueRemoved(index);
+}
+
+void ViewState::setIsovalue(int index, const Isovalue& isovalue)
+{
+    isovalues_[static_cast<std::size_t>(index)] = isovalue;
+    emit isovalueChanged(index);
+}
+
+} // namespace tetra

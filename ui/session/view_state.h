@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugins/api/parameter.h"
+
+#include <QObject>
+
+#include <vector>
+
+namespace tetra {
+
+/// What the user has chosen to see of a model, apart from the camera: the accuracy and the isovalues. Tells every
+/// change; Session makes the changes undoable. An index is a position in isovalues().
+class ViewState : public QObject {
+    Q_OBJECT
+public:
+    using QObject::QObject;
+
+    double error() const noexcept { return error_; } ///< % of the value range
+    const std::vector<Isovalue>& isovalues() const noexcept { return isovalues_; }
+    int isovalueCount() const noexcept { return static_cast<int>(isovalues_.size()); }
+
+    void reset(double error, std::vector<Isovalue> isovalues);
+    void setError(double percent);
+    void insertIsovalue(int index, const Isovalue& isovalue);
+    void removeIsovalue(int index);
+    void setIsovalue(int index, const Isovalue& isovalue);
+
+signals:
+    void wasReset();
+    void errorChanged(double percent);
+    void isovalueInserted(int index);
+    void isovalueRemoved(int index);
+    void isovalueChanged(int index);
+
+private:
+    double error_ = 1;
+    std::vector<Isovalue> isovalues_;
+};
+
+} // namespace tetra

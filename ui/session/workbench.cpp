@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/workbench.h"
+
+#include "plugins/host/dataset_opening.h"
+#include "plugins/host/input_file.h"
+#include "plugins/host/model_building.h"
+#include "ui/session/plugin_texts.h"
+#include "ui/session/recent_files.h"
+#include "ui/session/target_path.h"
+
+#include <QRegularExpression>
+
+namespace tetra {
+namespace {
+
+/// The parameter of a renderer that takes the session's isovalues; none if it has no such thing.
+const Parameter* isovalueParameter(const std::vector<Parameter>& parameters)
+{
+    for (const Parameter& parameter : parameters)
+        if (std::holds_alternative<std::vector<Isovalue>>(parameter.defaultValue))
+            return &parameter;
+    return nullptr;
+}
+
+/// What a file must be described by, if that is why it could not be read.
+std::vector<Parameter> neededDescription(PluginHost& host, const std::filesystem::path& path, const Error& error)
+{
+    if (error.kind != ErrorKind::WrongUsage)
+        return {};
+    const auto reader = chooseReader(host, path);
+    return reader ? reader->plugin->parameters() : std::vector<Parameter>{};
+}
+
+} // namespace
+
+Workbench::Workbench(PluginHost& host, QObject* parent) : QObject(parent), host_(host)
+{
+    const ViewState* view = &session_.view();
+    connect(&session_, &Session::modelChanged, this, &Workbench::requestScene);
+    connect(view, &ViewState::errorChanged, this, &Workbench::requestScene);
+    connect(view, &ViewState::isovalueInserted, this, &Workbench::requestScene);
+    connect(view, &ViewState::isovalueRemoved, this, &Workbench::requestScene);
+    connect(view, &ViewState::isovalueChanged, this, &Workbench::requestScene);
+    connect(&sceneBuilder_, &SceneBuilder::failed, this, &Workbench::tell);
+}
+
+Workbench::~Workbench() = default;
+
+QStringList Workbench::nameFilters()
+{
+    QStringList filters{tr("Models (*.tan)")};
+    for (const std::string& filter : readableFiles(host_))
+        filters.append(pluginText(filter));
+    static const QRegularExpression patterns(R"(\(([^)]*)\)$)");
+    QStringList all;
+    for (const QString& filter : std::as_const(filters))
+        all.append(patterns.match(filter).captured(1));
+    filters.prepend(tr("All that can be opened (%1)").arg(all.join(' ')));
+    filters.append(tr("All files (*)"));
+    return filters;
+}
+
+void Workbench::open(const QString& path)
+{
+    read(filePath(path), {});
+}
+
+void Workbench::read(const std::filesystem::path& path, const ParameterValues& values)
+{
+    reading_.start([this, path, values](const Progress& progress) -> std::function<void()> {
+        if (isModelFile(path))
+            return [this, model = Model::open(path)] { modelRead(model); };
+        return [this, path, dataset = openDataset(host_, path, values, progress)] { datasetRead(path, dataset); };
+    });
+}
+
+void Workbench::modelRead(const Result<std::shared_ptr<const Model>>& model)
+{
+    if (!model)
+        return tell(model.error());
+    const auto renderers = host_.renderers();
+    if (renderers.empty())
+        return emit failed(tr("No renderer plugin could be loaded, so there is no way to show a model. %1")
+                               .arg(QString::fromStdString(host_.explainMissing(PluginKind::Renderer))));
+    renderer_ = renderers.front().plugin;
+    const auto parameters = renderer_->parameters((*model)->description().range);
+    const Parameter* isovalues = isovalueParameter(parameters);
+    addRecentFile(pathText((*model)->path()));
+    sceneBuilder_.clear();
+    session_.open(*model,
+                  isovalues ? std::get<std::vector<Isovalue>>(isovalues->defaultValue) : std::vector<Isovalue>{});
+}
+
+void Workbench::datasetRead(const std::filesystem::path& path, const Result<Dataset>& dataset)
+{
+    if (dataset) {
+        undescribedFile_.clear();
+        dataset_ = std::make_shared<const Dataset>(*dataset);
+        addRecentFile(pathText(path));
+        emit datasetOpened();
+        return;
+    }
+    const auto parameters = neededDescription(host_, path, dataset.error());
+    if (parameters.empty())
+        return tell(dataset.error());
+    if (path == undescribedFile_)
+        tell(dataset.error()); // it was described, and the description does not fit
+    undescribedFile_ = path;
+    emit descriptionNeeded(parameters);
+}
+
+void Workbench::describe(const ParameterValues& values)
+{
+    read(undescribedFile_, values);
+}
+
+void Workbench::build(const BuildOrder& order)
+{
+    if (!dataset_ || building_.running())
+        return;
+    building_.start([this, order, dataset = dataset_](const Progress& progress) -> std::function<void()> {
+        return [this, order,
+                built = tetra::buildModel(host_, *dataset, order.builder, order.values, order.target, progress)] {
+            if (!built)
+                return tell(built.error());
+            emit modelBuilt();
+            read(order.target, {});
+        };
+    });
+}
+
+void Workbench::closeModel()
+{
+    sceneBuilder_.clear();
+    session_.close();
+}
+
+void Workbench::savePicture(const PictureOrder& order)
+{
+    savingPicture_.start([this, order](const Progress& progress) -> std::function<void()> {
+        return [this, order, saved = writePicture(order, progress)] {
+            if (saved)
+                emit pictureSaved(pathText(order.target));
+            else
+                tell(saved.error());
+        };
+    });
+}
+
+void Workbench::requestScene()
+{
+    if (!session_.model() || renderer_ == nullptr)
+        return;
+    SceneRequest request{session_.model(), renderer_, session_.meshSize().sites, {}, {}};
+    const auto parameters = renderer_->parameters(session_.range());
+    if (const Parameter* isovalues = isovalueParameter(parameters))
+        request.values[isovalues->id] = session_.view().isovalues();
+    sceneBuilder_.request(std::move(request));
+}
+
+void Workbench::tell(const Error& error)
+{
+    if (error.kind != ErrorKind::Cancelled)
+        emit failed(pluginText(error.text));
+}
+
+} // namespace tetra

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/data/dataset.h"
+#include "plugins/host/plugin_host.h"
+#include "ui/session/picture_file.h"
+#include "ui/session/scene_builder.h"
+#include "ui/session/session.h"
+#include "ui/work/long_task.h"
+
+#include <filesystem>
+
+namespace tetra {
+
+/// What to build, and where to.
+struct BuildOrder {
+    std::string builder; ///< id
+    ParameterValues values;
+    std::filesystem::path target;
+};
+
+/// Everything that the window can do, without the window: opens files, builds models, keeps the scene up to date with
+/// the session. All work is done in workers; signals come in the thread that it lives in. Errors are told by failed().
+class Workbench : public QObject {
+    Q_OBJECT
+public:
+    /// `host` outlives it.
+    explicit Workbench(PluginHost& host, QObject* parent = nullptr);
+    ~Workbench() override;
+
+    PluginHost& host() noexcept { return host_; }
+    Session& session() noexcept { return session_; }
+    LongTask& reading() noexcept { return reading_; }
+    LongTask& building() noexcept { return building_; }
+    SceneBuilder& sceneBuilder() noexcept { return sceneBuilder_; }
+    /// The dataset that models can be built of; none before one was opened.
+    const std::shared_ptr<const Dataset>& dataset() const noexcept { return dataset_; }
+    /// The file that waits for describe(); empty if none does.
+    const std::filesystem::path& undescribedFile() const noexcept { return undescribedFile_; }
+
+    /// Filters for a file dialog: all that can be opened first.
+    QStringList nameFilters();
+    /// Opens a model, or a dataset by the reader that fits it best.
+    void open(const QString& path);
+    /// Opens the undescribed file with what descriptionNeeded() asked for.
+    void describe(const ParameterValues& values);
+    /// Builds a model of the dataset, and opens it.
+    void build(const BuildOrder& order);
+    void closeModel();
+    void savePicture(const PictureOrder& order);
+
+signals:
+    void failed(const QString& text);
+    void datasetOpened();
+    void descriptionNeeded(const std::vector<tetra::Parameter>& parameters);
+    /// The build is done; its model is opened next.
+    void modelBuilt();
+    void pictureSaved(const QString& path);
+
+private:
+    void read(const std::filesystem::path& path, const ParameterValues& values);
+    void datasetRead(const std::filesystem::path& path, const Result<Dataset>& dataset);
+    void modelRead(const Result<std::shared_ptr<const Model>>& model);
+    void requestScene();
+    void tell(const Error& error);
+
+    PluginHost& host_;
+    Session session_;
+    std::shared_ptr<const Dataset> dataset_;
+    std::filesystem::path undescribedFile_;
+    const Renderer* renderer_ = nullptr; ///< of the open model
+    SceneBuilder sceneBuilder_;
+    LongTask reading_;
+    LongTask building_;
+    LongTask savingPicture_;
+};
+
+} // namespace tetra

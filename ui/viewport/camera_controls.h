@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/graphics/camera.h"
+
+#include <QPointF>
+#include <QSizeF>
+
+#include <optional>
+
+class QKeyEvent;
+
+namespace tetra {
+
+/// The directions from which a domain is looked at by name.
+enum class NamedView { Front, Back, Left, Right, Top, Bottom, Corner };
+
+/// `camera` with the direction of `view`; what it looks at, and from how far, stays.
+Camera seenFrom(const Camera& camera, NamedView view);
+
+/// What a drag by `pixels` does in a view of `size` (both in the widget's units): the object follows the pointer.
+Camera turnedByDrag(const Camera& camera, QPointF pixels);
+Camera pannedByDrag(const Camera& camera, QPointF pixels, QSizeF size);
+/// `angle` as QWheelEvent gives it, in eighths of a degree: one notch is 120.
+Camera zoomedByWheel(const Camera& camera, double angle);
+
+/// What a key does: arrows turn (finer with Ctrl, pan with Shift), + and - zoom. Nothing for other keys.
+std::optional<Camera> movedByKey(const Camera& camera, const QKeyEvent& event);
+
+} // namespace tetra

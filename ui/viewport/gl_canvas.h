@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/viewport/canvas.h"
+
+#include <QOpenGLWidget>
+
+namespace tetra {
+
+class ScenePainter;
+
+/// Draws with OpenGL into the window.
+class GlCanvas : public QOpenGLWidget, public Canvas {
+    Q_OBJECT
+public:
+    explicit GlCanvas(QWidget* parent = nullptr);
+    ~GlCanvas() override;
+
+    QWidget* widget() override { return this; }
+    QString backendName() const override { return tr("OpenGL"); }
+    void show(const View& view) override;
+    bool settled() const override { return settled_; }
+    QImage picture() override { return grabFramebuffer(); }
+
+protected:
+    void initializeGL() override;
+    void paintGL() override;
+    void resizeGL(int width, int height) override;
+
+private:
+    void giveUp(const QString& text);
+    void release();
+
+    View view_;
+    bool settled_ = false;
+    bool givenUp_ = false;
+    std::unique_ptr<ScenePainter> painter_;
+};
+
+/// How well OpenGL works here.
+enum class GlSupport { None, Software, Hardware };
+
+/// Tries a context off the screen; where showing a QOpenGLWidget would crash, it is none.
+GlSupport glSupport();
+
+} // namespace tetra

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QToolButton>
+
+namespace tetra {
+
+/// Shows a colour; its menu offers the palette's colours and any other.
+class ColourButton : public QToolButton {
+    Q_OBJECT
+public:
+    explicit ColourButton(QWidget* parent = nullptr);
+    void setColour(const QColor& colour);
+    const QColor& colour() const noexcept { return colour_; }
+
+signals:
+    /// By the user.
+    void colourChosen(const QColor& colour);
+
+private:
+    void fillMenu(QMenu* menu);
+    void chooseOther();
+
+    QColor colour_;
+};
+
+} // namespace tetra

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDoubleSpinBox>
+
+namespace tetra {
+
+/// A number box for values of any magnitude: plain decimals where they are readable, else scientific notation, both in
+/// the user's locale. Takes either as input.
+class ValueBox : public QDoubleSpinBox {
+    Q_OBJECT
+public:
+    explicit ValueBox(QWidget* parent = nullptr);
+    /// Steps and decimals follow the extent of the range.
+    void setValueRange(double minimum, double maximum);
+
+    QString textFromValue(double value) const override;
+    double valueFromText(const QString& text) const override;
+    QValidator::State validate(QString& text, int& position) const override;
+
+private:
+    double extent_ = 100;
+};
+
+} // namespace tetra

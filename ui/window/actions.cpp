@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/actions.h"
+
+#include "ui/viewport/camera_controls.h"
+#include "ui/widgets/icons.h"
+
+#include <QCoreApplication>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QUndoStack>
+
+namespace tetra {
+namespace {
+
+class Texts {
+    Q_DECLARE_TR_FUNCTIONS(Actions)
+};
+
+QAction* add(QMenu* menu, const char* name, const QString& text, const QKeySequence& shortcut, const QString& toolTip)
+{
+    QAction* action = menu->addAction(text);
+    action->setObjectName(QString("action.") + name);
+    action->setShortcut(shortcut);
+    const QString keys = shortcut.toString(QKeySequence::NativeText);
+    action->setToolTip(keys.isEmpty() ? toolTip : Texts::tr("%1 (%2)").arg(toolTip, keys));
+    return action;
+}
+
+QMenu* addMenu(QMainWindow& window, const char* name, const QString& text)
+{
+    QMenu* menu = window.menuBar()->addMenu(text);
+    menu->setObjectName(QString("menu.") + name);
+    return menu;
+}
+
+void addFileMenu(QMainWindow& window, Actions& actions)
+{
+    QMenu* menu = addMenu(window, "file", Texts::tr("&File"));
+    actions.open = add(menu, "open", Texts::tr("&Open…"), QKeySequence::Open, Texts::tr("Open a dataset or a model"));
+    actions.open->setIcon(glyphIcon(Glyph::Open));
+    actions.recent = menu->addMenu(Texts::tr("Open &Recent"));
+    actions.recent->setObjectName("menu.recent");
+    actions.savePicture = add(menu, "savePicture", Texts::tr("Save &Picture…"), QKeySequence("Ctrl+Shift+S"),
+                              Texts::tr("Save what is seen as a PNG picture"));
+    actions.savePicture->setIcon(glyphIcon(Glyph::Picture));
+    menu->addSeparator();
+    actions.close = add(menu, "close", Texts::tr("&Close"), QKeySequence::Close, Texts::tr("Close the model"));
+    actions.quit = add(menu, "quit", Texts::tr("&Quit"), QKeySequence("Ctrl+Q"), Texts::tr("Leave the program"));
+}
+
+void addEditMenu(QMainWindow& window, QUndoStack& undoStack, Actions& actions)
+{
+    QMenu* menu = addMenu(window, "edit", Texts::tr("&Edit"));
+    actions.undo = undoStack.createUndoAction(&window, Texts::tr("&Undo"));
+    actions.redo = undoStack.createRedoAction(&window, Texts::tr("&Redo"));
+    actions.undo->setObjectName("action.undo");
+    actions.redo->setObjectName("action.redo");
+    actions.undo->setShortcut(QKeySequence::Undo);
+    actions.redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
+    actions.undo->setIcon(glyphIcon(Glyph::Undo));
+    actions.redo->setIcon(glyphIcon(Glyph::Redo));
+    menu->addAction(actions.undo);
+    menu->addAction(actions.redo);
+    menu->addSeparator();
+    actions.addIsovalue = add(menu, "addIsovalue", Texts::tr("&Add Isovalue"), QKeySequence("Ctrl+I"),
+                              Texts::tr("Add an isosurface at another value"));
+    actions.addIsovalue->setIcon(glyphIcon(Glyph::Add));
+}
+
+void addNamedViews(QMenu* menu, Actions& actions)
+{
+    struct Entry {
+        const char* name;
+        QString text;
+    };
+    const Entry entries[] = {
+        {"front", Texts::tr("&Front")},   {"back", Texts::tr("&Back")}, {"left", Texts::tr("&Left")},
+        {"right", Texts::tr("&Right")},   {"top", Texts::tr("&Top")},   {"bottom", Texts::tr("B&ottom")},
+        {"corner", Texts::tr("&Corner")},
+    };
+    int key = 1;
+    for (const Entry& entry : entries) {
+        const QString name = QString("view.") + entry.name;
+        QAction* action = add(menu, name.toUtf8().constData(), entry.text, QKeySequence(QString("Ctrl+%1").arg(key++)),
+                              Texts::tr("Look from this side"));
+        actions.namedViews.append(action);
+    }
+}
+
+void addViewMenu(QMainWindow& window, Actions& actions)
+{
+    QMenu* menu = addMenu(window, "view", Texts::tr("&View"));
+    actions.fit = add(menu, "fit", Texts::tr("&Fit"), QKeySequence(Qt::Key_Home), Texts::tr("Show the whole domain"));
+    actions.fit->setIcon(glyphIcon(Glyph::Fit));
+    addNamedViews(menu->addMenu(Texts::tr("&Look From")), actions);
+    actions.perspective = add(menu, "perspective", Texts::tr("&Perspective"), QKeySequence("Ctrl+P"),
+                              Texts::tr("Perspective, or parallel projection"));
+    actions.perspective->setCheckable(true);
+    actions.perspective->setChecked(true);
+    menu->addSeparator();
+    actions.panels = menu->addMenu(Texts::tr("Pa&nels"));
+    actions.resetLayout = add(menu, "resetLayout", Texts::tr("Reset La&yout"), {},
+                              Texts::tr("Put all panels back to where they were at first"));
+    actions.fullScreen = add(menu, "fullScreen", Texts::tr("F&ull Screen"), QKeySequence(Qt::Key_F11),
+                             Texts::tr("Use the whole screen"));
+    actions.fullScreen->setCheckable(true);
+}
+
+void addHelpMenu(QMainWindow& window, Actions& actions)
+{
+    QMenu* menu = addMenu(window, "help", Texts::tr("&Help"));
+    actions.plugins = add(menu, "plugins", Texts::tr("&Plugins…"), {}, Texts::tr("The plugins that were found"));
+    actions.about = add(menu, "about", Texts::tr("&About TAn"), {}, Texts::tr("Version and licence"));
+}
+
+void addToolBar(QMainWindow& window, const Actions& actions)
+{
+    QToolBar* bar = window.addToolBar(Texts::tr("Tools"));
+    bar->setObjectName("toolBar");
+    bar->setMovable(false);
+    bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    bar->setIconSize({20, 20});
+    bar->addAction(actions.open);
+    bar->addAction(actions.savePicture);
+    bar->addSeparator();
+    bar->addAction(actions.undo);
+    bar->addAction(actions.redo);
+    bar->addSeparator();
+    bar->addAction(actions.addIsovalue);
+    bar->addAction(actions.fit);
+}
+
+} // namespace
+
+Actions makeActions(QMainWindow& window, QUndoStack& undoStack)
+{
+    Actions actions;
+    addFileMenu(window, actions);
+    addEditMenu(window, undoStack, actions);
+    addViewMenu(window, actions);
+    addHelpMenu(window, actions);
+    addToolBar(window, actions);
+    return actions;
+}
+
+} // namespace tetra

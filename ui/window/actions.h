@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAction>
+
+class QMainWindow;
+class QMenu;
+class QUndoStack;
+
+namespace tetra {
+
+/// The actions of the window's menus, owned by the window. Object names are "action." and the member's name.
+struct Actions {
+    QAction* open = nullptr;
+    QAction* close = nullptr;
+    QAction* savePicture = nullptr;
+    QAction* quit = nullptr;
+    QAction* undo = nullptr;
+    QAction* redo = nullptr;
+    QAction* addIsovalue = nullptr;
+    QAction* fit = nullptr;
+    QAction* perspective = nullptr;
+    QList<QAction*> namedViews; ///< in the order of NamedView
+    QAction* fullScreen = nullptr;
+    QAction* resetLayout = nullptr;
+    QAction* plugins = nullptr;
+    QAction* about = nullptr;
+    QMenu* recent = nullptr;
+    QMenu* panels = nullptr; ///< for the docks' own actions
+};
+
+/// Makes the actions, the menus and the tool bar.
+Actions makeActions(QMainWindow& window, QUndoStack& undoStack);
+
+} // namespace tetra

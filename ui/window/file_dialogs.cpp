@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/file_dialogs.h"
+
+#include "ui/session/recent_files.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QFileInfo>
+
+namespace tetra {
+namespace {
+
+class FileDialogs {
+    Q_DECLARE_TR_FUNCTIONS(FileDialogs)
+};
+
+QFileDialog* makeDialog(QWidget* parent, const QString& name, const QString& title, const FileChosen& chosen)
+{
+    auto* dialog = new QFileDialog(parent, title);
+    dialog->setObjectName(name);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QObject::connect(dialog, &QFileDialog::fileSelected, parent, chosen);
+    return dialog;
+}
+
+} // namespace
+
+void askForFile(QWidget* parent, const QString& name, const QStringList& filters, const FileChosen& chosen)
+{
+    QFileDialog* dialog = makeDialog(parent, name, FileDialogs::tr("Open a Dataset or a Model"), chosen);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilters(filters);
+    if (const QStringList recent = recentFiles(); !recent.isEmpty())
+        dialog->setDirectory(QFileInfo(recent.first()).absolutePath());
+    dialog->open();
+}
+
+void askForPictureFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen)
+{
+    QFileDialog* dialog = makeDialog(parent, name, FileDialogs::tr("Save Picture"), chosen);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilter(FileDialogs::tr("PNG pictures (*.png)"));
+    dialog->setDefaultSuffix("png");
+    dialog->setDirectory(QFileInfo(proposed).absolutePath());
+    dialog->selectFile(QFileInfo(proposed).fileName());
+    dialog->open();
+}
+
+} // namespace tetra

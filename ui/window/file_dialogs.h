@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStringList>
+
+#include <functional>
+
+class QWidget;
+
+namespace tetra {
+
+using FileChosen = std::function<void(const QString& path)>;
+
+/// Dialogs that let the window work on; `chosen` is called if the user chooses. Their object name is `name`.
+void askForFile(QWidget* parent, const QString& name, const QStringList& filters, const FileChosen& chosen);
+void askForPictureFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen);
+
+} // namespace tetra

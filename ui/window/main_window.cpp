@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/main_window.h"
+
+#include "ui/panels/accuracy_panel.h"
+#include "ui/panels/build_panel.h"
+#include "ui/panels/isovalue_panel.h"
+#include "ui/session/recent_files.h"
+#include "ui/session/target_path.h"
+#include "ui/viewport/viewport.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/window/empty_page.h"
+#include "ui/window/file_dialogs.h"
+#include "ui/window/plugin_window.h"
+#include "ui/window/status_line.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+namespace tetra {
+namespace {
+
+constexpr QSize firstSize(1280, 800);
+constexpr int dockWidth = 330;
+constexpr int accuracyHeight = 410;
+constexpr const char* geometryKey = "window/geometry";
+constexpr const char* layoutKey = "window/layout";
+/// Of what saveState() writes; layouts of other versions are not restored.
+constexpr int layoutVersion = 1;
+constexpr int statusMessageTime = 5000; // milliseconds
+
+/// The local files of a drag.
+QStringList filesOf(const QMimeData* data)
+{
+    QStringList files;
+    for (const QUrl& url : data->urls())
+        if (url.isLocalFile())
+            files.append(url.toLocalFile());
+    return files;
+}
+
+} // namespace
+
+MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
+    : workbench_(workbench), actions_(makeActions(*this, workbench_.session().undoStack())), messages_(new MessageBar),
+      empty_(new EmptyPage), viewport_(new Viewport(backend)), pages_(new QStackedWidget),
+      status_(new StatusLine(statusBar()))
+{
+    setObjectName("window");
+    setAcceptDrops(true);
+    resize(firstSize);
+    setCentralWidget(makeCentre());
+    makeDocks();
+    connectActions();
+    connectWorkbench();
+    status_->setBackend(viewport_->backendName());
+    showModel();
+    for (const QString& error : pluginErrors(workbench_.host()))
+        messages_->add(error);
+    restoreLayout();
+}
+
+QWidget* MainWindow::makeCentre()
+{
+    viewport_->setObjectName("viewport");
+    viewport_->setAccessibleName(tr("Picture"));
+    pages_->setObjectName("pages");
+    pages_->addWidget(empty_);
+    pages_->addWidget(viewport_);
+    auto* centre = new QWidget;
+    auto* layout = new QVBoxLayout(centre);
+    layout->setContentsMargins({});
+    layout->setSpacing(0);
+    layout->addWidget(messages_);
+    layout->addWidget(pages_, 1);
+    return centre;
+}
+
+QDockWidget* MainWindow::addDock(const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area)
+{
+    auto* dock = new QDockWidget(title);
+    dock->setObjectName(QString("dock.") + name);
+    dock->setWidget(content);
+    addDockWidget(area, dock);
+    dock->toggleViewAction()->setObjectName(QString("action.dock.") + name);
+    actions_.panels->addAction(dock->toggleViewAction());
+    return dock;
+}
+
+void MainWindow::makeDocks()
+{
+    buildDock_ = addDock("build", tr("Build"), new BuildPanel(workbench_), Qt::LeftDockWidgetArea);
+    accuracyDock_ =
+        addDock("accuracy", tr("Accuracy"), new AccuracyPanel(workbench_.session()), Qt::RightDockWidgetArea);
+    isovaluesDock_ =
+        addDock("isovalues", tr("Isovalues"), new IsovaluePanel(workbench_.session()), Qt::RightDockWidgetArea);
+    layOutDocks();
+}
+
+void MainWindow::layOutDocks()
+{
+    addDockWidget(Qt::LeftDockWidgetArea, buildDock_);
+    addDockWidget(Qt::RightDockWidgetArea, accuracyDock_);
+    addDockWidget(Qt::RightDockWidgetArea, isovaluesDock_);
+    for (QDockWidget* dock : {buildDock_, accuracyDock_, isovaluesDock_})
+        dock->setFloating(false);
+    buildDock_->setVisible(workbench_.dataset() != nullptr);
+    accuracyDock_->show();
+    isovaluesDock_->show();
+    resizeDocks({buildDock_, accuracyDock_, isovaluesDock_}, {dockWidth, dockWidth, dockWidth}, Qt::Horizontal);
+    resizeDocks({accuracyDock_, isovaluesDock_}, {accuracyHeight, firstSize.height() - accuracyHeight}, Qt::Vertical);
+}
+
+void MainWindow::restoreLayout()
+{
+    const QSettings settings;
+    restoreGeometry(settings.value(geometryKey).toByteArray());
+    restoreState(settings.value(layoutKey).toByteArray(), layoutVersion);
+    buildDock_->hide(); // comes with a dataset
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    QSettings settings;
+    settings.setValue(geometryKey, saveGeometry());
+    settings.setValue(layoutKey, saveState(layoutVersion));
+    event->accept();
+}
+
+void MainWindow::open(const QString& path)
+{
+    workbench_.open(path);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    if (!filesOf(event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    const QStringList files = filesOf(event->mimeData());
+    event->acceptProposedAction();
+    open(files.first());
+    if (files.size() > 1)
+        messages_->add(tr("One file can be open at a time; of those dropped, %1 was opened.").arg(files.first()));
+}
+
+void MainWindow::connectActions()
+{
+    connect(actions_.open, &QAction::triggered, this, [this] {
+        askForFile(this, "openDialog", workbench_.nameFilters(), [this](const QString& path) { open(path); });
+    });
+    connect(actions_.recent, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
+    connect(actions_.savePicture, &QAction::triggered, this, &MainWindow::savePicture);
+    connect(actions_.close, &QAction::triggered, &workbench_, &Workbench::closeModel);
+    connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
+    connect(actions_.addIsovalue, &QAction::triggered, this, [this] { workbench_.session().addIsovalue(); });
+    connect(actions_.fit, &QAction::triggered, this, &MainWindow::fit);
+    connect(actions_.perspective, &QAction::toggled, viewport_, &Viewport::setPerspective);
+    for (int view = 0; view < actions_.namedViews.size(); ++view)
+        connect(actions_.namedViews[view], &QAction::triggered, viewport_,
+                [this, view] { viewport_->seeFrom(static_cast<NamedView>(view)); });
+    connect(actions_.resetLayout, &QAction::triggered, this, &MainWindow::layOutDocks);
+    connect(actions_.fullScreen, &QAction::toggled, this,
+            [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
+    connect(actions_.plugins, &QAction::triggered, this, [this] {
+        auto* window = new PluginWindow(workbench_.host(), this);
+        window->setAttribute(Qt::WA_DeleteOnClose);
+        window->show();
+    });
+    connect(actions_.about, &QAction::triggered, this, &MainWindow::showAbout);
+    connect(empty_, &EmptyPage::openClicked, actions_.open, &QAction::trigger);
+    connect(empty_, &EmptyPage::recentClicked, this, &MainWindow::open);
+}
+
+void MainWindow::connectWorkbench()
+{
+    connect(&workbench_, &Workbench::failed, messages_, &MessageBar::add);
+    connect(&workbench_, &Workbench::datasetOpened, this, &MainWindow::showDataset);
+    connect(&workbench_, &Workbench::descriptionNeeded, this, [this] { buildDock_->show(); });
+    connect(&workbench_, &Workbench::modelBuilt, buildDock_, &QWidget::hide);
+    connect(&workbench_, &Workbench::pictureSaved, this,
+            [this](const QString& path) { statusBar()->showMessage(tr("Saved %1").arg(path), statusMessageTime); });
+    connect(&workbench_.session(), &Session::modelChanged, this, &MainWindow::showModel);
+    SceneBuilder& scenes = workbench_.sceneBuilder();
+    connect(&scenes, &SceneBuilder::sceneReady, this, &MainWindow::showScene);
+    connect(&scenes, &SceneBuilder::busyChanged, status_, &StatusLine::setBusy);
+    connect(viewport_, &Viewport::framePainted, this, [this](double seconds) {
+        if (viewport_->scene())
+            status_->setFrame(seconds);
+    });
+    connect(viewport_, &Viewport::failed, this, [this](const QString& text) {
+        messages_->add(text);
+        status_->setBackend(viewport_->backendName());
+    });
+}
+
+void MainWindow::savePicture()
+{
+    const QFileInfo model(pathText(workbench_.session().model()->path()));
+    const QString proposed = model.absolutePath() + "/" + model.completeBaseName() + ".png";
+    askForPictureFile(this, "pictureDialog", proposed, [this](const QString& path) {
+        const QSize pixels = viewport_->size() * viewport_->devicePixelRatioF();
+        workbench_.savePicture({viewport_->scene(), viewport_->camera(), viewport_->background(), pixels.width(),
+                                pixels.height(), filePath(path)});
+    });
+}
+
+void MainWindow::fillRecent()
+{
+    actions_.recent->clear();
+    for (const QString& path : recentFiles()) {
+        QAction* action = actions_.recent->addAction(QFileInfo(path).fileName().replace('&', "&&"));
+        action->setToolTip(path);
+        connect(action, &QAction::triggered, this, [this, path] { open(path); });
+    }
+    actions_.recent->addSeparator();
+    QAction* forget = actions_.recent->addAction(tr("&Clear List"));
+    forget->setEnabled(actions_.recent->actions().size() > 2);
+    connect(forget, &QAction::triggered, this, [] { forgetRecentFiles(); });
+}
+
+void MainWindow::fit()
+{
+    if (const auto& model = workbench_.session().model())
+        viewport_->fit(model->description().lattice.bounds());
+}
+
+void MainWindow::showModel()
+{
+    const auto& model = workbench_.session().model();
+    const QFileInfo file(model ? pathText(model->path()) : QString());
+    status_->setFile(file.fileName(), file.absoluteFilePath());
+    setWindowTitle(model ? tr("%1 – TAn").arg(file.fileName()) : tr("TAn"));
+    for (QAction* action : QList<QAction*>{actions_.savePicture, actions_.close, actions_.addIsovalue, actions_.fit} +
+                               actions_.namedViews)
+        action->setEnabled(model != nullptr);
+    viewport_->setScene(nullptr);
+    if (model) {
+        fit();
+        pages_->setCurrentWidget(viewport_);
+        viewport_->setFocus();
+    } else {
+        showNothing();
+    }
+}
+
+void MainWindow::showScene(const BuiltScene& scene)
+{
+    viewport_->setScene(scene.scene);
+    status_->setScene(scene);
+}
+
+void MainWindow::showDataset()
+{
+    buildDock_->show();
+    buildDock_->raise();
+    if (!workbench_.session().model())
+        showNothing();
+}
+
+void MainWindow::showNothing()
+{
+    pages_->setCurrentWidget(empty_);
+    if (const auto& dataset = workbench_.dataset())
+        empty_->tell(QString::fromStdString(dataset->source.name),
+                     tr("The dataset is open. Build its model to look at it: the panel on the left has the options."));
+    else
+        empty_->invite(recentFiles());
+}
+
+void MainWindow::showAbout()
+{
+    auto* box = new QMessageBox(QMessageBox::NoIcon, tr("About TAn"),
+                                tr("<h3>TAn %1</h3><p>Tetrahedra Analyzer: multiresolution volume data with a known "
+                                   "error.</p><p>Free software under the GNU General Public License, version 3 or "
+                                   "later.</p>")
+                                    .arg(QCoreApplication::applicationVersion()),
+                                QMessageBox::Close, this);
+    box->setObjectName("aboutBox");
+    box->setIconPixmap(programIcon().pixmap(64));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+}
+
+} // namespace tetra

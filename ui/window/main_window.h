@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/workbench.h"
+#include "ui/viewport/make_canvas.h"
+#include "ui/window/actions.h"
+
+#include <QMainWindow>
+
+class QDockWidget;
+class QStackedWidget;
+
+namespace tetra {
+
+class EmptyPage;
+class MessageBar;
+class StatusLine;
+class Viewport;
+
+/// The program's window: puts panels, viewport and menus around the workbench.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    /// `workbench` outlives it.
+    explicit MainWindow(Workbench& workbench, BackendChoice backend = BackendChoice::Automatic);
+
+    Viewport& viewport() noexcept { return *viewport_; }
+    void open(const QString& path);
+
+protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    QWidget* makeCentre();
+    QDockWidget* addDock(const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
+    void makeDocks();
+    void layOutDocks();
+    void restoreLayout();
+    void connectActions();
+    void connectWorkbench();
+
+    void savePicture();
+    void fillRecent();
+    void fit();
+    void showModel();
+    void showScene(const BuiltScene& scene);
+    void showDataset();
+    void showNothing();
+    void showAbout();
+
+    Workbench& workbench_;
+    Actions actions_;
+    MessageBar* messages_;
+    EmptyPage* empty_;
+    Viewport* viewport_;
+    QStackedWidget* pages_;
+    StatusLine* status_;
+    QDockWidget* accuracyDock_ = nullptr;
+    QDockWidget* isovaluesDock_ = nullptr;
+    QDockWidget* buildDock_ = nullptr;
+};
+
+} // namespace tetra

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/status_line.h"
+
+#include "core/base/memory.h"
+#include "ui/session/number_text.h"
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QStatusBar>
+
+#include <chrono>
+
+namespace tetra {
+namespace {
+
+/// Work that ends within this needs no sign that it goes on.
+constexpr auto busyAfter = std::chrono::milliseconds(250);
+constexpr auto memoryInterval = std::chrono::seconds(2);
+
+} // namespace
+
+StatusLine::StatusLine(QStatusBar* bar) : QObject(bar), bar_(bar), file_(new QLabel), busy_(new QProgressBar)
+{
+    file_->setObjectName("status.file");
+    file_->setMargin(4);
+    file_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    bar_->addWidget(file_, 1);
+    busy_->setObjectName("status.busy");
+    busy_->setRange(0, 0);
+    busy_->setFixedSize(80, 12);
+    busy_->setToolTip(tr("The picture at the chosen accuracy is being made"));
+    bar_->addPermanentWidget(busy_);
+    busy_->hide();
+    sites_ = add("status.sites", tr("Data points in the mesh that is shown"));
+    tetrahedra_ = add("status.tetrahedra", tr("Tetrahedra in the mesh that is shown"));
+    triangles_ = add("status.triangles", tr("Triangles of all isosurfaces that are shown"));
+    extraction_ = add("status.extraction", tr("Time for taking the mesh out of the model"));
+    frame_ = add("status.frame", tr("Time for drawing the last picture"));
+    memory_ = add("status.memory", tr("Memory that the program occupies, mapped files included"));
+    backend_ = add("status.backend", tr("What draws the picture: OpenGL or the processor"));
+
+    busyShown_.setSingleShot(true);
+    busyShown_.setInterval(busyAfter);
+    connect(&busyShown_, &QTimer::timeout, busy_, &QWidget::show);
+    connect(&memoryShown_, &QTimer::timeout, this, &StatusLine::showMemory);
+    memoryShown_.start(memoryInterval);
+    showMemory();
+}
+
+QLabel* StatusLine::add(const char* name, const QString& toolTip)
+{
+    auto* label = new QLabel;
+    label->setObjectName(name);
+    label->setToolTip(toolTip);
+    label->setMargin(4);
+    bar_->addPermanentWidget(label);
+    label->hide();
+    return label;
+}
+
+void StatusLine::setFile(const QString& name, const QString& path)
+{
+    file_->setText(name);
+    file_->setToolTip(path);
+    if (name.isEmpty())
+        for (QLabel* label : {sites_, tetrahedra_, triangles_, extraction_, frame_})
+            label->hide();
+}
+
+void StatusLine::setScene(const BuiltScene& scene)
+{
+    sites_->setText(tr("%1 sites").arg(countText(scene.sites)));
+    tetrahedra_->setText(tr("%1 tetrahedra").arg(countText(scene.tetrahedra)));
+    triangles_->setText(tr("%1 triangles").arg(countText(scene.triangles)));
+    if (scene.extractionSeconds > 0)
+        extraction_->setText(tr("extracted in %1").arg(durationText(scene.extractionSeconds)));
+    for (QLabel* label : {sites_, tetrahedra_, triangles_, extraction_})
+        label->show();
+    showMemory();
+}
+
+void StatusLine::setFrame(double seconds)
+{
+    frame_->setText(tr("%1 a frame").arg(durationText(seconds)));
+    frame_->show();
+}
+
+void StatusLine::setBackend(const QString& name)
+{
+    backend_->setText(name);
+    backend_->show();
+}
+
+void StatusLine::setBusy(bool busy)
+{
+    if (busy) {
+        busyShown_.start();
+    } else {
+        busyShown_.stop();
+        busy_->hide();
+    }
+}
+
+void StatusLine::showMemory()
+{
+    const std::uint64_t bytes = residentBytes();
+    memory_->setText(bytesText(bytes));
+    memory_->setVisible(bytes > 0);
+}
+
+} // namespace tetra

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/scene_builder.h"
+
+#include <QTimer>
+
+class QLabel;
+class QProgressBar;
+class QStatusBar;
+
+namespace tetra {
+
+/// Fills the status bar: the file, what is drawn and what it costs. Its labels are named status.file, .sites,
+/// .tetrahedra, .triangles, .frame, .extraction, .memory and .backend.
+class StatusLine : public QObject {
+    Q_OBJECT
+public:
+    explicit StatusLine(QStatusBar* bar);
+
+    /// An empty name: nothing is open, and all figures go.
+    void setFile(const QString& name, const QString& path);
+    void setScene(const BuiltScene& scene);
+    void setFrame(double seconds);
+    void setBackend(const QString& name);
+    void setBusy(bool busy);
+
+private:
+    QLabel* add(const char* name, const QString& toolTip);
+    void showMemory();
+
+    QStatusBar* bar_;
+    QLabel* file_;
+    QProgressBar* busy_;
+    QLabel* sites_;
+    QLabel* tetrahedra_;
+    QLabel* triangles_;
+    QLabel* extraction_;
+    QLabel* frame_;
+    QLabel* memory_;
+    QLabel* backend_;
+    QTimer busyShown_;
+    QTimer memoryShown_;
+};
+
+} // namespace tetra
