@@ -105,7 +105,7 @@ QSize AccuracyCurve::minimumSizeHint() const
 QRectF AccuracyCurve::plot() const
 {
     const int line = fontMetrics().height();
-    return QRectF(rect()).adjusted(leftMargin(), line + 4, -rightMargin(), -2 * line - 6);
+    return QRectF(rect()).adjusted(leftMargin(), line + 4, -rightMargin(), -2 * line - 8);
 }
 
 double AccuracyCurve::xOf(double percent) const
@@ -177,7 +177,7 @@ void AccuracyCurve::paintAxes(QPainter& painter) const
         painter.setPen(QPen(faded(text, 0.12), 1));
         painter.drawLine(QPointF(xOf(error), area.top()), QPointF(xOf(error), area.bottom()));
         painter.setPen(text);
-        painter.drawText(QRectF(xOf(error) - 30, area.bottom() + 2, 60, line), Qt::AlignHCenter,
+        painter.drawText(QRectF(xOf(error) - 30, area.bottom() + 4, 60, line), Qt::AlignHCenter,
                          QLocale().toString(error, 'g', 3));
     }
     const auto [first, last] = decadesOf(points_);
@@ -186,15 +186,15 @@ void AccuracyCurve::paintAxes(QPainter& painter) const
         painter.setPen(QPen(faded(text, 0.12), 1));
         painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
         painter.setPen(text);
-        painter.drawText(QRectF(0, y - line / 2.0, area.left() - 5, line), Qt::AlignRight | Qt::AlignVCenter,
-                         shortCount(std::pow(10.0, decade)));
+        painter.drawText(QRectF(0, std::min(y - line / 2.0, area.bottom() - line + 2), area.left() - 5, line),
+                         Qt::AlignRight | Qt::AlignVCenter, shortCount(std::pow(10.0, decade)));
     }
     painter.setPen(QPen(faded(text, 0.5), 1));
     painter.drawLine(area.bottomLeft(), area.bottomRight());
     painter.drawLine(area.bottomLeft(), area.topLeft());
     painter.setPen(text);
     painter.drawText(QRectF(0, 0, width(), line), Qt::AlignLeft, tr("Sites"));
-    painter.drawText(QRectF(area.left(), area.bottom() + line + 3, area.width(), line), Qt::AlignHCenter,
+    painter.drawText(QRectF(area.left(), area.bottom() + line + 5, area.width(), line), Qt::AlignHCenter,
                      tr("Error, % of the value range"));
 }
 

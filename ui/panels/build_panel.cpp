@@ -92,8 +92,11 @@ QWidget* BuildPanel::makeDescribePage()
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins({});
     layout->addWidget(rawFile_);
-    layout->addWidget(
-        wrappedLabel("describe.text", tr("This file does not say how its samples are laid out. Describe it:")));
+    layout->addWidget(wrappedLabel("describe.text", tr("The file alone does not say how it is to be read:")));
+    describeHint_ = wrappedLabel("describe.hint");
+    describeHint_->setForegroundRole(QPalette::PlaceholderText);
+    describeHint_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    layout->addWidget(describeHint_);
     layout->addWidget(description_);
     layout->addWidget(read);
     layout->addStretch();
@@ -200,10 +203,13 @@ void BuildPanel::connectWorkbench()
     connect(&building, &LongTask::finished, this, [this] { showRunning(false); });
 }
 
-void BuildPanel::showDescription(const std::vector<Parameter>& parameters)
+void BuildPanel::showDescription(const std::vector<Parameter>& parameters, const QString& reason)
 {
+    describeHint_->setText(reason);
     rawFile_->setText(QFileInfo(pathText(workbench_.undescribedFile())).fileName());
-    description_->setParameters(parameters);
+    if (pages_->currentWidget() != describePage_ || describedFile_ != workbench_.undescribedFile())
+        description_->setParameters(parameters); // else what was filled in stays, to be corrected
+    describedFile_ = workbench_.undescribedFile();
     pages_->setCurrentWidget(describePage_);
 }
 

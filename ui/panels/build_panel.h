@@ -30,7 +30,7 @@ private:
     QWidget* makeProgress();
     void connectWorkbench();
 
-    void showDescription(const std::vector<Parameter>& parameters);
+    void showDescription(const std::vector<Parameter>& parameters, const QString& reason);
     void showDataset();
     void showBuilder();
     void showTarget();
@@ -43,6 +43,8 @@ private:
     QStackedWidget* pages_;
     QWidget* nothingPage_;
     QLabel* rawFile_;
+    QLabel* describeHint_;
+    std::filesystem::path describedFile_; ///< that the form was made for
     ParameterForm* description_;
     QWidget* describePage_;
     QLabel* name_;

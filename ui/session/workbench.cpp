@@ -103,10 +103,8 @@ void Workbench::datasetRead(const std::filesystem::path& path, const Result<Data
     const auto parameters = neededDescription(host_, path, dataset.error());
     if (parameters.empty())
         return tell(dataset.error());
-    if (path == undescribedFile_)
-        tell(dataset.error()); // it was described, and the description does not fit
     undescribedFile_ = path;
-    emit descriptionNeeded(parameters);
+    emit descriptionNeeded(parameters, pluginText(dataset.error().text));
 }
 
 void Workbench::describe(const ParameterValues& values)

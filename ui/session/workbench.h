@@ -52,7 +52,8 @@ public:
 signals:
     void failed(const QString& text);
     void datasetOpened();
-    void descriptionNeeded(const std::vector<tetra::Parameter>& parameters);
+    /// `reason` is the reader's: what it misses, or does not understand of the description.
+    void descriptionNeeded(const std::vector<tetra::Parameter>& parameters, const QString& reason);
     /// The build is done; its model is opened next.
     void modelBuilt();
     void pictureSaved(const QString& path);
