@@ -6,7 +6,9 @@
 #include "ui/session/number_text.h"
 #include "ui/widgets/gesture_watcher.h"
 
+#include <QEvent>
 #include <QGridLayout>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -26,6 +28,18 @@ QLabel* numberLabel(const char* name)
 QString shareText(double part, double whole)
 {
     return whole > 0 ? AccuracyPanel::tr("%1 of all").arg(percentText(100 * part / whole)) : QString();
+}
+
+/// Some styles hardly show that a button is down, least of all in dark colours.
+void showChecked(QToolButton& button, bool checked)
+{
+    QPalette palette; // what is not set comes from the parent
+    if (checked) {
+        palette.setColor(QPalette::Button, QGuiApplication::palette().color(QPalette::Highlight));
+        palette.setColor(QPalette::ButtonText, QGuiApplication::palette().color(QPalette::HighlightedText));
+    }
+    button.setPalette(palette);
+    button.setChecked(checked);
 }
 
 } // namespace
@@ -110,6 +124,13 @@ QLayout* AccuracyPanel::makeNumbers()
     return grid;
 }
 
+void AccuracyPanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        showAccuracy();
+}
+
 void AccuracyPanel::showModel()
 {
     const auto& model = session_.model();
@@ -131,7 +152,7 @@ void AccuracyPanel::showAccuracy()
     box_->setAccuracy(error);
     curve_->setMarked({error, size.sites});
     for (std::size_t i = 0; i < presets_.size(); ++i)
-        presets_[i]->setChecked(accuracyPresets[i] == error);
+        showChecked(*presets_[i], session_.model() && accuracyPresets[i] == error);
     const auto& model = session_.model();
     if (!model) {
         for (QLabel* label : {inUnits_, sites_, siteShare_, tetrahedra_, tetrahedronShare_})

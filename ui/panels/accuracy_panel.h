@@ -20,6 +20,9 @@ class AccuracyPanel : public QWidget {
 public:
     explicit AccuracyPanel(Session& session, QWidget* parent = nullptr);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     QLayout* makePresets();
     QLayout* makeNumbers();
