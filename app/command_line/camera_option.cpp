@@ -100,10 +100,12 @@ private:
 Result<Camera> readCamera(const std::string& path, const Eigen::AlignedBox3d& bounds)
 {
     QFile file{std::filesystem::path(path)};
+    if (!file.exists())
+        return Error{ErrorKind::WrongUsage,
+                     "The camera '" + path + "' is neither a view (" + cameraNames() + ") nor a file."};
     if (!file.open(QIODevice::ReadOnly))
-        return Error{ErrorKind::BadInput, "The camera '" + path + "' is no view (" + cameraNames() +
-                                              ") and cannot be read as a file: " + file.errorString().toStdString() +
-                                              "."};
+        return Error{ErrorKind::BadInput,
+                     "The camera '" + path + "' cannot be read: " + file.errorString().toStdString() + "."};
     QJsonParseError mistake;
     const QJsonDocument document = QJsonDocument::fromJson(file.read(largestFile), &mistake);
     if (!document.isObject())

@@ -89,6 +89,8 @@ Result<ModelBuild> buildModel(PluginHost& host, const Dataset& dataset, const st
     if (const Status safe = checkModelOutput(output); !safe)
         return safe.error();
 
+    if (progress.cancelled())
+        return cancelledError("The build");
     const auto start = std::chrono::steady_clock::now();
     const auto report = buildInto(*builder->plugin, builder->id, dataset, values, output, progress);
     if (!report)

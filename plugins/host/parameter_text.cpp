@@ -73,7 +73,7 @@ struct TypeName {
     std::string operator()(std::int64_t) const { return "a whole number"; }
     std::string operator()(double) const { return "a number"; }
     std::string operator()(const std::string&) const { return "a text"; }
-    std::string operator()(const std::vector<Isovalue>&) const { return "isovalues V[:COLOUR[:OPACITY]]"; }
+    std::string operator()(const std::vector<Isovalue>&) const { return "isovalues V[:COLOUR[:OPACITY]], V"; }
 };
 
 struct ToText {

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/arguments.h"
+#include "app/command_line/help.h"
+#include "app/command_line/nearest.h"
+#include "app/command_line/option_values.h"
+#include "app/command_line/plugin_options.h"
+#include "app/command_line/table.h"
+
+#include <QTest>
+
+namespace tetra {
+namespace {
+
+using Words = std::vector<std::string>;
+
+Syntax example()
+{
+    return {.purpose = "try",
+            .explanation = "Tries.",
+            .positionals = {{"IN", "What to try."}},
+            .options =
+                {{.name = "output", .placeholder = "FILE", .explanation = "Where to.", .letter = 'o', .required = true},
+                 {.name = "error", .placeholder = "P", .explanation = "How well."},
+                 {.name = "value", .placeholder = "V", .explanation = "Which.", .repeatable = true},
+                 {.name = "quick", .placeholder = "", .explanation = "Hurry."}},
+            .examples = {}};
+}
+
+std::string errorOf(const Words& words)
+{
+    const auto parsed = parseArguments(example(), words);
+    return parsed ? "" : parsed.error().text;
+}
+
+Parameter number(const std::string& id, double byDefault, double least, double most)
+{
+    Parameter parameter;
+    parameter.id = id;
+    parameter.explanation = "A number.";
+    parameter.defaultValue = byDefault;
+    parameter.minimum = least;
+    parameter.maximum = most;
+    return parameter;
+}
+
+} // namespace
+
+class ArgumentsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void takesAllSpellings()
+    {
+        const auto parsed = parseArguments(
+            example(), Words{"--error=2", "in.nrrd", "-o", "out", "--value", "-5", "--quick", "--value", "1e3"});
+        QVERIFY2(parsed, parsed ? "" : parsed.error().text.c_str());
+        QCOMPARE(parsed->positionals, Words{"in.nrrd"});
+        QCOMPARE(parsed->value("error").value(), std::string("2"));
+        QCOMPARE(parsed->value("output").value(), std::string("out"));
+        QCOMPARE(parsed->values("value"), (Words{"-5", "1e3"}));
+        QVERIFY(parsed->has("quick"));
+    }
+
+    void afterTwoDashesNothingIsAnOption()
+    {
+        const auto parsed = parseArguments(example(), Words{"-o", "out", "--", "--quick"});
+        QVERIFY(parsed);
+        QCOMPARE(parsed->positionals, Words{"--quick"});
+        QVERIFY(!parsed->has("quick"));
+    }
+
+    void negativeNumbersAreNoOptions()
+    {
+        const auto parsed = parseArguments(example(), Words{"-o", "out", "-5"});
+        QVERIFY(parsed);
+        QCOMPARE(parsed->positionals, Words{"-5"});
+    }
+
+    void refusesInWords_data()
+    {
+        QTest::addColumn<QStringList>("words");
+        QTest::addColumn<QString>("part");
+        QTest::newRow("misspelt") << QStringList{"in", "-o", "x", "--eror", "1"} << "'--error'";
+        QTest::newRow("misspelt with =") << QStringList{"in", "-o", "x", "--qick=1"} << "'--quick'";
+        QTest::newRow("unknown letter") << QStringList{"in", "-o", "x", "-z"} << "'-z'";
+        QTest::newRow("missing word") << QStringList{"-o", "x"} << "IN is missing";
+        QTest::newRow("missing option") << QStringList{"in"} << "--output";
+        QTest::newRow("missing value at the end") << QStringList{"in", "-o"} << "needs a value: FILE";
+        QTest::newRow("missing value before an option") << QStringList{"in", "-o", "--quick"} << "needs a value";
+        QTest::newRow("a value too many") << QStringList{"in", "-o", "x", "--quick=yes"} << "takes no value";
+        QTest::newRow("twice") << QStringList{"in", "-o", "x", "-o", "y"} << "twice";
+        QTest::newRow("a word too many") << QStringList{"in", "more", "-o", "x"} << "'more'";
+    }
+    void refusesInWords()
+    {
+        QFETCH(QStringList, words);
+        QFETCH(QString, part);
+        Words given;
+        for (const QString& word : words)
+            given.push_back(word.toStdString());
+        const QString error = QString::fromStdString(errorOf(given));
+        QVERIFY2(error.contains(part), qPrintable(error));
+    }
+
+    void suggestsWhatIsNear()
+    {
+        const Words known = {"sample", "build", "info", "verify", "isosurface", "render", "plugins"};
+        QCOMPARE(nearest("buidl", known), std::nullopt); // two letters of five
+        QCOMPARE(nearest("buil", known).value(), std::string("build"));
+        QCOMPARE(nearest("isosurfcae", known).value(), std::string("isosurface"));
+        QCOMPARE(nearest("plugin", known).value(), std::string("plugins"));
+        QCOMPARE(nearest("xyzzy", known), std::nullopt);
+        QCOMPARE(nearest("x", Words{}), std::nullopt);
+    }
+
+    void readsLevels()
+    {
+        Arguments arguments;
+        arguments.options = {{"lod", "4,.5,1e-2,0"}};
+        const auto levels = levelsOf(arguments);
+        QVERIFY(levels);
+        QCOMPARE(levels->size(), std::size_t(4));
+        QCOMPARE(levels->at(1).error, 0.5);
+        QCOMPARE(levels->at(2).error, 0.01);
+        for (const char* wrong : {"", "1,,2", "1;2", "-1", "101", "nan", "inf", "1 ", "a"}) {
+            arguments.options = {{"lod", wrong}};
+            QVERIFY2(!levelsOf(arguments), wrong);
+        }
+    }
+
+    void makesOptionsFromParameters()
+    {
+        Parameter on;
+        on.id = "outline";
+        on.explanation = "Shows the edges.";
+        on.defaultValue = true;
+        Parameter list;
+        list.id = "isovalues";
+        list.defaultValue = std::vector<Isovalue>{};
+        const std::vector<Parameter> parameters = {number("error", 1, 0, 100), on, list};
+        Syntax syntax;
+        addPluginOptions(syntax, parameters);
+        QCOMPARE(syntax.options.size(), std::size_t(3));
+        const auto arguments =
+            parseArguments(syntax, Words{"--no-outline", "--isovalue", "5:red", "--isovalue", "7::", "--error", "2"});
+        QVERIFY(arguments);
+        QVERIFY(!pluginValues(*arguments, parameters)); // "7::" has no colour
+        const auto good = parseArguments(syntax, Words{"--no-outline", "--isovalue", "5:red", "--isovalue=7"});
+        const auto values = pluginValues(*good, parameters);
+        QVERIFY(values);
+        QCOMPARE(values->size(), std::size_t(2));
+        QCOMPARE(std::get<bool>(values->at("outline")), false);
+        QCOMPARE(std::get<std::vector<Isovalue>>(values->at("isovalues")).size(), std::size_t(2));
+    }
+
+    void optionsOfOthersAreRefused()
+    {
+        Arguments arguments;
+        arguments.options = {{"error", "1"}};
+        const std::vector<Parameter> all = {number("error", 1, 0, 100)};
+        QVERIFY(checkPluginOptions(arguments, all, all, "builder"));
+        const Status refused = checkPluginOptions(arguments, all, {}, "builder 'other'");
+        QVERIFY(!refused);
+        QVERIFY(refused.error().text.find("builder 'other'") != std::string::npos);
+    }
+
+    void helpNamesEverything()
+    {
+        const QString text = QString::fromStdString(subcommandHelp("try", example()));
+        for (const char* part :
+             {"tan try", "IN", "What to try.", "-o, --output FILE", "--value V", "several times", "130"})
+            QVERIFY2(text.contains(part), part);
+        for (const QString& line : text.split('\n'))
+            QVERIFY2(line.size() <= 110, qPrintable(line));
+    }
+
+    void tablesAlignToTheRight()
+    {
+        QCOMPARE(table({{"a", "long"}, {"123", "4"}}), std::string("    a  long\n  123     4\n"));
+        QCOMPARE(rounded(0.1 + 0.2), std::string("0.3"));
+        QCOMPARE(byteText(999), std::string("999 bytes"));
+        QCOMPARE(byteText(1'500'000), std::string("1.5 MB"));
+    }
+};
+
+} // namespace tetra
+
+QTEST_APPLESS_MAIN(tetra::ArgumentsTest)
+#include "arguments_test.moc"

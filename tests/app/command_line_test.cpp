@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// `tan` as a program, from sample to picture: JSON keys, exit codes, what goes to which stream.
+#include "tests/app/program.h"
+#include "tests/app/sample_files.h"
+
+#include <QImage>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace tetra {
+
+class CommandLineTest : public QObject {
+    Q_OBJECT
+
+private:
+    Run tan(const QStringList& words, const QMap<QString, QString>& environment = {}) const
+    {
+        return runTan(words, folder_.path(), environment);
+    }
+    QString path(const char* name) const { return folder_.filePath(name); }
+
+    QTemporaryDir folder_;
+
+private slots:
+    void initTestCase()
+    {
+        const Run sample = tan({"sample", "c60", "--size", "12", "-o", "c60.nrrd", "--json"});
+        QVERIFY2(sample.exitCode == 0, sample.messages);
+        const QJsonObject made = sample.json();
+        QCOMPARE(made["file"].toString(), QString("c60.nrrd"));
+        QCOMPARE(made["kind"].toString(), QString("regular"));
+        QCOMPARE(made["points"].toInt(), 12 * 12 * 12);
+        QCOMPARE(made["cells"].toInt(), 11 * 11 * 11);
+
+        const Run build = tan({"build", "c60.nrrd", "-o", "c60.tan", "--json"});
+        QVERIFY2(build.exitCode == 0, build.messages);
+        const QJsonObject built = build.json();
+        QCOMPARE(built["model"].toString(), QString("c60.tan"));
+        QCOMPARE(built["builder"].toString(), QString("refinement"));
+        QVERIFY(built["sites"].toInt() > 8 && built["sites"].toInt() <= 12 * 12 * 12);
+        QVERIFY(built["tetrahedra"].toInt() > 5);
+        QVERIFY(built["seconds"].toDouble(-1) >= 0);
+        QVERIFY(built["peak_bytes"].toDouble() > 1e6);
+        QCOMPARE(built["inverted"].toInt(-1), 0);
+        QCOMPARE(built["degenerate"].toInt(-1), 0);
+    }
+
+    void infoTellsTheLevels()
+    {
+        const Run run = tan({"info", "c60.tan", "--lod", "4,.5,0", "--json"});
+        QCOMPARE(run.exitCode, 0);
+        const QJsonObject info = run.json();
+        QCOMPARE(info["kind"].toString(), QString("regular"));
+        QCOMPARE(info["points"].toInt(), 12 * 12 * 12);
+        QCOMPARE(info["cells"].toInt(), 11 * 11 * 11);
+        QCOMPARE(info["range"].toArray().size(), 2);
+        QCOMPARE(info["bytes"].toInteger(), QFileInfo(path("c60.tan")).size());
+        const QJsonArray levels = info["levels"].toArray();
+        QCOMPARE(levels.size(), 3);
+        QCOMPARE(levels[1].toObject()["error"].toDouble(), 0.5);
+        QCOMPARE(levels[1].toObject()["warping"].toDouble(-1), 0.0);
+        QVERIFY(levels[0].toObject()["sites"].toInt() < levels[1].toObject()["sites"].toInt());
+        QCOMPARE(levels[2].toObject()["sites"].toInt(), info["sites"].toInt());
+        QVERIFY(levels[2].toObject()["tetrahedra"].toInt() < info["tetrahedra"].toInt());
+    }
+
+    void infoTellsADataset()
+    {
+        const QJsonObject info = tan({"info", "c60.nrrd", "--json"}).json();
+        QCOMPARE(info["kind"].toString(), QString("regular"));
+        QCOMPARE(info["points"].toInt(), 12 * 12 * 12);
+        QVERIFY(!info.contains("sites"));
+    }
+
+    void verifyProves()
+    {
+        const Run run = tan({"verify", "c60.tan", "--against", "c60.nrrd", "--lod", "2,0", "--json"});
+        QVERIFY2(run.exitCode == 0, run.output + run.messages);
+        const QJsonObject verdict = run.json();
+        QVERIFY(verdict["ok"].toBool());
+        QCOMPARE(verdict["levels"].toArray().size(), 2);
+        for (const QJsonValue entry : verdict["levels"].toArray()) {
+            const QJsonObject level = entry.toObject();
+            QVERIFY(level["ok"].toBool() && level["conforming"].toBool() && level["covers"].toBool());
+            QCOMPARE(level["inverted"].toInt(-1), 0);
+            QVERIFY(level["largest_error"].toDouble(100) <= level["error"].toDouble());
+            QCOMPARE(level["largest_warping"].toDouble(-1), 0.0);
+            QCOMPARE(level["failures"].toArray().size(), 0);
+        }
+    }
+
+    void verifySaysNo()
+    {
+        QVERIFY(tan({"sample", "noise", "--size", "12", "-o", "noise.nrrd"}).exitCode == 0);
+        const Run run = tan({"verify", "c60.tan", "--against", "noise.nrrd", "--json"});
+        QCOMPARE(run.exitCode, 1);
+        QVERIFY(!run.json()["ok"].toBool(true));
+        const Run text = tan({"verify", "c60.tan", "--against", "noise.nrrd"});
+        QCOMPARE(text.exitCode, 1);
+        QVERIFY2(text.output.contains("NOT what it claims"), text.output);
+    }
+
+    void verifyFindsOneChangedByte()
+    {
+        QFile model(path("c60.tan"));
+        QVERIFY(model.open(QIODevice::ReadOnly));
+        QByteArray content = model.readAll();
+        content[content.size() / 2] = static_cast<char>(content[content.size() / 2] ^ 4);
+        QVERIFY(writeFile(path("changed.tan"), content));
+        const Run run = tan({"verify", "changed.tan", "--against", "c60.nrrd"});
+        QVERIFY2(run.exitCode == 1, run.output + run.messages);
+    }
+
+    void isosurfaceWritesPly()
+    {
+        const Run run = tan({"isosurface", "c60.tan", "--error", "2", "--value", "100,150", "-o", "c60.ply", "--json"});
+        QVERIFY2(run.exitCode == 0, run.messages);
+        const QJsonObject figures = run.json();
+        const qint64 vertices = figures["vertices"].toInteger();
+        const qint64 triangles = figures["triangles"].toInteger();
+        QVERIFY(vertices > 0 && triangles > 0);
+        QVERIFY(figures["seconds"].toDouble(-1) >= 0);
+        QFile file(path("c60.ply"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray content = file.readAll();
+        const qsizetype header = content.indexOf("end_header\n") + 11;
+        QVERIFY(content.startsWith("ply\nformat binary_little_endian 1.0\n"));
+        QVERIFY(content.contains("element vertex " + QByteArray::number(vertices) + "\n"));
+        QCOMPARE(content.size(), header + vertices * 28 + triangles * 13);
+        float record[7];
+        std::memcpy(record, content.constData() + header, sizeof record);
+        QCOMPARE(record[6], 100.0f);
+        QVERIFY(std::abs(record[3] * record[3] + record[4] * record[4] + record[5] * record[5] - 1) < 1e-3f);
+    }
+
+    void renderDraws_data()
+    {
+        QTest::addColumn<QString>("backend");
+        QTest::newRow("cpu") << "cpu";
+        QTest::newRow("gl") << "gl";
+    }
+    void renderDraws()
+    {
+        QFETCH(QString, backend);
+        const Run run =
+            tan({"render", "c60.tan", "--error", "1", "--isovalue", "120:#ff0000", "--camera", "front", "--size",
+                 "60x40", "--background", "#0000ff", "--backend", backend, "-o", "c60.png", "--json"});
+        if (backend == "gl" && run.exitCode == 4)
+            QSKIP("skipped: no OpenGL on this machine");
+        QVERIFY2(run.exitCode == 0, run.messages);
+        const QJsonObject figures = run.json();
+        QCOMPARE(figures["width"].toInt(), 60);
+        QCOMPARE(figures["height"].toInt(), 40);
+        QVERIFY(figures["tetrahedra"].toInt() > 0 && figures["triangles"].toInt() > 0);
+        QVERIFY(figures["seconds"].toDouble(-1) >= 0);
+        const QImage image(path("c60.png"));
+        QCOMPARE(image.size(), QSize(60, 40));
+        QCOMPARE(image.pixelColor(0, 0), QColor(0, 0, 255));
+        int red = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                red += image.pixelColor(x, y).red() > 2 * image.pixelColor(x, y).blue() ? 1 : 0;
+        QVERIFY2(red > 100, QByteArray::number(red));
+    }
+
+    void renderTakesACameraFile()
+    {
+        const QStringList words = {"render", "c60.tan", "--size", "30x30", "-o", "camera.png", "--camera"};
+        QVERIFY(writeFile(path("top.json"), R"({"azimuth": 0, "elevation": 90})"));
+        QVERIFY(writeFile(path("wrong.json"), R"({"azimut": 0})"));
+        QVERIFY(writeFile(path("broken.json"), "{"));
+        QCOMPARE(tan(words + QStringList{"top"}).exitCode, 0);
+        const QImage named(path("camera.png"));
+        QCOMPARE(tan(words + QStringList{"top.json"}).exitCode, 0);
+        QCOMPARE(QImage(path("camera.png")), named);
+        QCOMPARE(tan(words + QStringList{"front"}).exitCode, 0);
+        QVERIFY(QImage(path("camera.png")) != named);
+        const Run wrong = tan(words + QStringList{"wrong.json"});
+        QCOMPARE(wrong.exitCode, 3);
+        QVERIFY2(wrong.messages.contains("\"azimut\""), wrong.messages);
+        QCOMPARE(tan(words + QStringList{"broken.json"}).exitCode, 3);
+        QCOMPARE(tan(words + QStringList{"frnt"}).exitCode, 2);
+    }
+
+    void pluginsAreListed()
+    {
+        const QJsonArray plugins = tan({"plugins", "--json"}).json()["plugins"].toArray();
+        QVERIFY(plugins.size() >= 4);
+        for (const QJsonValue entry : plugins) {
+            const QJsonObject plugin = entry.toObject();
+            QVERIFY(!plugin["id"].toString().isEmpty() && !plugin["kind"].toString().isEmpty());
+            QVERIFY(!plugin["version"].toString().isEmpty());
+            QCOMPARE(plugin["state"].toString(), QString("loaded"));
+            QCOMPARE(plugin["error"].toString("?"), QString());
+        }
+    }
+
+    void badPluginsDoNotKeepTheProgramFromWorking()
+    {
+        const QMap<QString, QString> environment = {{"TAN_PLUGIN_PATH", TAN_FIXTURES},
+                                                    {"TAN_PLUGIN_DISABLE", "isosurface"}};
+        const Run list = tan({"plugins", "--json"}, environment);
+        QCOMPARE(list.exitCode, 0);
+        QHash<QString, QString> states;
+        for (const QJsonValue entry : list.json()["plugins"].toArray())
+            states[entry.toObject()["id"].toString()] = entry.toObject()["state"].toString();
+        QCOMPARE(states["wrong-api"], QString("refused"));
+        QCOMPARE(states["missing-library"], QString("refused"));
+        QCOMPARE(states["isosurface"], QString("disabled"));
+        QCOMPARE(states["refinement"], QString("loaded"));
+        QCOMPARE(tan({"info", "c60.nrrd"}, environment).exitCode, 0);
+        const Run render = tan({"render", "c60.tan", "-o", "x.png"}, environment);
+        QCOMPARE(render.exitCode, 2);
+        QVERIFY2(render.messages.contains("TAN_PLUGIN_DISABLE"), render.messages);
+    }
+
+    void everySubcommandHasHelpAndWritesItToStandardOutput()
+    {
+        const Run all = tan({"--help"});
+        QCOMPARE(all.exitCode, 0);
+        QVERIFY(all.messages.isEmpty());
+        for (const char* name : {"sample", "build", "info", "verify", "isosurface", "render", "plugins"}) {
+            QVERIFY2(all.output.contains(QByteArray("  ") + name + " "), name);
+            const Run one = tan({name, "--help"});
+            QCOMPARE(one.exitCode, 0);
+            QVERIFY2(one.output.contains("Examples:") && one.output.contains("Exit codes:"), name);
+            QVERIFY(one.messages.isEmpty());
+        }
+        QVERIFY(tan({"--version"}).output.startsWith("tan "));
+    }
+
+    void numbersDoNotFollowTheLocale()
+    {
+        const QMap<QString, QString> german = {{"LC_ALL", "de_DE.UTF-8"}, {"LANG", "de_DE.UTF-8"}};
+        if (!QFileInfo::exists(TAN_BINARY_DIR "/tests/locales/de_DE.UTF-8/LC_NUMERIC"))
+            QSKIP("skipped: no de_DE.UTF-8 locale on this machine");
+        const QStringList info = {"info", "c60.tan", "--lod", "2.5,.5"};
+        QCOMPARE(tan(info, german).output, tan(info, {{"LC_ALL", "C.UTF-8"}}).output);
+        QCOMPARE(tan({"info", "c60.tan", "--lod", "2.5", "--json"}, german)
+                     .json()["levels"][0]
+                     .toObject()["error"]
+                     .toDouble(),
+                 2.5);
+        QCOMPARE(
+            tan({"render", "c60.tan", "--isovalue", "120.5:red:0.5", "--size", "9x9", "-o", "d.png"}, german).exitCode,
+            0);
+        QVERIFY(tan({"build", "c60.nrrd", "-o", "d.tan", "--error", "0.5"}, german).exitCode == 0);
+        QCOMPARE(tan({"info", "d.tan", "--json"}, german).json()["parameters"].toObject()["error"].toString(),
+                 QString("0.5"));
+    }
+
+    void rawFilesNeedADescription()
+    {
+        QVERIFY(writeFile(path("v.raw"), bytes(4 * 5 * 6)));
+        const Run run = tan({"info", "v.raw", "--size", "4x5x6", "--json"});
+        QVERIFY2(run.exitCode == 0, run.messages);
+        QCOMPARE(run.json()["points"].toInt(), 120);
+    }
+
+    void withoutASubcommandTheWindowStarts_data()
+    {
+        QTest::addColumn<QStringList>("words");
+        QTest::newRow("nothing") << QStringList{};
+        QTest::newRow("a model") << QStringList{"c60.tan"};
+    }
+    void withoutASubcommandTheWindowStarts()
+    {
+        QFETCH(QStringList, words);
+        QProcess process;
+        process.setWorkingDirectory(folder_.path());
+        process.start(tanProgram(), words);
+        QVERIFY(process.waitForStarted());
+        const QString program = QString("/proc/%1/exe").arg(process.processId());
+        QTRY_VERIFY(QFile::symLinkTarget(program).endsWith("/bin/tan-desktop"));
+        process.kill();
+        QVERIFY(process.waitForFinished());
+    }
+
+    void figuresAndMessagesGoTheirOwnWays()
+    {
+        const Run good = tan({"info", "c60.tan", "--json"});
+        QVERIFY(good.messages.isEmpty());
+        const Run bad = tan({"info", "nothing.tan", "--json"});
+        QVERIFY(bad.output.isEmpty());
+        QVERIFY(bad.messages.startsWith("tan: "));
+    }
+};
+
+} // namespace tetra
+
+QTEST_GUILESS_MAIN(tetra::CommandLineTest)
+#include "command_line_test.moc"

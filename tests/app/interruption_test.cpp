@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Ctrl-C ends long work cleanly within a second; a file that is cut while it is mapped is an error and no crash.
+#include "app/command_line/command_line.h"
+#include "tests/app/program.h"
+#include "tests/app/sample_files.h"
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <csignal>
+#include <filesystem>
+#include <functional>
+#include <sstream>
+
+namespace tetra {
+namespace {
+
+/// A second is promised; other tests may keep the machine busy meanwhile. The build would take far longer.
+constexpr qint64 promptMilliseconds = 3000;
+
+/// A stream that calls a function before its first character.
+class CallingBuffer : public std::stringbuf {
+public:
+    explicit CallingBuffer(std::function<void()> call) : call_(std::move(call)) {}
+
+protected:
+    std::streamsize xsputn(const char* text, std::streamsize count) override
+    {
+        if (call_)
+            std::exchange(call_, nullptr)();
+        return std::stringbuf::xsputn(text, count);
+    }
+
+private:
+    std::function<void()> call_;
+};
+
+} // namespace
+
+class InterruptionTest : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir folder_;
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(runTan({"sample", "noise", "--size", "128", "-o", "noise.nrrd"}, folder_.path()).exitCode == 0);
+    }
+
+    void endsABuildCleanly_data()
+    {
+        QTest::addColumn<int>("signal");
+        QTest::newRow("Ctrl-C") << SIGINT;
+        QTest::newRow("kill") << SIGTERM;
+    }
+    void endsABuildCleanly()
+    {
+        QFETCH(int, signal);
+        const QStringList before = QDir(folder_.path()).entryList(QDir::AllEntries | QDir::Hidden);
+        QProcess process;
+        process.setWorkingDirectory(folder_.path());
+        process.start(tanProgram(), {"build", "noise.nrrd", "-o", "noise.tan"});
+        QVERIFY(process.waitForStarted());
+        // Once its unfinished file is there, the build itself is running.
+        QTRY_VERIFY_WITH_TIMEOUT(QDir(folder_.path()).entryList(QDir::AllEntries | QDir::Hidden) != before, 60'000);
+        QElapsedTimer timer;
+        timer.start();
+        ::kill(static_cast<pid_t>(process.processId()), signal);
+        QVERIFY(process.waitForFinished(30'000));
+        const qint64 took = timer.elapsed();
+        const Run run = collect(process);
+        QVERIFY2(run.exitCode == 130, run.messages);
+        QVERIFY2(run.messages.contains("cancelled"), run.messages);
+        QVERIFY2(took < promptMilliseconds * TAN_TEST_SLOWNESS, QByteArray::number(took) + " ms");
+        QCOMPARE(QDir(folder_.path()).entryList(QDir::AllEntries | QDir::Hidden), before);
+    }
+
+    void aModelCutWhileMappedIsAnError()
+    {
+        const QString model = folder_.filePath("cut.tan");
+        QVERIFY(runTan({"sample", "noise", "--size", "20", "-o", "small.nrrd"}, folder_.path()).exitCode == 0);
+        QVERIFY(runTan({"build", "small.nrrd", "-o", model}, folder_.path()).exitCode == 0);
+
+        // The first progress that is drawn comes after the model was mapped, and before it was read.
+        CallingBuffer buffer([&] { std::filesystem::resize_file(model.toStdString(), 4096); });
+        std::ostream messages(&buffer);
+        std::ostringstream output;
+        const auto host = PluginHost::standard();
+        const std::vector<std::string> words = {"verify", model.toStdString(), "--against",
+                                                folder_.filePath("small.nrrd").toStdString()};
+        const int code = runCommandLine(words, *host, {output, messages, true}, {});
+        const std::string said = buffer.str();
+        QVERIFY2(code == 3, said.c_str());
+        QVERIFY2(said.find("cut short") != std::string::npos, said.c_str());
+    }
+
+    void aSecondRequestIsNotNeededInProcess()
+    {
+        std::stop_source stop;
+        stop.request_stop();
+        std::ostringstream output;
+        std::ostringstream messages;
+        const auto host = PluginHost::standard();
+        const std::vector<std::string> words = {"build", folder_.filePath("noise.nrrd").toStdString(), "-o",
+                                                folder_.filePath("never.tan").toStdString()};
+        QCOMPARE(runCommandLine(words, *host, {output, messages}, stop.get_token()), 130);
+        QVERIFY(!QFile::exists(folder_.filePath("never.tan")));
+    }
+};
+
+} // namespace tetra
+
+QTEST_GUILESS_MAIN(tetra::InterruptionTest)
+#include "interruption_test.moc"

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/host/parameter_text.h"
+
+#include "plugins/host/colour_text.h"
+#include "plugins/host/parameter_values.h"
+
+#include <QTest>
+
+namespace tetra {
+namespace {
+
+Parameter described(ParameterValue byDefault, double least = 0, double most = 0)
+{
+    Parameter parameter;
+    parameter.id = "it";
+    parameter.unit = "%";
+    parameter.defaultValue = std::move(byDefault);
+    parameter.minimum = least;
+    parameter.maximum = most;
+    return parameter;
+}
+
+} // namespace
+
+class ParameterTextTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void valuesRoundTrip()
+    {
+        Isovalue isovalue{.value = -1.25, .red = 1, .green = 0.5f, .blue = 0, .opacity = 0.25f};
+        isovalue.green = 128.0f / 255.0f;
+        const std::vector<ParameterValue> values = {true,
+                                                    false,
+                                                    std::int64_t(-9'007'199'254'740'993),
+                                                    0.1,
+                                                    1e300,
+                                                    std::string("a text"),
+                                                    std::vector{isovalue, isovalue}};
+        for (const ParameterValue& value : values) {
+            const auto read = parseParameter(described(value), parameterText(value));
+            QVERIFY2(read, parameterText(value).c_str());
+            QVERIFY2(*read == value, parameterText(value).c_str());
+        }
+    }
+
+    void refusesWhatDoesNotFit_data()
+    {
+        QTest::addColumn<QString>("kind");
+        QTest::addColumn<QByteArray>("text");
+        for (const char* text : {"", "yes", "1", "True"})
+            QTest::addRow("bool %s", text) << "bool" << QByteArray(text);
+        for (const char* text : {"", "1.5", "11", "-1", "1e1", "9999999999999999999"})
+            QTest::addRow("whole %s", text) << "whole" << QByteArray(text);
+        for (const char* text : {"", "1,5", "10.01", "-0.1", "nan", "inf", "1e999", "1 ", "0x1"})
+            QTest::addRow("number %s", text) << "number" << QByteArray(text);
+        for (const char* text : {"", "three"})
+            QTest::addRow("choice %s", text) << "choice" << QByteArray(text);
+        for (const char* text : {"", "5:", "5:red:", "5:red:0", "5:red:1.1", "5:red:1:1", ":red", "5,,6", "11", "nan",
+                                 "5:#12345", "5:#12345g", "5:red:nan"})
+            QTest::addRow("isovalues %s", text) << "isovalues" << QByteArray(text);
+    }
+    void refusesWhatDoesNotFit()
+    {
+        QFETCH(QString, kind);
+        QFETCH(QByteArray, text);
+        Parameter choice = described(std::string("one"));
+        choice.choices = {"one", "two"};
+        const QHash<QString, Parameter> parameters = {{"bool", described(true)},
+                                                      {"whole", described(std::int64_t(5), 0, 10)},
+                                                      {"number", described(5.0, 0, 10)},
+                                                      {"choice", choice},
+                                                      {"isovalues", described(std::vector<Isovalue>{}, 0, 10)}};
+        const auto read = parseParameter(parameters[kind], text.toStdString());
+        QVERIFY(!read);
+        QCOMPARE(read.error().kind, ErrorKind::WrongUsage);
+        QVERIFY(!read.error().text.empty());
+    }
+
+    void domainsAreSaidInWords()
+    {
+        QCOMPARE(parameterDomain(described(5.0, 0, 10)), std::string("a number from 0 to 10, in %"));
+        QCOMPARE(parameterDomain(described(true)), std::string("true or false, in %"));
+    }
+
+    void isovaluesKeepDefaults()
+    {
+        const auto plain = parseIsovalue("128");
+        QVERIFY(plain);
+        QVERIFY(*plain == Isovalue{.value = 128});
+        const auto full = parseIsovalue("1e2:#f80:0.5");
+        QVERIFY(full);
+        QCOMPARE(full->value, 100.0);
+        QCOMPARE(full->red, 1.0f);
+        QCOMPARE(full->green, 136.0f / 255.0f);
+        QCOMPARE(full->opacity, 0.5f);
+    }
+
+    void coloursRoundTrip()
+    {
+        for (const char* text : {"#000000", "#ffffff", "#123456", "#fedcba"})
+            QCOMPARE(colourText(*parseColour(text)), std::string(text));
+        QCOMPARE(colourText(*parseColour("#fa0")), std::string("#ffaa00"));
+        QCOMPARE(colourText(*parseColour("white")), std::string("#ffffff"));
+        for (const char* text : {"", "#", "#12", "#1234", "#12345z", "Red", "123456"})
+            QVERIFY2(!parseColour(text), text);
+    }
+
+    void valuesAreCheckedAgainstTheirDescriptions()
+    {
+        const std::vector<Parameter> parameters = {described(5.0)};
+        QVERIFY(checkParameterValues("builder 'x'", parameters, {}));
+        QVERIFY(checkParameterValues("builder 'x'", parameters, {{"it", 3.0}}));
+        QVERIFY(!checkParameterValues("builder 'x'", parameters, {{"it", true}}));
+        const Status unknown = checkParameterValues("builder 'x'", parameters, {{"other", 3.0}});
+        QVERIFY(!unknown);
+        QVERIFY(unknown.error().text.find("It has: it.") != std::string::npos);
+    }
+};
+
+} // namespace tetra
+
+QTEST_APPLESS_MAIN(tetra::ParameterTextTest)
+#include "parameter_text_test.moc"

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Opening, saving and building through the plugins of this program.
+#include "core/data/analytic_fields.h"
+#include "core/model/model.h"
+#include "plugins/host/dataset_opening.h"
+#include "plugins/host/dataset_saving.h"
+#include "plugins/host/input_file.h"
+#include "plugins/host/model_building.h"
+#include "plugins/host/output_check.h"
+#include "plugins/host/plugin_call.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <array>
+#include <fstream>
+#include <stdexcept>
+
+namespace tetra {
+namespace {
+
+namespace fs = std::filesystem;
+
+Dataset smallSample()
+{
+    return *makeSample({.name = "noise", .size = 8, .type = std::nullopt, .seed = 1});
+}
+
+} // namespace
+
+class ServicesTest : public QObject {
+    Q_OBJECT
+
+private:
+    fs::path path(const char* name) const { return fs::path(folder_.path().toStdString()) / name; }
+
+    QTemporaryDir folder_;
+    std::unique_ptr<PluginHost> host_;
+
+private slots:
+    void initTestCase() { host_ = PluginHost::standard(); }
+
+    void whatWasSavedIsOpened()
+    {
+        const Dataset sample = smallSample();
+        const Status saved = saveDataset(*host_, sample, path("noise.nrrd"));
+        QVERIFY2(saved, saved ? "" : saved.error().text.c_str());
+        const auto opened = openDataset(*host_, path("noise.nrrd"));
+        QVERIFY2(opened, opened ? "" : opened.error().text.c_str());
+        QCOMPARE(opened->lattice.size, sample.lattice.size);
+        QVERIFY(std::ranges::equal(opened->values.bytes(), sample.values.bytes()));
+        QCOMPARE(chooseReader(*host_, path("noise.nrrd"))->id, std::string("lattice"));
+    }
+
+    void noReaderSaysWhatCanBeRead()
+    {
+        std::ofstream(path("letter.txt")) << "Dear reader";
+        const auto opened = openDataset(*host_, path("letter.txt"));
+        QVERIFY(!opened);
+        QCOMPARE(opened.error().kind, ErrorKind::BadInput);
+        QVERIFY2(opened.error().text.find("NRRD") != std::string::npos, opened.error().text.c_str());
+        QVERIFY(!readableFiles(*host_).empty());
+    }
+
+    void noWriterSaysWhatCanBeWritten()
+    {
+        const Status saved = saveDataset(*host_, smallSample(), path("noise.xyz"));
+        QVERIFY(!saved);
+        QVERIFY2(saved.error().text.find("nrrd") != std::string::npos, saved.error().text.c_str());
+    }
+
+    void aHostWithoutPluginsSaysSo()
+    {
+        PluginHost empty(PluginHostOptions{.folders = {}});
+        QVERIFY(openDataset(empty, path("noise.nrrd")).error().text.find("No reader is installed") !=
+                std::string::npos);
+        QVERIFY(!chooseBuilder(empty, smallSample()));
+        QVERIFY(saveDataset(empty, smallSample(), path("a.nrrd")).error().text.find("No writer") != std::string::npos);
+    }
+
+    void unknownParametersAreRefused()
+    {
+        const auto opened = openDataset(*host_, path("noise.nrrd"), {{"colour", 1.0}});
+        QVERIFY(!opened);
+        QCOMPARE(opened.error().kind, ErrorKind::WrongUsage);
+        const auto built = buildModel(*host_, smallSample(), std::nullopt, {{"colour", 1.0}}, path("no.tan"));
+        QVERIFY(!built);
+        QCOMPARE(built.error().kind, ErrorKind::WrongUsage);
+        QVERIFY(!fs::exists(path("no.tan")));
+    }
+
+    void buildsAndKeepsTheProvenance()
+    {
+        const auto built = buildModel(*host_, smallSample(), "refinement", {{"error", 2.0}}, path("noise.tan"));
+        QVERIFY2(built, built ? "" : built.error().text.c_str());
+        QCOMPARE(built->builder, std::string("refinement"));
+        QCOMPARE(built->fileBytes, std::uint64_t(fs::file_size(path("noise.tan"))));
+        QVERIFY(built->peakBytes > 0);
+        const auto model = Model::open(path("noise.tan"));
+        QVERIFY(model);
+        QCOMPARE((*model)->siteCount(), built->report.sites);
+        QCOMPARE((*model)->tetrahedronCount(), built->report.tetrahedra);
+        QCOMPARE((*model)->description().builder, std::string("refinement"));
+        const auto& parameters = (*model)->description().parameters;
+        QVERIFY(std::ranges::count(parameters, std::pair<std::string, std::string>("error", "2")) == 1);
+    }
+
+    void choosesTheBuilderItself()
+    {
+        const auto chosen = chooseBuilder(*host_, smallSample());
+        QVERIFY(chosen);
+        QCOMPARE(chosen->id, std::string("refinement"));
+        const auto unknown = chooseBuilder(*host_, smallSample(), "magic");
+        QVERIFY(!unknown);
+        QVERIFY(unknown.error().text.find("refinement") != std::string::npos);
+    }
+
+    void aCancelledBuildLeavesNothing()
+    {
+        std::stop_source stop;
+        stop.request_stop();
+        const auto built =
+            buildModel(*host_, smallSample(), std::nullopt, {}, path("cancelled.tan"), Progress(stop.get_token(), {}));
+        QVERIFY(!built);
+        QCOMPARE(built.error().kind, ErrorKind::Cancelled);
+        QVERIFY(!fs::exists(path("cancelled.tan")));
+    }
+
+    void outputsNeverReplaceTheirInputs()
+    {
+        std::ofstream(path("input.raw")) << "samples";
+        fs::create_symlink("input.raw", path("link.raw"));
+        fs::create_hard_link(path("input.raw"), path("hard.raw"));
+        const std::array inputs = {path("input.raw")};
+        for (const char* name : {"input.raw", "link.raw", "hard.raw", "./input.raw"})
+            QVERIFY2(!checkOutput(path(name), inputs), name);
+        QVERIFY(checkOutput(path("other.raw"), inputs));
+        QVERIFY(!checkModelOutput(path("input.raw")));
+        QVERIFY(checkModelOutput(path("new.tan")));
+
+        Dataset dataset = smallSample();
+        dataset.source.path = path("input.raw");
+        QCOMPARE(buildModel(*host_, dataset, std::nullopt, {}, path("link.raw")).error().kind, ErrorKind::WrongUsage);
+        QCOMPARE(fs::file_size(path("input.raw")), std::uintmax_t(7));
+    }
+
+    void modelsAreRecognised()
+    {
+        QVERIFY(buildModel(*host_, smallSample(), std::nullopt, {}, path("real.tan")));
+        fs::copy_file(path("real.tan"), path("renamed"));
+        QVERIFY(isModelFile(path("renamed")));
+        QVERIFY(isModelFile("nowhere.tan"));
+        QVERIFY(!isModelFile(path("noise.nrrd")));
+        QVERIFY(!isModelFile("nowhere"));
+        QVERIFY(checkModelOutput(path("renamed")));
+        QVERIFY(openDataset(*host_, path("real.tan")).error().text.find("is a TAn model") != std::string::npos);
+    }
+
+    void whatAPluginThrowsIsAnError()
+    {
+        const Status thrown = callPlugin("bad", []() -> Status { throw std::runtime_error("no luck"); });
+        QVERIFY(!thrown);
+        QVERIFY(thrown.error().text.find("no luck") != std::string::npos);
+        const Status full = callPlugin("bad", []() -> Status { throw std::bad_alloc(); });
+        QCOMPARE(full.error().kind, ErrorKind::OutOfResource);
+    }
+};
+
+} // namespace tetra
+
+QTEST_GUILESS_MAIN(tetra::ServicesTest)
+#include "services_test.moc"
