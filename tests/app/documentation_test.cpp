@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// docs/command-line.md and the README say the truth about `tan`: every example is accepted.
+#include "app/command_line/arguments.h"
+#include "app/command_line/subcommand.h"
+
+#include <QFile>
+#include <QRegularExpression>
+#include <QTest>
+
+#include <algorithm>
+
+namespace tetra {
+namespace {
+
+QString contentOf(const QString& name)
+{
+    QFile file(TAN_SOURCE_DIR "/" + name);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+/// The lines "    tan ..." of a text, without their comments and what stands behind "&&".
+std::vector<QStringList> examplesIn(const QString& text)
+{
+    static const QRegularExpression line("^ {2,}(?:\\S*/)?tan ([a-z].*)$", QRegularExpression::MultilineOption);
+    static const QRegularExpression comment("\\s+(#\\s|&&).*$");
+    std::vector<QStringList> examples;
+    for (auto matches = line.globalMatch(text); matches.hasNext();)
+        examples.push_back(matches.next().captured(1).remove(comment).split(' ', Qt::SkipEmptyParts));
+    return examples;
+}
+
+} // namespace
+
+class DocumentationTest : public QObject {
+    Q_OBJECT
+
+private:
+    /// Why `example` is none, or nothing.
+    QString mistakeIn(const QStringList& example)
+    {
+        const auto subcommand = std::ranges::find(subcommands(), example[0].toStdString(), &Subcommand::name);
+        if (subcommand == subcommands().end())
+            return "there is no such subcommand";
+        Syntax syntax = subcommand->syntax(*host_);
+        syntax.options.push_back({.name = "json", .placeholder = "", .explanation = ""});
+        std::vector<std::string> words;
+        for (const QString& word : example.mid(1))
+            words.push_back(word.toStdString());
+        const auto parsed = parseArguments(syntax, words);
+        return parsed ? QString() : QString::fromStdString(parsed.error().text);
+    }
+
+    std::unique_ptr<PluginHost> host_;
+
+private slots:
+    void initTestCase() { host_ = PluginHost::standard(); }
+
+    void examplesAreAccepted_data()
+    {
+        QTest::addColumn<QStringList>("example");
+        for (const char* name : {"docs/command-line.md", "README.md"})
+            for (const QStringList& example : examplesIn(contentOf(name)))
+                QTest::addRow("%s: %s", name, qPrintable(example.join(' '))) << example;
+        for (const Subcommand& subcommand : subcommands())
+            for (const Example& example : subcommand.syntax(*host_).examples)
+                for (const QStringList& words : examplesIn("  " + QString::fromStdString(example.command)))
+                    QTest::addRow("--help: %s", example.command.c_str()) << words;
+    }
+    void examplesAreAccepted()
+    {
+        QFETCH(QStringList, example);
+        const QString mistake = mistakeIn(example);
+        QVERIFY2(mistake.isEmpty(), qPrintable(mistake));
+    }
+
+    void mistakesAreFound()
+    {
+        QVERIFY(!mistakeIn({"buidl"}).isEmpty());
+        QVERIFY(!mistakeIn({"build", "a.nrrd", "-o", "b.tan", "--eror", "1"}).isEmpty());
+    }
+
+    void everySubcommandHasAChapterWithExamples()
+    {
+        const QString text = contentOf("docs/command-line.md");
+        QVERIFY(!text.isEmpty());
+        for (const Subcommand& subcommand : subcommands()) {
+            const QString name = QString::fromStdString(std::string(subcommand.name));
+            const QString chapter = text.section("## tan " + name + "\n", 1).section("\n## ", 0, 0);
+            QVERIFY2(chapter.contains("    tan " + name), qPrintable(name));
+            QVERIFY2(chapter.contains("JSON: `"), qPrintable(name));
+        }
+    }
+};
+
+} // namespace tetra
+
+QTEST_GUILESS_MAIN(tetra::DocumentationTest)
+#include "documentation_test.moc"
