@@ -3,7 +3,76 @@
 
 #include <QCoreApplication>
 
+#include <array>
+
 namespace tetra {
+namespace {
+
+constexpr std::array texts{
+    // clang-format off
+    QT_TRANSLATE_NOOP("Plugin", "Delaunay refinement"),
+    QT_TRANSLATE_NOOP("Plugin", "Starts from the corners and inserts the point of the largest error until the error is small enough."),
+    QT_TRANSLATE_NOOP("Plugin", "Error"),
+    QT_TRANSLATE_NOOP("Plugin", "The error at which to stop; 0 keeps everything, so that any accuracy can be looked at later."),
+    QT_TRANSLATE_NOOP("Plugin", "% of the value range"),
+    QT_TRANSLATE_NOOP("Plugin", "A regular lattice: refinement keeps the exact domain and needs the least time."),
+    QT_TRANSLATE_NOOP("Plugin", "Distributing the points"),
+    QT_TRANSLATE_NOOP("Plugin", "Refining"),
+    QT_TRANSLATE_NOOP("Plugin", "Isosurfaces"),
+    QT_TRANSLATE_NOOP("Plugin", "Shows the surfaces on which the field has the chosen values, each with a colour and an opacity."),
+    QT_TRANSLATE_NOOP("Plugin", "Isovalues"),
+    QT_TRANSLATE_NOOP("Plugin", "The values whose surfaces are shown, each with its colour and opacity."),
+    QT_TRANSLATE_NOOP("Plugin", "Outline"),
+    QT_TRANSLATE_NOOP("Plugin", "Shows the edges of the box that the data fill."),
+    QT_TRANSLATE_NOOP("Plugin", "Volumes on regular lattices"),
+    QT_TRANSLATE_NOOP("Plugin", "Reads NRRD files with attached or detached data, raw, gzip or text, and raw files that are described."),
+    QT_TRANSLATE_NOOP("Plugin", "NRRD writer"),
+    QT_TRANSLATE_NOOP("Plugin", "Writes volumes on regular lattices as NRRD files, raw or gzip."),
+    QT_TRANSLATE_NOOP("Plugin", "NRRD volume (*.nrrd *.nhdr)"),
+    QT_TRANSLATE_NOOP("Plugin", "Raw volume (*.raw *.bin *.binary *.dat *.img *.vol)"),
+    QT_TRANSLATE_NOOP("Plugin", "Reading"),
+    QT_TRANSLATE_NOOP("Plugin", "Size"),
+    QT_TRANSLATE_NOOP("Plugin", "Raw files: the number of points along x (which runs fastest), y and z, as in 256x256x128."),
+    QT_TRANSLATE_NOOP("Plugin", "points"),
+    QT_TRANSLATE_NOOP("Plugin", "Type"),
+    QT_TRANSLATE_NOOP("Plugin", "Raw files: the type of a sample."),
+    QT_TRANSLATE_NOOP("Plugin", "Byte order"),
+    QT_TRANSLATE_NOOP("Plugin", "Raw files: little (PC) or big endian, for types of more than one byte."),
+    QT_TRANSLATE_NOOP("Plugin", "little"),
+    QT_TRANSLATE_NOOP("Plugin", "big"),
+    QT_TRANSLATE_NOOP("Plugin", "Skip"),
+    QT_TRANSLATE_NOOP("Plugin", "Raw files: the length of a header before the samples."),
+    QT_TRANSLATE_NOOP("Plugin", "bytes"),
+    QT_TRANSLATE_NOOP("Plugin", "Spacing"),
+    QT_TRANSLATE_NOOP("Plugin", "Raw files: the distance of neighbouring points along x, y and z, as in 1x1x2.5."),
+    QT_TRANSLATE_NOOP("Plugin", "Origin"),
+    QT_TRANSLATE_NOOP("Plugin", "Raw files: the position of the first point, as in 0,0,0."),
+    QT_TRANSLATE_NOOP("Plugin", "uint8"),
+    QT_TRANSLATE_NOOP("Plugin", "int8"),
+    QT_TRANSLATE_NOOP("Plugin", "uint16"),
+    QT_TRANSLATE_NOOP("Plugin", "int16"),
+    QT_TRANSLATE_NOOP("Plugin", "uint32"),
+    QT_TRANSLATE_NOOP("Plugin", "int32"),
+    QT_TRANSLATE_NOOP("Plugin", "float"),
+    QT_TRANSLATE_NOOP("Plugin", "double"),
+    QT_TRANSLATE_NOOP("Plugin", "builder"),
+    QT_TRANSLATE_NOOP("Plugin", "renderer"),
+    QT_TRANSLATE_NOOP("Plugin", "reader"),
+    QT_TRANSLATE_NOOP("Plugin", "writer"),
+    QT_TRANSLATE_NOOP("Plugin", "editor"),
+    QT_TRANSLATE_NOOP("Plugin", "found"),
+    QT_TRANSLATE_NOOP("Plugin", "loaded"),
+    QT_TRANSLATE_NOOP("Plugin", "disabled"),
+    QT_TRANSLATE_NOOP("Plugin", "refused"),
+    // clang-format on
+};
+
+} // namespace
+
+std::span<const char* const> translatedPluginTexts()
+{
+    return texts;
+}
 
 QString pluginText(const std::string& text)
 {

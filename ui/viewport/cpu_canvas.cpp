@@ -25,6 +25,11 @@ CpuCanvas::CpuCanvas(QWidget* parent) : QWidget(parent), backend_(makeCpuBackend
 
 CpuCanvas::~CpuCanvas() = default;
 
+QString CpuCanvas::backendName() const
+{
+    return tr("CPU");
+}
+
 void CpuCanvas::show(const View& view)
 {
     view_ = view;

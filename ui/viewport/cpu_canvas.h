@@ -18,7 +18,7 @@ public:
     ~CpuCanvas() override;
 
     QWidget* widget() override { return this; }
-    QString backendName() const override { return tr("CPU"); }
+    QString backendName() const override;
     void show(const View& view) override;
     bool settled() const override { return settled_; }
     QImage picture() override { return shown_; }

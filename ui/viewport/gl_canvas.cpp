@@ -53,6 +53,11 @@ void GlCanvas::release()
     doneCurrent();
 }
 
+QString GlCanvas::backendName() const
+{
+    return tr("OpenGL");
+}
+
 void GlCanvas::show(const View& view)
 {
     view_ = view;

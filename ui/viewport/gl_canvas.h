@@ -17,7 +17,7 @@ public:
     ~GlCanvas() override;
 
     QWidget* widget() override { return this; }
-    QString backendName() const override { return tr("OpenGL"); }
+    QString backendName() const override;
     void show(const View& view) override;
     bool settled() const override { return settled_; }
     QImage picture() override { return grabFramebuffer(); }

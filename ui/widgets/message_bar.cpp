@@ -116,7 +116,7 @@ void MessageBar::showNewest()
     for (qsizetype i = 0; i < rows_.size(); ++i)
         rows_[i]->setVisible(i < mostShown);
     const auto hidden = static_cast<int>(rows_.size() - mostShown);
-    more_->setText(tr("and %n more message(s)", nullptr, std::max(hidden, 0)));
+    more_->setText(tr("%1 more").arg(hidden));
     more_->setVisible(hidden > 0);
     setVisible(!rows_.isEmpty());
 }

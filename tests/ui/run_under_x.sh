@@ -1,0 +1,8 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Runs a test program on a display of its own with a window manager; exits with 77 (skipped) where that is impossible.
+if ! command -v xvfb-run >/dev/null || ! command -v openbox >/dev/null; then
+    echo "skipped: xvfb-run or openbox is missing"
+    exit 77
+fi
+QT_QPA_PLATFORM=xcb exec xvfb-run -a -s "-screen 0 1280x1024x24" sh -c 'openbox & manager=$!; "$@"; result=$?; kill $manager; exit $result' sh "$@"

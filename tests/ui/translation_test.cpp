@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/window_fixture.h"
+#include "ui/session/plugin_texts.h"
+
+#include <QFile>
+#include <QMenu>
+#include <QMenuBar>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTranslator>
+#include <QXmlStreamReader>
+
+#include <algorithm>
+#include <set>
+
+using namespace tetra;
+
+/// Every text has a German translation, those of our plugins too, and the window speaks German.
+class TranslationTest : public QObject {
+    Q_OBJECT
+private slots:
+    void everyTextOfTheSourcesIsInTheFile();
+    void everyTextIsTranslated();
+    void everyTextOfAPluginIsKnown();
+    void theWindowSpeaksGerman();
+};
+
+namespace {
+
+constexpr const char* tsFile = TAN_SOURCE_DIR "/translations/tan_de.ts";
+
+struct Message {
+    QString context;
+    QString source;
+    QString translation;
+    bool unfinished = false;
+};
+
+std::vector<Message> messagesOf(const QString& path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        qFatal("cannot read %s", qPrintable(path));
+    QXmlStreamReader xml(&file);
+    std::vector<Message> messages;
+    QString context;
+    while (!xml.atEnd()) {
+        if (xml.readNext() != QXmlStreamReader::StartElement)
+            continue;
+        if (xml.name() == QLatin1String("name"))
+            context = xml.readElementText();
+        else if (xml.name() == QLatin1String("source"))
+            messages.push_back({context, xml.readElementText(), {}, false});
+        else if (xml.name() == QLatin1String("translation")) {
+            messages.back().unfinished = xml.attributes().hasAttribute("type");
+            messages.back().translation = xml.readElementText();
+        }
+    }
+    return messages;
+}
+
+std::set<QString> placeholders(const QString& text)
+{
+    std::set<QString> found;
+    for (int number = 1; number <= 9; ++number)
+        if (const QString place = "%" + QString::number(number); text.contains(place))
+            found.insert(place);
+    return found;
+}
+
+void collect(std::set<std::string>& texts, const std::vector<Parameter>& parameters)
+{
+    for (const Parameter& parameter : parameters) {
+        texts.insert({parameter.label, parameter.explanation, parameter.unit});
+        texts.insert(parameter.choices.begin(), parameter.choices.end());
+    }
+}
+
+std::set<std::string> textsOf(PluginHost& host)
+{
+    std::set<std::string> texts;
+    for (const auto& builder : host.builders())
+        collect(texts, builder.plugin->parameters());
+    for (const auto& reader : host.readers()) {
+        collect(texts, reader.plugin->parameters());
+        for (const std::string& filter : reader.plugin->nameFilters())
+            texts.insert(filter);
+    }
+    for (const auto& renderer : host.renderers())
+        collect(texts, renderer.plugin->parameters({0, 1}));
+    for (const PluginStatus& plugin : host.plugins())
+        texts.insert({plugin.metadata.name, plugin.metadata.description});
+    texts.erase("");
+    return texts;
+}
+
+} // namespace
+
+void TranslationTest::everyTextOfTheSourcesIsInTheFile()
+{
+    const QString lupdate = QStandardPaths::findExecutable("lupdate", {"/usr/lib/qt6/bin"});
+    if (lupdate.isEmpty())
+        QSKIP("skipped: no lupdate");
+    const QTemporaryDir folder;
+    const QString fresh = folder.filePath("fresh.ts");
+    QCOMPARE(QProcess::execute(lupdate, {"-silent", "-I", TAN_SOURCE_DIR, TAN_SOURCE_DIR "/ui", "-ts", fresh}), 0);
+    std::set<std::pair<QString, QString>> known;
+    for (const Message& message : messagesOf(tsFile))
+        known.insert({message.context, message.source});
+    for (const Message& message : messagesOf(fresh))
+        QVERIFY2(known.contains({message.context, message.source}),
+                 qPrintable("not in tan_de.ts: " + message.context + ": " + message.source));
+}
+
+void TranslationTest::everyTextIsTranslated()
+{
+    for (const Message& message : messagesOf(tsFile)) {
+        QVERIFY2(!message.unfinished && !message.translation.isEmpty(), qPrintable(message.source));
+        QVERIFY2(placeholders(message.source) == placeholders(message.translation), qPrintable(message.source));
+    }
+}
+
+void TranslationTest::everyTextOfAPluginIsKnown()
+{
+    const auto known = translatedPluginTexts();
+    for (const std::string& text : textsOf(*hostOfThisBuild()))
+        QVERIFY2(std::ranges::find(known, text) != known.end(), ("not in session/plugin_texts.cpp: " + text).c_str());
+}
+
+void TranslationTest::theWindowSpeaksGerman()
+{
+    QTranslator translator;
+    QVERIFY(translator.load(QLocale(QLocale::German), "tan", "_", ":/i18n"));
+    QCoreApplication::installTranslator(&translator);
+    const WindowFixture window;
+    QCOMPARE(window.find<QMenu>("menu.file").title(), QString("&Datei"));
+    QCOMPARE(window.find<QWidget>("dock.accuracy").windowTitle(), QString("Genauigkeit"));
+    QCOMPARE(pluginText("Delaunay refinement"), QString("Delaunay-Verfeinerung"));
+}
+
+QTEST_MAIN(TranslationTest)
+#include "translation_test.moc"

@@ -1,0 +1,963 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de">
+<context>
+    <name>Actions</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Open a dataset or a model</source>
+        <translation>Datensatz oder Modell öffnen</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Save &amp;Picture…</source>
+        <translation>&amp;Bild speichern …</translation>
+    </message>
+    <message>
+        <source>Save what is seen as a PNG picture</source>
+        <translation>Speichert, was zu sehen ist, als PNG-Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Close the model</source>
+        <translation>Schließt das Modell</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Leave the program</source>
+        <translation>Beendet das Programm</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig:</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen:</translation>
+    </message>
+    <message>
+        <source>&amp;Add Isovalue</source>
+        <translation>&amp;Isowert hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add an isosurface at another value</source>
+        <translation>Fügt eine Isofläche bei einem weiteren Wert hinzu</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Vorn</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Hinten</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Rechts</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Oben</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom</source>
+        <translation>&amp;Unten</translation>
+    </message>
+    <message>
+        <source>&amp;Corner</source>
+        <translation>&amp;Ecke</translation>
+    </message>
+    <message>
+        <source>Look from this side</source>
+        <translation>Blick von dieser Seite</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Einpassen</translation>
+    </message>
+    <message>
+        <source>Show the whole domain</source>
+        <translation>Zeigt das ganze Gebiet</translation>
+    </message>
+    <message>
+        <source>&amp;Look From</source>
+        <translation>&amp;Blick von</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>&amp;Perspektive</translation>
+    </message>
+    <message>
+        <source>Perspective, or parallel projection</source>
+        <translation>Perspektive oder Parallelprojektion</translation>
+    </message>
+    <message>
+        <source>Pa&amp;nels</source>
+        <translation>&amp;Felder</translation>
+    </message>
+    <message>
+        <source>Reset La&amp;yout</source>
+        <translation>&amp;Anordnung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Put all panels back to where they were at first</source>
+        <translation>Setzt alle Felder dahin zurück, wo sie anfangs waren</translation>
+    </message>
+    <message>
+        <source>F&amp;ull Screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>Use the whole screen</source>
+        <translation>Nutzt den ganzen Bildschirm</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Plugins…</source>
+        <translation>&amp;Plugins …</translation>
+    </message>
+    <message>
+        <source>The plugins that were found</source>
+        <translation>Die gefundenen Plugins</translation>
+    </message>
+    <message>
+        <source>&amp;About TAn</source>
+        <translation>Ü&amp;ber TAn</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>Version und Lizenz</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+</context>
+<context>
+    <name>AddIsovalue</name>
+    <message>
+        <source>new isovalue</source>
+        <translation>neuer Isowert</translation>
+    </message>
+</context>
+<context>
+    <name>ChangeError</name>
+    <message>
+        <source>change of accuracy</source>
+        <translation>Änderung der Genauigkeit</translation>
+    </message>
+</context>
+<context>
+    <name>ChangeIsovalue</name>
+    <message>
+        <source>change of isovalue</source>
+        <translation>Änderung des Isowerts</translation>
+    </message>
+</context>
+<context>
+    <name>Desktop</name>
+    <message>
+        <source>Shows volume data at any accuracy.</source>
+        <translation>Zeigt Volumendaten in jeder Genauigkeit.</translation>
+    </message>
+    <message>
+        <source>What draws the picture: auto, cpu or gl.</source>
+        <translation>Was das Bild zeichnet: auto, cpu oder gl.</translation>
+    </message>
+    <message>
+        <source>A dataset or a .tan model to open.</source>
+        <translation>Ein Datensatz oder ein .tan-Modell, das geöffnet wird.</translation>
+    </message>
+</context>
+<context>
+    <name>FileDialogs</name>
+    <message>
+        <source>Open a Dataset or a Model</source>
+        <translation>Datensatz oder Modell öffnen</translation>
+    </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG-Bilder (*.png)</translation>
+    </message>
+</context>
+<context>
+    <name>NumberText</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+</context>
+<context>
+    <name>Palette</name>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation>Himmelblau</translation>
+    </message>
+    <message>
+        <source>Bluish green</source>
+        <translation>Blaugrün</translation>
+    </message>
+    <message>
+        <source>Vermilion</source>
+        <translation>Zinnober</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Reddish purple</source>
+        <translation>Purpur</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Gelb</translation>
+    </message>
+</context>
+<context>
+    <name>Plugin</name>
+    <message>
+        <source>Delaunay refinement</source>
+        <translation>Delaunay-Verfeinerung</translation>
+    </message>
+    <message>
+        <source>Starts from the corners and inserts the point of the largest error until the error is small enough.</source>
+        <translation>Beginnt mit den Ecken und fügt jeweils den Punkt mit dem größten Fehler ein, bis der Fehler klein genug ist.</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>The error at which to stop; 0 keeps everything, so that any accuracy can be looked at later.</source>
+        <translation>Der Fehler, bei dem aufgehört wird; 0 behält alles, sodass später jede Genauigkeit zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>% of the value range</source>
+        <translation>% des Wertebereichs</translation>
+    </message>
+    <message>
+        <source>A regular lattice: refinement keeps the exact domain and needs the least time.</source>
+        <translation>Ein regelmäßiges Gitter: Die Verfeinerung erhält das Gebiet genau und braucht die wenigste Zeit.</translation>
+    </message>
+    <message>
+        <source>Distributing the points</source>
+        <translation>Die Punkte werden verteilt</translation>
+    </message>
+    <message>
+        <source>Refining</source>
+        <translation>Verfeinern</translation>
+    </message>
+    <message>
+        <source>Isosurfaces</source>
+        <translation>Isoflächen</translation>
+    </message>
+    <message>
+        <source>Shows the surfaces on which the field has the chosen values, each with a colour and an opacity.</source>
+        <translation>Zeigt die Flächen, auf denen das Feld die gewählten Werte hat, jede mit Farbe und Deckkraft.</translation>
+    </message>
+    <message>
+        <source>Isovalues</source>
+        <translation>Isowerte</translation>
+    </message>
+    <message>
+        <source>The values whose surfaces are shown, each with its colour and opacity.</source>
+        <translation>Die Werte, deren Flächen gezeigt werden, jeder mit Farbe und Deckkraft.</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Shows the edges of the box that the data fill.</source>
+        <translation>Zeigt die Kanten des Quaders, den die Daten füllen.</translation>
+    </message>
+    <message>
+        <source>Volumes on regular lattices</source>
+        <translation>Volumen auf regelmäßigen Gittern</translation>
+    </message>
+    <message>
+        <source>Reads NRRD files with attached or detached data, raw, gzip or text, and raw files that are described.</source>
+        <translation>Liest NRRD-Dateien mit Daten darin oder daneben, roh, gzip oder Text, und beschriebene Rohdateien.</translation>
+    </message>
+    <message>
+        <source>NRRD writer</source>
+        <translation>NRRD-Schreiber</translation>
+    </message>
+    <message>
+        <source>Writes volumes on regular lattices as NRRD files, raw or gzip.</source>
+        <translation>Schreibt Volumen auf regelmäßigen Gittern als NRRD-Dateien, roh oder gzip.</translation>
+    </message>
+    <message>
+        <source>NRRD volume (*.nrrd *.nhdr)</source>
+        <translation>NRRD-Volumen (*.nrrd *.nhdr)</translation>
+    </message>
+    <message>
+        <source>Raw volume (*.raw *.bin *.binary *.dat *.img *.vol)</source>
+        <translation>Rohes Volumen (*.raw *.bin *.binary *.dat *.img *.vol)</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Raw files: the number of points along x (which runs fastest), y and z, as in 256x256x128.</source>
+        <translation>Rohdateien: die Zahl der Punkte entlang x (läuft am schnellsten), y und z, etwa 256x256x128.</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Raw files: the type of a sample.</source>
+        <translation>Rohdateien: der Typ eines Abtastwerts.</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Bytefolge</translation>
+    </message>
+    <message>
+        <source>Raw files: little (PC) or big endian, for types of more than one byte.</source>
+        <translation>Rohdateien: little (PC) oder big endian, für Typen aus mehr als einem Byte.</translation>
+    </message>
+    <message>
+        <source>little</source>
+        <translation>little</translation>
+    </message>
+    <message>
+        <source>big</source>
+        <translation>big</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>Raw files: the length of a header before the samples.</source>
+        <translation>Rohdateien: die Länge eines Kopfes vor den Abtastwerten.</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>Bytes</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Raw files: the distance of neighbouring points along x, y and z, as in 1x1x2.5.</source>
+        <translation>Rohdateien: der Abstand benachbarter Punkte entlang x, y und z, etwa 1x1x2.5.</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Ursprung</translation>
+    </message>
+    <message>
+        <source>Raw files: the position of the first point, as in 0,0,0.</source>
+        <translation>Rohdateien: die Lage des ersten Punkts, etwa 0,0,0.</translation>
+    </message>
+    <message>
+        <source>uint8</source>
+        <translation>uint8</translation>
+    </message>
+    <message>
+        <source>int8</source>
+        <translation>int8</translation>
+    </message>
+    <message>
+        <source>uint16</source>
+        <translation>uint16</translation>
+    </message>
+    <message>
+        <source>int16</source>
+        <translation>int16</translation>
+    </message>
+    <message>
+        <source>uint32</source>
+        <translation>uint32</translation>
+    </message>
+    <message>
+        <source>int32</source>
+        <translation>int32</translation>
+    </message>
+    <message>
+        <source>float</source>
+        <translation>float</translation>
+    </message>
+    <message>
+        <source>double</source>
+        <translation>double</translation>
+    </message>
+    <message>
+        <source>builder</source>
+        <translation>Erbauer</translation>
+    </message>
+    <message>
+        <source>renderer</source>
+        <translation>Darsteller</translation>
+    </message>
+    <message>
+        <source>reader</source>
+        <translation>Leser</translation>
+    </message>
+    <message>
+        <source>writer</source>
+        <translation>Schreiber</translation>
+    </message>
+    <message>
+        <source>editor</source>
+        <translation>Editor</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>gefunden</translation>
+    </message>
+    <message>
+        <source>loaded</source>
+        <translation>geladen</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>abgeschaltet</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+</context>
+<context>
+    <name>RemoveIsovalue</name>
+    <message>
+        <source>removal of isovalue</source>
+        <translation>Entfernen des Isowerts</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::AccuracyBox</name>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Error in percent of the value range</source>
+        <translation>Fehler in Prozent des Wertebereichs</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::AccuracyCurve</name>
+    <message>
+        <source>%1G</source>
+        <translation>%1G</translation>
+    </message>
+    <message>
+        <source>%1M</source>
+        <translation>%1M</translation>
+    </message>
+    <message>
+        <source>%1k</source>
+        <translation>%1k</translation>
+    </message>
+    <message>
+        <source>Sites against error</source>
+        <translation>Stützpunkte über dem Fehler</translation>
+    </message>
+    <message>
+        <source>Number of sites needed for each error. Click, drag or use the arrow keys to choose the accuracy.</source>
+        <translation>Zahl der Stützpunkte, die jeder Fehler braucht. Klicken, ziehen oder Pfeiltasten wählen die Genauigkeit.</translation>
+    </message>
+    <message>
+        <source>%1 sites at an error of %2</source>
+        <translation>%1 Stützpunkte bei einem Fehler von %2</translation>
+    </message>
+    <message>
+        <source>Sites</source>
+        <translation>Stützpunkte</translation>
+    </message>
+    <message>
+        <source>Error, % of the value range</source>
+        <translation>Fehler, % des Wertebereichs</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::AccuracyPanel</name>
+    <message>
+        <source>%1 of all</source>
+        <translation>%1 von allen</translation>
+    </message>
+    <message>
+        <source>&amp;Error</source>
+        <translation>&amp;Fehler</translation>
+    </message>
+    <message>
+        <source>Error of %1 of the value range</source>
+        <translation>Fehler von %1 des Wertebereichs</translation>
+    </message>
+    <message>
+        <source>Every sample exact</source>
+        <translation>Jeder Abtastwert genau</translation>
+    </message>
+    <message>
+        <source>Sites</source>
+        <translation>Stützpunkte</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>Tetraeder</translation>
+    </message>
+    <message>
+        <source>This model was built down to an error of %1; it has nothing finer.</source>
+        <translation>Dieses Modell wurde bis zu einem Fehler von %1 gebaut; Feineres enthält es nicht.</translation>
+    </message>
+    <message>
+        <source>of the range, ± %1</source>
+        <translation>des Bereichs, ± %1</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::AccuracySlider</name>
+    <message>
+        <source>Error in percent of the value range</source>
+        <translation>Fehler in Prozent des Wertebereichs</translation>
+    </message>
+    <message>
+        <source>Error in percent of the value range: coarse on the left, every sample exact on the right</source>
+        <translation>Fehler in Prozent des Wertebereichs: links grob, ganz rechts jeder Abtastwert genau</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::BuildPanel</name>
+    <message>
+        <source>%1 × %2 × %3 samples, %4, values %5 to %6</source>
+        <translation>%1 × %2 × %3 Abtastwerte, %4, Werte %5 bis %6</translation>
+    </message>
+    <message>
+        <source>Open a dataset to build a model of it.</source>
+        <translation>Öffnen Sie einen Datensatz, um sein Modell zu bauen.</translation>
+    </message>
+    <message>
+        <source>&amp;Read</source>
+        <translation>&amp;Lesen</translation>
+    </message>
+    <message>
+        <source>The file alone does not say how it is to be read:</source>
+        <translation>Die Datei allein sagt nicht, wie sie zu lesen ist:</translation>
+    </message>
+    <message>
+        <source>Builder</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>How the model is built</source>
+        <translation>Wie das Modell gebaut wird</translation>
+    </message>
+    <message>
+        <source>B&amp;uilder</source>
+        <translation>&amp;Verfahren</translation>
+    </message>
+    <message>
+        <source>Model file</source>
+        <translation>Modelldatei</translation>
+    </message>
+    <message>
+        <source>The file that the model is written to</source>
+        <translation>Die Datei, in die das Modell geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen …</translation>
+    </message>
+    <message>
+        <source>&amp;Model file</source>
+        <translation>&amp;Modelldatei</translation>
+    </message>
+    <message>
+        <source>Progress of the build</source>
+        <translation>Fortschritt des Bauens</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Wird abgebrochen …</translation>
+    </message>
+    <message>
+        <source>&amp;Build and Replace</source>
+        <translation>&amp;Bauen und ersetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Build</source>
+        <translation>&amp;Bauen</translation>
+    </message>
+    <message>
+        <source>This file exists; it is replaced when the build is done.</source>
+        <translation>Diese Datei gibt es schon; sie wird ersetzt, wenn das Modell fertig ist.</translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation>Beginnt …</translation>
+    </message>
+    <message>
+        <source>%1, %2 left</source>
+        <translation>%1, noch %2</translation>
+    </message>
+    <message>
+        <source>Model File</source>
+        <translation>Modelldatei</translation>
+    </message>
+    <message>
+        <source>Models (*.tan)</source>
+        <translation>Modelle (*.tan)</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ColourButton</name>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Other Colour…</source>
+        <translation>Andere Farbe …</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::CpuCanvas</name>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::EmptyPage</name>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Opened last</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Open a dataset or a model</source>
+        <translation>Datensatz oder Modell öffnen</translation>
+    </message>
+    <message>
+        <source>Drop a file here: a volume (NRRD, raw samples) to build a model of, or a finished .tan model.</source>
+        <translation>Lassen Sie hier eine Datei fallen: ein Volumen (NRRD, rohe Abtastwerte), um sein Modell zu bauen, oder ein fertiges .tan-Modell.</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::GlCanvas</name>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::IsovaluePanel</name>
+    <message>
+        <source>&amp;Add Isovalue</source>
+        <translation>&amp;Isowert hinzufügen</translation>
+    </message>
+    <message>
+        <source>No isovalue: there is nothing to draw but the outline.</source>
+        <translation>Kein Isowert: Außer dem Umriss ist nichts zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>Add an isosurface at another value (Ctrl+I)</source>
+        <translation>Fügt eine Isofläche bei einem weiteren Wert hinzu (Strg+I)</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::IsovalueRow</name>
+    <message>
+        <source>Isovalue</source>
+        <translation>Isowert</translation>
+    </message>
+    <message>
+        <source>Isovalue, in the units of the data: %1 to %2</source>
+        <translation>Isowert, in den Einheiten der Daten: %1 bis %2</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Opacity in percent; below 100 % what lies behind shows through</source>
+        <translation>Deckkraft in Prozent; unter 100 % scheint durch, was dahinter liegt</translation>
+    </message>
+    <message>
+        <source>Show this isosurface</source>
+        <translation>Diese Isofläche zeigen</translation>
+    </message>
+    <message>
+        <source>Remove this isovalue (Del)</source>
+        <translation>Diesen Isowert entfernen (Entf)</translation>
+    </message>
+    <message>
+        <source>Remove this isovalue</source>
+        <translation>Diesen Isowert entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::MainWindow</name>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Bauen</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Isovalues</source>
+        <translation>Isowerte</translation>
+    </message>
+    <message>
+        <source>One file can be open at a time; of those dropped, %1 was opened.</source>
+        <translation>Es kann nur eine Datei zugleich offen sein; von den abgelegten wurde %1 geöffnet.</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>&amp;Clear List</source>
+        <translation>Liste &amp;leeren</translation>
+    </message>
+    <message>
+        <source>%1 – TAn</source>
+        <translation>%1 – TAn</translation>
+    </message>
+    <message>
+        <source>TAn</source>
+        <translation>TAn</translation>
+    </message>
+    <message>
+        <source>The dataset is open. Build its model to look at it: the panel on the left has the options.</source>
+        <translation>Der Datensatz ist offen. Bauen Sie sein Modell, um ihn anzusehen: Das Feld links hat die Einstellungen.</translation>
+    </message>
+    <message>
+        <source>About TAn</source>
+        <translation>Über TAn</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;TAn %1&lt;/h3&gt;&lt;p&gt;Tetrahedra Analyzer: multiresolution volume data with a known error.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;TAn %1&lt;/h3&gt;&lt;p&gt;Tetrahedra Analyzer: Volumendaten in vielen Auflösungen mit bekanntem Fehler.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::MessageBar</name>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 weitere</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::MessageRow</name>
+    <message>
+        <source>Dismiss this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1-mal</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ParameterForm</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::PluginWindow</name>
+    <message>
+        <source>Plugins</source>
+        <translation>Plugins</translation>
+    </message>
+    <message>
+        <source>Plugin</source>
+        <translation>Plugin</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>Looked for in: %1</source>
+        <translation>Gesucht in: %1</translation>
+    </message>
+    <message>
+        <source>The plugin %1 cannot be used. %2</source>
+        <translation>Das Plugin %1 kann nicht benutzt werden. %2</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::StatusLine</name>
+    <message>
+        <source>The picture at the chosen accuracy is being made</source>
+        <translation>Das Bild in der gewählten Genauigkeit entsteht gerade</translation>
+    </message>
+    <message>
+        <source>Data points in the mesh that is shown</source>
+        <translation>Datenpunkte im gezeigten Netz</translation>
+    </message>
+    <message>
+        <source>Tetrahedra in the mesh that is shown</source>
+        <translation>Tetraeder im gezeigten Netz</translation>
+    </message>
+    <message>
+        <source>Triangles of all isosurfaces that are shown</source>
+        <translation>Dreiecke aller gezeigten Isoflächen</translation>
+    </message>
+    <message>
+        <source>Time for taking the mesh out of the model</source>
+        <translation>Zeit, um das Netz aus dem Modell zu holen</translation>
+    </message>
+    <message>
+        <source>Time for drawing the last picture</source>
+        <translation>Zeit, um das letzte Bild zu zeichnen</translation>
+    </message>
+    <message>
+        <source>Memory that the program occupies, mapped files included</source>
+        <translation>Speicher, den das Programm belegt, eingeblendete Dateien eingeschlossen</translation>
+    </message>
+    <message>
+        <source>What draws the picture: OpenGL or the processor</source>
+        <translation>Was das Bild zeichnet: OpenGL oder der Prozessor</translation>
+    </message>
+    <message>
+        <source>%1 sites</source>
+        <translation>%1 Stützpunkte</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra</source>
+        <translation>%1 Tetraeder</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 Dreiecke</translation>
+    </message>
+    <message>
+        <source>extracted in %1</source>
+        <translation>geholt in %1</translation>
+    </message>
+    <message>
+        <source>%1 a frame</source>
+        <translation>%1 je Bild</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::Viewport</name>
+    <message>
+        <source>OpenGL cannot be used, the picture is drawn by the processor instead. %1</source>
+        <translation>OpenGL ist nicht benutzbar, stattdessen zeichnet der Prozessor das Bild. %1</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::Workbench</name>
+    <message>
+        <source>Models (*.tan)</source>
+        <translation>Modelle (*.tan)</translation>
+    </message>
+    <message>
+        <source>All that can be opened (%1)</source>
+        <translation>Alles, was sich öffnen lässt (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
+        <translation>Kein Plugin zur Darstellung konnte geladen werden; so lässt sich kein Modell zeigen. %1</translation>
+    </message>
+</context>
+</TS>
