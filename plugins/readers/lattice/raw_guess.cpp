@@ -78,14 +78,15 @@ std::vector<RawGuess> guessRawLayouts(std::string_view fileName, std::uint64_t b
     if (bytes > largest)
         return guesses;
     for (const SampleType type : usualTypes) {
-        const double side = std::cbrt(static_cast<double>(bytes / sampleSize(type)));
-        const auto points = static_cast<std::uint32_t>(std::lround(side));
+        const std::uint64_t samples = bytes / sampleSize(type);
+        const auto points = static_cast<std::uint32_t>(std::lround(std::cbrt(static_cast<double>(samples))));
         add(guesses, {{points, points, points}, type}, bytes);
     }
     for (const SampleType type : usualTypes)
         for (const std::uint32_t side : {512u, 256u, 128u, 64u, 1024u}) {
             const std::uint64_t slices = bytes / sampleSize(type) / side / side;
-            if (slices >= side / 8 && slices <= 4 * side && slices != side)
+            const bool usual = slices >= side / 8 && slices <= std::uint64_t(4) * side;
+            if (usual && slices != side)
                 add(guesses, {{side, side, static_cast<std::uint32_t>(slices)}, type}, bytes);
         }
     return guesses;

@@ -324,11 +324,12 @@ void NrrdReaderTest::isKnownByItsFirstBytes()
 void NrrdReaderTest::reportsProgressAndCancels()
 {
     for (const QByteArray encoding : {"raw", "gzip", "ascii"}) {
-        QByteArray samples(128 * 128 * 128 * 4, '\1');
+        constexpr qsizetype points = 128 * 128 * 128;
+        QByteArray samples(points * 4, '\1');
         if (encoding == "gzip")
             samples = gzipped(samples);
         if (encoding == "ascii")
-            samples = QByteArray("1 ").repeated(128 * 128 * 128);
+            samples = QByteArray("1 ").repeated(points);
         const auto path = folder_.write(
             "long.nrrd",
             nrrdHeader("sizes: 128 128 128\ntype: int\nendian: little\nencoding: " + encoding + "\n") + samples);

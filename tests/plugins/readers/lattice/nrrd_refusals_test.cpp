@@ -173,7 +173,7 @@ void NrrdRefusalsTest::ofSamplesThatAreNotFinite()
     QFETCH(bool, isDouble);
     QFETCH(double, value);
     QByteArray samples = testSamples(isDouble ? SampleType::Float64 : SampleType::Float32);
-    for (const int point : {2 + 3 * (1 + 4 * 2), 59}) { // (2, 1, 2) and the last
+    for (const qsizetype point : {qsizetype(2 + 3 * (1 + 4 * 2)), qsizetype(59)}) { // (2, 1, 2) and the last
         const auto single = static_cast<float>(value);
         if (isDouble)
             samples.replace(point * 8, 8, reinterpret_cast<const char*>(&value), 8);

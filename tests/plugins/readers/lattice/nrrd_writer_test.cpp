@@ -154,7 +154,7 @@ void NrrdWriterTest::overwritesAtTheEndOnly()
 
 void NrrdWriterTest::leavesNothingBehindOnAFullDisk()
 {
-    const SmallDisk disk(64 * 1024);
+    const SmallDisk disk(65536);
     if (!disk.ok())
         QSKIP("skipped: this user may not mount a disk");
     const Dataset dataset = volume(SampleType::Float64, 64);

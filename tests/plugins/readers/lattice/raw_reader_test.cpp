@@ -181,11 +181,11 @@ void RawReaderTest::guesses_data()
     const auto row = [](const char* name, quint64 bytes, const QStringList& texts) {
         QTest::newRow(name) << name << bytes << texts;
     };
-    row("bonsai_256x256x128_uint8.raw", 256 * 256 * 128, {"256x256x128 uint8"});
-    row("head.64x64x93-int16.raw", 64 * 64 * 93 * 2, {"64x64x93 int16"});
-    row("headed_64X64X93.raw", 64 * 64 * 93 * 4, {"64x64x93 float"});
-    row("wrong_10x10x10_uint8.raw", 41 * 41 * 41, {"41x41x41 uint8"});
-    row("cube.raw", 64 * 64 * 64,
+    row("bonsai_256x256x128_uint8.raw", 8388608, {"256x256x128 uint8"});
+    row("head.64x64x93-int16.raw", 761856, {"64x64x93 int16"});
+    row("headed_64X64X93.raw", 1523712, {"64x64x93 float"});
+    row("wrong_10x10x10_uint8.raw", 68921, {"41x41x41 uint8"});
+    row("cube.raw", 262144,
         {"64x64x64 uint8", "32x32x32 double", "128x128x16 uint8", "64x64x32 uint16", "64x64x16 float"});
     row("prime.raw", 1000003, {});
     row("empty.raw", 0, {});
