@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/window_fixture.h"
+#include "ui/panels/accuracy_curve.h"
+#include "ui/widgets/colour_button.h"
+#include "ui/widgets/value_box.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QSlider>
+#include <QStyle>
+#include <QToolButton>
+#include <QUndoStack>
+#include <QWheelEvent>
+
+using namespace tetra;
+
+/// Every control of the panels for accuracy (R26) and isovalues (R19), by object names.
+class PanelsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void nothingCanBeChosenWithoutAModel();
+    void allInputsOfTheAccuracyAgree_data();
+    void allInputsOfTheAccuracyAgree();
+    void theCurveIsChosenByMouseKeyAndWheel();
+    void theSliderLiesAlongTheCurve();
+    void aHeldKeyIsOneStep();
+    void numbersFollowTheAccuracyWithTheirShare();
+    void aModelThatEndsEarlySaysSo();
+    void isovaluesAreAddedEditedAndRemoved();
+    void theColourMenuOffersThePalette();
+    void deleteRemovesTheRow();
+    void isovalueRowsFollowUndo();
+    void everyControlHasANameForThoseWhoHearIt();
+    void valueBoxesTakeAnyMagnitude();
+
+private:
+    const Session& session() const { return window_->workbench.session(); }
+    const Isovalue& isovalue(std::size_t index) const { return session().view().isovalues()[index]; }
+    void open(double finalErrorPercent = 0);
+
+    std::unique_ptr<WindowFixture> window_;
+};
+
+void PanelsTest::initTestCase()
+{
+    QCoreApplication::setOrganizationName("TAn");
+    QCoreApplication::setApplicationName("panels");
+    QSettings().clear();
+    QLocale::setDefault(QLocale::c());
+}
+
+void PanelsTest::open(double finalErrorPercent)
+{
+    const auto path = buildSampleModel(*window_->host, sampleDataset(16), window_->folderPath(), finalErrorPercent);
+    window_->window.open(QString::fromStdString(path));
+    QTRY_VERIFY(session().model() && window_->settled());
+}
+
+void PanelsTest::init()
+{
+    window_ = std::make_unique<WindowFixture>();
+    window_->window.show();
+}
+
+void PanelsTest::cleanup()
+{
+    window_.reset();
+}
+
+void PanelsTest::nothingCanBeChosenWithoutAModel()
+{
+    QVERIFY(!window_->find<QWidget>("accuracy").isEnabled());
+    QVERIFY(!window_->find<QWidget>("isovalues").isEnabled());
+    QVERIFY(!window_->find<QAction>("action.savePicture").isEnabled());
+    QVERIFY(!window_->find<QAction>("action.undo").isEnabled());
+    QVERIFY(window_->find<QWidget>("empty").isVisible());
+}
+
+void PanelsTest::allInputsOfTheAccuracyAgree_data()
+{
+    QTest::addColumn<double>("percent");
+    for (const double percent : {4.0, 1.5, 0.37, 0.1, 0.0})
+        QTest::addRow("%g", percent) << percent;
+}
+
+void PanelsTest::allInputsOfTheAccuracyAgree()
+{
+    QFETCH(double, percent);
+    open();
+    auto& box = window_->find<QDoubleSpinBox>("accuracy.box");
+    box.setValue(percent);
+    QCOMPARE(session().view().error(), percent);
+    const auto& slider = window_->find<QSlider>("accuracy.slider");
+    QCOMPARE(slider.value(), static_cast<int>(std::lround(accuracyPosition(percent) * slider.maximum())));
+    for (const double preset : accuracyPresets)
+        QCOMPARE(window_->find<QToolButton>("accuracy.preset." + QString::number(preset)).isChecked(),
+                 preset == percent);
+}
+
+void PanelsTest::theCurveIsChosenByMouseKeyAndWheel()
+{
+    open();
+    auto& curve = window_->find<AccuracyCurve>("accuracy.curve");
+    const int axis = curve.width() - curve.leftMargin() - curve.rightMargin();
+    const QPoint at(curve.leftMargin() + static_cast<int>(accuracyPosition(0.2) * axis), curve.height() / 2);
+    QTest::mouseClick(&curve, Qt::LeftButton, {}, at);
+    QVERIFY(std::abs(session().view().error() - 0.2) < 0.02);
+    window_->find<QDoubleSpinBox>("accuracy.box").setValue(1);
+    QTest::keyClick(&curve, Qt::Key_Right);
+    QCOMPARE(session().view().error(), 0.8);
+    QTest::keyClick(&curve, Qt::Key_End);
+    QCOMPARE(session().view().error(), 0.0);
+    QWheelEvent down(at, curve.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&curve, &down);
+    QCOMPARE(session().view().error(), finestOnScale);
+}
+
+void PanelsTest::theSliderLiesAlongTheCurve()
+{
+    const auto& curve = window_->find<AccuracyCurve>("accuracy.curve");
+    const auto& slider = window_->find<QSlider>("accuracy.slider");
+    const int inset = slider.style()->pixelMetric(QStyle::PM_SliderLength, nullptr, &slider) / 2;
+    const int left = slider.mapTo(&window_->window, QPoint(inset, 0)).x();
+    const int right = slider.mapTo(&window_->window, QPoint(slider.width() - inset, 0)).x();
+    QVERIFY(std::abs(left - curve.mapTo(&window_->window, QPoint(curve.leftMargin(), 0)).x()) <= 1);
+    QVERIFY(std::abs(right - curve.mapTo(&window_->window, QPoint(curve.width() - curve.rightMargin(), 0)).x()) <= 1);
+}
+
+void PanelsTest::aHeldKeyIsOneStep()
+{
+    open();
+    auto& slider = window_->find<QSlider>("accuracy.slider");
+    for (const bool repeated : {false, true, true, true}) {
+        QKeyEvent press(QEvent::KeyPress, Qt::Key_Right, Qt::NoModifier, {}, repeated);
+        QCoreApplication::sendEvent(&slider, &press);
+    }
+    QKeyEvent release(QEvent::KeyRelease, Qt::Key_Right, Qt::NoModifier);
+    QCoreApplication::sendEvent(&slider, &release);
+    QCOMPARE(session().view().error(), 0.4);
+    QCOMPARE(window_->workbench.session().undoStack().count(), 1);
+    QTest::keyClick(&slider, Qt::Key_Right);
+    QCOMPARE(window_->workbench.session().undoStack().count(), 2);
+}
+
+void PanelsTest::numbersFollowTheAccuracyWithTheirShare()
+{
+    open();
+    window_->find<QDoubleSpinBox>("accuracy.box").setValue(0);
+    const auto model = session().model();
+    QCOMPARE(window_->find<QLabel>("accuracy.sites").text(), QLocale().toString(model->siteCount()));
+    QCOMPARE(window_->find<QLabel>("accuracy.siteShare").text(), QString("100 % of all"));
+    window_->find<QDoubleSpinBox>("accuracy.box").setValue(2);
+    const MeshSize size = meshSizeAt(*model, {2});
+    QCOMPARE(window_->find<QLabel>("accuracy.sites").text(), QLocale().toString(size.sites));
+    QCOMPARE(window_->find<QLabel>("accuracy.tetrahedra").text(),
+             QLocale().toString(static_cast<qulonglong>(size.tetrahedra)));
+    QVERIFY(!window_->find<QLabel>("accuracy.limit").isVisible());
+    const double inUnits = 0.02 * session().range().extent();
+    QVERIFY(window_->find<QLabel>("accuracy.inUnits").text().contains(QLocale().toString(inUnits, 'g', 3)));
+}
+
+void PanelsTest::aModelThatEndsEarlySaysSo()
+{
+    open(3);
+    QVERIFY(window_->find<QLabel>("accuracy.limit").isVisible());
+}
+
+void PanelsTest::isovaluesAreAddedEditedAndRemoved()
+{
+    open();
+    QTest::mouseClick(&window_->find<QPushButton>("isovalues.add"), Qt::LeftButton);
+    QCOMPARE(session().view().isovalueCount(), 2);
+    window_->find<QDoubleSpinBox>("isovalue.1.value.box").setValue(42);
+    QCOMPARE(isovalue(1).value, 42.0);
+    auto& slider = window_->find<QSlider>("isovalue.1.value.slider");
+    QCOMPARE(slider.value(), static_cast<int>(std::lround(42 / session().range().maximum * slider.maximum())));
+    slider.setValue(slider.maximum());
+    QCOMPARE(isovalue(1).value, session().range().maximum);
+    QCOMPARE(window_->find<QDoubleSpinBox>("isovalue.1.value.box").value(), session().range().maximum);
+    window_->find<QSlider>("isovalue.1.opacity.slider").setValue(0);
+    QCOMPARE(isovalue(1).opacity, 0.01F);
+    window_->find<QCheckBox>("isovalue.1.visible").click();
+    QVERIFY(!isovalue(1).visible);
+    const Isovalue last = isovalue(1);
+    QTest::mouseClick(&window_->find<QWidget>("isovalue.0.remove"), Qt::LeftButton);
+    QCOMPARE(session().view().isovalues(), std::vector{last});
+    QTest::mouseClick(&window_->find<QWidget>("isovalue.0.remove"), Qt::LeftButton);
+    QVERIFY(window_->find<QLabel>("isovalues.hint").isVisible());
+    QTRY_VERIFY(window_->settled() && window_->viewport().scene()->surfaces.empty());
+}
+
+void PanelsTest::theColourMenuOffersThePalette()
+{
+    open();
+    auto& button = window_->find<ColourButton>("isovalue.0.colour");
+    emit button.menu()->aboutToShow();
+    auto* green = button.menu()->findChild<QAction*>("colour.2");
+    QVERIFY(green != nullptr);
+    green->trigger();
+    QVERIFY(isovalue(0).green > isovalue(0).red);
+    QCOMPARE(button.colour(), QColor::fromRgbF(isovalue(0).red, isovalue(0).green, isovalue(0).blue));
+}
+
+void PanelsTest::deleteRemovesTheRow()
+{
+    open();
+    QTest::keyClick(&window_->find<QCheckBox>("isovalue.0.visible"), Qt::Key_Delete);
+    QCOMPARE(session().view().isovalueCount(), 0);
+}
+
+void PanelsTest::isovalueRowsFollowUndo()
+{
+    open();
+    window_->find<QAction>("action.addIsovalue").trigger();
+    window_->find<QDoubleSpinBox>("isovalue.1.value.box").setValue(42);
+    window_->find<QAction>("action.undo").trigger();
+    QVERIFY(window_->find<QDoubleSpinBox>("isovalue.1.value.box").value() != 42);
+    window_->find<QAction>("action.undo").trigger();
+    QVERIFY(window_->window.findChild<QWidget*>("isovalue.1") == nullptr);
+    window_->find<QAction>("action.redo").trigger();
+    window_->find<QAction>("action.redo").trigger();
+    QCOMPARE(window_->find<QDoubleSpinBox>("isovalue.1.value.box").value(), 42.0);
+}
+
+void PanelsTest::everyControlHasANameForThoseWhoHearIt()
+{
+    open();
+    QStringList nameless;
+    for (const QWidget* widget : window_->window.findChildren<QWidget*>()) {
+        const bool isControl = qobject_cast<const QAbstractSlider*>(widget) ||
+                               qobject_cast<const QAbstractSpinBox*>(widget) ||
+                               qobject_cast<const QAbstractButton*>(widget);
+        const auto* button = qobject_cast<const QAbstractButton*>(widget);
+        const bool hasText = button != nullptr && !button->text().isEmpty();
+        if (isControl && !widget->objectName().startsWith("qt_") && widget->objectName().contains('.') && !hasText &&
+            widget->accessibleName().isEmpty())
+            nameless.append(widget->objectName());
+    }
+    QCOMPARE(nameless, QStringList());
+}
+
+void PanelsTest::valueBoxesTakeAnyMagnitude()
+{
+    ValueBox box;
+    box.setLocale(QLocale::c());
+    box.setValueRange(-1e-12, 3e-12);
+    box.setValue(2e-12);
+    QCOMPARE(box.value(), 2e-12);
+    QCOMPARE(box.text(), QString("2e-12"));
+    box.setValueRange(0, 65535);
+    box.setValue(1234);
+    QCOMPARE(box.text(), QString("1234"));
+}
+
+QTEST_MAIN(PanelsTest)
+#include "panels_test.moc"

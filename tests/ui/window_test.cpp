@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/window_fixture.h"
+#include "ui/session/recent_files.h"
+
+#include <QDoubleSpinBox>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QToolButton>
+
+using namespace tetra;
+
+/// The window around the panels (R27): opening in every way, what goes wrong and how it is told, building with cancel,
+/// the camera by mouse and keyboard, pictures, layout.
+class WindowTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void emptyInvites();
+    void droppedFilesAreOpened();
+    void whatCannotBeOpenedIsToldAndStays_data();
+    void whatCannotBeOpenedIsToldAndStays();
+    void messagesAreNeverLost();
+    void aRawFileAsksForItsDescription();
+    void aBuildIsCancelledAndLeavesNoFile();
+    void aBuildThatCannotWriteSaysSo();
+    void anExistingModelIsReplacedOnlyWithAWord();
+    void theMouseMovesTheCamera();
+    void theKeyboardMovesTheCamera();
+    void namedViewsAndFit();
+    void aPictureIsSaved();
+    void recentFilesAreOffered();
+    void closingTheModelLeavesTheInvitation();
+    void theViewportFollowsThePalette();
+    void theLayoutIsKept();
+    void thePluginsAreListed();
+
+private:
+    void openSample();
+
+    std::unique_ptr<WindowFixture> window_;
+};
+
+void WindowTest::initTestCase()
+{
+    QCoreApplication::setOrganizationName("TAn");
+    QCoreApplication::setApplicationName("window");
+    QLocale::setDefault(QLocale::c());
+}
+
+void WindowTest::init()
+{
+    QSettings().clear();
+    window_ = std::make_unique<WindowFixture>();
+    window_->window.show();
+}
+
+void WindowTest::cleanup()
+{
+    window_.reset();
+}
+
+void WindowTest::openSample()
+{
+    const auto path = buildSampleModel(*window_->host, sampleDataset(16), window_->folderPath());
+    window_->window.open(QString::fromStdString(path));
+    QTRY_VERIFY(window_->workbench.session().model() && window_->settled());
+}
+
+void WindowTest::emptyInvites()
+{
+    QVERIFY(window_->find<QWidget>("empty").isVisible());
+    QVERIFY(window_->find<QPushButton>("empty.open").isVisible());
+    QVERIFY(!window_->find<QWidget>("dock.build").isVisible());
+    QVERIFY(!window_->find<QWidget>("messages").isVisible());
+    QCOMPARE(window_->find<QLabel>("status.backend").text(), QString("CPU"));
+}
+
+void WindowTest::droppedFilesAreOpened()
+{
+    const auto path = writeNrrd(sampleDataset(8), window_->folderPath());
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(QString::fromStdString(path))});
+    QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window_->window, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window_->window, &drop);
+    QTRY_VERIFY(window_->workbench.dataset());
+    QVERIFY(window_->find<QWidget>("dock.build").isVisible());
+    QCOMPARE(window_->find<QLabel>("build.facts").text(), QString("8 × 8 × 8 samples, uint8, values 0 to 192"));
+
+    QMimeData text;
+    text.setText("no file");
+    QDragEnterEvent other({100, 100}, Qt::CopyAction, &text, Qt::LeftButton, Qt::NoModifier);
+    other.ignore();
+    QCoreApplication::sendEvent(&window_->window, &other);
+    QVERIFY(!other.isAccepted());
+}
+
+void WindowTest::whatCannotBeOpenedIsToldAndStays_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("content");
+    QTest::newRow("missing") << "missing.nrrd" << QByteArray();
+    QTest::newRow("empty model") << "empty.tan" << QByteArray("");
+    QTest::newRow("no model") << "broken.tan" << QByteArray("this is no model at all");
+    QTest::newRow("truncated volume") << "short.nrrd"
+                                      << QByteArray("NRRD0004\ntype: uint8\ndimension: 3\nsizes: 9 9 9\n"
+                                                    "encoding: raw\n\nabc");
+    QTest::newRow("unknown") << "letter.txt" << QByteArray("Dear reader");
+}
+
+void WindowTest::whatCannotBeOpenedIsToldAndStays()
+{
+    QFETCH(QString, name);
+    QFETCH(QByteArray, content);
+    const QString path = window_->folder.filePath(name);
+    if (!content.isNull()) {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(content);
+    }
+    window_->window.open(path);
+    QTRY_COMPARE(window_->messages().size(), 1);
+    QVERIFY2(window_->messages().first().contains(name), qPrintable(window_->messages().first()));
+    QVERIFY(window_->find<QWidget>("messages").isVisible());
+    QVERIFY(window_->find<QLabel>("message.text").textInteractionFlags().testFlag(Qt::TextSelectableByMouse));
+    QVERIFY(window_->find<QWidget>("empty").isVisible());
+    QTest::mouseClick(&window_->find<QToolButton>("message.close"), Qt::LeftButton);
+    QVERIFY(!window_->find<QWidget>("messages").isVisible());
+}
+
+void WindowTest::messagesAreNeverLost()
+{
+    auto& bar = window_->find<MessageBar>("messages");
+    for (const char* text : {"a", "b", "c", "d", "d"})
+        bar.add(text);
+    QCOMPARE(bar.texts(), (QStringList{"d", "c", "b", "a"}));
+    QVERIFY(window_->find<QLabel>("messages.more").isVisible());
+    for (int left = 4; left > 0; --left) {
+        QCOMPARE(bar.texts().size(), left);
+        QTest::mouseClick(&window_->find<QToolButton>("message.close"), Qt::LeftButton);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+    QVERIFY(!bar.isVisible());
+}
+
+void WindowTest::aRawFileAsksForItsDescription()
+{
+    const Dataset dataset = sampleDataset(8);
+    QFile file(window_->folder.filePath("samples.raw"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(reinterpret_cast<const char*>(dataset.values.bytes().data()), 8 * 8 * 8);
+    file.close();
+    window_->window.open(file.fileName());
+    QTRY_VERIFY(window_->window.findChild<QLineEdit*>("describe.size"));
+    QVERIFY(window_->find<QWidget>("dock.build").isVisible());
+
+    auto& size = window_->find<QLineEdit>("describe.size");
+    size.setText("8x8");
+    QSignalSpy asked(&window_->workbench, &Workbench::descriptionNeeded);
+    QTest::mouseClick(&window_->find<QPushButton>("describe.read"), Qt::LeftButton);
+    QTRY_COMPARE(asked.count(), 1); // what was not understood is asked for again, and what was filled in is still there
+    QCOMPARE(window_->find<QLineEdit>("describe.size").text(), QString("8x8"));
+    window_->find<QLineEdit>("describe.size").setText("8x8x8");
+    QTest::mouseClick(&window_->find<QPushButton>("describe.read"), Qt::LeftButton);
+    QTRY_VERIFY(window_->workbench.dataset());
+    QCOMPARE(window_->workbench.dataset()->lattice.size, (std::array<std::uint32_t, 3>{8, 8, 8}));
+}
+
+void WindowTest::aBuildIsCancelledAndLeavesNoFile()
+{
+    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(96), window_->folderPath())));
+    QTRY_VERIFY(window_->workbench.dataset());
+    const QString target = window_->find<QLineEdit>("build.target").text();
+    QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
+    QVERIFY(window_->find<QWidget>("build.progress").isVisible());
+    QVERIFY(!window_->find<QWidget>("build.target").isEnabled());
+    QTRY_VERIFY(window_->find<QProgressBar>("build.progress").value() > 0);
+    QTest::mouseClick(&window_->find<QPushButton>("build.cancel"), Qt::LeftButton);
+    QTRY_VERIFY(!window_->workbench.building().running());
+    QVERIFY(!QFile::exists(target));
+    QCOMPARE(window_->messages(), QStringList()); // who cancels knows
+    QVERIFY(window_->find<QPushButton>("build.start").isVisible());
+    QVERIFY(window_->find<QWidget>("build.target").isEnabled());
+}
+
+void WindowTest::aBuildThatCannotWriteSaysSo()
+{
+    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
+    QTRY_VERIFY(window_->workbench.dataset());
+    window_->find<QLineEdit>("build.target").setText(window_->folder.filePath("no/such/folder/model.tan"));
+    QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
+    QTRY_COMPARE(window_->messages().size(), 1);
+    QVERIFY(window_->messages().first().contains("no/such/folder"));
+    QVERIFY(window_->find<QPushButton>("build.start").isVisible());
+}
+
+void WindowTest::anExistingModelIsReplacedOnlyWithAWord()
+{
+    buildSampleModel(*window_->host, sampleDataset(8), window_->folderPath());
+    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
+    QTRY_VERIFY(window_->workbench.dataset());
+    QVERIFY(window_->find<QLabel>("build.targetHint").isVisible());
+    QCOMPARE(window_->find<QPushButton>("build.start").text(), QString("&Build and Replace"));
+    window_->find<QLineEdit>("build.target").setText(window_->folder.filePath("other.tan"));
+    QVERIFY(!window_->find<QLabel>("build.targetHint").isVisible());
+}
+
+void WindowTest::theMouseMovesTheCamera()
+{
+    openSample();
+    Viewport& viewport = window_->viewport();
+    const auto drag = [&](Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
+        QTest::mousePress(&viewport, button, modifiers, {100, 100});
+        QMouseEvent move(QEvent::MouseMove, QPointF(140, 100), viewport.mapToGlobal(QPointF(140, 100)), Qt::NoButton,
+                         button, modifiers);
+        QCoreApplication::sendEvent(&viewport, &move);
+        QTest::mouseRelease(&viewport, button, modifiers, {140, 100});
+    };
+    Camera before = viewport.camera();
+    drag(Qt::LeftButton, {});
+    QVERIFY(viewport.camera().azimuth != before.azimuth);
+    QCOMPARE(viewport.camera().target, before.target);
+    before = viewport.camera();
+    drag(Qt::MiddleButton, {});
+    QCOMPARE(viewport.camera().azimuth, before.azimuth);
+    QVERIFY(viewport.camera().target != before.target);
+    before = viewport.camera();
+    drag(Qt::LeftButton, Qt::ShiftModifier);
+    QVERIFY(viewport.camera().target != before.target);
+    QVERIFY(!viewport.settled());
+    QTRY_VERIFY(viewport.settled()); // the fine picture comes by itself
+    QCOMPARE(viewport.picture().size(), viewport.size());
+}
+
+void WindowTest::theKeyboardMovesTheCamera()
+{
+    openSample();
+    Viewport& viewport = window_->viewport();
+    const Camera before = viewport.camera();
+    QTest::keyClick(&viewport, Qt::Key_Left);
+    QVERIFY(viewport.camera().azimuth != before.azimuth);
+    QTest::keyClick(&viewport, Qt::Key_Plus);
+    QVERIFY(viewport.camera().distance < before.distance);
+}
+
+void WindowTest::namedViewsAndFit()
+{
+    openSample();
+    Viewport& viewport = window_->viewport();
+    window_->find<QAction>("action.view.top").trigger();
+    QCOMPARE(viewport.camera().elevation, 90.0);
+    const double distance = viewport.camera().distance;
+    QTest::keyClick(&viewport, Qt::Key_Minus);
+    window_->find<QAction>("action.fit").trigger();
+    QVERIFY(std::abs(viewport.camera().distance - distance) < 1e-9 * distance);
+    window_->find<QAction>("action.perspective").trigger();
+    QVERIFY(!viewport.camera().perspective);
+}
+
+void WindowTest::aPictureIsSaved()
+{
+    openSample();
+    const Viewport& viewport = window_->viewport();
+    const QString path = window_->folder.filePath("picture.png");
+    QSignalSpy saved(&window_->workbench, &Workbench::pictureSaved);
+    window_->workbench.savePicture(
+        {viewport.scene(), viewport.camera(), viewport.background(), 320, 200, path.toStdString()});
+    QTRY_COMPARE(saved.count(), 1);
+    QCOMPARE(QImage(path).size(), QSize(320, 200));
+    window_->workbench.savePicture(
+        {viewport.scene(), viewport.camera(), viewport.background(), 320, 200, "/no/such/folder/picture.png"});
+    QTRY_COMPARE(window_->messages().size(), 1);
+}
+
+void WindowTest::recentFilesAreOffered()
+{
+    openSample();
+    auto& menu = window_->find<QMenu>("menu.recent");
+    emit menu.aboutToShow();
+    QCOMPARE(menu.actions().first()->text(), QString("c60.tan"));
+    QVERIFY(QFile::remove(recentFiles().first()));
+    QVERIFY(recentFiles().isEmpty());
+}
+
+void WindowTest::closingTheModelLeavesTheInvitation()
+{
+    openSample();
+    QVERIFY(!window_->find<QWidget>("empty").isVisible());
+    window_->find<QAction>("action.close").trigger();
+    QVERIFY(window_->find<QWidget>("empty").isVisible());
+    QVERIFY(!window_->find<QLabel>("status.sites").isVisible());
+    QVERIFY(!window_->find<QWidget>("accuracy").isEnabled());
+    QVERIFY(!window_->viewport().scene());
+}
+
+void WindowTest::theViewportFollowsThePalette()
+{
+    const float light = window_->viewport().background().red;
+    QPalette dark;
+    dark.setColor(QPalette::Window, QColor(40, 40, 40));
+    dark.setColor(QPalette::WindowText, Qt::white);
+    const QPalette before = QApplication::palette();
+    QApplication::setPalette(dark);
+    QTRY_VERIFY(window_->viewport().background().red < 0.5F);
+    QApplication::setPalette(before);
+    QTRY_COMPARE(window_->viewport().background().red, light);
+}
+
+void WindowTest::theLayoutIsKept()
+{
+    window_->find<QAction>("action.dock.isovalues").trigger();
+    window_->window.close();
+    WindowFixture next;
+    next.window.show();
+    QVERIFY(!next.find<QWidget>("dock.isovalues").isVisible());
+    QVERIFY(next.find<QWidget>("dock.accuracy").isVisible());
+    next.find<QAction>("action.resetLayout").trigger();
+    QVERIFY(next.find<QWidget>("dock.isovalues").isVisible());
+}
+
+void WindowTest::thePluginsAreListed()
+{
+    window_->find<QAction>("action.plugins").trigger();
+    QVERIFY(window_->find<QWidget>("pluginWindow").isVisible());
+}
+
+QTEST_MAIN(WindowTest)
+#include "window_test.moc"
