@@ -53,7 +53,8 @@ Error sizeIsMissing(std::string_view fileName, std::uint64_t fileBytes)
                 std::string(sampleTypeName(guess.type));
         separator = ", or ";
     }
-    return wrongUsage(text + ".");
+    const bool guessed = separator == ", or ";
+    return wrongUsage(text + (guessed ? "." : ", in the manner of --size 256x256x128 --type uint8."));
 }
 
 Status parsePlacement(const std::vector<Parameter>& parameters, const ParameterValues& values, Lattice& lattice)

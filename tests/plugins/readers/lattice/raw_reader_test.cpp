@@ -128,7 +128,7 @@ void RawReaderTest::refuses_data()
     const auto wrongUsage = ErrorKind::WrongUsage;
     const auto badInput = ErrorKind::BadInput;
     row("empty", "", {size}, badInput, {"empty"});
-    row("nothing described", samples, {}, wrongUsage, {"60 bytes", "size and type"});
+    row("nothing described", samples, {}, wrongUsage, {"60 bytes", "size and type", "in the manner of --size"});
     row("a cube", QByteArray(32768, 1), {}, wrongUsage, {"32768 bytes", "--size 32x32x32 --type uint8"});
     row("a cube after a header", QByteArray(32768 + 10, 1), {{"skip", std::int64_t(10)}}, wrongUsage,
         {"--size 32x32x32 --type uint8"});
