@@ -822,6 +822,10 @@
         <source>&lt;h3&gt;TAn %1&lt;/h3&gt;&lt;p&gt;Tetrahedra Analyzer: multiresolution volume data with a known error.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;TAn %1&lt;/h3&gt;&lt;p&gt;Tetrahedra Analyzer: Volumendaten in vielen Auflösungen mit bekanntem Fehler.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>The file does not say how its samples are laid out. Describe it in the panel on the left.</source>
+        <translation>Die Datei sagt nicht, wie ihre Abtastwerte angeordnet sind. Beschreiben Sie sie im Feld links.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

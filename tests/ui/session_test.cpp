@@ -71,7 +71,7 @@ void SessionTest::everyEditIsOneStepAndUndoRestoresIt()
     session_->setError(2);
     session_->addIsovalue(50);
     Isovalue changed = session_->view().isovalues()[1];
-    changed.opacity = 0.5F;
+    changed.opacity = 0.25F;
     session_->setIsovalue(1, changed);
     session_->removeIsovalue(0);
     QCOMPARE(stack.count(), 4);
@@ -81,7 +81,7 @@ void SessionTest::everyEditIsOneStepAndUndoRestoresIt()
     QCOMPARE(session_->view().isovalueCount(), 2);
     QCOMPARE(session_->view().isovalues()[0], Isovalue{100});
     stack.undo();
-    QCOMPARE(session_->view().isovalues()[1].opacity, 1.0F);
+    QCOMPARE(session_->view().isovalues()[1].opacity, 0.5F);
     stack.undo();
     QCOMPARE(session_->view().isovalueCount(), 1);
     stack.undo();

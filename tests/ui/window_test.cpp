@@ -165,6 +165,7 @@ void WindowTest::aRawFileAsksForItsDescription()
     window_->window.open(file.fileName());
     QTRY_VERIFY(window_->window.findChild<QLineEdit*>("describe.size"));
     QVERIFY(window_->find<QWidget>("dock.build").isVisible());
+    QCOMPARE(window_->find<QLabel>("empty.title").text(), QString("samples.raw"));
 
     auto& size = window_->find<QLineEdit>("describe.size");
     size.setText("8x8");

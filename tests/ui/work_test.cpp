@@ -22,6 +22,7 @@ private slots:
     void aTaskTellsProgressAndItsEnd();
     void aCancelledTaskStillEnds();
     void aReplacedTaskDoesNotTellItsEnd();
+    void aReplacedTaskThatEndsLastIsNotHeardOf();
 };
 
 namespace {
@@ -165,6 +166,28 @@ void WorkTest::aReplacedTaskDoesNotTellItsEnd()
         task.start(
             [&told, number](const Progress&) -> std::function<void()> { return [&told, number] { told += number; }; });
     QTRY_COMPARE(told, 2);
+    QCOMPARE(finished.count(), 1);
+}
+
+void WorkTest::aReplacedTaskThatEndsLastIsNotHeardOf()
+{
+    LongTask task;
+    QSignalSpy finished(&task, &LongTask::finished);
+    std::latch goOn(1);
+    std::atomic<bool> firstEnded = false;
+    int told = 0;
+    task.start([&](const Progress&) -> std::function<void()> {
+        goOn.wait();
+        firstEnded = true;
+        return [&told] { told += 1; };
+    });
+    task.start([&](const Progress&) -> std::function<void()> { return [&told] { told += 2; }; });
+    QTRY_COMPARE(told, 2);
+    QVERIFY(!task.running());
+    goOn.count_down();
+    QTRY_VERIFY(firstEnded);
+    QCoreApplication::processEvents();
+    QCOMPARE(told, 2);
     QCOMPARE(finished.count(), 1);
 }
 

@@ -42,6 +42,7 @@ Isovalue nextIsovalue(const std::vector<Isovalue>& existing, const ValueRange& r
 {
     Isovalue isovalue;
     isovalue.value = middleOfWidestGap(existing, range);
+    isovalue.opacity = existing.empty() ? 1.0F : 0.5F; // so that it does not hide the others
     const Colour colour = freeColour(existing);
     isovalue.red = colour.red;
     isovalue.green = colour.green;

@@ -188,7 +188,12 @@ void MainWindow::connectWorkbench()
 {
     connect(&workbench_, &Workbench::failed, messages_, &MessageBar::add);
     connect(&workbench_, &Workbench::datasetOpened, this, &MainWindow::showDataset);
-    connect(&workbench_, &Workbench::descriptionNeeded, this, [this] { buildDock_->show(); });
+    connect(&workbench_, &Workbench::descriptionNeeded, this, [this] {
+        buildDock_->show();
+        buildDock_->raise();
+        if (!workbench_.session().model())
+            showNothing();
+    });
     connect(&workbench_, &Workbench::modelBuilt, buildDock_, &QWidget::hide);
     connect(&workbench_, &Workbench::pictureSaved, this,
             [this](const QString& path) { statusBar()->showMessage(tr("Saved %1").arg(path), statusMessageTime); });
@@ -273,7 +278,10 @@ void MainWindow::showDataset()
 void MainWindow::showNothing()
 {
     pages_->setCurrentWidget(empty_);
-    if (const auto& dataset = workbench_.dataset())
+    if (const auto& file = workbench_.undescribedFile(); !file.empty())
+        empty_->tell(QFileInfo(pathText(file)).fileName(),
+                     tr("The file does not say how its samples are laid out. Describe it in the panel on the left."));
+    else if (const auto& dataset = workbench_.dataset())
         empty_->tell(QString::fromStdString(dataset->source.name),
                      tr("The dataset is open. Build its model to look at it: the panel on the left has the options."));
     else

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/work/long_task.h"
 
-#include <QCoreApplication>
+#include "ui/session/plugin_texts.h"
+
+#include <mutex>
+#include <string>
+#include <thread>
 
 namespace tetra {
 namespace {
@@ -11,58 +15,71 @@ constexpr auto tellingInterval = std::chrono::milliseconds(100);
 
 } // namespace
 
+struct LongTask::Run {
+    std::mutex mutex; ///< guards the next two
+    double fraction = 0;
+    std::string activity;
+    std::jthread thread; ///< last: ends before what it uses
+};
+
 LongTask::LongTask(QObject* parent) : QObject(parent)
 {
     connect(&telling_, &QTimer::timeout, this, &LongTask::tell);
 }
 
-LongTask::~LongTask() = default;
+LongTask::~LongTask()
+{
+    for (const auto& run : runs_)
+        run->thread.request_stop();
+}
 
 void LongTask::start(Work work)
 {
-    thread_ = {}; // asks the previous one to stop and waits
-    running_ = true;
+    cancel();
     remaining_ = {};
-    fraction_ = 0;
-    activity_.clear();
     clock_.start();
     telling_.start(tellingInterval);
+    Run* run = runs_.emplace_back(std::make_unique<Run>()).get();
+    newest_ = run;
     emit started();
 
-    thread_ = std::jthread([this, number = ++number_, work = std::move(work)](const std::stop_token& stop) {
-        const Progress progress(stop, [this](double fraction, std::string_view activity) {
-            const std::lock_guard lock(mutex_);
-            fraction_ = fraction;
-            activity_ = activity;
+    run->thread = std::jthread([this, run, work = std::move(work)](const std::stop_token& stop) {
+        const Progress progress(stop, [run](double fraction, std::string_view activity) {
+            const std::lock_guard lock(run->mutex);
+            run->fraction = fraction;
+            run->activity = activity;
         });
         std::function<void()> afterwards = work(progress);
         QMetaObject::invokeMethod(
-            this,
-            [this, number, afterwards = std::move(afterwards)] {
-                if (number != number_)
-                    return;
-                running_ = false;
-                telling_.stop();
-                emit finished();
-                afterwards();
-            },
-            Qt::QueuedConnection);
+            this, [this, run, afterwards = std::move(afterwards)] { ended(run, afterwards); }, Qt::QueuedConnection);
     });
 }
 
 void LongTask::cancel()
 {
-    thread_.request_stop();
+    if (newest_ != nullptr)
+        newest_->thread.request_stop();
+}
+
+void LongTask::ended(const Run* run, const std::function<void()>& afterwards)
+{
+    const bool isReplaced = run != newest_;
+    std::erase_if(runs_, [run](const auto& other) { return other.get() == run; });
+    if (isReplaced)
+        return;
+    newest_ = nullptr;
+    telling_.stop();
+    emit finished();
+    afterwards();
 }
 
 void LongTask::tell()
 {
     TaskProgress progress;
     {
-        const std::lock_guard lock(mutex_);
-        progress.fraction = fraction_;
-        // Plugins write their activities in English; those that the shell knows are translated.
-        progress.activity = QCoreApplication::translate("Plugin", activity_.c_str());
+        const std::lock_guard lock(newest_->mutex);
+        progress.fraction = newest_->fraction;
+        progress.activity = pluginText(newest_->activity);
     }
     remaining_.update(progress.fraction, static_cast<double>(clock_.elapsed()) / 1000);
     progress.remainingSeconds = remaining_.seconds();

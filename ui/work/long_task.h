@@ -8,12 +8,10 @@
 #include <QObject>
 #include <QTimer>
 
-#include <atomic>
 #include <functional>
-#include <mutex>
+#include <memory>
 #include <optional>
-#include <string>
-#include <thread>
+#include <vector>
 
 namespace tetra {
 
@@ -35,8 +33,8 @@ public:
     explicit LongTask(QObject* parent = nullptr);
     ~LongTask() override;
 
-    bool running() const noexcept { return running_; }
-    /// Starts `work`; a task that is still running is cancelled and awaited first, and its end is not told.
+    bool running() const noexcept { return newest_ != nullptr; }
+    /// Starts `work` at once. One that is still running is cancelled; nothing more is heard of it.
     void start(Work work);
     /// Asks the work to stop; it ends in its own time, with finished().
     void cancel();
@@ -48,17 +46,15 @@ signals:
     void finished();
 
 private:
+    struct Run;
     void tell();
+    void ended(const Run* run, const std::function<void()>& afterwards);
 
-    bool running_ = false;
     QTimer telling_;
     QElapsedTimer clock_;
     RemainingTime remaining_;
-    std::mutex mutex_; ///< guards the next two
-    double fraction_ = 0;
-    std::string activity_;
-    quint64 number_ = 0; ///< of the started tasks, so that the end of a replaced one is not taken for the present one's
-    std::jthread thread_;
+    std::vector<std::unique_ptr<Run>> runs_; ///< that have not ended; all but the newest were cancelled
+    Run* newest_ = nullptr;                  ///< none once it has ended
 };
 
 } // namespace tetra
