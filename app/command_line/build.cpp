@@ -18,23 +18,6 @@ namespace {
 
 constexpr std::int64_t mostThreads = 1024;
 
-std::vector<Parameter> builderParameters(PluginHost& host)
-{
-    std::vector<Parameter> all;
-    for (const auto& builder : host.builders())
-        for (Parameter& parameter : builder.plugin->parameters())
-            all.push_back(std::move(parameter));
-    return all;
-}
-
-std::string builderIds(PluginHost& host)
-{
-    std::string ids;
-    for (const auto& builder : host.builders())
-        ids += (ids.empty() ? "" : "|") + builder.id;
-    return ids.empty() ? "ID" : ids;
-}
-
 /// Before anything long is done.
 Status checkOutputs(const std::filesystem::path& input, const std::filesystem::path& output)
 {
@@ -77,7 +60,7 @@ Syntax buildSyntax(PluginHost& host)
         .positionals = {{"IN", "The dataset: " + std::string("a file that one of the readers knows.")}},
         .options = {outputOption("MODEL", "The model to write, by habit with the ending .tan."),
                     {.name = "builder",
-                     .placeholder = builderIds(host),
+                     .placeholder = idChoices(host.builders()),
                      .explanation = "Who builds.",
                      .byDefault = "the one that suits the dataset best"},
                     {.name = "threads",
@@ -86,8 +69,8 @@ Syntax buildSyntax(PluginHost& host)
                      .byDefault = "as many as the machine has"}},
         .examples = {{"tan build engine.nrrd -o engine.tan", "Everything, down to an error of 0."},
                      {"tan build engine.nrrd --error 0.5 -o engine.tan", "A smaller model, exact to 0.5 %."}}};
-    addPluginOptions(syntax, builderParameters(host));
-    addPluginOptions(syntax, readerParameters(host));
+    addPluginOptions(syntax, allParameters(host.builders()));
+    addPluginOptions(syntax, allParameters(host.readers()));
     return syntax;
 }
 
@@ -112,7 +95,7 @@ Result<Outcome> runBuild(const Invocation& invocation)
     if (!builder)
         return builder.error();
     const auto parameters = builder->plugin->parameters();
-    if (const Status known = checkPluginOptions(arguments, builderParameters(invocation.host), parameters,
+    if (const Status known = checkPluginOptions(arguments, allParameters(invocation.host.builders()), parameters,
                                                 "builder '" + builder->id + "'");
         !known)
         return known.error();

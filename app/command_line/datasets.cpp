@@ -16,15 +16,6 @@ constexpr const char* regular = "regular";
 
 } // namespace
 
-std::vector<Parameter> readerParameters(PluginHost& host)
-{
-    std::vector<Parameter> all;
-    for (const auto& reader : host.readers())
-        for (Parameter& parameter : reader.plugin->parameters())
-            all.push_back(std::move(parameter));
-    return all;
-}
-
 Result<Dataset> openDatasetWithOptions(const Invocation& invocation, const std::filesystem::path& path,
                                        const Progress& progress)
 {
@@ -32,8 +23,8 @@ Result<Dataset> openDatasetWithOptions(const Invocation& invocation, const std::
     if (!reader)
         return reader.error();
     const auto parameters = reader->plugin->parameters();
-    if (const Status known = checkPluginOptions(invocation.arguments, readerParameters(invocation.host), parameters,
-                                                "reader '" + reader->id + "' of '" + path.string() + "'");
+    if (const Status known = checkPluginOptions(invocation.arguments, allParameters(invocation.host.readers()),
+                                                parameters, "reader '" + reader->id + "' of '" + path.string() + "'");
         !known)
         return known.error();
     const auto values = pluginValues(invocation.arguments, parameters);

@@ -5,12 +5,8 @@
 #include "core/data/dataset.h"
 
 #include <filesystem>
-#include <vector>
 
 namespace tetra {
-
-/// The parameters of all readers: which one reads a file is known only later.
-std::vector<Parameter> readerParameters(PluginHost& host);
 
 /// Opens a dataset with what the options say to its reader. Options of other readers are refused.
 Result<Dataset> openDatasetWithOptions(const Invocation& invocation, const std::filesystem::path& path,

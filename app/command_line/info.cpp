@@ -101,7 +101,7 @@ Syntax infoSyntax(PluginHost& host)
                   .options = {levelsOption()},
                   .examples = {{"tan info engine.tan --lod 1,.5,.1", "The meshes at three accuracies."},
                                {"tan info engine.nrrd --json", "A dataset, for a program."}}};
-    addPluginOptions(syntax, readerParameters(host));
+    addPluginOptions(syntax, allParameters(host.readers()));
     return syntax;
 }
 
@@ -113,8 +113,8 @@ Result<Outcome> runInfo(const Invocation& invocation)
         return levels.error();
     if (!isModelFile(path))
         return describeDataset(invocation, path);
-    if (const Status known =
-            checkPluginOptions(invocation.arguments, readerParameters(invocation.host), {}, "model '" + path + "'");
+    if (const Status known = checkPluginOptions(invocation.arguments, allParameters(invocation.host.readers()), {},
+                                                "model '" + path + "'");
         !known)
         return known.error();
     return describeModel(path, *levels);

@@ -3,10 +3,31 @@
 
 #include "app/command_line/arguments.h"
 #include "plugins/api/parameter.h"
+#include "plugins/host/plugin_host.h"
 
+#include <string>
 #include <vector>
 
 namespace tetra {
+
+/// The parameters of all these plugins: which one will be used is known only when the input is.
+template <class Interface> std::vector<Parameter> allParameters(const std::vector<Provided<Interface>>& plugins)
+{
+    std::vector<Parameter> all;
+    for (const auto& provided : plugins)
+        for (Parameter& parameter : provided.plugin->parameters())
+            all.push_back(std::move(parameter));
+    return all;
+}
+
+/// "one|another", for the help.
+template <class Interface> std::string idChoices(const std::vector<Provided<Interface>>& plugins)
+{
+    std::string ids;
+    for (const auto& provided : plugins)
+        ids += (ids.empty() ? "" : "|") + provided.id;
+    return ids.empty() ? "ID" : ids;
+}
 
 /// Adds an option for each parameter, unless one of that name is there already: "--id VALUE"; "--id" for a truth value
 /// that is false by default, "--no-id" for one that is true; one option a time, repeated, for isovalues ("--isovalue"

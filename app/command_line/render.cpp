@@ -103,14 +103,6 @@ Result<std::unique_ptr<RenderBackend>> makeBackend(const std::string& id)
     return makeCpuBackend();
 }
 
-std::string modeIds(PluginHost& host)
-{
-    std::string ids;
-    for (const auto& renderer : host.renderers())
-        ids += (ids.empty() ? "" : "|") + renderer.id;
-    return ids.empty() ? std::string(defaultMode) : ids;
-}
-
 std::vector<Parameter> rendererParameters(PluginHost& host)
 {
     std::vector<Parameter> all;
@@ -165,7 +157,7 @@ Syntax renderSyntax(PluginHost& host)
         .explanation = "Works without a display, with the processor alone or with OpenGL.",
         .positionals = {{"MODEL", "The model."}},
         .options = {{.name = "mode",
-                     .placeholder = modeIds(host),
+                     .placeholder = idChoices(host.renderers()),
                      .explanation = "What to show.",
                      .byDefault = std::string(defaultMode)},
                     errorOption(),

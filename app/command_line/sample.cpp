@@ -28,15 +28,6 @@ std::string typeNames()
     return names;
 }
 
-std::vector<Parameter> writerParameters(PluginHost& host)
-{
-    std::vector<Parameter> all;
-    for (const auto& writer : host.writers())
-        for (Parameter& parameter : writer.plugin->parameters())
-            all.push_back(std::move(parameter));
-    return all;
-}
-
 Outcome listOfSamples()
 {
     QJsonArray list;
@@ -101,7 +92,7 @@ Syntax sampleSyntax(PluginHost& host)
              {.name = "list", .placeholder = "", .explanation = "Only say which samples there are."}},
         .examples = {{"tan sample c60 --size 64 -o c60.nrrd", "The electrons around a ball of sixty carbon atoms."},
                      {"tan sample --list", "What there is."}}};
-    addPluginOptions(syntax, writerParameters(host));
+    addPluginOptions(syntax, allParameters(host.writers()));
     return syntax;
 }
 
@@ -118,7 +109,7 @@ Result<Outcome> runSample(const Invocation& invocation)
     const auto request = requestOf(arguments);
     if (!request)
         return request.error();
-    const auto values = pluginValues(arguments, writerParameters(invocation.host));
+    const auto values = pluginValues(arguments, allParameters(invocation.host.writers()));
     if (!values)
         return values.error();
     const auto dataset = makeSample(*request, invocation.progress.part(0, 0.7));

@@ -101,7 +101,7 @@ Syntax verifySyntax(PluginHost& host)
                     levelsOption()},
         .examples = {{"tan verify engine.tan --against engine.nrrd", "All usual levels."},
                      {"tan verify engine.tan --against engine.nrrd --lod 1 --json", "One level, for a program."}}};
-    addPluginOptions(syntax, readerParameters(host));
+    addPluginOptions(syntax, allParameters(host.readers()));
     return syntax;
 }
 
