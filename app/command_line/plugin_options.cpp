@@ -54,7 +54,9 @@ Option optionOf(const Parameter& parameter)
                   .explanation = parameter.explanation,
                   .repeatable = isList(parameter)};
     if (isOnByDefault(parameter))
-        option.explanation = "Not: " + parameter.explanation;
+        option.explanation = "Turns this off: " + parameter.explanation;
+    if (isList(parameter))
+        option.explanation += " COLOUR is #rrggbb or a name (orange, silver ...), OPACITY above 0 and at most 1.";
     if (!parameter.unit.empty())
         option.explanation += " In " + parameter.unit + ".";
     if (!isSwitch(parameter) && !isList(parameter))
