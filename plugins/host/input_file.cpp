@@ -3,15 +3,16 @@
 
 #include "core/model/format.h"
 
-#include <QFile>
-
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <span>
 
 namespace tetra {
 namespace {
 
-constexpr qint64 shownToReaders = 4096;
+constexpr std::streamsize shownToReaders = 4096;
 
 } // namespace
 
@@ -29,16 +30,13 @@ Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
     if (!std::filesystem::is_regular_file(status))
         return bad("is a device or a pipe. Give a file.");
 
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly | QIODevice::Unbuffered))
-        return bad("cannot be read: " + file.errorString().toStdString() + ".");
+    std::ifstream file(path, std::ios::binary);
     Buffer<std::byte> bytes(shownToReaders);
-    const qint64 read = file.read(reinterpret_cast<char*>(bytes.data()), shownToReaders);
-    if (read < 0)
-        return bad("cannot be read: " + file.errorString().toStdString() + ".");
-    if (read == 0)
-        return bad("is empty. Copy it again from where it came from.");
-    bytes.resize(static_cast<std::size_t>(read));
+    file.read(reinterpret_cast<char*>(bytes.data()), shownToReaders);
+    if (file.gcount() == 0)
+        return bad(file.eof() ? std::string("is empty. Copy it again from where it came from.")
+                              : std::string("cannot be read: ") + std::strerror(errno) + ".");
+    bytes.resize(static_cast<std::size_t>(file.gcount()));
     return bytes;
 }
 
