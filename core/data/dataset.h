@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/data/domain_class.h"
 #include "core/data/lattice.h"
 #include "core/data/scalar_field.h"
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace tetra {
 
@@ -13,14 +20,34 @@ namespace tetra {
 struct Source {
     std::string name;           ///< what the user calls it: the file's name, or a sample's
     std::filesystem::path path; ///< empty when it was never a file
-    std::uint64_t hash = 0;     ///< XXH3 of the samples' bytes in memory order
+    std::uint64_t hash = 0;     ///< XXH3 of the samples' bytes in memory order, then of the positions' if there are any
 };
 
-/// The reference model (2.3) of a regular dataset: a lattice and one scalar per point. Immutable, cheap to copy.
+/// Where each point lies, all finite; shared and never changed.
+using PointPositions = std::shared_ptr<const std::vector<Eigen::Vector3d>>;
+
+/// The reference model (2.3): points with one scalar each. Immutable, cheap to copy.
+///
+/// Regular: the lattice says where the points lie. Curvilinear (and rectilinear): the lattice is the computational
+/// space, with spacing 1 and origin 0, and `positions` the physical one. Scattered: `positions` alone; the lattice's
+/// size is {points, 1, 1} and says nothing more.
 struct Dataset {
+    DomainClass domain = DomainClass::RegularLattice;
     Lattice lattice;
-    ScalarField values; ///< one sample per lattice point, all finite
+    PointPositions positions = nullptr; ///< one a point in the order of the values; null for a regular lattice
+    ScalarField values;                 ///< one sample per point, all finite
     Source source;
+
+    std::uint64_t pointCount() const noexcept { return values.count(); }
+    Eigen::Vector3d position(std::uint64_t point) const
+    {
+        if (positions)
+            return (*positions)[point];
+        const auto place = lattice.coordinates(point);
+        return lattice.position(place[0], place[1], place[2]);
+    }
+    /// Of all points in physical space. O(1) for a regular lattice, else O(points).
+    Eigen::AlignedBox3d bounds() const;
 };
 
 } // namespace tetra

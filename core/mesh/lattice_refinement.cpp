@@ -244,7 +244,7 @@ void Refinement::collectDestroyed()
 Status Refinement::insertWorst(PointBucket worst)
 {
     const PackedPoint point = worst.worst;
-    const float errorBefore = worst.error;
+    const float keyBefore = worst.error;
     const std::uint32_t nextBucket = queue_.probableNext();
     const std::uint32_t nextSlot = nextBucket == ErrorQueue::none ? 0 : buckets_[nextBucket].tetrahedron;
     delaunay_.prefetch(nextSlot);
@@ -274,7 +274,7 @@ Status Refinement::insertWorst(PointBucket worst)
     }
     tetrahedronCount_ += star.faceCount();
     ++siteCount_;
-    return sink_.add({pointIndex, errorBefore, starHistory_, destroyedHistory_});
+    return sink_.add({pointIndex, keyBefore, starHistory_, destroyedHistory_});
 }
 
 Result<LatticeRefinementResult> Refinement::run(const Progress& progress)

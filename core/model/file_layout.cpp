@@ -125,7 +125,7 @@ Status LayoutReader::checkWhatItHolds() const
 {
     const Header& header = layout_.header;
     constexpr const char* later[] = {"a curvilinear grid", "an irregular mesh", "scattered points"};
-    if (header.domainClass != static_cast<std::uint32_t>(format::DomainClass::RegularLattice))
+    if (header.domainClass != static_cast<std::uint32_t>(DomainClass::RegularLattice))
         return bad("is a model of " +
                    (header.domainClass <= std::size(later) ? std::string(later[header.domainClass - 1])
                                                            : "domain class " + std::to_string(header.domainClass)) +
@@ -261,7 +261,7 @@ Header headerOf(const ModelDescription& description)
     const Lattice& lattice = description.lattice;
     const Eigen::AlignedBox3d box = lattice.bounds();
     Header header;
-    header.domainClass = static_cast<std::uint32_t>(format::DomainClass::RegularLattice);
+    header.domainClass = static_cast<std::uint32_t>(DomainClass::RegularLattice);
     header.sampleType = static_cast<std::uint32_t>(description.sampleType);
     header.latticeSize = lattice.size;
     std::copy_n(lattice.spacing.data(), 3, header.spacing.begin());

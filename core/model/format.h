@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/data/domain_class.h"
+
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -25,9 +27,6 @@ constexpr std::uint64_t alignment = 64;
 /// Limits that keep opening independent of the model's size.
 constexpr std::uint32_t mostSections = 1024;
 constexpr std::uint64_t longestText = 1 << 20;
-
-/// What kind of domain the sites live in (R1).
-enum class DomainClass : std::uint32_t { RegularLattice = 0, Curvilinear = 1, Irregular = 2, Scattered = 3 };
 
 /// How a section's bytes are stored.
 enum class Codec : std::uint32_t { None = 0 };

@@ -107,7 +107,7 @@ Status HistoryFileWriter::check(const HistoryStep& step) const
     const std::uint32_t creator = siteCount();
     if (step.point >= dataset_.lattice.pointCount() || creator == Model::never - 1)
         return inconsistent("point " + std::to_string(step.point) + " is not in the dataset");
-    if (std::isnan(step.errorBefore) || step.errorBefore < 0)
+    if (std::isnan(step.keyBefore) || step.keyBefore < 0)
         return inconsistent("the error before it is not a number of at least 0");
     if (step.star.size() > Model::never - tetrahedronCount())
         return Error{ErrorKind::OutOfResource,
@@ -131,7 +131,7 @@ void HistoryFileWriter::record(const HistoryStep& step)
 {
     const std::uint32_t creator = siteCount();
     const double extent = description_.range.extent();
-    runningError_ = std::min(runningError_, step.errorBefore);
+    runningError_ = std::min(runningError_, step.keyBefore);
     alive_ += step.star.size() - step.destroyed.size();
     starOffsets_.push_back(tetrahedronCount());
     points_.push_back(static_cast<std::uint32_t>(step.point));

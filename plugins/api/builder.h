@@ -24,14 +24,19 @@ struct BuildReport {
     std::uint64_t degenerate = 0; ///< cells without volume (S6)
 };
 
+/// Where a build puts what it makes.
+struct BuildTarget {
+    HistorySink& history;
+};
+
 /// Makes a multiresolution history out of a dataset (R8, R11). Runs on a worker thread; touches no widget and no GL.
 class Builder {
 public:
     virtual ~Builder() = default;
     virtual Acceptance accepts(const Dataset& dataset) const = 0;
     virtual std::vector<Parameter> parameters() const = 0;
-    /// Hands the history to `sink`, coarse first, and ends with sink.finish(). Stops within a second when cancelled.
-    virtual Result<BuildReport> build(const Dataset& dataset, const ParameterValues& values, HistorySink& sink,
+    /// Hands the history to `target`, coarse first, and ends with its finish(). Stops within a second when cancelled.
+    virtual Result<BuildReport> build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
                                       const Progress& progress) const = 0;
 };
 

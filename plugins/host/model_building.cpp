@@ -47,7 +47,8 @@ Result<BuildReport> buildInto(const Builder& builder, const std::string& id, con
     const auto writer = ModelWriter::create(output, dataset, std::move(description));
     if (!writer)
         return writer.error();
-    return callPlugin(id, [&] { return builder.build(dataset, values, **writer, progress); });
+    BuildTarget target{**writer};
+    return callPlugin(id, [&] { return builder.build(dataset, values, target, progress); });
 }
 
 } // namespace

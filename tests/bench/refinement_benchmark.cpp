@@ -49,7 +49,7 @@ public:
             destroyers_[destroyed] = site;
         points_.push_back(static_cast<std::uint32_t>(step.point));
         runningErrors_.push_back(
-            std::min(step.errorBefore, runningErrors_.empty() ? step.errorBefore : runningErrors_.back()));
+            std::min(step.keyBefore, runningErrors_.empty() ? step.keyBefore : runningErrors_.back()));
         return {};
     }
     Status finish(float) override { return {}; }

@@ -56,7 +56,8 @@ std::filesystem::path buildSampleModel(PluginHost& host, const Dataset& dataset,
     ModelDescription description;
     description.builder = builder.id;
     const auto writer = require(ModelWriter::create(path, dataset, description));
-    require(builder.plugin->build(dataset, {{"error", errorPercent}}, *writer, {}));
+    BuildTarget target{*writer};
+    require(builder.plugin->build(dataset, {{"error", errorPercent}}, target, {}));
     return path;
 }
 

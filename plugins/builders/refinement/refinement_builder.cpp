@@ -1,16 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/builders/refinement/refinement_builder.h"
 
-#include "core/mesh/lattice_metric.h"
-#include "core/mesh/lattice_refinement.h"
+#include "plugins/builders/refinement/lattice_build.h"
 
 namespace tetra {
 
+namespace {
+
+std::string notYet(const Dataset& dataset)
+{
+    return "Refinement does not take " + std::string(domainClassName(dataset.domain)) + " data.";
+}
+
+} // namespace
+
 Acceptance RefinementBuilder::accepts(const Dataset& dataset) const
 {
-    if (const auto metric = latticeMetric(dataset.lattice.size, dataset.lattice.spacing); !metric)
-        return {0, metric.error().text};
-    return {1, "A regular lattice: refinement keeps the exact domain and needs the least time."};
+    switch (dataset.domain) {
+    case DomainClass::RegularLattice: return acceptLattice(dataset);
+    case DomainClass::Curvilinear:
+    case DomainClass::Scattered:
+    case DomainClass::Irregular: break;
+    }
+    return {0, notYet(dataset)};
 }
 
 std::vector<Parameter> RefinementBuilder::parameters() const
@@ -26,21 +38,17 @@ std::vector<Parameter> RefinementBuilder::parameters() const
     return {error};
 }
 
-Result<BuildReport> RefinementBuilder::build(const Dataset& dataset, const ParameterValues& values, HistorySink& sink,
+Result<BuildReport> RefinementBuilder::build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
                                              const Progress& progress) const
 {
-    const double percent = parameterValue<double>(parameters(), values, "error");
-    LatticeRefinementOptions options;
-    options.size = dataset.lattice.size;
-    options.spacing = dataset.lattice.spacing;
-    options.valueExtent = dataset.values.range().extent();
-    options.stopError = percent / 100 * dataset.values.range().extent();
-    const Result<LatticeRefinementResult> result = visitSampleType(dataset.values.type(), [&]<class T>() {
-        return refineLattice(options, LatticeSamples(dataset.values.as<T>()), sink, progress);
-    });
-    if (!result)
-        return result.error();
-    return BuildReport{result->sites, result->tetrahedra, 0, 0};
+    const double error = parameterValue<double>(parameters(), values, "error");
+    switch (dataset.domain) {
+    case DomainClass::RegularLattice: return buildLattice(dataset, error, target, progress);
+    case DomainClass::Curvilinear:
+    case DomainClass::Scattered:
+    case DomainClass::Irregular: break;
+    }
+    return Error{ErrorKind::BadInput, notYet(dataset)};
 }
 
 } // namespace tetra

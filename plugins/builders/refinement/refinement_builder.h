@@ -10,7 +10,7 @@ class RefinementBuilder : public Builder {
 public:
     Acceptance accepts(const Dataset& dataset) const override;
     std::vector<Parameter> parameters() const override;
-    Result<BuildReport> build(const Dataset& dataset, const ParameterValues& values, HistorySink& sink,
+    Result<BuildReport> build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
                               const Progress& progress) const override;
 };
 

@@ -34,8 +34,8 @@ struct RecordedHistory : HistorySink {
             return Error{ErrorKind::CannotWrite, "the disk is full"};
         const std::uint32_t site = static_cast<std::uint32_t>(points.size());
         points.push_back(step.point);
-        runningErrors.push_back(runningErrors.empty() ? step.errorBefore
-                                                      : std::min(runningErrors.back(), step.errorBefore));
+        runningErrors.push_back(runningErrors.empty() ? step.keyBefore
+                                                      : std::min(runningErrors.back(), step.keyBefore));
         for (const std::uint32_t destroyed : step.destroyed)
             tetrahedra[destroyed].destroyer = site;
         for (const HistoryTetrahedron& born : step.star)

@@ -99,10 +99,10 @@ private slots:
         const double extent = model_->description().range.extent();
         std::vector<double> asked = {100, 50, 10, 5, 2, 1, 0.5, 0.1, 0, 1e9, std::numeric_limits<double>::infinity()};
         for (std::uint32_t site = 8; site < model_->siteCount(); ++site)
-            asked.push_back(100 * static_cast<double>(history().steps[site].errorBefore) / extent);
+            asked.push_back(100 * static_cast<double>(history().steps[site].keyBefore) / extent);
         for (const double error : asked) {
             std::uint32_t sites = 8;
-            while (sites < model_->siteCount() && history().steps[sites].errorBefore > error / 100 * extent)
+            while (sites < model_->siteCount() && history().steps[sites].keyBefore > error / 100 * extent)
                 ++sites;
             const MeshSize size = meshSizeAt(*model_, {error});
             QCOMPARE(size.sites, sites);

@@ -150,7 +150,7 @@ private slots:
             QVERIFY(writer.ok());
             for (std::uint32_t site = 0; site < 9; ++site) {
                 const RecordedHistory::Step& step = historyOf(dataset).steps[site];
-                QVERIFY(writer.value()->add({step.point, step.errorBefore, step.star, step.destroyed}).ok());
+                QVERIFY(writer.value()->add({step.point, step.keyBefore, step.star, step.destroyed}).ok());
             }
             QCOMPARE(writer.value()->siteCount(), 9u);
             QVERIFY(writer.value()->tetrahedronCount() > 6);
@@ -197,7 +197,7 @@ void ModelFileTest::compareSites(const Model& model, const RecordedHistory& hist
                              std::shared_ptr<const std::byte>(std::shared_ptr<void>(), model.values().data()));
     for (std::uint32_t site = 0; site < model.siteCount(); ++site) {
         const RecordedHistory::Step& step = history.steps[site];
-        running = std::min(running, step.errorBefore);
+        running = std::min(running, step.keyBefore);
         QCOMPARE(std::uint64_t(model.points()[site]), step.point);
         QCOMPARE(values.at(site), dataset.values.at(step.point));
         QCOMPARE(model.runningErrors()[site], running);
@@ -342,7 +342,7 @@ void ModelFileTest::aWrongHistoryIsNotWritten_data()
     row(
         "own error", [](RecordedHistory& h) { h.steps[9].star[0].error = NAN; }, "an error that is not a number");
     row(
-        "error", [](RecordedHistory& h) { h.steps[9].errorBefore = -1; }, "the error before it is not a number");
+        "error", [](RecordedHistory& h) { h.steps[9].keyBefore = -1; }, "the error before it is not a number");
     row(
         "unborn", [](RecordedHistory& h) { h.steps[8].destroyed[0] = 99; }, "tetrahedron 99, which is not in the mesh");
     row(

@@ -32,14 +32,16 @@ Dataset bumps(SampleType type, std::array<std::uint32_t, 3> size)
         ScalarField field(type, lattice.pointCount(),
                           std::shared_ptr<const std::byte>(samples, reinterpret_cast<const std::byte*>(samples.get())));
         const std::uint64_t hash = checksum(field.bytes());
-        return Dataset{lattice, std::move(field), {"bumps \\ a=b\nof " + std::string(sampleTypeName(type)), {}, hash}};
+        return Dataset{.lattice = lattice,
+                       .values = std::move(field),
+                       .source = {"bumps \\ a=b\nof " + std::string(sampleTypeName(type)), {}, hash}};
     });
 }
 
 Status RecordedHistory::add(const HistoryStep& step)
 {
     steps.push_back({step.point,
-                     step.errorBefore,
+                     step.keyBefore,
                      {step.star.begin(), step.star.end()},
                      {step.destroyed.begin(), step.destroyed.end()}});
     return {};
@@ -79,7 +81,7 @@ const RecordedHistory& historyOf(const Dataset& dataset)
 Status replay(const RecordedHistory& history, HistorySink& sink)
 {
     for (const RecordedHistory::Step& step : history.steps)
-        if (const Status added = sink.add({step.point, step.errorBefore, step.star, step.destroyed}); !added)
+        if (const Status added = sink.add({step.point, step.keyBefore, step.star, step.destroyed}); !added)
             return added;
     return sink.finish(history.finalError);
 }

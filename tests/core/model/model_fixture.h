@@ -20,7 +20,7 @@ Dataset bumps(SampleType type, std::array<std::uint32_t, 3> size);
 struct RecordedHistory final : HistorySink {
     struct Step {
         std::uint64_t point = 0;
-        float errorBefore = 0;
+        float keyBefore = 0;
         std::vector<HistoryTetrahedron> star;
         std::vector<std::uint32_t> destroyed;
     };

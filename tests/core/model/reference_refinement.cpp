@@ -61,8 +61,8 @@ public:
 
 private:
     Status start();
-    Status insert(std::uint64_t point, double errorBefore);
-    Status hand(std::uint64_t point, double errorBefore, const std::vector<Sites>& star,
+    Status insert(std::uint64_t point, double keyBefore);
+    Status hand(std::uint64_t point, double keyBefore, const std::vector<Sites>& star,
                 const std::vector<std::uint32_t>& destroyed);
     void measure(Cell& cell) const;
     Point coordinates(std::uint64_t point) const;
@@ -132,7 +132,7 @@ Status SlowRefinement::start()
     return {};
 }
 
-Status SlowRefinement::insert(std::uint64_t point, double errorBefore)
+Status SlowRefinement::insert(std::uint64_t point, double keyBefore)
 {
     const Point p = coordinates(point);
     std::vector<std::uint32_t> destroyed;
@@ -158,10 +158,10 @@ Status SlowRefinement::insert(std::uint64_t point, double errorBefore)
     for (const auto& [key, face] : rim) // a face of the hull that the point lies in makes no tetrahedron
         if (orientation(p, place(face[0]), place(face[1]), place(face[2])) != 0)
             star.push_back({site, face[0], face[1], face[2]});
-    return hand(point, errorBefore, star, destroyed);
+    return hand(point, keyBefore, star, destroyed);
 }
 
-Status SlowRefinement::hand(std::uint64_t point, double errorBefore, const std::vector<Sites>& star,
+Status SlowRefinement::hand(std::uint64_t point, double keyBefore, const std::vector<Sites>& star,
                             const std::vector<std::uint32_t>& destroyed)
 {
     const auto roundedUp = [](double value) {
@@ -175,7 +175,7 @@ Status SlowRefinement::hand(std::uint64_t point, double errorBefore, const std::
         cells_.push_back(cell);
         history.push_back({{sites[1], sites[2], sites[3]}, roundedUp(cell.error)});
     }
-    return sink_.add({point, roundedUp(errorBefore), history, destroyed});
+    return sink_.add({point, roundedUp(keyBefore), history, destroyed});
 }
 
 Status SlowRefinement::run(double stopError)

@@ -27,7 +27,7 @@ template <class T> Dataset randomDataset(const Lattice& lattice, SampleType type
     std::ranges::generate(*values, [&] { return static_cast<T>(value(random)); });
     const std::shared_ptr<const std::byte> bytes(values, reinterpret_cast<const std::byte*>(values->data()));
     const ScalarField field(type, lattice.pointCount(), bytes);
-    return {lattice, field, {"random", {}, checksum(field.bytes())}};
+    return {.lattice = lattice, .values = field, .source = {"random", {}, checksum(field.bytes())}};
 }
 
 } // namespace
@@ -86,7 +86,8 @@ private slots:
         description.builder = "refinement";
         auto writer = ModelWriter::create(path, dataset, description);
         QVERIFY(writer.ok());
-        const Result<BuildReport> report = RefinementBuilder().build(dataset, {{"error", stop}}, **writer, {});
+        BuildTarget target{**writer};
+        const Result<BuildReport> report = RefinementBuilder().build(dataset, {{"error", stop}}, target, {});
         QVERIFY2(report.ok(), report.ok() ? "" : report.error().text.c_str());
         QCOMPARE(report->inverted, std::uint64_t(0));
         const auto model = Model::open(path);
@@ -122,7 +123,8 @@ private slots:
                 if (fraction > 0.1)
                     stop.request_stop();
             });
-            const Result<BuildReport> report = RefinementBuilder().build(dataset, {}, **writer, progress);
+            BuildTarget target{**writer};
+            const Result<BuildReport> report = RefinementBuilder().build(dataset, {}, target, progress);
             QVERIFY(!report.ok());
             QCOMPARE(report.error().kind, ErrorKind::Cancelled);
         }

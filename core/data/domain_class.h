@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace tetra {
+
+/// What kind of domain the points of a dataset lie in (R1). The numbers are part of the `.tan` format.
+enum class DomainClass : std::uint32_t { RegularLattice = 0, Curvilinear = 1, Irregular = 2, Scattered = 3 };
+
+constexpr std::string_view domainClassName(DomainClass domain) noexcept
+{
+    constexpr std::string_view names[] = {"regular", "curvilinear", "irregular", "scattered"};
+    return names[static_cast<std::uint32_t>(domain)];
+}
+
+} // namespace tetra

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugins/api/builder.h"
+
+namespace tetra {
+
+/// The builder's work on regular lattices (R8).
+Acceptance acceptLattice(const Dataset& dataset);
+/// `error`: where to stop, in % of the value range.
+Result<BuildReport> buildLattice(const Dataset& dataset, double error, BuildTarget& target, const Progress& progress);
+
+} // namespace tetra
