@@ -36,6 +36,12 @@ public:
         return {};
     }
 
+    /// As reserve(), but keeps the memory, whatever it holds, if it is large enough.
+    Status ensure(std::uint64_t capacity, std::string_view purpose)
+    {
+        return capacity <= capacity_ ? Status() : reserve(capacity, purpose);
+    }
+
     std::uint64_t capacity() const noexcept { return capacity_; }
     T* data() noexcept { return data_; }
     const T* data() const noexcept { return data_; }

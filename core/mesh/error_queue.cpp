@@ -5,9 +5,15 @@
 
 namespace tetra {
 
-ErrorQueue::ErrorQueue(const PackedLattice& lattice, float largestError)
-    : lattice_(&lattice), classes_(classCount), foremost_(classCount - 1)
+void ErrorQueue::start(float largestError)
 {
+    classes_.resize(classCount);
+    for (std::vector<Waiting>& waiting : classes_)
+        waiting.clear();
+    sorted_.clear();
+    heap_.clear();
+    entryCount_ = 0;
+    foremost_ = classCount - 1;
     const std::uint32_t largest = std::bit_cast<std::uint32_t>(largestError) >> classShift;
     firstClass_ = largest < classCount ? 0 : largest - classCount + 1;
 }

@@ -24,8 +24,9 @@ struct PointBucket {
 /// are met, and swept out when they outnumber the others.
 class ErrorQueue {
 public:
-    /// Errors are expected up to `largestError`, the extent of the values; larger ones are only slower.
-    ErrorQueue(const PackedLattice& lattice, float largestError);
+    /// Empties the queue. Errors are expected up to `largestError`, the extent of the values; larger ones are only
+    /// slower. Comes first.
+    void start(float largestError);
 
     /// O(1). Buckets without error need not be pushed.
     void push(std::uint32_t bucket, const PointBucket& content)
@@ -68,25 +69,23 @@ private:
         float error;
     };
     struct Candidate {
-        std::uint64_t key; ///< the bits of the error, then the complement of the point's place
+        std::uint64_t key; ///< the bits of the error, then the complement of the point, whose order is the lattice's
         std::uint32_t bucket;
         bool operator<(const Candidate& other) const { return key < other.key; }
     };
 
     Candidate candidate(std::uint32_t bucket, const PointBucket& content) const
     {
-        return {std::uint64_t(std::bit_cast<std::uint32_t>(content.error)) << 32 | ~lattice_->index(content.worst),
-                bucket};
+        return {std::uint64_t(std::bit_cast<std::uint32_t>(content.error)) << 32 | ~content.worst, bucket};
     }
     bool openNextClass(const std::vector<PointBucket>& buckets);
     bool current(const Candidate& candidate, const std::vector<PointBucket>& buckets) const;
 
-    const PackedLattice* lattice_;
     std::vector<std::vector<Waiting>> classes_;
     std::vector<Candidate> sorted_; ///< the open class when it was opened, the largest last
     std::vector<Candidate> heap_;   ///< what came since and belongs to it or above
     std::uint32_t firstClass_ = 0;
-    std::uint32_t foremost_ = 0;
+    std::uint32_t foremost_ = 0; ///< classes above are empty
     std::uint64_t entryCount_ = 0;
 };
 

@@ -30,7 +30,7 @@ Status LatticeDelaunay::start(const std::array<std::uint32_t, 3>& size, const La
     lattice_ = PackedLattice(size);
     for (std::size_t axis = 0; axis < 3; ++axis)
         weights_[axis] = metric[axis];
-    if (const Status status = tetrahedra_.reserve(slotCapacity(size), "the tetrahedra of the refinement"); !status)
+    if (const Status status = tetrahedra_.ensure(slotCapacity(size), "the tetrahedra of the refinement"); !status)
         return status;
     if (const Status status = star_.attach(lattice_); !status)
         return status;

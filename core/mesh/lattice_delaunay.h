@@ -35,8 +35,9 @@ class LatticeDelaunay {
 public:
     static constexpr std::uint32_t none = 0xffffffff;
 
-    /// Errors: the lattice is too large for exact arithmetic, or memory is refused. `centreAtOrigin` says whether the
-    /// start's fifth tetrahedron, the one without a corner of its own, has the box's first corner.
+    /// May be called again for another box, in the same memory. Errors: the lattice is too large for exact arithmetic,
+    /// or memory is refused. `centreAtOrigin` says whether the start's fifth tetrahedron, the one without a corner of
+    /// its own, has the box's first corner.
     Status start(const std::array<std::uint32_t, 3>& size, const LatticeMetric& metric, bool centreAtOrigin = true);
 
     const PackedLattice& lattice() const noexcept { return lattice_; }

@@ -28,9 +28,14 @@ constexpr double exactInDouble = 9007199254740992.0; // 2^53
 
 } // namespace
 
+bool exactWithMetric(const std::array<std::uint32_t, 3>& size, const LatticeMetric& metric)
+{
+    return largestInSphereTerm(size, metric) < exactInDouble;
+}
+
 Result<LatticeMetric> latticeMetric(const std::array<std::uint32_t, 3>& size, const Eigen::Vector3d& spacing)
 {
-    if (largestInSphereTerm(size, {1, 1, 1}) >= exactInDouble)
+    if (!exactWithMetric(size, {1, 1, 1}))
         return Error{
             ErrorKind::OutOfResource,
             "A lattice of " + std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
@@ -50,7 +55,7 @@ Result<LatticeMetric> latticeMetric(const std::array<std::uint32_t, 3>& size, co
             metric[axis] = static_cast<std::uint32_t>(std::lround(exact));
             deviation = std::max(deviation, std::abs(metric[axis] / exact - 1));
         }
-        if (largestInSphereTerm(size, metric) >= exactInDouble)
+        if (!exactWithMetric(size, metric))
             break;
         if (deviation < bestDeviation * 0.999) {
             best = metric;

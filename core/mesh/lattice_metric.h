@@ -18,4 +18,7 @@ using LatticeMetric = std::array<std::uint32_t, 3>;
 /// determinant stays below 2^53 and so exact in a double. Error: the lattice is too large even for (1, 1, 1).
 Result<LatticeMetric> latticeMetric(const std::array<std::uint32_t, 3>& size, const Eigen::Vector3d& spacing);
 
+/// Whether a lattice of this size is exact with this metric.
+bool exactWithMetric(const std::array<std::uint32_t, 3>& size, const LatticeMetric& metric);
+
 } // namespace tetra

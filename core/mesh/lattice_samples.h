@@ -1,19 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/buffer.h"
 #include "core/mesh/packed_lattice.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <variant>
 
 namespace tetra {
 
-/// The values of a lattice's points in whatever type they came, read as doubles. Owns nothing; a cheap value.
+/// A box of points in a larger lattice.
+struct LatticeBox {
+    std::array<std::uint32_t, 3> origin{0, 0, 0}; ///< its first point
+    std::array<std::uint32_t, 3> size{2, 2, 2};   ///< points along each axis
+};
+
+/// The values of a lattice's points in whatever type they came, read as doubles, and optionally a weight for each that
+/// its error is multiplied by (R6). Owns nothing; a cheap value.
 class LatticeSamples {
 public:
-    template <class T> explicit LatticeSamples(std::span<const T> samples) : samples_(samples.data()) {}
+    /// `weights` are finite and not negative, one for each sample; empty: all are 1.
+    template <class T> explicit LatticeSamples(std::span<const T> samples, std::span<const float> weights = {})
+        : samples_(samples.data()), weights_(weights.empty() ? nullptr : weights.data())
+    {
+    }
+
+    /// Whether the interpolation's numerators are exact integers in a double.
+    bool exact() const noexcept
+    {
+        return std::visit([]<class T>(const T*) { return std::is_integral_v<T> && sizeof(T) <= 2; }, samples_);
+    }
+    bool weighted() const noexcept { return weights_ != nullptr; }
 
     /// values[i] = the sample of points[i].
     void gather(const PackedLattice& lattice, std::span<const PackedPoint> points, double* values) const
@@ -26,10 +47,43 @@ public:
             samples_);
     }
 
+    /// Only if weighted().
+    float weight(const PackedLattice& lattice, PackedPoint point) const { return weights_[lattice.index(point)]; }
+
+    /// A copy of the box's samples and weights out of those of a lattice of `latticeSize` points, in `room`, which must
+    /// outlive it.
+    LatticeSamples copyBox(const std::array<std::uint32_t, 3>& latticeSize, const LatticeBox& box,
+                           Buffer<std::byte>& room) const
+    {
+        const std::uint64_t count = std::uint64_t(box.size[0]) * box.size[1] * box.size[2];
+        const std::uint64_t weightBytes = weighted() ? count * sizeof(float) : 0;
+        return std::visit(
+            [&]<class T>(const T* samples) {
+                room.resize(count * sizeof(T) + weightBytes);
+                copyRows(samples, latticeSize, box, room.data() + weightBytes);
+                if (weighted())
+                    copyRows(weights_, latticeSize, box, room.data());
+                return LatticeSamples(
+                    std::span(reinterpret_cast<const T*>(room.data() + weightBytes), count),
+                    std::span(reinterpret_cast<const float*>(room.data()), weightBytes / sizeof(float)));
+            },
+            samples_);
+    }
+
 private:
+    template <class T> static void copyRows(const T* from, const std::array<std::uint32_t, 3>& latticeSize,
+                                            const LatticeBox& box, std::byte* to)
+    {
+        const std::size_t rowBytes = box.size[0] * sizeof(T);
+        for (std::uint64_t z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z)
+            for (std::uint64_t y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y, to += rowBytes)
+                std::memcpy(to, from + (z * latticeSize[1] + y) * latticeSize[0] + box.origin[0], rowBytes);
+    }
+
     std::variant<const std::uint8_t*, const std::int8_t*, const std::uint16_t*, const std::int16_t*,
                  const std::uint32_t*, const std::int32_t*, const float*, const double*>
         samples_;
+    const float* weights_;
 };
 
 } // namespace tetra

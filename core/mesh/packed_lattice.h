@@ -8,7 +8,7 @@
 namespace tetra {
 
 /// A lattice point's three coordinates in one 32-bit number, so that geometry needs no look-up of vertices. The widths
-/// of the fields follow the lattice's size.
+/// of the fields follow the lattice's size. As numbers, points are in the order of the lattice, x running fastest.
 using PackedPoint = std::uint32_t;
 
 /// Packs and unpacks the points of one lattice.

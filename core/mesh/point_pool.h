@@ -18,12 +18,12 @@ namespace tetra {
 /// smaller.
 class PointPool {
 public:
-    /// Room for lists of `points` points in all, at any time.
+    /// Empties the pool and makes room for lists of `points` points in all, at any time.
     Status reserve(std::uint64_t points)
     {
         freeBlocks_.fill(none);
         used_ = 0;
-        return storage_.reserve(2 * points + std::uint64_t{64} * minimumBlock, "the points of the refinement");
+        return storage_.ensure(2 * points + std::uint64_t{64} * minimumBlock, "the points of the refinement");
     }
 
     /// The place of a block for `count` points, at least one and at most 2^31.

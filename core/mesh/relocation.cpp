@@ -4,7 +4,6 @@
 #include "core/mesh/cone_search.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace tetra {
 
@@ -59,35 +58,6 @@ void Relocation::sortByOwner(std::size_t faceCount)
     offsets_.pop_back();
 }
 
-void Relocation::computeErrors(const PackedLattice& lattice, const LatticeSamples& samples, const Star& star)
-{
-    const std::span<const PackedPoint> rim = star.rim();
-    const PackedPoint apex = star.apex();
-    double apexValue = 0;
-    samples.gather(lattice, {&apex, 1}, &apexValue);
-    rimValues_.resize(rim.size());
-    samples.gather(lattice, rim, rimValues_.data());
-    values_.resize(placed_.size());
-    samples.gather(lattice, placed_, values_.data());
-    scaledErrors_.resize(placed_.size());
-
-    for (std::size_t i = 0; i + 1 < offsets_.size(); ++i) {
-        if (offsets_[i] == offsets_[i + 1])
-            continue;
-        const std::array<std::uint32_t, 3>& corners = star.corners()[i];
-        const Star::Face& face = star.faces()[i];
-        const double a = rimValues_[corners[0]] - apexValue;
-        const double b = rimValues_[corners[1]] - apexValue;
-        const double c = rimValues_[corners[2]] - apexValue;
-        const double slopeX = a * face.normalBC[0] + b * face.normalCA[0] + c * face.normalAB[0];
-        const double slopeY = a * face.normalBC[1] + b * face.normalCA[1] + c * face.normalAB[1];
-        const double slopeZ = a * face.normalBC[2] + b * face.normalCA[2] + c * face.normalAB[2];
-        for (std::uint32_t k = offsets_[i]; k < offsets_[i + 1]; ++k)
-            scaledErrors_[k] = std::abs(face.determinant() * (values_[k] - apexValue) - slopeX * placedX_[k] -
-                                        slopeY * placedY_[k] - slopeZ * placedZ_[k]);
-    }
-}
-
 void Relocation::run(const PackedLattice& lattice, const LatticeSamples& samples, const Star& star,
                      std::span<const PackedPoint> points)
 {
@@ -98,7 +68,10 @@ void Relocation::run(const PackedLattice& lattice, const LatticeSamples& samples
     gatherCoordinates(lattice, star.apex(), points);
     findCones(star, {x_, y_, z_}, planes_, owners_);
     sortByOwner(star.faceCount());
-    computeErrors(lattice, samples, star);
+    scaledErrors_.resize(placed_.size());
+    divisors_.resize(star.faceCount());
+    computeErrors(lattice, samples, star, {placed_, offsets_, placedX_, placedY_, placedZ_}, room_, scaledErrors_,
+                  divisors_);
 }
 
 } // namespace tetra

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/mesh/lattice_samples.h"
+#include "core/mesh/point_errors.h"
 #include "core/mesh/star.h"
 
 #include <cstdint>
@@ -11,9 +12,8 @@
 namespace tetra {
 
 /// Distributes the points of a cavity over the tetrahedra of its star and finds their errors, the inner loop of
-/// refinement. Exact: a point's tetrahedron by signs of integers, its error as an integer over the determinant for
-/// integer samples of up to 16 bits (S8, S9). A point on a shared face belongs to the star's first tetrahedron that has
-/// it.
+/// refinement. Exact: a point's tetrahedron by signs of integers (S8, S9). A point on a shared face belongs to one of
+/// the star's tetrahedra that have it; its error is the same in all of them.
 class Relocation {
 public:
     /// The points must lie in the star. They may be in any order; the apex is passed over.
@@ -23,13 +23,13 @@ public:
     /// Face f of the star contains the points placed()[offsets()[f]] up to offsets()[f + 1].
     std::span<const PackedPoint> placed() const noexcept { return placed_; }
     std::span<const std::uint32_t> offsets() const noexcept { return offsets_; }
-    /// |value - interpolation| * determinant of each placed point.
+    /// The error of each placed point times the divisor of its face.
     std::span<const double> scaledErrors() const noexcept { return scaledErrors_; }
+    std::span<const double> divisors() const noexcept { return divisors_; }
 
 private:
     void gatherCoordinates(const PackedLattice& lattice, PackedPoint apex, std::span<const PackedPoint> points);
     void sortByOwner(std::size_t faceCount);
-    void computeErrors(const PackedLattice& lattice, const LatticeSamples& samples, const Star& star);
 
     Buffer<PackedPoint> points_;
     Buffer<float> x_, y_, z_;
@@ -37,9 +37,9 @@ private:
     Buffer<PackedPoint> placed_;
     Buffer<float> placedX_, placedY_, placedZ_;
     std::vector<std::uint32_t> offsets_;
-    Buffer<double> values_;
     Buffer<double> scaledErrors_;
-    Buffer<double> rimValues_;
+    Buffer<double> divisors_;
+    PointErrorRoom room_;
     Buffer<float> planes_;
 };
 

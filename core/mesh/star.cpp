@@ -47,11 +47,12 @@ TETRA_SIMD_CLONES void computeFaces(std::span<const std::array<std::uint32_t, 3>
 Status Star::attach(const PackedLattice& lattice)
 {
     lattice_ = &lattice;
-    rimStart_ = 0;
+    // Stamps of another lattice in the same memory count as old ones.
+    rimStart_ += rimCount_;
     rimCount_ = 0;
     rim_.resize(64);
     const auto& size = lattice.size();
-    return stamps_.reserve(std::uint64_t(size[0]) * size[1] * size[2], "the marks of the refinement's points");
+    return stamps_.ensure(std::uint64_t(size[0]) * size[1] * size[2], "the marks of the refinement's points");
 }
 
 void Star::clear(PackedPoint apex)

@@ -25,7 +25,10 @@ private slots:
         QFETCH(int, differentErrors);
         QFETCH(double, largest);
         const PackedLattice lattice({40, 40, 40});
-        ErrorQueue queue(lattice, static_cast<float>(largest));
+        ErrorQueue queue;
+        queue.start(1000);
+        queue.push(0, {1, 0, 0, 77, 0}); // What a former run left is forgotten.
+        queue.start(static_cast<float>(largest));
         std::vector<PointBucket> buckets(300);
         std::mt19937 random(3);
         const auto renew = [&](std::uint32_t number) {

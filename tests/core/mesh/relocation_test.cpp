@@ -96,6 +96,18 @@ private slots:
         QCOMPARE(placed, static_cast<std::size_t>(
                              std::ranges::count_if(points, [&](PackedPoint point) { return point != apex; })));
     }
+
+    /// S3: what the queue cannot tell apart goes to the first point, or blocks would disagree about a shared one.
+    void worstAmongEqualFloatsIsTheFirst()
+    {
+        const std::array<PackedPoint, 4> points{9, 7, 3, 1};
+        const std::array<double, 4> errors{1e9 + 2, 1e9 + 1, 1e9 + 1, 1e9 - 500};
+        const PlacedError worst = worstError(points, errors, 3);
+        QCOMPARE(worst.point, PackedPoint(3));
+        QVERIFY(worst.error >= (1e9 + 2) / 3);
+        QCOMPARE(worstError(std::span(points).first(2), std::array{5.0, 6.0}, 2).point, PackedPoint(7));
+        QCOMPARE(worstError(std::span(points).first(2), std::array{0.0, 0.0}, 2).point, PackedPoint(7));
+    }
 };
 
 QTEST_APPLESS_MAIN(RelocationTest)

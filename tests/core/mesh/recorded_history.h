@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/history.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace tetra {
+
+/// The whole history in memory.
+struct RecordedHistory : HistorySink {
+    struct Tetrahedron {
+        std::array<std::uint32_t, 4> sites;
+        float error;
+        std::uint32_t destroyer = 0xffffffff;
+    };
+    std::vector<std::uint64_t> points;
+    std::vector<float> runningErrors;
+    std::vector<Tetrahedron> tetrahedra;
+    float finalError = -1;
+    std::size_t failAfter = std::numeric_limits<std::size_t>::max();
+
+    Status add(const HistoryStep& step) override
+    {
+        if (points.size() == failAfter)
+            return Error{ErrorKind::CannotWrite, "the disk is full"};
+        const std::uint32_t site = static_cast<std::uint32_t>(points.size());
+        points.push_back(step.point);
+        runningErrors.push_back(runningErrors.empty() ? step.keyBefore
+                                                      : std::min(runningErrors.back(), step.keyBefore));
+        for (const std::uint32_t destroyed : step.destroyed)
+            tetrahedra[destroyed].destroyer = site;
+        for (const HistoryTetrahedron& born : step.star)
+            tetrahedra.push_back({{site, born.sites[0], born.sites[1], born.sites[2]}, born.error});
+        return {};
+    }
+    Status finish(float error) override
+    {
+        finalError = error;
+        return {};
+    }
+    /// The sites of the first mesh whose error was at most `error`.
+    std::size_t sitesAt(double error) const
+    {
+        return static_cast<std::size_t>(std::ranges::find_if(runningErrors, [&](float e) { return e <= error; }) -
+                                        runningErrors.begin());
+    }
+};
+
+} // namespace tetra
