@@ -204,6 +204,10 @@ Result<TetrahedralMesh> extractPrefix(const Model& model, std::uint32_t sites, c
     if (sites > model.siteCount())
         return Error{ErrorKind::WrongUsage, "'" + model.path().string() + "' has " + std::to_string(model.siteCount()) +
                                                 " sites, fewer than the " + std::to_string(sites) + " asked for."};
+    if (sites > 0 && model.groupGoesOn()[sites - 1] != 0)
+        return Error{ErrorKind::WrongUsage, "The first " + std::to_string(sites) + " sites of '" +
+                                                model.path().string() + "' have no mesh of their own: site " +
+                                                std::to_string(sites) + " enters together with the one before it."};
     try {
         if (const Status extracted = extractInto(model, sites, progress, reuse); !extracted)
             return extracted.error();

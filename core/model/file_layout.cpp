@@ -25,11 +25,9 @@ struct Expected {
     SectionId id;
     std::uint32_t elementBytes;
 };
-constexpr Expected perSite[] = {{SectionId::SitePoints, 4},
-                                {SectionId::SiteValues, 0},
-                                {SectionId::SiteRunningErrors, 4},
-                                {SectionId::StarOffsets, 8},
-                                {SectionId::MeshSizes, 4}};
+constexpr Expected perSite[] = {{SectionId::SitePoints, 4},        {SectionId::SiteValues, 0},
+                                {SectionId::SiteRunningErrors, 4}, {SectionId::StarOffsets, 8},
+                                {SectionId::MeshSizes, 4},         {SectionId::SiteGroups, 1}};
 constexpr Expected perTetrahedron[] = {
     {SectionId::OtherSites, 12}, {SectionId::Destroyers, 4}, {SectionId::OwnErrors, 2}};
 

@@ -12,6 +12,7 @@ std::string_view sectionName(std::uint32_t id) noexcept
     case SectionId::SiteRunningErrors: return "site running errors";
     case SectionId::StarOffsets: return "star offsets";
     case SectionId::MeshSizes: return "mesh sizes";
+    case SectionId::SiteGroups: return "site groups";
     case SectionId::OtherSites: return "other sites";
     case SectionId::Destroyers: return "destroyers";
     case SectionId::OwnErrors: return "own errors";

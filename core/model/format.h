@@ -38,6 +38,7 @@ enum class SectionId : std::uint32_t {
     SiteRunningErrors = 18,
     StarOffsets = 19,
     MeshSizes = 20,
+    SiteGroups = 21,
     OtherSites = 32,
     Destroyers = 33,
     OwnErrors = 34,

@@ -39,6 +39,7 @@ public:
         runningErrors_ = elementsOf<float>(*file_, layout, SectionId::SiteRunningErrors);
         starOffsets_ = elementsOf<std::uint64_t>(*file_, layout, SectionId::StarOffsets);
         meshSizes_ = elementsOf<std::uint32_t>(*file_, layout, SectionId::MeshSizes);
+        groupGoesOn_ = elementsOf<std::uint8_t>(*file_, layout, SectionId::SiteGroups);
         otherSites_ = elementsOf<std::array<std::uint32_t, 3>>(*file_, layout, SectionId::OtherSites);
         destroyers_ = elementsOf<std::uint32_t>(*file_, layout, SectionId::Destroyers);
         ownErrors_ = elementsOf<std::uint16_t>(*file_, layout, SectionId::OwnErrors);

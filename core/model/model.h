@@ -29,7 +29,8 @@ struct ModelDescription {
 
 /// A multiresolution model in a mapped `.tan` file (FORMAT.md), read-only and shared by everything that looks at it.
 /// Opening checks the header, the section table and every section's bounds, and touches nothing else. Sites are in
-/// order of insertion; tetrahedra are grouped by creator. Safe to read from any number of threads.
+/// order of importance, batches of equal running error one after the other, groups in them (FORMAT.md); tetrahedra are
+/// grouped by creator. Safe to read from any number of threads.
 ///
 /// Indices stored in the file are not trusted by opening: whoever follows one checks it (extraction does).
 /// If the file is cut or changed while it is mapped, reads may give zeros and damaged() becomes true: whoever has used
@@ -50,7 +51,8 @@ public:
     } ///< error of the mesh of all sites, in units of the values
 
     std::uint32_t siteCount() const noexcept { return static_cast<std::uint32_t>(points_.size()); }
-    std::uint64_t tetrahedronCount() const noexcept { return destroyers_.size(); } ///< all that ever lived
+    /// All that ever lived in a mesh that a query can give.
+    std::uint64_t tetrahedronCount() const noexcept { return destroyers_.size(); }
 
     std::span<const std::uint32_t> points() const noexcept { return points_; } ///< lattice index of each site
     std::span<const std::byte> values() const noexcept { return values_; }     ///< a sample of sampleType for each site
@@ -59,8 +61,11 @@ public:
     std::span<const float> runningErrors() const noexcept { return runningErrors_; }
     /// Site s created the tetrahedra starOffsets()[s] up to starOffsets()[s + 1]; siteCount() + 1 entries.
     std::span<const std::uint64_t> starOffsets() const noexcept { return starOffsets_; }
-    /// The number of tetrahedra in the mesh of sites 0..s, for each s.
+    /// The number of tetrahedra in the mesh of all sites up to the end of s's group, for each s.
     std::span<const std::uint32_t> meshSizes() const noexcept { return meshSizes_; }
+    /// 1 for a site whose successor belongs to the same group, else 0. The first N sites have a mesh if N - 1 ends its
+    /// group.
+    std::span<const std::uint8_t> groupGoesOn() const noexcept { return groupGoesOn_; }
     /// The three sites of a tetrahedron that are not its creator; (creator, a, b, c) is positive.
     std::span<const std::array<std::uint32_t, 3>> otherSites() const noexcept { return otherSites_; }
     std::span<const std::uint32_t> destroyers() const noexcept { return destroyers_; }
@@ -86,6 +91,7 @@ protected:
     std::span<const float> runningErrors_;
     std::span<const std::uint64_t> starOffsets_;
     std::span<const std::uint32_t> meshSizes_;
+    std::span<const std::uint8_t> groupGoesOn_;
     std::span<const std::array<std::uint32_t, 3>> otherSites_;
     std::span<const std::uint32_t> destroyers_;
     std::span<const std::uint16_t> ownErrors_;

@@ -5,6 +5,7 @@
 #include "core/model/chunked_array.h"
 #include "core/model/description_text.h"
 #include "core/model/file_layout.h"
+#include "core/model/history_batch.h"
 #include "core/model/section_writer.h"
 
 #include <algorithm>
@@ -18,8 +19,10 @@ namespace {
 
 using format::SectionId;
 
-constexpr std::uint32_t sectionCount = 9;
+constexpr std::uint32_t sectionCount = 10;
 constexpr std::uint32_t cornerCount = 8;
+/// The number in the file of a tetrahedron that is dead.
+constexpr std::uint32_t gone = 0xffffffff;
 
 /// A bound on `error / extent` as a half.
 std::uint16_t ownErrorOf(float error, double extent)
@@ -44,12 +47,29 @@ public:
     Status begin();
     Status add(const HistoryStep& step) override;
     Status finish(float finalError) override;
-    std::uint32_t siteCount() const noexcept override { return static_cast<std::uint32_t>(points_.size()); }
+    std::uint32_t siteCount() const noexcept override { return batch_.firstSite() + batch_.siteCount(); }
     std::uint64_t tetrahedronCount() const noexcept override { return destroyers_.size(); }
 
 private:
+    /// A destroyed tetrahedron, by its number in the file, and the site that did it, by the builder's number.
+    struct Destruction {
+        std::uint32_t tetrahedron;
+        std::uint32_t destroyer;
+    };
+
+    /// A tetrahedron that outlives its batch: its sites in the file, the creator first, and its number in the batch.
+    struct Staying {
+        std::array<std::uint32_t, 4> sites;
+        std::uint32_t number;
+    };
+
     Status check(const HistoryStep& step) const;
     void record(const HistoryStep& step);
+    Status closeBatch();
+    void storeSites();
+    void storeTetrahedra();
+    void storeMeshSizes();
+    std::uint32_t madeCount() const noexcept { return static_cast<std::uint32_t>(storedNumbers_.size()); }
     Status writeOtherSites();
     Status writeValues();
     template <class T> Status writeArray(SectionId id, const ChunkedArray<T>& array);
@@ -65,11 +85,22 @@ private:
     ChunkedArray<float> runningErrors_;
     ChunkedArray<std::uint64_t> starOffsets_;
     ChunkedArray<std::uint32_t> meshSizes_;
+    ChunkedArray<std::uint8_t> groupGoesOn_;
     ChunkedArray<std::uint32_t> destroyers_;
     ChunkedArray<std::uint16_t> ownErrors_;
-    std::vector<std::array<std::uint32_t, 3>> otherSites_; ///< of one step, on their way to the file
+
+    ChunkedArray<std::uint32_t> finalNumbers_;  ///< in the file, of each of the builder's sites
+    ChunkedArray<std::uint32_t> storedNumbers_; ///< in the file, of each of the builder's tetrahedra; gone when dead
+    HistoryBatch batch_;
+    std::vector<Destruction> destructions_;                ///< of the batch, among the tetrahedra before it
+    std::vector<std::uint32_t> starEnds_;                  ///< of the batch's sites by their place
+    std::vector<Staying> staying_;                         ///< the batch's tetrahedra that outlive it
+    std::vector<std::uint32_t> starOrder_;                 ///< the same, star by star
+    std::vector<std::array<std::uint32_t, 3>> otherSites_; ///< of the batch, on their way to the file
     float runningError_ = std::numeric_limits<float>::infinity();
-    std::uint64_t alive_ = 0;
+    std::vector<std::int64_t> growth_; ///< of the mesh by each of the batch's sites
+    std::uint64_t alive_ = 0;          ///< tetrahedra in the mesh after the last step
+    std::int64_t meshSize_ = 0;        ///< and after the last batch in the file
 };
 
 Status HistoryFileWriter::begin()
@@ -94,11 +125,16 @@ Status HistoryFileWriter::add(const HistoryStep& step)
     if (const Status right = check(step); !right)
         return right;
     try {
+        if (step.keyBefore < runningError_) {
+            if (const Status closed = closeBatch(); !closed)
+                return closed;
+            runningError_ = step.keyBefore;
+        }
         record(step);
     } catch (const std::bad_alloc&) {
         return outOfMemory();
     }
-    return writeOtherSites();
+    return {};
 }
 
 /// Plugins are written by others: a history that does not hold together must not become a file.
@@ -109,7 +145,7 @@ Status HistoryFileWriter::check(const HistoryStep& step) const
         return inconsistent("point " + std::to_string(step.point) + " is not in the dataset");
     if (std::isnan(step.keyBefore) || step.keyBefore < 0)
         return inconsistent("the error before it is not a number of at least 0");
-    if (step.star.size() > Model::never - tetrahedronCount())
+    if (step.star.size() > gone - storedNumbers_.size())
         return Error{ErrorKind::OutOfResource,
                      "The history has more than 4294967295 tetrahedra. Ask for a larger error, or build in blocks."};
     for (const HistoryTetrahedron& tetrahedron : step.star) {
@@ -119,7 +155,7 @@ Status HistoryFileWriter::check(const HistoryStep& step) const
             return inconsistent("a tetrahedron of its star has an error that is not a number of at least 0");
     }
     for (const std::uint32_t destroyed : step.destroyed)
-        if (destroyed >= tetrahedronCount() || destroyers_[destroyed] != Model::never)
+        if (destroyed >= madeCount() || storedNumbers_[destroyed] == gone)
             return inconsistent("it destroys tetrahedron " + std::to_string(destroyed) + ", which is not in the mesh");
     const std::uint64_t alive = alive_ + step.star.size() - step.destroyed.size();
     if (step.destroyed.size() > alive_ || alive > std::numeric_limits<std::uint32_t>::max())
@@ -129,22 +165,91 @@ Status HistoryFileWriter::check(const HistoryStep& step) const
 
 void HistoryFileWriter::record(const HistoryStep& step)
 {
-    const std::uint32_t creator = siteCount();
-    const double extent = description_.range.extent();
-    runningError_ = std::min(runningError_, step.keyBefore);
+    const std::uint32_t site = siteCount();
     alive_ += step.star.size() - step.destroyed.size();
-    starOffsets_.push_back(tetrahedronCount());
-    points_.push_back(static_cast<std::uint32_t>(step.point));
-    runningErrors_.push_back(runningError_);
-    meshSizes_.push_back(static_cast<std::uint32_t>(alive_));
-    otherSites_.clear();
-    for (const HistoryTetrahedron& tetrahedron : step.star) {
-        otherSites_.push_back(tetrahedron.sites);
-        destroyers_.push_back(Model::never);
-        ownErrors_.push_back(ownErrorOf(tetrahedron.error, extent));
+    batch_.add(step);
+    for (const std::uint32_t destroyed : step.destroyed) {
+        if (destroyed < batch_.firstTetrahedron())
+            destructions_.push_back({storedNumbers_[destroyed], site});
+        storedNumbers_[destroyed] = gone;
     }
-    for (const std::uint32_t destroyed : step.destroyed)
-        destroyers_[destroyed] = creator;
+    for (std::size_t made = 0; made < step.star.size(); ++made)
+        storedNumbers_.push_back(0); // until it is known whether it outlives the batch
+}
+
+/// Gives the sites and the tetrahedra of the batch their numbers in the file; may throw std::bad_alloc.
+Status HistoryFileWriter::closeBatch()
+{
+    if (std::isinf(runningError_))
+        batch_.uniteAll();
+    batch_.arrange();
+    storeSites();
+    storeTetrahedra();
+    storeMeshSizes();
+    destructions_.clear();
+    batch_.start(siteCount(), madeCount());
+    return writeOtherSites();
+}
+
+void HistoryFileWriter::storeSites()
+{
+    for (std::uint32_t place = 0; place < batch_.siteCount(); ++place) {
+        points_.push_back(static_cast<std::uint32_t>(batch_.pointAt(place)));
+        runningErrors_.push_back(runningError_);
+        groupGoesOn_.push_back(batch_.groupGoesOn(place) ? 1 : 0);
+        finalNumbers_.push_back(batch_.firstSite() + batch_.placeOf(batch_.firstSite() + place));
+    }
+    for (const Destruction& destruction : destructions_)
+        destroyers_[destruction.tetrahedron] = finalNumbers_[destruction.destroyer];
+}
+
+/// Sorts the tetrahedra that stay by their creators and appends them.
+void HistoryFileWriter::storeTetrahedra()
+{
+    const std::span<const HistoryBatch::Tetrahedron> made = batch_.tetrahedra();
+    staying_.clear();
+    starEnds_.assign(batch_.siteCount() + 1, 0);
+    for (std::uint32_t number = 0; number < made.size(); ++number) {
+        if (made[number].dropped)
+            continue;
+        std::array<std::uint32_t, 4> sites = made[number].sites;
+        for (std::uint32_t& site : sites)
+            site = finalNumbers_[site];
+        staying_.push_back({latestFirst(sites), number});
+        ++starEnds_[staying_.back().sites[0] - batch_.firstSite() + 1];
+    }
+    for (std::uint32_t place = 0; place < batch_.siteCount(); ++place) {
+        starOffsets_.push_back(tetrahedronCount() + starEnds_[place]);
+        starEnds_[place + 1] += starEnds_[place];
+    }
+    starOrder_.resize(staying_.size());
+    for (std::uint32_t i = 0; i < staying_.size(); ++i)
+        starOrder_[starEnds_[staying_[i].sites[0] - batch_.firstSite()]++] = i;
+    const double extent = description_.range.extent();
+    otherSites_.clear();
+    for (const std::uint32_t i : starOrder_) {
+        const auto& [sites, number] = staying_[i];
+        otherSites_.push_back({sites[1], sites[2], sites[3]});
+        storedNumbers_[batch_.firstTetrahedron() + number] = static_cast<std::uint32_t>(destroyers_.size());
+        destroyers_.push_back(Model::never);
+        ownErrors_.push_back(ownErrorOf(made[number].error, extent));
+    }
+}
+
+/// The mesh has a size where a group ends; its other sites get the same one.
+void HistoryFileWriter::storeMeshSizes()
+{
+    growth_.assign(batch_.siteCount(), 0);
+    for (const Destruction& destruction : destructions_)
+        --growth_[batch_.placeOf(destruction.destroyer)];
+    std::uint32_t first = 0;
+    for (std::uint32_t place = 0; place < batch_.siteCount(); ++place) {
+        meshSize_ += growth_[place] + starEnds_[place] - (place > 0 ? starEnds_[place - 1] : 0);
+        if (batch_.groupGoesOn(place))
+            continue;
+        for (; first <= place; ++first)
+            meshSizes_.push_back(static_cast<std::uint32_t>(meshSize_));
+    }
 }
 
 Status HistoryFileWriter::writeOtherSites()
@@ -159,6 +264,8 @@ Status HistoryFileWriter::finish(float finalError)
     if (!(finalError >= 0) || !std::isfinite(finalError))
         return inconsistent("the final error is not a number of at least 0");
     try {
+        if (const Status closed = closeBatch(); !closed)
+            return closed;
         starOffsets_.push_back(tetrahedronCount());
     } catch (const std::bad_alloc&) {
         return outOfMemory();
@@ -167,8 +274,8 @@ Status HistoryFileWriter::finish(float finalError)
     for (const Status& written :
          {writeArray(SectionId::SitePoints, points_), writeValues(),
           writeArray(SectionId::SiteRunningErrors, runningErrors_), writeArray(SectionId::StarOffsets, starOffsets_),
-          writeArray(SectionId::MeshSizes, meshSizes_), writeArray(SectionId::Destroyers, destroyers_),
-          writeArray(SectionId::OwnErrors, ownErrors_)})
+          writeArray(SectionId::MeshSizes, meshSizes_), writeArray(SectionId::SiteGroups, groupGoesOn_),
+          writeArray(SectionId::Destroyers, destroyers_), writeArray(SectionId::OwnErrors, ownErrors_)})
         if (!written)
             return written;
     format::Header header = headerOf(description_);

@@ -10,15 +10,17 @@
 namespace tetra {
 
 /// Writes a history into a `.tan` file while it is made. Nothing appears under `path` before finish() has succeeded:
-/// the file is written beside it, synced and renamed; destroying an unfinished writer removes what it wrote. Memory:
-/// about 6 bytes a tetrahedron and 20 a site; the sites of the tetrahedra go straight to the disk.
+/// the file is written beside it, synced and renamed; destroying an unfinished writer removes what it wrote. Steps
+/// are put together into batches and groups on the way (FORMAT.md). Memory: about 10 bytes a tetrahedron and 25 a site,
+/// and one batch whole; the sites of the tetrahedra go straight to the disk.
 class ModelWriter : public HistorySink {
 public:
     /// `description` needs builder and parameters; the rest is taken from `dataset`.
     static Result<std::unique_ptr<ModelWriter>> create(const std::filesystem::path& path, const Dataset& dataset,
                                                        ModelDescription description);
-    /// So far.
+    /// Handed over so far.
     virtual std::uint32_t siteCount() const noexcept = 0;
+    /// In the file so far, without those of the batch that is not complete yet.
     virtual std::uint64_t tetrahedronCount() const noexcept = 0;
 };
 

@@ -22,28 +22,31 @@ LevelVerdict notChecked(const Accuracy& asked)
 Result<Verdict> verifyAll(const Model& model, const Dataset& original, const std::vector<Accuracy>& levels,
                           const Progress& progress)
 {
-    constexpr double bytesShare = 0.05;
-    constexpr double historyShare = 0.15;
+    constexpr double bytesEnd = 0.05; // how far it is after each part
+    constexpr double historyEnd = 0.17;
+    constexpr double groupsEnd = 0.2;
     Verdict verdict;
-    if (const Status done = verifyBytes(model, verdict.failures, progress.part(0, bytesShare)); !done)
+    if (const Status done = verifyBytes(model, verdict.failures, progress.part(0, bytesEnd)); !done)
         return done.error();
     std::vector<LatticePoint> places;
     if (verifySource(model, original, verdict.failures))
         places = verifySites(model, original, verdict.failures);
     bool usable = !places.empty();
     if (usable)
-        if (const Status done = verifyHistory(model, places, verdict.failures, usable,
-                                              progress.part(bytesShare, bytesShare + historyShare));
+        if (const Status done =
+                verifyHistory(model, places, verdict.failures, usable, progress.part(bytesEnd, historyEnd));
             !done)
             return done.error();
-    const double first = bytesShare + historyShare;
+    if (usable)
+        if (const Status done = verifyGroups(model, verdict.failures, progress.part(historyEnd, groupsEnd)); !done)
+            return done.error();
     for (std::size_t number = 0; number < levels.size(); ++number) {
         if (!usable) {
             verdict.levels.push_back(notChecked(levels[number]));
             continue;
         }
-        const double share = (1 - first) / static_cast<double>(levels.size());
-        const double begin = first + share * static_cast<double>(number);
+        const double share = (1 - groupsEnd) / static_cast<double>(levels.size());
+        const double begin = groupsEnd + share * static_cast<double>(number);
         Result<LevelVerdict> level =
             verifyLevel(model, original, places, levels[number], progress.part(begin, begin + share));
         if (!level)

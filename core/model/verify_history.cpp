@@ -14,7 +14,6 @@ namespace tetra {
 
 namespace {
 
-constexpr std::uint32_t cornerCount = 8;
 constexpr std::uint32_t sitesAtOnce = 4096;
 
 /// What the sites make and destroy, gathered from the tetrahedra alone.
@@ -45,6 +44,16 @@ private:
     void checkOffsets();
     void checkStar(std::uint32_t creator);
     void checkTetrahedron(std::uint32_t creator, std::uint64_t number);
+    /// Calls function(first, end) for the sites of each group.
+    template <class Function> void forEachGroup(Function&& function)
+    {
+        std::uint32_t first = 0;
+        for (std::uint32_t site = 0; site < model_.siteCount(); ++site)
+            if (model_.groupGoesOn()[site] == 0 || site + 1 == model_.siteCount()) {
+                function(first, site + 1);
+                first = site + 1;
+            }
+    }
     void checkSizes();
     void checkBalance();
 
@@ -143,36 +152,42 @@ void HistoryCheck::checkTetrahedron(std::uint32_t creator, std::uint64_t number)
 void HistoryCheck::checkSizes()
 {
     std::int64_t alive = 0;
-    for (std::uint32_t site = 0; site < model_.siteCount(); ++site) {
-        alive += static_cast<std::int64_t>(model_.starOffsets()[site + 1] - model_.starOffsets()[site]);
-        alive -= balance_.destroyed[site].load();
-        const std::int64_t claimed = model_.meshSizes()[site];
-        if (alive != claimed)
-            sizes_.add(site, [&] {
-                return "The mesh of sites 0 to " + std::to_string(site) + " has " + std::to_string(alive) +
-                       " tetrahedra, and the file says " + std::to_string(claimed) + ".";
-            });
-    }
+    forEachGroup([&](std::uint32_t first, std::uint32_t end) {
+        alive += static_cast<std::int64_t>(model_.starOffsets()[end] - model_.starOffsets()[first]);
+        for (std::uint32_t site = first; site < end; ++site)
+            alive -= balance_.destroyed[site].load();
+        for (std::uint32_t site = first; site < end; ++site)
+            if (const std::int64_t claimed = model_.meshSizes()[site]; alive != claimed)
+                sizes_.add(site, [&] {
+                    return "The mesh of sites 0 to " + std::to_string(end - 1) + " has " + std::to_string(alive) +
+                           " tetrahedra, and the file says " + std::to_string(claimed) + ".";
+                });
+    });
 }
 
-/// After the first mesh a site only divides anew what it empties, so every mesh fills the domain if the first one does.
+/// After the first mesh a group only divides anew what it empties, so every mesh fills the domain if the first one
+/// does.
 void HistoryCheck::checkBalance()
 {
     const auto domain = 6 * static_cast<std::int64_t>(model_.description().lattice.cellCount());
+    const std::uint32_t initialSites = initialSiteCount(model_);
     std::int64_t initial = 0;
-    for (std::uint32_t site = 0; site < model_.siteCount(); ++site) {
-        const std::int64_t created = balance_.createdVolume[site];
-        const std::int64_t destroyed = balance_.destroyedVolume[site].load();
-        if (site < cornerCount) {
-            initial += created - destroyed;
-            continue;
+    forEachGroup([&](std::uint32_t first, std::uint32_t end) {
+        std::int64_t created = 0;
+        std::int64_t destroyed = 0;
+        for (std::uint32_t site = first; site < end; ++site) {
+            created += balance_.createdVolume[site];
+            destroyed += balance_.destroyedVolume[site].load();
         }
-        if (created != destroyed)
-            balances_.add(site, [&] {
-                return "Site " + std::to_string(site) + " at " + textOf(places_[site]) + " empties " +
-                       std::to_string(destroyed) + " sixths of a cell and fills " + std::to_string(created) + ".";
+        if (first < initialSites)
+            initial += created - destroyed;
+        else if (created != destroyed)
+            balances_.add(first, [&] {
+                return "The group of " + std::to_string(end - first) + " sites from site " + std::to_string(first) +
+                       " at " + textOf(places_[first]) + " on empties " + std::to_string(destroyed) +
+                       " sixths of a cell and fills " + std::to_string(created) + ".";
             });
-    }
+    });
     if (initial != domain)
         balances_.add(0, [&] {
             return "The first mesh fills " + std::to_string(initial) + " sixths of a cell; the domain has " +

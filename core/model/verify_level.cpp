@@ -17,7 +17,6 @@ namespace tetra {
 
 namespace {
 
-constexpr std::uint32_t cornerCount = 8;
 constexpr std::size_t cellsAtOnce = 1024;
 
 /// What is known of a sample after all cells were visited.
@@ -29,7 +28,7 @@ enum SampleState {
 /// The first state of the mesh that reached `asked`, found by looking at one after the other (S1).
 std::uint32_t firstPassage(const Model& model, double asked)
 {
-    std::uint32_t sites = cornerCount;
+    std::uint32_t sites = initialSiteCount(model);
     while (sites < model.siteCount() && !(static_cast<double>(model.runningErrors()[sites]) <= asked))
         ++sites;
     return sites;

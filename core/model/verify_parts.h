@@ -18,19 +18,28 @@ namespace tetra {
 /// Checksums, padding, reserved fields: every byte of the file has the value that it was written with.
 Status verifyBytes(const Model& model, std::vector<std::string>& failures, const Progress& progress);
 
+/// The sites of the first mesh: the leading ones of infinite running error.
+std::uint32_t initialSiteCount(const Model& model);
+
 /// That the model is one of this dataset: lattice, type, range, hash. False if not even the lattice or the type fit, so
 /// that nothing can be compared.
 bool verifySource(const Model& model, const Dataset& original, std::vector<std::string>& failures);
 
-/// Where the sites lie, after checking that they are distinct points of the lattice, the corners first, with the
-/// samples of the original; and that the running errors do not increase. Empty if a site is no point.
+/// Where the sites lie, after checking that they are distinct points of the lattice, the corners among the
+/// initial ones, with the samples of the original; and that the running errors do not increase. Empty if a site is no
+/// point.
 std::vector<LatticePoint> verifySites(const Model& model, const Dataset& original, std::vector<std::string>& failures);
 
 /// The history as a whole: creators are the latest sites, destroyers come later, every tetrahedron that ever lived is
-/// positive, every site fills exactly the volume that it empties, mesh sizes follow. `usable` becomes false if
+/// positive, every group fills exactly the volume that it empties, mesh sizes follow. `usable` becomes false if
 /// indices are so wrong that they cannot be followed.
 Status verifyHistory(const Model& model, const std::vector<LatticePoint>& places, std::vector<std::string>& failures,
                      bool& usable, const Progress& progress);
+
+/// That batches and groups are as FORMAT.md defines them: in canonical order, groups within batches, and no tetrahedron
+/// that reaches from one group to another of its batch or dies in the batch that made it. For a history whose indices
+/// can be followed.
+Status verifyGroups(const Model& model, std::vector<std::string>& failures, const Progress& progress);
 
 /// One level, proved from the file's arrays and the original samples alone.
 Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, const std::vector<LatticePoint>& places,

@@ -10,8 +10,6 @@ namespace tetra {
 
 namespace {
 
-constexpr std::uint32_t cornerCount = 8;
-
 std::string sizeText(const Lattice& lattice)
 {
     return std::to_string(lattice.size[0]) + " x " + std::to_string(lattice.size[1]) + " x " +
@@ -33,6 +31,21 @@ bool isCorner(const LatticePoint& place, const Lattice& lattice)
         if (place[axis] != 0 && place[axis] != std::int64_t(lattice.size[axis]) - 1)
             return false;
     return true;
+}
+
+/// The first mesh can only fill the domain if it has the domain's corners.
+void verifyCorners(const Model& model, const Lattice& lattice, const std::vector<LatticePoint>& places,
+                   Findings& findings)
+{
+    constexpr std::ptrdiff_t cornerCount = 8;
+    const auto initial = places.begin() + std::ptrdiff_t(initialSiteCount(model));
+    const auto corners =
+        std::count_if(places.begin(), initial, [&](const LatticePoint& place) { return isCorner(place, lattice); });
+    if (corners != cornerCount)
+        findings.add(0, [&] {
+            return "The " + std::to_string(initialSiteCount(model)) + " initial sites hold " + std::to_string(corners) +
+                   " corners of the domain instead of all eight.";
+        });
 }
 
 void verifyPlaces(const Model& model, const Lattice& lattice, std::vector<LatticePoint>& places, Findings& findings)
@@ -57,14 +70,11 @@ void verifyPlaces(const Model& model, const Lattice& lattice, std::vector<Lattic
                        " lies where an earlier site lies.";
             });
         taken[point] = true;
-        if (site < cornerCount && !isCorner(places.back(), lattice))
-            findings.add(site, [&] {
-                return "Site " + std::to_string(site) + " at " + textOf(places.back()) +
-                       " is not a corner of the domain, as the first eight sites must be.";
-            });
     }
     if (!usable)
         places.clear();
+    else
+        verifyCorners(model, lattice, places, findings);
 }
 
 void verifyValues(const Model& model, const Dataset& original, Findings& findings)
@@ -90,23 +100,27 @@ void verifyValues(const Model& model, const Dataset& original, Findings& finding
 void verifyRunningErrors(const Model& model, Findings& findings)
 {
     const std::span<const float> errors = model.runningErrors();
-    for (std::uint32_t site = 0; site < model.siteCount(); ++site) {
-        const bool initial = site < cornerCount;
-        const bool right = initial
-                               ? std::isinf(errors[site]) && errors[site] > 0
-                               : errors[site] >= 0 && std::isfinite(errors[site]) && errors[site] <= errors[site - 1];
-        if (!right)
+    const std::uint32_t initial = initialSiteCount(model);
+    if (initial == 0)
+        findings.add(0,
+                     [] { return std::string("No site has an infinite running error, so there is no first mesh."); });
+    for (std::uint32_t site = std::max(initial, 1u); site < model.siteCount(); ++site)
+        if (!(errors[site] >= 0 && std::isfinite(errors[site]) && errors[site] <= errors[site - 1]))
             findings.add(site, [&] {
                 return "The running error of site " + std::to_string(site) + " is " +
-                       textOf(static_cast<double>(errors[site])) +
-                       (initial ? " instead of infinity."
-                                : ", after " + textOf(static_cast<double>(errors[site - 1])) +
-                                      ": it must be finite and must not increase.");
+                       textOf(static_cast<double>(errors[site])) + ", after " +
+                       textOf(static_cast<double>(errors[site - 1])) + ": it must be finite and must not increase.";
             });
-    }
 }
 
 } // namespace
+
+std::uint32_t initialSiteCount(const Model& model)
+{
+    const std::span<const float> errors = model.runningErrors();
+    const auto end = std::ranges::find_if(errors, [](float error) { return !(std::isinf(error) && error > 0); });
+    return static_cast<std::uint32_t>(end - errors.begin());
+}
 
 bool verifySource(const Model& model, const Dataset& original, std::vector<std::string>& failures)
 {

@@ -48,7 +48,10 @@ Result<BuildReport> buildInto(const Builder& builder, const std::string& id, con
     if (!writer)
         return writer.error();
     BuildTarget target{**writer};
-    return callPlugin(id, [&] { return builder.build(dataset, values, target, progress); });
+    auto report = callPlugin(id, [&] { return builder.build(dataset, values, target, progress); });
+    if (report)
+        report->tetrahedra = (*writer)->tetrahedronCount();
+    return report;
 }
 
 } // namespace

@@ -31,7 +31,7 @@ private slots:
 
     void historyAndFileAreAsSmallAsPromised()
     {
-        QVERIFY2(model_->tetrahedronCount() <= 490'000, qPrintable(QString::number(model_->tetrahedronCount())));
+        QVERIFY2(model_->tetrahedronCount() <= 425'000, qPrintable(QString::number(model_->tetrahedronCount())));
         const double bytes = static_cast<double>(model_->fileSize()) / static_cast<double>(model_->tetrahedronCount());
         QVERIFY2(bytes <= 21, qPrintable(QString::number(bytes)));
     }

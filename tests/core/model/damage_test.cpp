@@ -15,6 +15,8 @@ using namespace tetra;
 
 namespace {
 
+constexpr std::uint32_t sectionCount = 10;
+
 /// Numbers that programs trip over, put where they hurt.
 constexpr std::array<std::uint32_t, 8> evilNumbers = {0,          1,          7,          0x7fffffff,
                                                       0x80000000, 0xfffffffe, 0xffffffff, 0x7fc00000};
@@ -34,7 +36,7 @@ private:
     void damageOnce(std::vector<std::byte>& bytes)
     {
         // Half of the hits go into header and table, which are a small part of the file.
-        const std::size_t front = sizeof(format::Header) + 9 * sizeof(format::Section);
+        const std::size_t front = sizeof(format::Header) + sectionCount * sizeof(format::Section);
         const std::size_t at = 8 + random_() % ((random_() % 2 == 0 ? front : bytes.size()) - 16);
         switch (random_() % 3) {
         case 0: bytes[at] ^= std::byte(1u << random_() % 8); break;
@@ -72,10 +74,11 @@ private slots:
         int opened = 0;
         int extracted = 0;
         int notRight = 0;
-        for (std::uint32_t round = 0; round < 1500; ++round) {
+        for (std::uint32_t round = 0; round < 3000; ++round) {
             FileParts parts(bytes);
             Damager(round + 1).damage(parts.content);
-            if (parts.header().sectionCount <= 9) // else the table reaches into the sections, or beyond the file
+            if (parts.header().sectionCount <=
+                sectionCount) // else the table reaches into the sections, or beyond the file
                 parts.repairChecksums();
             writeBytes(path, parts.content);
             const auto model = Model::open(path);

@@ -69,6 +69,31 @@ std::vector<std::array<std::uint32_t, 4>> RecordedHistory::meshOf(std::size_t si
     return mesh;
 }
 
+std::vector<std::uint32_t> RecordedHistory::points() const
+{
+    std::vector<std::uint32_t> points;
+    for (const Step& step : steps)
+        points.push_back(static_cast<std::uint32_t>(step.point));
+    return points;
+}
+
+TetrahedraByPoints byPoints(std::span<const std::array<std::uint32_t, 4>> tetrahedra,
+                            std::span<const std::uint32_t> points)
+{
+    TetrahedraByPoints result;
+    for (const auto& t : tetrahedra) {
+        result.push_back({points[t[0]], points[t[1]], points[t[2]], points[t[3]]});
+        std::ranges::sort(result.back());
+    }
+    std::ranges::sort(result);
+    return result;
+}
+
+bool endsBatch(const Model& model, std::uint32_t sites)
+{
+    return sites == 0 || sites == model.siteCount() || model.runningErrors()[sites] < model.runningErrors()[sites - 1];
+}
+
 const RecordedHistory& historyOf(const Dataset& dataset)
 {
     static std::map<std::uint64_t, RecordedHistory> known;

@@ -32,7 +32,18 @@ struct RecordedHistory final : HistorySink {
 
     /// The tetrahedra (creator, a, b, c) of the mesh of the first `sites` sites, replayed step by step.
     std::vector<std::array<std::uint32_t, 4>> meshOf(std::size_t sites) const;
+    /// The point of each site.
+    std::vector<std::uint32_t> points() const;
 };
+
+/// Tetrahedra as sets of points, whatever the numbers and the order of their sites: each sorted, and all of them.
+using TetrahedraByPoints = std::vector<std::array<std::uint64_t, 4>>;
+/// `points`: the point of each site.
+TetrahedraByPoints byPoints(std::span<const std::array<std::uint32_t, 4>> tetrahedra,
+                            std::span<const std::uint32_t> points);
+
+/// Whether the first `sites` sites are whole batches, or all: a query can ask for them.
+bool endsBatch(const Model& model, std::uint32_t sites);
 
 /// The history of the slow reference refinement; made once for each kind of dataset and kept.
 const RecordedHistory& historyOf(const Dataset& dataset);

@@ -37,6 +37,17 @@ std::size_t livingTetrahedron(FileParts& parts)
     return std::size_t(std::ranges::find(destroyers, Model::never) - destroyers.begin());
 }
 
+/// A site after the initial ones whose group goes on and which made a tetrahedron.
+std::size_t firstGroup(FileParts& parts)
+{
+    const auto goesOn = parts.elements<std::uint8_t>(SectionId::SiteGroups);
+    const auto offsets = parts.elements<std::uint64_t>(SectionId::StarOffsets);
+    std::size_t site = 8;
+    while (goesOn[site] == 0 || offsets[site] == offsets[site + 1])
+        ++site;
+    return site;
+}
+
 } // namespace
 
 class VerificationTest : public QObject {
@@ -261,7 +272,7 @@ void VerificationTest::findsWhatIsWrong_data()
             auto points = f.elements<std::uint32_t>(SectionId::SitePoints);
             std::swap(points[2], points[20]);
         },
-        "is not a corner of the domain");
+        "initial sites hold 7 corners of the domain instead");
     row(
         "small running error",
         [](FileParts& f) {
@@ -277,7 +288,7 @@ void VerificationTest::findsWhatIsWrong_data()
         "The running error of site 30 is");
     row(
         "finite start", [](FileParts& f) { f.elements<float>(SectionId::SiteRunningErrors)[3] = 1000; },
-        "instead of infinity");
+        "of site 4 is inf, after 1000");
     row(
         "small final error",
         [](FileParts& f) {
@@ -294,7 +305,39 @@ void VerificationTest::findsWhatIsWrong_data()
         "Tetrahedron 5 has an own error that is no number");
     row(
         "mesh size", [](FileParts& f) { ++f.elements<std::uint32_t>(SectionId::MeshSizes)[30]; },
-        "The mesh of sites 0 to 30 has");
+        "tetrahedra, and the file says");
+    row(
+        "group without end", [](FileParts& f) { f.elements<std::uint8_t>(SectionId::SiteGroups).back() = 1; },
+        "goes on with a site of another running error");
+    row(
+        "group flag", [](FileParts& f) { f.elements<std::uint8_t>(SectionId::SiteGroups)[0] = 2; },
+        "goes on with a site of another running error");
+    row(
+        "group cut in two", [](FileParts& f) { f.elements<std::uint8_t>(SectionId::SiteGroups)[firstGroup(f)] = 0; },
+        "empties");
+    row(
+        "corners apart", [](FileParts& f) { f.elements<std::uint8_t>(SectionId::SiteGroups)[6] = 0; },
+        "The initial sites are not one group");
+    row(
+        "groups joined",
+        [](FileParts& f) {
+            const auto errors = f.elements<float>(SectionId::SiteRunningErrors);
+            const auto goesOn = f.elements<std::uint8_t>(SectionId::SiteGroups);
+            std::size_t site = 8;
+            while (errors[site] != errors[site + 1] || goesOn[site] != 0)
+                ++site;
+            std::swap(f.elements<std::uint32_t>(SectionId::SitePoints)[site],
+                      f.elements<std::uint32_t>(SectionId::SitePoints)[site + 1]);
+        },
+        "are not in the order of their points");
+    row(
+        "empty life",
+        [](FileParts& f) {
+            const std::size_t first = firstGroup(f);
+            const auto star = f.elements<std::uint64_t>(SectionId::StarOffsets)[first];
+            f.elements<std::uint32_t>(SectionId::Destroyers)[star] = std::uint32_t(first + 1);
+        },
+        "is made and destroyed at the same running error");
     row(
         "star offset", [](FileParts& f) { ++f.elements<std::uint64_t>(SectionId::StarOffsets)[30]; },
         "sixths of a cell and fills");

@@ -93,7 +93,7 @@ private slots:
         const auto model = Model::open(path);
         QVERIFY(model.ok());
         QCOMPARE(std::uint64_t((*model)->siteCount()), report->sites);
-        QCOMPARE((*model)->tetrahedronCount(), report->tetrahedra);
+        QVERIFY((*model)->tetrahedronCount() <= report->tetrahedra);
         QVERIFY((*model)->finalError() <= stop / 100 * dataset.values.range().extent());
         std::vector<Accuracy> levels;
         for (const double percent : {50.0, 20.0, 10.0, 5.0})
