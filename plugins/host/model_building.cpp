@@ -39,15 +39,16 @@ std::vector<std::pair<std::string, std::string>> provenance(const std::vector<Pa
 
 Result<BuildReport> buildInto(const Builder& builder, const std::string& id, const Dataset& dataset,
                               const ParameterValues& values, const std::filesystem::path& output,
-                              const Progress& progress)
+                              const Progress& progress, LiveBuild* live)
 {
     ModelDescription description;
     description.builder = id;
     description.parameters = provenance(builder.parameters(), values);
-    const auto writer = ModelWriter::create(output, dataset, std::move(description));
+    const auto writer = ModelWriter::create(output, dataset, description);
     if (!writer)
         return writer.error();
-    BuildTarget target{**writer};
+    const auto watch = live != nullptr ? live->watch(**writer, dataset, description) : nullptr;
+    BuildTarget target{watch ? *watch : **writer};
     auto report = callPlugin(id, [&] { return builder.build(dataset, values, target, progress); });
     if (report)
         report->tetrahedra = (*writer)->tetrahedronCount();
@@ -79,7 +80,7 @@ Result<Provided<Builder>> chooseBuilder(PluginHost& host, const Dataset& dataset
 
 Result<ModelBuild> buildModel(PluginHost& host, const Dataset& dataset, const std::optional<std::string>& builderId,
                               const ParameterValues& values, const std::filesystem::path& output,
-                              const Progress& progress)
+                              const Progress& progress, LiveBuild* live)
 {
     const auto builder = chooseBuilder(host, dataset, builderId);
     if (!builder)
@@ -96,7 +97,7 @@ Result<ModelBuild> buildModel(PluginHost& host, const Dataset& dataset, const st
     if (progress.cancelled())
         return cancelledError("The build");
     const auto start = std::chrono::steady_clock::now();
-    const auto report = buildInto(*builder->plugin, builder->id, dataset, values, output, progress);
+    const auto report = buildInto(*builder->plugin, builder->id, dataset, values, output, progress, live);
     if (!report)
         return report.error();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

@@ -3,6 +3,7 @@
 
 #include "core/base/progress.h"
 #include "core/data/dataset.h"
+#include "plugins/host/live_build.h"
 #include "plugins/host/plugin_host.h"
 
 #include <optional>
@@ -25,9 +26,10 @@ struct ModelBuild {
 
 /// Builds a model of `dataset` into `output`, which appears whole or not at all. `builderId` as in chooseBuilder();
 /// `values` may hold that builder's parameters and no others. The output never replaces the dataset's own file or
-/// anything that is no model (WrongUsage). Call from a worker thread; safe from any.
+/// anything that is no model (WrongUsage). `live`, if any, can be looked at meanwhile. Call from a worker thread; safe
+/// from any.
 Result<ModelBuild> buildModel(PluginHost& host, const Dataset& dataset, const std::optional<std::string>& builderId,
                               const ParameterValues& values, const std::filesystem::path& output,
-                              const Progress& progress = {});
+                              const Progress& progress = {}, LiveBuild* live = nullptr);
 
 } // namespace tetra

@@ -32,6 +32,7 @@ private slots:
     void messagesAreNeverLost();
     void aRawFileAsksForItsDescription();
     void aBuildIsCancelledAndLeavesNoFile();
+    void aBuildIsWatchedWhileItGrows();
     void aBuildThatCannotWriteSaysSo();
     void anExistingModelIsReplacedOnlyWithAWord();
     void theMouseMovesTheCamera();
@@ -194,6 +195,25 @@ void WindowTest::aBuildIsCancelledAndLeavesNoFile()
     QCOMPARE(window_->messages(), QStringList()); // who cancels knows
     QVERIFY(window_->find<QPushButton>("build.start").isVisible());
     QVERIFY(window_->find<QWidget>("build.target").isEnabled());
+}
+
+void WindowTest::aBuildIsWatchedWhileItGrows()
+{
+    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(128), window_->folderPath())));
+    QTRY_VERIFY(window_->workbench.dataset());
+    const QString target = window_->find<QLineEdit>("build.target").text();
+    std::vector<std::uint32_t> sites;
+    const Session& session = window_->workbench.session();
+    connect(&session, &Session::modelGrown, this, [&] { sites.push_back(session.model()->siteCount()); });
+    QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
+    QTRY_VERIFY(session.model() != nullptr);
+    QVERIFY(window_->workbench.building().running());
+    QTRY_VERIFY(window_->settled());
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.building().running(), 60'000);
+    QTRY_COMPARE(QString::fromStdString(session.model()->path().string()), target);
+    QVERIFY(!sites.empty() && std::ranges::is_sorted(sites));
+    QCOMPARE(session.model()->siteCount(), sites.back());
+    QCOMPARE(window_->messages(), QStringList());
 }
 
 void WindowTest::aBuildThatCannotWriteSaysSo()

@@ -82,6 +82,7 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
     for (QWidget* input : std::initializer_list<QWidget*>{curve_, slider_, box_})
         new GestureWatcher(input, session_);
     connect(&session_, &Session::modelChanged, this, &AccuracyPanel::showModel);
+    connect(&session_, &Session::modelGrown, this, &AccuracyPanel::showModel);
     connect(&session_.view(), &ViewState::errorChanged, this, &AccuracyPanel::showAccuracy);
     showModel();
 }

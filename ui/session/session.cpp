@@ -34,6 +34,14 @@ void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> iso
     emit modelChanged();
 }
 
+void Session::grow(std::shared_ptr<const Model> model)
+{
+    model_ = std::move(model);
+    emit modelGrown();
+    if (undoStack_.count() == 0)
+        view_.setError(startingError(*model_));
+}
+
 void Session::close()
 {
     model_.reset();

@@ -30,6 +30,9 @@ public:
 
     /// Shows `model` at an accuracy that is quick to draw. The history of edits starts anew.
     void open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues);
+    /// Shows a model of the same dataset that has more sites, as the model is seen now: the history of edits goes on.
+    /// As long as nothing was edited the accuracy follows what is quick to draw.
+    void grow(std::shared_ptr<const Model> model);
     void close();
 
     void beginGesture();
@@ -45,6 +48,7 @@ public:
 
 signals:
     void modelChanged();
+    void modelGrown();
 
 private:
     bool hasIsovalue(int index) const;

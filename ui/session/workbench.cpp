@@ -13,6 +13,8 @@
 namespace tetra {
 namespace {
 
+constexpr int timeBetweenLooks = 700; // milliseconds
+
 /// The parameter of a renderer that takes the session's isovalues; none if it has no such thing.
 const Parameter* isovalueParameter(const std::vector<Parameter>& parameters)
 {
@@ -37,11 +39,15 @@ Workbench::Workbench(PluginHost& host, QObject* parent) : QObject(parent), host_
 {
     const ViewState* view = &session_.view();
     connect(&session_, &Session::modelChanged, this, &Workbench::requestScene);
+    connect(&session_, &Session::modelGrown, this, &Workbench::requestScene);
     connect(view, &ViewState::errorChanged, this, &Workbench::requestScene);
     connect(view, &ViewState::isovalueInserted, this, &Workbench::requestScene);
     connect(view, &ViewState::isovalueRemoved, this, &Workbench::requestScene);
     connect(view, &ViewState::isovalueChanged, this, &Workbench::requestScene);
     connect(&sceneBuilder_, &SceneBuilder::failed, this, &Workbench::tell);
+    looking_.setInterval(timeBetweenLooks);
+    connect(&looking_, &QTimer::timeout, this, &Workbench::lookAtBuild);
+    connect(&building_, &LongTask::finished, &looking_, &QTimer::stop);
 }
 
 Workbench::~Workbench() = default;
@@ -85,7 +91,8 @@ void Workbench::modelRead(const Result<std::shared_ptr<const Model>>& model)
     renderer_ = renderers.front().plugin;
     const auto parameters = renderer_->parameters((*model)->description().range);
     const Parameter* isovalues = isovalueParameter(parameters);
-    addRecentFile(pathText((*model)->path()));
+    if (*model != look_)
+        addRecentFile(pathText((*model)->path()));
     sceneBuilder_.clear();
     session_.open(*model,
                   isovalues ? std::get<std::vector<Isovalue>>(isovalues->defaultValue) : std::vector<Isovalue>{});
@@ -116,13 +123,78 @@ void Workbench::build(const BuildOrder& order)
 {
     if (!dataset_ || building_.running())
         return;
-    building_.start([this, order, dataset = dataset_](const Progress& progress) -> std::function<void()> {
+    live_ = std::make_shared<LiveBuild>();
+    look_.reset();
+    building_.start([this, order, dataset = dataset_, live = live_](const Progress& progress) -> std::function<void()> {
         return [this, order,
-                built = tetra::buildModel(host_, *dataset, order.builder, order.values, order.target, progress)] {
-            if (!built)
-                return tell(built.error());
-            emit modelBuilt();
-            read(order.target, {});
+                built = tetra::buildModel(host_, *dataset, order.builder, order.values, order.target, progress,
+                                          live.get())] {
+            if (built) {
+                emit modelBuilt();
+                showBuilt(order.target);
+            } else {
+                closeLook();
+                tell(built.error());
+            }
+        };
+    });
+    lookPath_ = filePath(looks_.filePath(pathText(order.target.filename())));
+    if (order.watch && !session_.model() && looks_.isValid())
+        looking_.start();
+}
+
+void Workbench::lookAtBuild()
+{
+    if (looker_.running())
+        return;
+    if (look_ != nullptr && !showsLook())
+        return looking_.stop(); // the user has turned to something else
+    looker_.start([this, live = live_, path = lookPath_](const Progress&) -> std::function<void()> {
+        return [this, live, look = live->look(path)] {
+            if (building_.running() && live == live_)
+                showLook(look);
+        };
+    });
+}
+
+void Workbench::showLook(const Result<std::shared_ptr<const Model>>& look)
+{
+    if (!look)
+        return looking_.stop(); // a picture of the build is not worth a message: no room for it, say
+    if (*look == nullptr)
+        return;
+    const bool isFirst = look_ == nullptr;
+    if (isFirst && session_.model())
+        return looking_.stop();
+    if (!isFirst && !showsLook())
+        return;
+    look_ = *look;
+    if (isFirst)
+        modelRead(look_);
+    else
+        session_.grow(look_);
+}
+
+/// What was watched has not become a model.
+void Workbench::closeLook()
+{
+    if (showsLook())
+        closeModel();
+    look_.reset();
+}
+
+/// The model that was watched goes on being shown as it is; any other is opened.
+void Workbench::showBuilt(const std::filesystem::path& target)
+{
+    if (!showsLook())
+        return read(target, {});
+    look_.reset();
+    reading_.start([this, target](const Progress&) -> std::function<void()> {
+        return [this, target, model = Model::open(target)] {
+            if (!model)
+                return tell(model.error());
+            addRecentFile(pathText(target));
+            session_.grow(*model);
         };
     });
 }

@@ -2,11 +2,15 @@
 #pragma once
 
 #include "core/data/dataset.h"
+#include "plugins/host/live_build.h"
 #include "plugins/host/plugin_host.h"
 #include "ui/session/picture_file.h"
 #include "ui/session/scene_builder.h"
 #include "ui/session/session.h"
 #include "ui/work/long_task.h"
+
+#include <QTemporaryDir>
+#include <QTimer>
 
 #include <filesystem>
 
@@ -17,6 +21,7 @@ struct BuildOrder {
     std::string builder; ///< id
     ParameterValues values;
     std::filesystem::path target;
+    bool watch = true; ///< show the model while it grows, unless another one is open
 };
 
 /// Everything that the window can do, without the window: opens files, builds models, keeps the scene up to date with
@@ -60,6 +65,11 @@ signals:
 
 private:
     void read(const std::filesystem::path& path, const ParameterValues& values);
+    void lookAtBuild();
+    void showLook(const Result<std::shared_ptr<const Model>>& look);
+    void closeLook();
+    void showBuilt(const std::filesystem::path& target);
+    bool showsLook() const { return look_ != nullptr && session_.model() == look_; }
     void datasetRead(const std::filesystem::path& path, const Result<Dataset>& dataset);
     void modelRead(const Result<std::shared_ptr<const Model>>& model);
     void requestScene();
@@ -74,6 +84,13 @@ private:
     LongTask reading_;
     LongTask building_;
     LongTask savingPicture_;
+
+    std::shared_ptr<LiveBuild> live_;   ///< of the build that is being watched
+    std::filesystem::path lookPath_;    ///< where looks at it are written
+    std::shared_ptr<const Model> look_; ///< the last one shown
+    QTimer looking_;
+    LongTask looker_;
+    QTemporaryDir looks_;
 };
 
 } // namespace tetra

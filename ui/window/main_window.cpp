@@ -198,6 +198,7 @@ void MainWindow::connectWorkbench()
     connect(&workbench_, &Workbench::pictureSaved, this,
             [this](const QString& path) { statusBar()->showMessage(tr("Saved %1").arg(path), statusMessageTime); });
     connect(&workbench_.session(), &Session::modelChanged, this, &MainWindow::showModel);
+    connect(&workbench_.session(), &Session::modelGrown, this, &MainWindow::showFile);
     SceneBuilder& scenes = workbench_.sceneBuilder();
     connect(&scenes, &SceneBuilder::sceneReady, this, &MainWindow::showScene);
     connect(&scenes, &SceneBuilder::busyChanged, status_, &StatusLine::setBusy);
@@ -242,12 +243,18 @@ void MainWindow::fit()
         viewport_->fit(model->description().lattice.bounds());
 }
 
-void MainWindow::showModel()
+void MainWindow::showFile()
 {
     const auto& model = workbench_.session().model();
     const QFileInfo file(model ? pathText(model->path()) : QString());
     status_->setFile(file.fileName(), file.absoluteFilePath());
     setWindowTitle(model ? tr("%1 – TAn").arg(file.fileName()) : tr("TAn"));
+}
+
+void MainWindow::showModel()
+{
+    const auto& model = workbench_.session().model();
+    showFile();
     for (QAction* action : QList<QAction*>{actions_.savePicture, actions_.close, actions_.addIsovalue, actions_.fit} +
                                actions_.namedViews)
         action->setEnabled(model != nullptr);

@@ -44,6 +44,7 @@ private:
     void savePicture();
     void fillRecent();
     void fit();
+    void showFile();
     void showModel();
     void showScene(const BuiltScene& scene);
     void showDataset();

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/data/dataset.h"
+#include "core/mesh/history.h"
+#include "core/model/model.h"
+
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace tetra {
+
+/// A build that can be looked at while it runs (B8). Remembers the beginning of the history that passes through
+/// watch(), coarse first, and makes models of it, each the mesh of the first sites with its known error. Safe to use
+/// from two threads: the one that builds and one that looks.
+class LiveBuild {
+public:
+    /// Of a history that has more tetrahedra than this, the later part cannot be looked at before the build is done.
+    explicit LiveBuild(std::size_t mostTetrahedra = 4'000'000) : mostTetrahedra_(mostTetrahedra) {}
+
+    /// A sink that hands everything on to `next` and remembers it; `next` and this outlive it. Called by the build.
+    std::unique_ptr<HistorySink> watch(HistorySink& next, const Dataset& dataset, const ModelDescription& description);
+
+    /// A model of what has been made so far, as the file `path`; null if there is nothing new since the last look.
+    Result<std::shared_ptr<const Model>> look(const std::filesystem::path& path);
+
+private:
+    class Watch;
+    struct Step {
+        std::uint64_t point;
+        float keyBefore;
+        std::size_t starEnd;
+        std::size_t destroyedEnd;
+    };
+    struct History {
+        HistoryTraits traits;
+        std::vector<Step> steps;
+        std::vector<HistoryTetrahedron> stars;
+        std::vector<std::uint32_t> destroyed;
+    };
+
+    void record(const HistoryStep& step);
+    /// Copies what has come up to the last complete batch; its key, or nothing if that is not more than before.
+    std::optional<float> catchUp();
+
+    std::size_t mostTetrahedra_;
+    std::mutex mutex_; ///< guards what the build writes: the next six
+    std::optional<Dataset> dataset_;
+    ModelDescription description_;
+    History history_;
+    float runningKey_ = std::numeric_limits<float>::infinity();
+    std::size_t completeSteps_ = 0; ///< steps before the mesh of the running key
+    bool full_ = false;
+
+    History seen_; ///< the looking thread's copy
+};
+
+} // namespace tetra
