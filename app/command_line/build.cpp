@@ -12,6 +12,7 @@
 #include <tbb/global_control.h>
 
 #include <array>
+#include <atomic>
 
 namespace tetra {
 namespace {
@@ -38,10 +39,13 @@ Outcome describe(const ModelBuild& build, const std::string& output)
                        {"peak_bytes", static_cast<qint64>(build.peakBytes)},
                        {"inverted", static_cast<qint64>(report.inverted)},
                        {"degenerate", static_cast<qint64>(report.degenerate)},
-                       {"bytes", static_cast<qint64>(build.fileBytes)}};
+                       {"bytes", static_cast<qint64>(build.fileBytes)},
+                       {"stopped_early", build.stoppedEarly}};
     outcome.text = output + ": " + std::to_string(report.sites) + " sites, " + std::to_string(report.tetrahedra) +
                    " tetrahedra in the history, " + byteText(build.fileBytes) + "\nbuilt by " + build.builder + " in " +
                    rounded(build.seconds, 3) + " s, using at most " + byteText(build.peakBytes) + " of memory\n";
+    if (build.stoppedEarly)
+        outcome.text += "Stopped early: 'tan info' tells what accuracy it has.\n";
     if (report.inverted + report.degenerate > 0)
         outcome.text += std::to_string(report.inverted) + " cells inverted, " + std::to_string(report.degenerate) +
                         " without volume\n";
@@ -54,15 +58,21 @@ Syntax buildSyntax(PluginHost& host)
 {
     Syntax syntax{
         .purpose = "build a multiresolution model from a dataset",
-        .explanation = "The model holds the whole history of the mesh, coarse to fine, so that any accuracy can be had "
-                       "from it later without building again. The file appears when it is complete; when the build is "
-                       "cancelled or fails, nothing is left and an older model of that name stays as it was.",
+        .explanation =
+            "The model holds the whole history of the mesh, coarse to fine, so that any accuracy can be had "
+            "from it later without building again. The file appears when it is complete; when the build is "
+            "cancelled or fails, nothing is left (but see --keep) and an older model of that name stays as it "
+            "was.",
         .positionals = {{"IN", "The dataset: " + std::string("a file that one of the readers knows.")}},
         .options = {outputOption("MODEL", "The model to write, by habit with the ending .tan."),
                     {.name = "builder",
                      .placeholder = idChoices(host.builders()),
                      .explanation = "Who builds.",
                      .byDefault = "the one that suits the dataset best"},
+                    {.name = "keep",
+                     .placeholder = "",
+                     .explanation =
+                         "When the build is interrupted, keep what is finished as a model of less accuracy."},
                     {.name = "threads",
                      .placeholder = "N",
                      .explanation = "The most threads to use.",
@@ -102,8 +112,9 @@ Result<Outcome> runBuild(const Invocation& invocation)
     const auto values = pluginValues(arguments, parameters);
     if (!values)
         return values.error();
-    const auto build =
-        buildModel(invocation.host, *dataset, builder->id, *values, output, invocation.progress.part(0.05, 1));
+    const std::atomic<bool> keep = arguments.has("keep");
+    const auto build = buildModel(invocation.host, *dataset, builder->id, *values, output,
+                                  invocation.progress.part(0.05, 1), {.live = nullptr, .keepWhenCancelled = &keep});
     if (!build)
         return build.error();
     return describe(*build, output);

@@ -47,6 +47,7 @@ public:
     Status begin();
     Status add(const HistoryStep& step) override;
     Status finish(float finalError) override;
+    Status finishEarly() override;
     std::uint32_t siteCount() const noexcept override { return batch_.firstSite() + batch_.siteCount(); }
     std::uint64_t tetrahedronCount() const noexcept override { return destroyers_.size(); }
 
@@ -66,6 +67,7 @@ private:
     Status check(const HistoryStep& step) const;
     void record(const HistoryStep& step);
     Status closeBatch();
+    Status writeArrays(float finalError);
     void storeSites();
     void storeTetrahedra();
     void storeMeshSizes();
@@ -266,10 +268,30 @@ Status HistoryFileWriter::finish(float finalError)
     try {
         if (const Status closed = closeBatch(); !closed)
             return closed;
-        starOffsets_.push_back(tetrahedronCount());
+        return writeArrays(finalError);
     } catch (const std::bad_alloc&) {
         return outOfMemory();
     }
+}
+
+Status HistoryFileWriter::finishEarly()
+{
+    // The open batch began with a mesh of the running error.
+    if (std::isinf(runningError_))
+        return Error{ErrorKind::Cancelled,
+                     "The build was stopped before there was a mesh of known error, so there is nothing to keep."};
+    batch_.start(batch_.firstSite(), batch_.firstTetrahedron());
+    try {
+        return writeArrays(runningError_);
+    } catch (const std::bad_alloc&) {
+        return outOfMemory();
+    }
+}
+
+/// All but what went to the file on the way, then the header; may throw std::bad_alloc.
+Status HistoryFileWriter::writeArrays(float finalError)
+{
+    starOffsets_.push_back(tetrahedronCount());
     sections_.end();
     for (const Status& written :
          {writeArray(SectionId::SitePoints, points_), writeValues(),

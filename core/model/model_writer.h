@@ -18,6 +18,9 @@ public:
     /// `description` needs builder and parameters; the rest is taken from `dataset`.
     static Result<std::unique_ptr<ModelWriter>> create(const std::filesystem::path& path, const Dataset& dataset,
                                                        ModelDescription description);
+    /// In place of finish(), at any time: completes the file with the sites before the batch that is not complete yet,
+    /// a mesh of known error. Error: no batch is complete.
+    virtual Status finishEarly() = 0;
     /// Handed over so far.
     virtual std::uint32_t siteCount() const noexcept = 0;
     /// In the file so far, without those of the batch that is not complete yet.

@@ -37,9 +37,30 @@ std::vector<std::pair<std::string, std::string>> provenance(const std::vector<Pa
     return texts;
 }
 
-Result<BuildReport> buildInto(const Builder& builder, const std::string& id, const Dataset& dataset,
-                              const ParameterValues& values, const std::filesystem::path& output,
-                              const Progress& progress, LiveBuild* live)
+bool keeps(const BuildControl& control)
+{
+    return control.keepWhenCancelled != nullptr && *control.keepWhenCancelled;
+}
+
+/// How a build ended that was not in vain.
+struct EndedBuild {
+    BuildReport report;
+    bool stoppedEarly = false;
+};
+
+Result<EndedBuild> keepWhatIsFinished(ModelWriter& writer)
+{
+    if (const Status finished = writer.finishEarly(); !finished)
+        return finished.error();
+    BuildReport report;
+    report.sites = writer.siteCount();
+    report.tetrahedra = writer.tetrahedronCount();
+    return EndedBuild{report, true};
+}
+
+Result<EndedBuild> buildInto(const Builder& builder, const std::string& id, const Dataset& dataset,
+                             const ParameterValues& values, const std::filesystem::path& output,
+                             const Progress& progress, const BuildControl& control)
 {
     ModelDescription description;
     description.builder = id;
@@ -47,12 +68,15 @@ Result<BuildReport> buildInto(const Builder& builder, const std::string& id, con
     const auto writer = ModelWriter::create(output, dataset, description);
     if (!writer)
         return writer.error();
-    const auto watch = live != nullptr ? live->watch(**writer, dataset, description) : nullptr;
+    const auto watch = control.live != nullptr ? control.live->watch(**writer, dataset, description) : nullptr;
     BuildTarget target{watch ? *watch : **writer};
     auto report = callPlugin(id, [&] { return builder.build(dataset, values, target, progress); });
-    if (report)
-        report->tetrahedra = (*writer)->tetrahedronCount();
-    return report;
+    if (!report && report.error().kind == ErrorKind::Cancelled && keeps(control))
+        return keepWhatIsFinished(**writer);
+    if (!report)
+        return report.error();
+    report->tetrahedra = (*writer)->tetrahedronCount();
+    return EndedBuild{*report, false};
 }
 
 } // namespace
@@ -80,7 +104,7 @@ Result<Provided<Builder>> chooseBuilder(PluginHost& host, const Dataset& dataset
 
 Result<ModelBuild> buildModel(PluginHost& host, const Dataset& dataset, const std::optional<std::string>& builderId,
                               const ParameterValues& values, const std::filesystem::path& output,
-                              const Progress& progress, LiveBuild* live)
+                              const Progress& progress, const BuildControl& control)
 {
     const auto builder = chooseBuilder(host, dataset, builderId);
     if (!builder)
@@ -97,13 +121,14 @@ Result<ModelBuild> buildModel(PluginHost& host, const Dataset& dataset, const st
     if (progress.cancelled())
         return cancelledError("The build");
     const auto start = std::chrono::steady_clock::now();
-    const auto report = buildInto(*builder->plugin, builder->id, dataset, values, output, progress, live);
-    if (!report)
-        return report.error();
+    const auto ended = buildInto(*builder->plugin, builder->id, dataset, values, output, progress, control);
+    if (!ended)
+        return ended.error();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     std::error_code problem;
     const auto size = std::filesystem::file_size(output, problem);
-    return ModelBuild{builder->id, *report, elapsed.count(), peakResidentBytes(), problem ? 0 : size};
+    return ModelBuild{builder->id,         ended->report,      elapsed.count(),
+                      peakResidentBytes(), problem ? 0 : size, ended->stoppedEarly};
 }
 
 } // namespace tetra

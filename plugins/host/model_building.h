@@ -6,6 +6,7 @@
 #include "plugins/host/live_build.h"
 #include "plugins/host/plugin_host.h"
 
+#include <atomic>
 #include <optional>
 
 namespace tetra {
@@ -22,14 +23,21 @@ struct ModelBuild {
     double seconds = 0;
     std::uint64_t peakBytes = 0; ///< the most memory that this process ever occupied, the dataset included
     std::uint64_t fileBytes = 0;
+    bool stoppedEarly = false; ///< cancelled, and what was finished was kept
+};
+
+/// What others may do with a build while it runs. Everything outlives the build.
+struct BuildControl {
+    LiveBuild* live = nullptr; ///< can be looked at
+    /// When the build is cancelled and this is true then, what is finished becomes the model, of less accuracy.
+    const std::atomic<bool>* keepWhenCancelled = nullptr;
 };
 
 /// Builds a model of `dataset` into `output`, which appears whole or not at all. `builderId` as in chooseBuilder();
 /// `values` may hold that builder's parameters and no others. The output never replaces the dataset's own file or
-/// anything that is no model (WrongUsage). `live`, if any, can be looked at meanwhile. Call from a worker thread; safe
-/// from any.
+/// anything that is no model (WrongUsage). Call from a worker thread; safe from any.
 Result<ModelBuild> buildModel(PluginHost& host, const Dataset& dataset, const std::optional<std::string>& builderId,
                               const ParameterValues& values, const std::filesystem::path& output,
-                              const Progress& progress = {}, LiveBuild* live = nullptr);
+                              const Progress& progress = {}, const BuildControl& control = {});
 
 } // namespace tetra

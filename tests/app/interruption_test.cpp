@@ -45,6 +45,13 @@ class InterruptionTest : public QObject {
 private:
     QTemporaryDir folder_;
 
+    /// Of the file that a build is writing.
+    qint64 unfinishedBytes() const
+    {
+        const auto files = QDir(folder_.path()).entryInfoList({"*.partial"}, QDir::Files | QDir::Hidden);
+        return files.isEmpty() ? 0 : files.front().size();
+    }
+
 private slots:
     void initTestCase()
     {
@@ -77,6 +84,23 @@ private slots:
         QVERIFY2(run.messages.contains("cancelled"), run.messages);
         QVERIFY2(took < promptMilliseconds * TAN_TEST_SLOWNESS, QByteArray::number(took) + " ms");
         QCOMPARE(QDir(folder_.path()).entryList(QDir::AllEntries | QDir::Hidden), before);
+    }
+
+    void keepsWhatIsFinishedIfAsked()
+    {
+        QProcess process;
+        process.setWorkingDirectory(folder_.path());
+        process.start(tanProgram(), {"build", "noise.nrrd", "--keep", "-o", "kept.tan", "--json"});
+        QVERIFY(process.waitForStarted());
+        // A mesh of known error is on the disk.
+        QTRY_VERIFY_WITH_TIMEOUT(unfinishedBytes() > 1'000'000, 60'000);
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(60'000));
+        const Run run = collect(process);
+        QVERIFY2(run.exitCode == 0, run.messages);
+        QVERIFY(run.json()["stopped_early"].toBool());
+        const Run verified = runTan({"verify", "kept.tan", "--against", "noise.nrrd", "--lod", "90"}, folder_.path());
+        QVERIFY2(verified.exitCode == 0, verified.output + verified.messages);
     }
 
     void aModelCutWhileMappedIsAnError()

@@ -33,6 +33,7 @@ private slots:
     void aRawFileAsksForItsDescription();
     void aBuildIsCancelledAndLeavesNoFile();
     void aBuildIsWatchedWhileItGrows();
+    void aBuildIsStoppedAndKept();
     void aBuildThatCannotWriteSaysSo();
     void anExistingModelIsReplacedOnlyWithAWord();
     void theMouseMovesTheCamera();
@@ -199,7 +200,7 @@ void WindowTest::aBuildIsCancelledAndLeavesNoFile()
 
 void WindowTest::aBuildIsWatchedWhileItGrows()
 {
-    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(128), window_->folderPath())));
+    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(96), window_->folderPath())));
     QTRY_VERIFY(window_->workbench.dataset());
     const QString target = window_->find<QLineEdit>("build.target").text();
     std::vector<std::uint32_t> sites;
@@ -213,6 +214,21 @@ void WindowTest::aBuildIsWatchedWhileItGrows()
     QTRY_COMPARE(QString::fromStdString(session.model()->path().string()), target);
     QVERIFY(!sites.empty() && std::ranges::is_sorted(sites));
     QCOMPARE(session.model()->siteCount(), sites.back());
+    QCOMPARE(window_->messages(), QStringList());
+}
+
+void WindowTest::aBuildIsStoppedAndKept()
+{
+    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(96), window_->folderPath())));
+    QTRY_VERIFY(window_->workbench.dataset());
+    const QString target = window_->find<QLineEdit>("build.target").text();
+    QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
+    QTRY_VERIFY(window_->workbench.session().model() != nullptr);
+    QTest::mouseClick(&window_->find<QPushButton>("build.keep"), Qt::LeftButton);
+    QTRY_VERIFY(!window_->workbench.building().running());
+    QTRY_COMPARE(QString::fromStdString(window_->workbench.session().model()->path().string()), target);
+    QVERIFY(window_->workbench.session().model()->finalError() > 0);
+    QVERIFY(window_->find<QLabel>("accuracy.limit").text().contains("nothing finer"));
     QCOMPARE(window_->messages(), QStringList());
 }
 

@@ -179,17 +179,21 @@ QWidget* BuildPanel::makeProgress()
     activity_ = wrappedLabel("build.activity");
     cancel_ = new QPushButton(tr("&Cancel"));
     cancel_->setObjectName("build.cancel");
-    connect(cancel_, &QPushButton::clicked, this, [this] {
-        cancel_->setEnabled(false);
-        activity_->setText(tr("Cancelling…"));
-        workbench_.building().cancel();
-    });
+    cancel_->setToolTip(tr("Ends the build and throws away what it has made"));
+    connect(cancel_, &QPushButton::clicked, this, [this] { stop(false); });
+    keep_ = new QPushButton(tr("Stop and &Keep"));
+    keep_->setObjectName("build.keep");
+    keep_->setToolTip(tr("Ends the build; what is finished becomes the model, with the accuracy that it has reached"));
+    connect(keep_, &QPushButton::clicked, this, [this] { stop(true); });
     progress_ = new QWidget;
     auto* layout = new QVBoxLayout(progress_);
     layout->setContentsMargins({});
     layout->addWidget(bar_);
     layout->addWidget(activity_);
-    layout->addWidget(cancel_);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(keep_);
+    buttons->addWidget(cancel_);
+    layout->addLayout(buttons);
     return progress_;
 }
 
@@ -258,6 +262,7 @@ void BuildPanel::showRunning(bool running)
     build_->setVisible(!running);
     progress_->setVisible(running);
     cancel_->setEnabled(true);
+    keep_->setEnabled(true);
     bar_->setValue(0);
     activity_->setText(running ? tr("Starting…") : QString());
     showTarget();
@@ -284,6 +289,14 @@ void BuildPanel::browse()
     dialog->selectFile(target_->text());
     connect(dialog, &QFileDialog::fileSelected, target_, &QLineEdit::setText);
     dialog->open();
+}
+
+void BuildPanel::stop(bool keep)
+{
+    cancel_->setEnabled(false);
+    keep_->setEnabled(false);
+    activity_->setText(keep ? tr("Keeping what is finished…") : tr("Cancelling…"));
+    workbench_.stopBuild(keep);
 }
 
 void BuildPanel::build()

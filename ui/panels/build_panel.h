@@ -38,6 +38,7 @@ private:
     void showProgress(const TaskProgress& progress);
     void browse();
     void build();
+    void stop(bool keep);
 
     Workbench& workbench_;
     QStackedWidget* pages_;
@@ -61,6 +62,7 @@ private:
     QWidget* progress_;
     QProgressBar* bar_;
     QLabel* activity_;
+    QPushButton* keep_;
     QPushButton* cancel_;
 };
 

@@ -124,11 +124,13 @@ void Workbench::build(const BuildOrder& order)
     if (!dataset_ || building_.running())
         return;
     live_ = std::make_shared<LiveBuild>();
+    keep_ = std::make_shared<std::atomic<bool>>(false);
     look_.reset();
-    building_.start([this, order, dataset = dataset_, live = live_](const Progress& progress) -> std::function<void()> {
+    building_.start([this, order, dataset = dataset_, live = live_,
+                     keep = keep_](const Progress& progress) -> std::function<void()> {
         return [this, order,
                 built = tetra::buildModel(host_, *dataset, order.builder, order.values, order.target, progress,
-                                          live.get())] {
+                                          {.live = live.get(), .keepWhenCancelled = keep.get()})] {
             if (built) {
                 emit modelBuilt();
                 showBuilt(order.target);
@@ -141,6 +143,13 @@ void Workbench::build(const BuildOrder& order)
     lookPath_ = filePath(looks_.filePath(pathText(order.target.filename())));
     if (order.watch && !session_.model() && looks_.isValid())
         looking_.start();
+}
+
+void Workbench::stopBuild(bool keep)
+{
+    if (keep_)
+        *keep_ = keep;
+    building_.cancel();
 }
 
 void Workbench::lookAtBuild()

@@ -12,6 +12,7 @@
 #include <QTemporaryDir>
 #include <QTimer>
 
+#include <atomic>
 #include <filesystem>
 
 namespace tetra {
@@ -51,6 +52,8 @@ public:
     void describe(const ParameterValues& values);
     /// Builds a model of the dataset, and opens it.
     void build(const BuildOrder& order);
+    /// Ends the build; `keep`: what is finished becomes the model, of less accuracy.
+    void stopBuild(bool keep);
     void closeModel();
     void savePicture(const PictureOrder& order);
 
@@ -85,9 +88,10 @@ private:
     LongTask building_;
     LongTask savingPicture_;
 
-    std::shared_ptr<LiveBuild> live_;   ///< of the build that is being watched
-    std::filesystem::path lookPath_;    ///< where looks at it are written
-    std::shared_ptr<const Model> look_; ///< the last one shown
+    std::shared_ptr<LiveBuild> live_;         ///< of the build that is being watched
+    std::shared_ptr<std::atomic<bool>> keep_; ///< of the same build
+    std::filesystem::path lookPath_;          ///< where looks at it are written
+    std::shared_ptr<const Model> look_;       ///< the last one shown
     QTimer looking_;
     LongTask looker_;
     QTemporaryDir looks_;

@@ -60,7 +60,7 @@ private slots:
                     looks.push_back(*look);
             }
         });
-        const auto built = buildModel(*host_, dataset, "refinement", {}, path("built.tan"), {}, &live);
+        const auto built = buildModel(*host_, dataset, "refinement", {}, path("built.tan"), {}, {.live = &live});
         done = true;
         looker.join();
         QVERIFY2(built, built ? "" : built.error().text.c_str());
@@ -91,7 +91,7 @@ private slots:
     {
         const Dataset dataset = sample(24);
         LiveBuild live(5000);
-        QVERIFY(buildModel(*host_, dataset, "refinement", {}, path("built.tan"), {}, &live));
+        QVERIFY(buildModel(*host_, dataset, "refinement", {}, path("built.tan"), {}, {.live = &live}));
         const auto look = live.look(path("look.tan"));
         QVERIFY(look && *look != nullptr);
         QVERIFY((*look)->tetrahedronCount() < 10'000);
