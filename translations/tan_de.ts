@@ -646,8 +646,24 @@
         <translation>&amp;Abbrechen</translation>
     </message>
     <message>
+        <source>Ends the build and throws away what it has made</source>
+        <translation>Beendet den Aufbau und verwirft, was er gemacht hat</translation>
+    </message>
+    <message>
+        <source>Stop and &amp;Keep</source>
+        <translation>Anhalten und &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Ends the build; what is finished becomes the model, with the accuracy that it has reached</source>
+        <translation>Beendet den Aufbau; was fertig ist, wird zum Modell, so genau, wie es bis dahin ist</translation>
+    </message>
+    <message>
         <source>Cancelling…</source>
         <translation>Wird abgebrochen …</translation>
+    </message>
+    <message>
+        <source>Keeping what is finished…</source>
+        <translation>Das Fertige wird behalten …</translation>
     </message>
     <message>
         <source>&amp;Build and Replace</source>
