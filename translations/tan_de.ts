@@ -300,6 +300,38 @@
         <translation>Ein regelmäßiges Gitter: Die Verfeinerung erhält das Gebiet genau und braucht die wenigste Zeit.</translation>
     </message>
     <message>
+        <source>Warping</source>
+        <translation>Verwerfung</translation>
+    </message>
+    <message>
+        <source>For curvilinear data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values, 1 : 1 if either is 0; 0 keeps everything.</source>
+        <translation>Bei krummlinigen Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt, 1 : 1, wenn eines von beiden 0 ist; 0 behält alles.</translation>
+    </message>
+    <message>
+        <source>% of the diagonal</source>
+        <translation>% der Diagonale</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>For curvilinear data: &apos;normalised&apos; takes the point that is farthest off in error or warping and keeps cells from turning over; &apos;paper&apos; compares the two in the units of the data and does not look at cells that turn over, as the paper did, to compare with it.</source>
+        <translation>Bei krummlinigen Daten: „normalised“ nimmt den Punkt, der in Fehler oder Verwerfung am weitesten daneben liegt, und bewahrt Zellen vor dem Umklappen; „paper“ vergleicht beide in den Einheiten der Daten und achtet nicht auf umgeklappte Zellen, wie der Aufsatz, zum Vergleich mit ihm.</translation>
+    </message>
+    <message>
+        <source>normalised</source>
+        <translation>normiert</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>Aufsatz</translation>
+    </message>
+    <message>
+        <source>A curvilinear grid: refinement in computational space bounds both error and warping.</source>
+        <translation>Ein krummliniges Gitter: Die Verfeinerung im Rechenraum begrenzt Fehler und Verwerfung.</translation>
+    </message>
+    <message>
         <source>Distributing the points</source>
         <translation>Die Punkte werden verteilt</translation>
     </message>

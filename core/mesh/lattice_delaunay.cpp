@@ -24,29 +24,45 @@ std::uint64_t slotCapacity(const std::array<std::uint32_t, 3>& size)
 Status LatticeDelaunay::start(const std::array<std::uint32_t, 3>& size, const LatticeMetric& metric,
                               bool centreAtOrigin)
 {
+    if (Status status = prepare(size, metric, slotCapacity(size)); !status)
+        return status;
+    addBox({{0, 0, 0}, size}, centreAtOrigin);
+    return {};
+}
+
+Status LatticeDelaunay::prepare(const std::array<std::uint32_t, 3>& size, const LatticeMetric& metric,
+                                std::uint64_t slots)
+{
     if (!PackedLattice::fits(size))
         return Error{ErrorKind::OutOfResource,
                      "The lattice has too many points to be refined as a whole. Crop or subsample it."};
     lattice_ = PackedLattice(size);
     for (std::size_t axis = 0; axis < 3; ++axis)
         weights_[axis] = metric[axis];
-    if (const Status status = tetrahedra_.ensure(slotCapacity(size), "the tetrahedra of the refinement"); !status)
+    if (const Status status = tetrahedra_.ensure(slots, "the tetrahedra of the refinement"); !status)
         return status;
-    if (const Status status = star_.attach(lattice_); !status)
+    if (Status status = star_.attach(lattice_); !status)
         return status;
     freeSlots_.clear();
-    slotCount_ = startCount;
+    slotCount_ = 0;
+    return {};
+}
 
+std::uint32_t LatticeDelaunay::addBox(const LatticeBox& box, bool centreAtOrigin)
+{
+    const std::uint32_t start = slotCount_;
+    slotCount_ += startCount;
     std::array<PackedPoint, 8> corners{};
-    for (std::uint32_t corner = 0; corner < 8; ++corner)
-        corners[corner] = lattice_.pack((corner & 1) * (size[0] - 1), (corner >> 1 & 1) * (size[1] - 1),
-                                        (corner >> 2 & 1) * (size[2] - 1));
-    // Four corners are cut off; the other four span the fifth tetrahedron, slot 4.
+    for (std::uint32_t number = 0; number < 8; ++number) {
+        const std::array<std::uint32_t, 3> corner = box.corner(number);
+        corners[number] = lattice_.pack(corner[0], corner[1], corner[2]);
+    }
+    // Four corners are cut off; the other four span the fifth tetrahedron.
     constexpr std::uint8_t cutAtOdd[5][4] = {{1, 0, 3, 5}, {2, 3, 0, 6}, {4, 5, 6, 0}, {7, 3, 6, 5}, {0, 3, 5, 6}};
-    for (std::uint32_t slot = 0; slot < startCount; ++slot) {
+    for (std::uint32_t number = 0; number < startCount; ++number) {
         std::array<PackedPoint, 4> vertices{};
         for (std::size_t i = 0; i < 4; ++i)
-            vertices[i] = corners[cutAtOdd[slot][i] ^ (centreAtOrigin ? 0u : 1u)];
+            vertices[i] = corners[cutAtOdd[number][i] ^ (centreAtOrigin ? 0u : 1u)];
         const auto setStar = [&] {
             star_.clear(vertices[0]);
             star_.addFace(vertices[1], vertices[2], vertices[3]);
@@ -57,16 +73,16 @@ Status LatticeDelaunay::start(const std::array<std::uint32_t, 3>& size, const La
             std::swap(vertices[2], vertices[3]);
             setStar();
         }
-        tetrahedra_[slot] = {vertices, {none, none, none, none}, star_.faces()[0].sphere};
+        tetrahedra_[start + number] = {vertices, {none, none, none, none}, star_.faces()[0].sphere};
     }
-    DelaunayTetrahedron& centre = tetrahedra_[4];
-    for (std::uint32_t slot = 0; slot < 4; ++slot) {
-        tetrahedra_[slot].neighbours[0] = 4;
+    DelaunayTetrahedron& centre = tetrahedra_[start + 4];
+    for (std::uint32_t slot = start; slot < start + 4; ++slot) {
+        tetrahedra_[slot].neighbours[0] = start + 4;
         for (std::size_t i = 0; i < 4; ++i)
             if (std::ranges::find(tetrahedra_[slot].vertices, centre.vertices[i]) == tetrahedra_[slot].vertices.end())
                 centre.neighbours[i] = slot;
     }
-    return {};
+    return start;
 }
 
 bool LatticeDelaunay::onHullPlane(PackedPoint point, const DelaunayTetrahedron& tetrahedron, std::uint8_t face) const

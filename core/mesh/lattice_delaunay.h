@@ -4,6 +4,7 @@
 #include "core/base/buffer.h"
 #include "core/base/reserved_array.h"
 #include "core/base/result.h"
+#include "core/mesh/lattice_box.h"
 #include "core/mesh/lattice_metric.h"
 #include "core/mesh/packed_lattice.h"
 #include "core/mesh/star.h"
@@ -41,6 +42,12 @@ public:
     Status start(const std::array<std::uint32_t, 3>& size, const LatticeMetric& metric, bool centreAtOrigin = true);
 
     const PackedLattice& lattice() const noexcept { return lattice_; }
+    /// In place of start(), for several boxes of one lattice side by side, each with a tetrahedrization of its own:
+    /// prepare() once, then addBox() for each before the first insertion. Errors: as of start().
+    Status prepare(const std::array<std::uint32_t, 3>& size, const LatticeMetric& metric, std::uint64_t slots);
+    /// The corners of `box` cut into five; the first of their slots.
+    std::uint32_t addBox(const LatticeBox& box, bool centreAtOrigin);
+
     /// The slots of the five tetrahedra of the start.
     static constexpr std::uint32_t startCount = 5;
     /// Slots in use or once used: every valid slot is smaller.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/buffer.h"
+#include "core/mesh/lattice_box.h"
 #include "core/mesh/packed_lattice.h"
 
 #include <array>
@@ -12,12 +13,6 @@
 #include <variant>
 
 namespace tetra {
-
-/// A box of points in a larger lattice.
-struct LatticeBox {
-    std::array<std::uint32_t, 3> origin{0, 0, 0}; ///< its first point
-    std::array<std::uint32_t, 3> size{2, 2, 2};   ///< points along each axis
-};
 
 /// The values of a lattice's points in whatever type they came, read as doubles, and optionally a weight for each that
 /// its error is multiplied by (R6). Owns nothing; a cheap value.

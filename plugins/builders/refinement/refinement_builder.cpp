@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/builders/refinement/refinement_builder.h"
 
+#include "plugins/builders/refinement/curvilinear_build.h"
 #include "plugins/builders/refinement/lattice_build.h"
+
+#include <string_view>
 
 namespace tetra {
 
@@ -12,13 +15,54 @@ std::string notYet(const Dataset& dataset)
     return "Refinement does not take " + std::string(domainClassName(dataset.domain)) + " data.";
 }
 
+constexpr std::string_view normalised = "normalised";
+constexpr std::string_view paper = "paper";
+
+Parameter warpingParameter()
+{
+    Parameter warping;
+    warping.id = "warping";
+    warping.label = "Warping";
+    warping.explanation =
+        "For curvilinear data: the warping at which to stop. Its ratio to the error says how much the "
+        "shape counts against the values, 1 : 1 if either is 0; 0 keeps everything.";
+    warping.unit = "% of the diagonal";
+    warping.defaultValue = 0.0;
+    warping.minimum = 0;
+    warping.maximum = 100;
+    return warping;
+}
+
+Parameter selectionParameter()
+{
+    Parameter selection;
+    selection.id = "selection";
+    selection.label = "Selection";
+    selection.explanation = "For curvilinear data: 'normalised' takes the point that is farthest off in error or "
+                            "warping and keeps cells from turning over; 'paper' compares the two in the units of the "
+                            "data and does not look at cells that turn over, as the paper did, to compare with it.";
+    selection.defaultValue = std::string(normalised);
+    selection.choices = {std::string(normalised), std::string(paper)};
+    return selection;
+}
+
+CurvilinearBuildRequest curvilinearRequest(const std::vector<Parameter>& parameters, const ParameterValues& values)
+{
+    CurvilinearBuildRequest request;
+    request.error = parameterValue<double>(parameters, values, "error");
+    request.warping = parameterValue<double>(parameters, values, "warping");
+    if (parameterValue<std::string>(parameters, values, "selection") == paper)
+        request.selection = CurvilinearSelection::Paper;
+    return request;
+}
+
 } // namespace
 
 Acceptance RefinementBuilder::accepts(const Dataset& dataset) const
 {
     switch (dataset.domain) {
     case DomainClass::RegularLattice: return acceptLattice(dataset);
-    case DomainClass::Curvilinear:
+    case DomainClass::Curvilinear: return acceptCurvilinear(dataset);
     case DomainClass::Scattered:
     case DomainClass::Irregular: break;
     }
@@ -35,7 +79,7 @@ std::vector<Parameter> RefinementBuilder::parameters() const
     error.defaultValue = 0.0;
     error.minimum = 0;
     error.maximum = 100;
-    return {error};
+    return {error, warpingParameter(), selectionParameter()};
 }
 
 Result<BuildReport> RefinementBuilder::build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
@@ -45,6 +89,7 @@ Result<BuildReport> RefinementBuilder::build(const Dataset& dataset, const Param
     switch (dataset.domain) {
     case DomainClass::RegularLattice: return buildLattice(dataset, error, target, progress);
     case DomainClass::Curvilinear:
+        return buildCurvilinear(dataset, curvilinearRequest(parameters(), values), target, progress);
     case DomainClass::Scattered:
     case DomainClass::Irregular: break;
     }

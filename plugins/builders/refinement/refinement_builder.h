@@ -5,7 +5,7 @@
 
 namespace tetra {
 
-/// Greedy Delaunay refinement of regular lattices, as a whole (R8, R12, convex class).
+/// Greedy Delaunay refinement of regular lattices (convex class) and of curvilinear grids (R8, R9, R12).
 class RefinementBuilder : public Builder {
 public:
     Acceptance accepts(const Dataset& dataset) const override;

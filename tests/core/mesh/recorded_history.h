@@ -18,13 +18,20 @@ struct RecordedHistory : HistorySink {
         std::array<std::uint32_t, 4> sites;
         float error;
         std::uint32_t destroyer = 0xffffffff;
+        float warping = 0;
     };
+    HistoryTraits traits;
     std::vector<std::uint64_t> points;
     std::vector<float> runningErrors;
     std::vector<Tetrahedron> tetrahedra;
     float finalError = -1;
     std::size_t failAfter = std::numeric_limits<std::size_t>::max();
 
+    Status begin(const HistoryTraits& given) override
+    {
+        traits = given;
+        return {};
+    }
     Status add(const HistoryStep& step) override
     {
         if (points.size() == failAfter)
@@ -36,13 +43,18 @@ struct RecordedHistory : HistorySink {
         for (const std::uint32_t destroyed : step.destroyed)
             tetrahedra[destroyed].destroyer = site;
         for (const HistoryTetrahedron& born : step.star)
-            tetrahedra.push_back({{site, born.sites[0], born.sites[1], born.sites[2]}, born.error});
+            tetrahedra.push_back(
+                {{site, born.sites[0], born.sites[1], born.sites[2]}, born.error, 0xffffffff, born.warping});
         return {};
     }
     Status finish(float error) override
     {
         finalError = error;
         return {};
+    }
+    bool alive(const Tetrahedron& tetrahedron, std::size_t sites) const
+    {
+        return tetrahedron.sites[0] < sites && tetrahedron.destroyer >= sites;
     }
     /// The sites of the first mesh whose error was at most `error`.
     std::size_t sitesAt(double error) const

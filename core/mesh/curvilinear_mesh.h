@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/reserved_array.h"
+#include "core/base/result.h"
+#include "core/mesh/block_division.h"
+#include "core/mesh/curvilinear_relocation.h"
+#include "core/mesh/error_queue.h"
+#include "core/mesh/flip_queue.h"
+#include "core/mesh/history.h"
+#include "core/mesh/lattice_delaunay.h"
+#include "core/mesh/lifted_grid.h"
+#include "core/mesh/point_pool.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace tetra {
+
+/// By which the points of a tetrahedron are compared.
+enum class CurvilinearSelection {
+    Normalised, ///< one key, the larger of the error and the warping weight times the warping (S4)
+    Paper       ///< errors and warpings apart, each in its own units (3.1)
+};
+
+/// A refinable mesh of a curvilinear grid: Delaunay in computational space, block by block, each tetrahedron with the
+/// points inside it, their accuracies, and whether lifting flips it. Keeps what is worst; what to insert is the
+/// caller's choice. One thread. Memory is that of the whole grid, whatever the blocks: some 600 bytes a site.
+class CurvilinearMesh {
+public:
+    static constexpr std::uint32_t none = 0xffffffff;
+
+    struct Options {
+        double warpingWeight = 1;  ///< units of the values for a unit of length
+        double largestError = 1;   ///< the extent of the values; only the speed depends on it
+        double largestWarping = 1; ///< the extent of the positions; likewise
+        double stopKey = 0;        ///< points of larger keys are what is left to do
+        CurvilinearSelection selection = CurvilinearSelection::Normalised;
+    };
+
+    /// `grid` must outlive the mesh.
+    CurvilinearMesh(const LiftedGrid& grid, const BlockDivision& blocks, const Options& options);
+
+    /// Makes the corners of the blocks the first sites and hands them to `sink`. Errors: too large a grid, refused
+    /// memory, the sink's.
+    Status start(HistorySink& sink);
+
+    /// A point and a tetrahedron whose circumsphere has it strictly inside.
+    struct Candidate {
+        PackedPoint point = 0;
+        std::uint32_t slot = none;
+        float measure = 0; ///< its key, error or warping
+        bool exists() const noexcept { return slot != none; }
+    };
+    /// The point of the largest key, or with the paper's selection of the largest error. Measures of 0 do not count.
+    Candidate worst();
+    /// With the paper's selection: the point of the largest warping.
+    Candidate worstWarping();
+    /// What the next insertion into a flipped tetrahedron should be: the point of the largest key inside the foremost
+    /// one, else the cure of one without points, the deepest point in its circumsphere. None if no flipped tetrahedron
+    /// can be cured; those that remain are counted by inverted().
+    Candidate flipped();
+
+    /// Inserts the candidate's point into every block that has it and hands the step to `sink`.
+    Status insert(const Candidate& candidate, float keyBefore, HistorySink& sink);
+
+    std::uint32_t siteCount() const noexcept { return siteCount_; }
+    std::uint64_t tetrahedronCount() const noexcept { return tetrahedronCount_; } ///< all that ever lived
+    std::uint64_t inverted() const noexcept { return inverted_; }                 ///< flipped ones alive
+    std::uint64_t degenerate() const noexcept { return degenerate_; }             ///< alive and without volume (S6)
+    /// Points in tetrahedra of keys above the stop.
+    std::uint64_t pointsAboveStop() const noexcept { return pointsAboveStop_; }
+    /// How many points the last insertion moved.
+    std::uint64_t pointsMoved() const noexcept { return pointsMoved_; }
+    /// Drops what is stale from the queues; worth calling now and then.
+    void sweep();
+
+private:
+    /// What is kept for each slot besides its geometry.
+    struct SlotState {
+        std::uint32_t history = none; ///< its tetrahedron's number in the history; none while it has none
+        std::uint32_t bucket = none;  ///< none if no point is inside
+        std::uint32_t block = 0;
+        std::int32_t orientation = 1; ///< of the lifted tetrahedron, relative to the grid's
+    };
+    /// Bounds on a tetrahedron's own error, warping and key.
+    struct Accuracy {
+        float error = 0;
+        float warping = 0;
+        float key = 0;
+    };
+
+    Status reserve();
+    void distribute(std::uint32_t block, std::uint32_t firstSlot);
+    Status addCorners(HistorySink& sink);
+    [[nodiscard]] bool insertIntoBlock(PackedPoint point, std::uint32_t slot, std::uint32_t block);
+    void collectDestroyed();
+    Accuracy fillBucket(std::uint32_t slot, std::size_t face, double determinant);
+    std::size_t worstOf(std::span<const double> measures, std::span<const PackedPoint> points) const;
+    void noteOrientation(std::uint32_t slot, float key);
+    std::uint32_t takeBucketNumber();
+    std::uint32_t index(PackedPoint point) const { return grid_.lattice().index(point); }
+
+    const LiftedGrid& grid_;
+    const BlockDivision blocks_;
+    const Options options_;
+    LatticeDelaunay delaunay_;
+    PointPool pool_;
+    std::vector<PointBucket> buckets_;        ///< with the worst point by key or error
+    std::vector<PointBucket> warpingBuckets_; ///< with the paper's selection the same with the worst by warping
+    std::vector<std::uint32_t> freeBuckets_;
+    ErrorQueue queue_;
+    ErrorQueue warpingQueue_;
+    FlipQueue flips_;
+    std::vector<std::array<std::uint32_t, 2>> emptyFlips_; ///< slot and history number of those without points
+    ReservedArray<SlotState> slots_;
+    ReservedArray<std::uint32_t> siteOfPoint_; ///< plus one; 0 while it is none
+    std::vector<std::uint32_t> hints_;         ///< a live slot of each block
+    CurvilinearRelocation relocation_;
+    Star startStar_;
+
+    std::uint32_t siteCount_ = 0;
+    std::uint64_t tetrahedronCount_ = 0;
+    std::uint64_t inverted_ = 0;
+    std::uint64_t degenerate_ = 0;
+    std::uint64_t pointsAboveStop_ = 0;
+    std::uint64_t pointsMoved_ = 0;
+
+    std::vector<std::uint32_t> pointBlocks_;
+    std::vector<PackedPoint> points_;
+    std::vector<std::uint32_t> destroyedHistory_;
+    std::vector<std::uint32_t> rimSites_;
+    std::vector<HistoryTetrahedron> starHistory_;
+    std::vector<double> keys_;
+    std::vector<Accuracy> startAccuracies_;
+};
+
+} // namespace tetra

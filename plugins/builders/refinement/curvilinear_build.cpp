@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/builders/refinement/curvilinear_build.h"
+
+#include "core/mesh/curvilinear_refinement.h"
+#include "core/mesh/lattice_metric.h"
+
+namespace tetra {
+
+namespace {
+
+/// A constant field has no range and coinciding points have no diagonal; any unit will do for what is 0 anyway.
+double unitOf(double extent)
+{
+    return extent > 0 ? extent : 1;
+}
+
+} // namespace
+
+Acceptance acceptCurvilinear(const Dataset& dataset)
+{
+    if (const auto metric = latticeMetric(dataset.lattice.size, {1, 1, 1}); !metric)
+        return {0, metric.error().text};
+    return {1, "A curvilinear grid: refinement in computational space bounds both error and warping."};
+}
+
+Result<BuildReport> buildCurvilinear(const Dataset& dataset, const CurvilinearBuildRequest& request,
+                                     BuildTarget& target, const Progress& progress)
+{
+    CurvilinearRefinementOptions options;
+    options.valueExtent = unitOf(dataset.values.range().extent());
+    options.positionExtent = unitOf(dataset.bounds().diagonal().norm());
+    options.warpingWeight = options.valueExtent / options.positionExtent;
+    if (request.error > 0 && request.warping > 0) {
+        options.warpingWeight *= request.error / request.warping;
+        options.stopKey = request.error / 100 * options.valueExtent;
+    }
+    options.selection = request.selection;
+    options.blockEdge = request.blockEdge;
+    const Result<CurvilinearRefinementResult> result =
+        visitSampleType(dataset.values.type(), [&]<class T>() -> Result<CurvilinearRefinementResult> {
+            return refineCurvilinear(dataset.lattice.size, *dataset.positions, LatticeSamples(dataset.values.as<T>()),
+                                     options, target.history, progress);
+        });
+    if (!result)
+        return result.error();
+    return BuildReport{result->sites, result->tetrahedra, result->inverted, result->degenerate};
+}
+
+} // namespace tetra
