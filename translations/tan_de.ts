@@ -296,6 +296,14 @@
         <translation>% des Wertebereichs</translation>
     </message>
     <message>
+        <source>Weights</source>
+        <translation>Gewichte</translation>
+    </message>
+    <message>
+        <source>Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, several separated by &apos;;&apos;. Errors there count in full, falling linearly to a tenth (or to &apos;,floor&apos; at the end) at the distance &apos;reach&apos;; the largest weight holds. Examples: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</source>
+        <translation>Wo Genauigkeit zählt: point:x,y,z,reichweite, box:x0,y0,z0,x1,y1,z1,reichweite oder value:q,reichweite, mehrere durch &apos;;&apos; getrennt. Fehler zählen dort voll und fallen linear auf ein Zehntel (oder auf den Wert eines letzten &apos;,boden&apos;) in der Entfernung &apos;reichweite&apos;; es gilt das größte Gewicht. Beispiele: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</translation>
+    </message>
+    <message>
         <source>A regular lattice: refinement keeps the exact domain and needs the least time.</source>
         <translation>Ein regelmäßiges Gitter: Die Verfeinerung erhält das Gebiet genau und braucht die wenigste Zeit.</translation>
     </message>

@@ -31,7 +31,8 @@ std::string provenanceText(const ModelDescription& description)
 {
     std::string text = "built by " + description.builder + " from " + description.sourceName;
     for (const auto& [id, value] : description.parameters)
-        text += ", " + id + " " + value;
+        if (!value.empty())
+            text += ", " + id + " " + value;
     return text + "\n";
 }
 

@@ -18,9 +18,14 @@ bool isOnByDefault(const Parameter& parameter)
     return isSwitch(parameter) && std::get<bool>(parameter.defaultValue);
 }
 
-bool isList(const Parameter& parameter)
+bool isIsovalues(const Parameter& parameter)
 {
     return std::holds_alternative<std::vector<Isovalue>>(parameter.defaultValue);
+}
+
+bool isList(const Parameter& parameter)
+{
+    return isIsovalues(parameter) || parameter.separator != 0;
 }
 
 std::string optionName(const Parameter& parameter)
@@ -36,7 +41,7 @@ std::string placeholder(const Parameter& parameter)
 {
     if (isSwitch(parameter))
         return "";
-    if (isList(parameter))
+    if (isIsovalues(parameter))
         return "V[:COLOUR[:OPACITY]]";
     if (!parameter.choices.empty()) {
         std::string choices;
@@ -55,7 +60,7 @@ Option optionOf(const Parameter& parameter)
                   .repeatable = isList(parameter)};
     if (isOnByDefault(parameter))
         option.explanation = "Turns this off: " + parameter.explanation;
-    if (isList(parameter))
+    if (isIsovalues(parameter))
         option.explanation += " COLOUR is #rrggbb or a name (orange, silver ...), OPACITY above 0 and at most 1.";
     if (!parameter.unit.empty())
         option.explanation += " In " + parameter.unit + ".";
@@ -68,9 +73,13 @@ Result<ParameterValue> parseOption(const Arguments& arguments, const Parameter& 
 {
     if (isSwitch(parameter))
         return ParameterValue(!isOnByDefault(parameter));
+    const char separator = parameter.separator != 0 ? parameter.separator : ',';
     std::string text;
-    for (const std::string& value : arguments.values(name))
-        text += (text.empty() ? "" : ",") + value;
+    for (const std::string& value : arguments.values(name)) {
+        if (!text.empty())
+            text += separator;
+        text += value;
+    }
     return parseParameter(parameter, text);
 }
 

@@ -79,9 +79,10 @@ private:
     }
 };
 
-/// Floating-point samples: errors in units of the values. The interpolation itself rounds, in the builder as here, by
-/// a few 1e-16 of the range; a claim is kept if it is exceeded by no more than 1e-12 of the range.
-template <std::floating_point Sample> struct ExactError<Sample> {
+/// Errors in units of the values, for what no integer holds: floating-point samples and weighted errors (R6). The
+/// interpolation and the product with the weight round, in the builder as here, by a few 1e-16 of the range; a claim is
+/// kept if it is exceeded by no more than 1e-12 of the range.
+template <class Sample> struct RoundedError {
     using Number = double;
     static constexpr double allowance = 1e-12;
 
@@ -103,6 +104,9 @@ template <std::floating_point Sample> struct ExactError<Sample> {
         return static_cast<double>(halfToFloat(half)) * extent + allowance * extent;
     }
     static double inUnitsOfValues(Number error, std::int64_t /*sixVolumes*/) { return error; }
+};
+
+template <std::floating_point Sample> struct ExactError<Sample> : RoundedError<Sample> {
 };
 
 } // namespace tetra

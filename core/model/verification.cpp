@@ -31,6 +31,9 @@ Result<Verdict> verifyAll(const Model& model, const Dataset& original, const std
     std::vector<LatticePoint> places;
     if (verifySource(model, original, verdict.failures))
         places = verifySites(model, original, verdict.failures);
+    const Result<Weights> weights = weightsOf(model, original, verdict.failures, progress);
+    if (!weights)
+        return weights.error();
     bool usable = !places.empty();
     if (usable)
         if (const Status done =
@@ -48,7 +51,7 @@ Result<Verdict> verifyAll(const Model& model, const Dataset& original, const std
         const double share = (1 - groupsEnd) / static_cast<double>(levels.size());
         const double begin = groupsEnd + share * static_cast<double>(number);
         Result<LevelVerdict> level =
-            verifyLevel(model, original, places, levels[number], progress.part(begin, begin + share));
+            verifyLevel(model, original, places, *weights, levels[number], progress.part(begin, begin + share));
         if (!level)
             return level.error();
         verdict.levels.push_back(std::move(*level));

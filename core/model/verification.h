@@ -19,7 +19,7 @@ struct LevelVerdict {
     bool conforming = false;    ///< every face in two cells, or in one and on the domain's boundary
     bool covers = false;        ///< the cells fill the domain exactly, every sample lies in one
     std::uint64_t inverted = 0; ///< flat or negative cells
-    double largestError = 0;    ///< recomputed at every original sample, % of the value range
+    double largestError = 0;    ///< recomputed at every original sample, weighted (R6), % of the value range
     double largestWarping = 0;
     std::vector<std::string> failures; ///< in words; empty means proved
     bool ok() const noexcept { return failures.empty(); }
@@ -33,8 +33,8 @@ struct Verdict {
 };
 
 /// Proves, sharing no code with builders or extraction, that each level of `model` is a conforming, exact cover of the
-/// domain without flat or inverted cells and keeps the error it claims against the original data. An Error only if
-/// checking itself was impossible.
+/// domain without flat or inverted cells and keeps the error it claims against the original data, weighted if the model
+/// was built with weights. An Error only if checking itself was impossible.
 Result<Verdict> verify(const Model& model, const Dataset& original, const std::vector<Accuracy>& levels,
                        const Progress& progress = {});
 

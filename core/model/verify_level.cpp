@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <type_traits>
 
 namespace tetra {
 
@@ -34,14 +35,14 @@ std::uint32_t firstPassage(const Model& model, double asked)
     return sites;
 }
 
-/// Compares every original sample with the interpolation in every cell that holds it.
-template <class Sample> class SampleCheck {
+/// Compares every original sample with the interpolation in every cell that holds it. `Errors` is ExactError, or
+/// RoundedError if there are weights.
+template <class Sample, class Errors> class SampleCheck {
 public:
-    using Exact = ExactError<Sample>;
-
-    SampleCheck(const Model& model, const Dataset& original, const LevelCells& cells, float claimed)
-        : model_(model), lattice_(original.lattice), samples_(original.values.as<Sample>()), cells_(cells),
-          claimed_(claimed), extent_(original.values.range().extent()), states_(lattice_.pointCount())
+    SampleCheck(const Model& model, const Dataset& original, const Weights& weights, const LevelCells& cells,
+                float claimed)
+        : model_(model), lattice_(original.lattice), samples_(original.values.as<Sample>()), weights_(weights),
+          cells_(cells), claimed_(claimed), extent_(original.values.range().extent()), states_(lattice_.pointCount())
     {
     }
 
@@ -50,6 +51,13 @@ public:
 
 private:
     void checkCell(std::size_t number);
+    typename Errors::Number weighted(typename Errors::Number error, std::uint64_t sample) const
+    {
+        if constexpr (std::is_same_v<typename Errors::Number, double>)
+            return weights_.empty() ? error : error * static_cast<double>(weights_[sample]);
+        else
+            return error;
+    }
     void mark(std::uint64_t sample, int state)
     {
         const auto known = states_[sample].load(std::memory_order_relaxed);
@@ -62,6 +70,7 @@ private:
     const Model& model_;
     const Lattice& lattice_;
     std::span<const Sample> samples_;
+    const Weights& weights_; ///< only with RoundedError
     const LevelCells& cells_;
     float claimed_;
     double extent_;
@@ -70,7 +79,7 @@ private:
     Findings tooLarge_;
 };
 
-template <class Sample> Status SampleCheck<Sample>::run(const Progress& progress)
+template <class Sample, class Errors> Status SampleCheck<Sample, Errors>::run(const Progress& progress)
 {
     SharedProgress shared(progress, cells_.size(), "Verifying the error at every sample");
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells_.size(), cellsAtOnce), [&](const auto& range) {
@@ -87,7 +96,7 @@ template <class Sample> Status SampleCheck<Sample>::run(const Progress& progress
 }
 
 /// Visits the lattice points in the cell's bounding box, row by row; the four weights are exact integers.
-template <class Sample> void SampleCheck<Sample>::checkCell(std::size_t number)
+template <class Sample, class Errors> void SampleCheck<Sample, Errors>::checkCell(std::size_t number)
 {
     const CellCorners corners = cells_.corners(number);
     const std::int64_t volume = sixVolumes(corners);
@@ -96,8 +105,8 @@ template <class Sample> void SampleCheck<Sample>::checkCell(std::size_t number)
     std::array<Sample, 4> values;
     for (int i = 0; i < 4; ++i)
         values[i] = samples_[model_.points()[cells_.sites(number)[i]]];
-    const auto claimedBound = Exact::claimedBound(claimed_, extent_, volume);
-    const auto ownBound = Exact::ownBound(model_.ownErrors()[cells_.historyNumber(number)], extent_, volume);
+    const auto claimedBound = Errors::claimedBound(claimed_, extent_, volume);
+    const auto ownBound = Errors::ownBound(model_.ownErrors()[cells_.historyNumber(number)], extent_, volume);
     const BarycentricPlanes planes(corners);
     LatticePoint low = corners[0];
     LatticePoint high = corners[0];
@@ -106,7 +115,7 @@ template <class Sample> void SampleCheck<Sample>::checkCell(std::size_t number)
             low[axis] = std::min(low[axis], corner[axis]);
             high[axis] = std::max(high[axis], corner[axis]);
         }
-    typename Exact::Number worst = 0;
+    typename Errors::Number worst = 0;
     LatticePoint worstPlace = low;
     for (std::int64_t k = low[2]; k <= high[2]; ++k)
         for (std::int64_t j = low[1]; j <= high[1]; ++j) {
@@ -116,7 +125,7 @@ template <class Sample> void SampleCheck<Sample>::checkCell(std::size_t number)
                                                   static_cast<std::uint32_t>(k));
             for (std::int64_t i = low[0]; i <= high[0]; ++i, ++sample) {
                 if ((weights[0] | weights[1] | weights[2] | weights[3]) >= 0) {
-                    const auto error = Exact::at(weights, values, samples_[sample], volume);
+                    const auto error = weighted(Errors::at(weights, values, samples_[sample], volume), sample);
                     mark(sample, error <= ownBound ? Covered | WithinOwnError : Covered);
                     if (error > worst) {
                         worst = error;
@@ -127,21 +136,21 @@ template <class Sample> void SampleCheck<Sample>::checkCell(std::size_t number)
                     weights[corner] += row.step[corner];
             }
         }
-    const double worstError = Exact::inUnitsOfValues(worst, volume);
+    const double worstError = Errors::inUnitsOfValues(worst, volume);
     largest_.local() = std::max(largest_.local(), worstError);
     if (worst > claimedBound)
         tooLarge_.add(number, [&] { return describe(worstPlace, worstError, number); });
 }
 
-template <class Sample>
-std::string SampleCheck<Sample>::describe(const LatticePoint& place, double error, std::size_t cell) const
+template <class Sample, class Errors>
+std::string SampleCheck<Sample, Errors>::describe(const LatticePoint& place, double error, std::size_t cell) const
 {
     return "The error at sample " + textOf(place) + " is " + textOf(percent(error)) +
            " % of the range, more than the claimed " + textOf(percent(static_cast<double>(claimed_))) +
            " %, in the cell with corners " + textOf(cells_.corners(cell)) + ".";
 }
 
-template <class Sample> void SampleCheck<Sample>::moveTo(LevelVerdict& verdict)
+template <class Sample, class Errors> void SampleCheck<Sample, Errors>::moveTo(LevelVerdict& verdict)
 {
     Findings notCovered;
     Findings beyondOwn;
@@ -191,7 +200,7 @@ void verifyVolumes(const LevelCells& cells, const Lattice& lattice, LevelVerdict
 } // namespace
 
 Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, const std::vector<LatticePoint>& places,
-                                 const Accuracy& asked, const Progress& progress)
+                                 const Weights& weights, const Accuracy& asked, const Progress& progress)
 {
     LevelVerdict verdict;
     verdict.asked = asked;
@@ -204,10 +213,14 @@ Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, co
     if (!faces)
         return faces.error();
     const Status samples = visitSampleType(original.values.type(), [&]<class Sample>() {
-        SampleCheck<Sample> check(model, original, cells, claimed);
-        const Status done = check.run(progress.part(0.5, 1));
-        check.moveTo(verdict);
-        return done;
+        const auto run = [&]<class Errors>() {
+            SampleCheck<Sample, Errors> check(model, original, weights, cells, claimed);
+            const Status done = check.run(progress.part(0.5, 1));
+            check.moveTo(verdict);
+            return done;
+        };
+        return weights.empty() ? run.template operator()<ExactError<Sample>>()
+                               : run.template operator()<RoundedError<Sample>>();
     });
     if (!samples)
         return samples.error();

@@ -41,9 +41,16 @@ Status verifyHistory(const Model& model, const std::vector<LatticePoint>& places
 /// can be followed.
 Status verifyGroups(const Model& model, std::vector<std::string>& failures, const Progress& progress);
 
+/// One for each sample that its error is multiplied by (R6); empty if the model was built without.
+using Weights = std::vector<float>;
+
+/// The weights that the model's parameters name, for the original's samples. What cannot be read is a failure.
+Result<Weights> weightsOf(const Model& model, const Dataset& original, std::vector<std::string>& failures,
+                          const Progress& progress);
+
 /// One level, proved from the file's arrays and the original samples alone.
 Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, const std::vector<LatticePoint>& places,
-                                 const Accuracy& asked, const Progress& progress);
+                                 const Weights& weights, const Accuracy& asked, const Progress& progress);
 
 /// For messages: "(3, 0, 17)".
 std::string textOf(const LatticePoint& point);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <variant>
@@ -34,6 +35,11 @@ struct Parameter {
     double minimum = 0;                 ///< of numbers
     double maximum = 0;                 ///< of numbers; not above minimum means unbounded
     std::vector<std::string> choices{}; ///< of strings; empty means free text
+    /// Of strings that are lists, else 0: what separates their entries. On the command line, entries may also be given
+    /// one at a time; the list's option is then called by its id without the plural s.
+    char separator = 0;
+    /// Of strings: why a text cannot be used, for the user; empty if it can. May be missing. Quick, any thread.
+    std::function<std::string(const std::string& text)> mistake{};
 };
 
 /// The value of `id` in `values`, else the default of the description in `parameters`. T is the parameter's type; a

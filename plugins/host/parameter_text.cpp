@@ -134,6 +134,9 @@ Result<ParameterValue> parseParameter(const Parameter& parameter, std::string_vi
         return parseIsovalues(parameter, text);
     if (!parameter.choices.empty() && std::ranges::find(parameter.choices, text) == parameter.choices.end())
         return notIn(parameter, text);
+    if (parameter.mistake)
+        if (const std::string mistake = parameter.mistake(std::string(text)); !mistake.empty())
+            return Error{ErrorKind::WrongUsage, mistake};
     return ParameterValue(std::string(text));
 }
 

@@ -90,6 +90,22 @@ private slots:
         }
     }
 
+    /// R6: given one by one, kept in the model, told by info and understood by verify.
+    void weightsAreKeptAndProved()
+    {
+        const Run build = tan({"build", "c60.nrrd", "-o", "weighted.tan", "--weight", "point:3,3,3,4", "--weight",
+                               "value:120,30,0.2", "--json"});
+        QVERIFY2(build.exitCode == 0, build.messages);
+        QCOMPARE(tan({"info", "weighted.tan", "--json"}).json()["parameters"].toObject()["weights"].toString(),
+                 QString("point:3,3,3,4;value:120,30,0.2"));
+        QVERIFY(tan({"info", "weighted.tan"}).output.contains("weights point:3,3,3,4;value:120,30,0.2"));
+        const Run verify = tan({"verify", "weighted.tan", "--against", "c60.nrrd"});
+        QVERIFY2(verify.exitCode == 0, verify.output);
+        const Run refused = tan({"build", "c60.nrrd", "-o", "weighted.tan", "--weight", "point:3,3,3"});
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.messages.contains("it has 3 numbers, and the form is point:x,y,z,reach"), refused.messages);
+    }
+
     void verifySaysNo()
     {
         QVERIFY(tan({"sample", "noise", "--size", "12", "-o", "noise.nrrd"}).exitCode == 0);

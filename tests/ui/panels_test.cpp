@@ -7,6 +7,7 @@
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 #include <QSlider>
@@ -38,6 +39,7 @@ private slots:
     void isovalueRowsFollowUndo();
     void everyControlHasANameForThoseWhoHearIt();
     void valueBoxesTakeAnyMagnitude();
+    void weightsAreCheckedWhileTheyAreTyped();
 
 private:
     const Session& session() const { return window_->workbench.session(); }
@@ -256,6 +258,22 @@ void PanelsTest::valueBoxesTakeAnyMagnitude()
     box.setValueRange(0, 65535);
     box.setValue(1234);
     QCOMPARE(box.text(), QString("1234"));
+}
+
+/// R6
+void PanelsTest::weightsAreCheckedWhileTheyAreTyped()
+{
+    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(12), window_->folderPath())));
+    QTRY_VERIFY(window_->find<QPushButton>("build.start").isVisible());
+    auto& weights = window_->find<QLineEdit>("build.option.weights");
+    auto& mistake = window_->find<QLabel>("build.option.weights.mistake");
+    QVERIFY(weights.toolTip().contains("point:16,16,8,10"));
+    QVERIFY(!mistake.isVisible());
+    QTest::keyClicks(&weights, "point:1,2,3");
+    QVERIFY(mistake.isVisible());
+    QVERIFY2(mistake.text().contains("it has 3 numbers"), qPrintable(mistake.text()));
+    QTest::keyClicks(&weights, ",4");
+    QVERIFY(!mistake.isVisible());
 }
 
 QTEST_MAIN(PanelsTest)

@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QLabel>
 #include <QLineEdit>
 
 #include <utility>
@@ -63,6 +64,7 @@ Control controlFor(const Parameter& parameter, const std::string& value)
 {
     if (parameter.choices.empty()) {
         auto* line = new QLineEdit(QString::fromStdString(value));
+        line->setClearButtonEnabled(true);
         return {line, [line] { return line->text().toStdString(); }};
     }
     auto* box = new QComboBox;
@@ -115,7 +117,25 @@ void ParameterForm::add(const Parameter& parameter)
         layout_->addRow(widget);
     else
         layout_->addRow(unit.isEmpty() ? label : tr("%1 (%2)").arg(label, unit), widget);
+    if (auto* line = qobject_cast<QLineEdit*>(widget); line != nullptr && parameter.mistake)
+        tellMistakes(*line, parameter);
     fields_.push_back({parameter.id, read});
+}
+
+/// A row below `line` that says, while it is edited, why its text cannot be used.
+void ParameterForm::tellMistakes(QLineEdit& line, const Parameter& parameter)
+{
+    auto* message = new QLabel;
+    message->setObjectName(line.objectName() + ".mistake");
+    message->setWordWrap(true);
+    message->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    layout_->addRow(message);
+    const auto show = [this, message, mistake = parameter.mistake](const QString& text) {
+        message->setText(QString::fromStdString(mistake(text.toStdString())));
+        layout_->setRowVisible(message, !message->text().isEmpty());
+    };
+    show(line.text());
+    connect(&line, &QLineEdit::textChanged, message, show);
 }
 
 ParameterValues ParameterForm::values() const

@@ -8,6 +8,7 @@
 #include <functional>
 
 class QFormLayout;
+class QLineEdit;
 
 namespace tetra {
 
@@ -29,6 +30,7 @@ private:
         std::function<ParameterValue()> value;
     };
     void add(const Parameter& parameter);
+    void tellMistakes(QLineEdit& line, const Parameter& parameter);
 
     QString prefix_;
     QFormLayout* layout_;

@@ -15,6 +15,8 @@ constexpr std::array texts{
     QT_TRANSLATE_NOOP("Plugin", "Error"),
     QT_TRANSLATE_NOOP("Plugin", "The error at which to stop; 0 keeps everything, so that any accuracy can be looked at later."),
     QT_TRANSLATE_NOOP("Plugin", "% of the value range"),
+    QT_TRANSLATE_NOOP("Plugin", "Weights"),
+    QT_TRANSLATE_NOOP("Plugin", "Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, several separated by ';'. Errors there count in full, falling linearly to a tenth (or to ',floor' at the end) at the distance 'reach'; the largest weight holds. Examples: 'point:16,16,8,10', 'value:120,15,0.05'."),
     QT_TRANSLATE_NOOP("Plugin", "A regular lattice: refinement keeps the exact domain and needs the least time."),
     QT_TRANSLATE_NOOP("Plugin", "Warping"),
     QT_TRANSLATE_NOOP("Plugin", "For curvilinear data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values, 1 : 1 if either is 0; 0 keeps everything."),

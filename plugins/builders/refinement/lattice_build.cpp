@@ -13,15 +13,19 @@ Acceptance acceptLattice(const Dataset& dataset)
     return {1, "A regular lattice: refinement keeps the exact domain and needs the least time."};
 }
 
-Result<BuildReport> buildLattice(const Dataset& dataset, double error, BuildTarget& target, const Progress& progress)
+Result<BuildReport> buildLattice(const Dataset& dataset, double error, const Weighting& weighting, BuildTarget& target,
+                                 const Progress& progress)
 {
+    const Result<std::vector<float>> weights = pointWeights(weighting, dataset, progress);
+    if (!weights)
+        return weights.error();
     LatticeRefinementOptions options;
     options.size = dataset.lattice.size;
     options.spacing = dataset.lattice.spacing;
     options.valueExtent = dataset.values.range().extent();
     options.stopError = error / 100 * dataset.values.range().extent();
     const Result<LatticeRefinementResult> result = visitSampleType(dataset.values.type(), [&]<class T>() {
-        return refineLattice(options, LatticeSamples(dataset.values.as<T>()), target.history, progress);
+        return refineLattice(options, LatticeSamples(dataset.values.as<T>(), *weights), target.history, progress);
     });
     if (!result)
         return result.error();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/builders/refinement/refinement_builder.h"
 
+#include "core/data/weighting.h"
 #include "plugins/builders/refinement/curvilinear_build.h"
 #include "plugins/builders/refinement/lattice_build.h"
 
@@ -13,6 +14,37 @@ namespace {
 std::string notYet(const Dataset& dataset)
 {
     return "Refinement does not take " + std::string(domainClassName(dataset.domain)) + " data.";
+}
+
+Parameter errorParameter()
+{
+    Parameter error;
+    error.id = "error";
+    error.label = "Error";
+    error.explanation = "The error at which to stop; 0 keeps everything, so that any accuracy can be looked at later.";
+    error.unit = "% of the value range";
+    error.defaultValue = 0.0;
+    error.minimum = 0;
+    error.maximum = 100;
+    return error;
+}
+
+Parameter weightsParameter()
+{
+    Parameter weights;
+    weights.id = "weights";
+    weights.label = "Weights";
+    weights.explanation =
+        "Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, several separated by "
+        "';'. Errors there count in full, falling linearly to a tenth (or to ',floor' at the end) at the distance "
+        "'reach'; the largest weight holds. Examples: 'point:16,16,8,10', 'value:120,15,0.05'.";
+    weights.defaultValue = std::string();
+    weights.separator = ';';
+    weights.mistake = [](const std::string& text) {
+        const auto weighting = parseWeighting(text);
+        return weighting ? std::string() : weighting.error().text;
+    };
+    return weights;
 }
 
 constexpr std::string_view normalised = "normalised";
@@ -71,24 +103,22 @@ Acceptance RefinementBuilder::accepts(const Dataset& dataset) const
 
 std::vector<Parameter> RefinementBuilder::parameters() const
 {
-    Parameter error;
-    error.id = "error";
-    error.label = "Error";
-    error.explanation = "The error at which to stop; 0 keeps everything, so that any accuracy can be looked at later.";
-    error.unit = "% of the value range";
-    error.defaultValue = 0.0;
-    error.minimum = 0;
-    error.maximum = 100;
-    return {error, warpingParameter(), selectionParameter()};
+    return {errorParameter(), warpingParameter(), selectionParameter(), weightsParameter()};
 }
 
 Result<BuildReport> RefinementBuilder::build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
                                              const Progress& progress) const
 {
     const double error = parameterValue<double>(parameters(), values, "error");
+    const auto weighting = parseWeighting(parameterValue<std::string>(parameters(), values, "weights"));
+    if (!weighting)
+        return weighting.error();
     switch (dataset.domain) {
-    case DomainClass::RegularLattice: return buildLattice(dataset, error, target, progress);
+    case DomainClass::RegularLattice: return buildLattice(dataset, error, *weighting, target, progress);
     case DomainClass::Curvilinear:
+        if (!weighting->empty())
+            return Error{ErrorKind::WrongUsage,
+                         "Refinement does not take weights for curvilinear data. Build without them."};
         return buildCurvilinear(dataset, curvilinearRequest(parameters(), values), target, progress);
     case DomainClass::Scattered:
     case DomainClass::Irregular: break;
