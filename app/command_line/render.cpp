@@ -128,7 +128,7 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, const RenderReq
     const auto values = pluginValues(invocation.arguments, renderer.plugin->parameters(description.range));
     if (!values)
         return values.error();
-    const Eigen::AlignedBox3d bounds = description.lattice.bounds();
+    const Eigen::AlignedBox3d bounds = description.bounds;
     const auto cameraText = invocation.arguments.value("camera");
     const auto camera = cameraText ? cameraFor(*cameraText, bounds) : Result<Camera>(fitted(Camera(), bounds));
     if (!camera)

@@ -37,4 +37,16 @@ constexpr std::uint16_t halfRoundedUp(float value) noexcept
     return static_cast<std::uint16_t>((bits + 0x1fffu) >> 13);
 }
 
+/// A bound on `amount / whole` as a half: its value times `whole` is not less than `amount`.
+constexpr std::uint16_t halfBound(float amount, double whole) noexcept
+{
+    if (amount <= 0)
+        return 0;
+    std::uint16_t half = halfRoundedUp(static_cast<float>(amount / whole));
+    // The division and the conversion to float may each have rounded down.
+    while (static_cast<double>(halfToFloat(half)) * whole < static_cast<double>(amount))
+        ++half;
+    return half;
+}
+
 } // namespace tetra

@@ -1,7 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/data/dataset.h"
 
+#include "core/base/checksum.h"
+
+#include <span>
+
 namespace tetra {
+
+std::uint64_t contentHash(const ScalarField& values, const PointPositions& positions)
+{
+    Checksum sum;
+    sum.add(values.bytes());
+    if (positions)
+        sum.add(std::as_bytes(std::span(*positions)));
+    return sum.value();
+}
 
 Eigen::AlignedBox3d Dataset::bounds() const
 {

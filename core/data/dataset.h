@@ -26,6 +26,9 @@ struct Source {
 /// Where each point lies, all finite; shared and never changed.
 using PointPositions = std::shared_ptr<const std::vector<Eigen::Vector3d>>;
 
+/// Source::hash of such values and positions.
+std::uint64_t contentHash(const ScalarField& values, const PointPositions& positions);
+
 /// The reference model (2.3): points with one scalar each. Immutable, cheap to copy.
 ///
 /// Regular: the lattice says where the points lie. Curvilinear (and rectilinear): the lattice is the computational

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <string>
 #include <vector>
@@ -140,8 +141,7 @@ Error PrefixScan::tooMany() const
                                     std::to_string(expected_) + " tetrahedra that it should have");
 }
 
-/// Fills in where the sites lie.
-Status placeSites(const Model& model, std::uint32_t sites, Buffer<Eigen::Vector3f>& positions)
+Status placeLatticeSites(const Model& model, std::uint32_t sites, Buffer<Eigen::Vector3f>& positions)
 {
     const Lattice& lattice = model.description().lattice;
     const LatticePoints lookUp(lattice);
@@ -156,6 +156,27 @@ Status placeSites(const Model& model, std::uint32_t sites, Buffer<Eigen::Vector3
     if (outside)
         return inconsistent(model, "a site is no point of its lattice");
     return {};
+}
+
+/// Fills in where the sites lie in physical space.
+Status placeSites(const Model& model, std::uint32_t sites, Buffer<Eigen::Vector3f>& positions)
+{
+    if (model.description().domain == DomainClass::RegularLattice)
+        return placeLatticeSites(model, sites, positions);
+    positions.resize(sites);
+    if (!model.floatPositions().empty())
+        std::copy_n(model.floatPositions().begin(), sites, positions.begin());
+    else
+        std::transform(model.doublePositions().begin(), model.doublePositions().begin() + sites, positions.begin(),
+                       [](const Eigen::Vector3d& position) { return position.cast<float>(); });
+    return {};
+}
+
+/// Makes tetrahedra that are positive in a left-handed computational space positive in physical space.
+void turnOver(Buffer<Tetrahedron>& tetrahedra)
+{
+    for (Tetrahedron& tetrahedron : tetrahedra)
+        std::swap(tetrahedron[2], tetrahedron[3]);
 }
 
 void copyValues(const Model& model, std::uint32_t sites, Buffer<float>& values)
@@ -175,6 +196,8 @@ Status extractInto(const Model& model, std::uint32_t sites, const Progress& prog
     }
     if (const Status scanned = PrefixScan(model, sites, mesh.tetrahedra).run(progress); !scanned)
         return scanned;
+    if (model.description().leftHanded)
+        turnOver(mesh.tetrahedra);
     if (const Status placed = placeSites(model, sites, mesh.positions); !placed)
         return placed;
     copyValues(model, sites, mesh.values);
@@ -183,10 +206,26 @@ Status extractInto(const Model& model, std::uint32_t sites, const Progress& prog
 
 } // namespace
 
+namespace {
+
+/// The largest running key of meshes that are as accurate as asked (S4).
+double keyAsked(const Model& model, const Accuracy& accuracy)
+{
+    constexpr double unlimited = std::numeric_limits<double>::infinity();
+    const double extent = model.description().range.extent();
+    const double weight = model.description().warpingWeight;
+    const double byError = extent > 0 || weight == 0 ? accuracy.error / 100 * extent : unlimited;
+    const bool warpingCounts = weight > 0 && accuracy.warping < anyWarping;
+    return std::min(byError, warpingCounts ? accuracy.warping / 100 * weight * model.diagonal() : unlimited);
+}
+
+} // namespace
+
 MeshSize meshSizeAt(const Model& model, const Accuracy& accuracy)
 {
     const double extent = model.description().range.extent();
-    const double asked = accuracy.error / 100 * extent;
+    const double weight = model.description().warpingWeight;
+    const double asked = keyAsked(model, accuracy);
     const std::span<const float> errors = model.runningErrors();
     // The mesh of the first N sites has the error that was there before site N entered. Infinity is no mesh yet.
     const auto reached = std::ranges::partition_point(
@@ -194,8 +233,9 @@ MeshSize meshSizeAt(const Model& model, const Accuracy& accuracy)
     const auto sites = static_cast<std::uint32_t>(reached - errors.begin());
     if (sites == 0) // only in a damaged file: the initial sites have no error
         return {};
-    const float error = reached == errors.end() ? std::min(model.finalError(), errors.back()) : *reached;
-    return {sites, model.meshSizes()[sites - 1], extent > 0 ? 100 * static_cast<double>(error) / extent : 0};
+    const double key = reached == errors.end() ? std::min(model.finalError(), errors.back()) : *reached;
+    return {sites, model.meshSizes()[sites - 1], extent > 0 ? 100 * key / extent : 0,
+            weight > 0 ? 100 * key / (weight * model.diagonal()) : 0};
 }
 
 Result<TetrahedralMesh> extractPrefix(const Model& model, std::uint32_t sites, const Progress& progress,

@@ -8,17 +8,22 @@
 
 namespace tetra {
 
+/// No warping is larger, so asking for it asks for nothing.
+inline constexpr double anyWarping = 100;
+
 /// The accuracy pair of a query (R14, R7), in the units that people see. Convex models have no warping.
 struct Accuracy {
-    double error = 0;     ///< % of the value range
-    double warping = 100; ///< % of the bounding box's diagonal
+    double error = 0;            ///< % of the value range
+    double warping = anyWarping; ///< % of the bounding box's diagonal
 };
 
 /// The size of a mesh, known without extracting it (R26).
 struct MeshSize {
     std::uint32_t sites = 0;
     std::uint64_t tetrahedra = 0;
-    double error = 0; ///< the running error that this mesh reaches, % of the value range
+    /// What the running key of this mesh bounds: % of the value range, and % of the diagonal (0 without warping).
+    double error = 0;
+    double warping = 0;
 };
 
 /// The first mesh at least as accurate as asked (first passage, S1), as a prefix of the sites: O(log sites).

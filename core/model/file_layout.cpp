@@ -20,7 +20,7 @@ using format::SectionId;
 const std::string update = " Install a later version of TAn.";
 const std::string copyAgain = " Copy it again from where it came from, or build it again.";
 
-/// The bytes of one element of each section that a lattice model needs; 0 for the type of the samples.
+/// The bytes of one element of each section that every model needs; 0 for the type of the samples.
 struct Expected {
     SectionId id;
     std::uint32_t elementBytes;
@@ -30,6 +30,13 @@ constexpr Expected perSite[] = {{SectionId::SitePoints, 4},        {SectionId::S
                                 {SectionId::MeshSizes, 4},         {SectionId::SiteGroups, 1}};
 constexpr Expected perTetrahedron[] = {
     {SectionId::OtherSites, 12}, {SectionId::Destroyers, 4}, {SectionId::OwnErrors, 2}};
+constexpr std::uint32_t positionBytesInFloats = 12;
+constexpr std::uint32_t positionBytesInDoubles = 24;
+
+bool isDomain(const Header& header, DomainClass domain)
+{
+    return header.domainClass == static_cast<std::uint32_t>(domain);
+}
 
 /// Reads the layout of one file; every member gives the first thing that is wrong.
 class LayoutReader {
@@ -46,9 +53,12 @@ private:
     Status readTable();
     Status checkWhatItHolds() const;
     Status checkLattice() const;
+    Status checkValues() const;
+    Status checkPlace() const;
     Status checkBounds() const;
     Status checkCodecs() const;
     Status checkCounts() const;
+    Status checkPositions() const;
     Status checkCount(Expected expected, std::uint64_t count) const;
 
     Error bad(const std::string& text) const { return {ErrorKind::BadInput, name_ + " " + text}; }
@@ -69,8 +79,9 @@ Result<FileLayout> LayoutReader::read()
     for (const auto step : {&LayoutReader::readHeader, &LayoutReader::readTable})
         if (const Status status = (this->*step)(); !status)
             return status.error();
-    for (const auto check : {&LayoutReader::checkWhatItHolds, &LayoutReader::checkLattice, &LayoutReader::checkBounds,
-                             &LayoutReader::checkCodecs, &LayoutReader::checkCounts})
+    for (const auto check : {&LayoutReader::checkWhatItHolds, &LayoutReader::checkLattice, &LayoutReader::checkValues,
+                             &LayoutReader::checkPlace, &LayoutReader::checkBounds, &LayoutReader::checkCodecs,
+                             &LayoutReader::checkCounts, &LayoutReader::checkPositions})
         if (const Status status = (this->*check)(); !status)
             return status.error();
     return std::move(layout_);
@@ -122,11 +133,11 @@ Status LayoutReader::readTable()
 Status LayoutReader::checkWhatItHolds() const
 {
     const Header& header = layout_.header;
-    constexpr const char* later[] = {"a curvilinear grid", "an irregular mesh", "scattered points"};
-    if (header.domainClass != static_cast<std::uint32_t>(DomainClass::RegularLattice))
+    if (isDomain(header, DomainClass::Irregular) ||
+        header.domainClass > static_cast<std::uint32_t>(DomainClass::Scattered))
         return bad("is a model of " +
-                   (header.domainClass <= std::size(later) ? std::string(later[header.domainClass - 1])
-                                                           : "domain class " + std::to_string(header.domainClass)) +
+                   (isDomain(header, DomainClass::Irregular) ? std::string("an irregular mesh")
+                                                             : "domain class " + std::to_string(header.domainClass)) +
                    ", which this version cannot read." + update);
     if (header.sampleType > static_cast<std::uint32_t>(SampleType::Float64))
         return bad("has samples of type " + std::to_string(header.sampleType) + ", which this version cannot read." +
@@ -137,23 +148,46 @@ Status LayoutReader::checkWhatItHolds() const
 Status LayoutReader::checkLattice() const
 {
     const Header& header = layout_.header;
+    const bool scattered = isDomain(header, DomainClass::Scattered);
     std::uint64_t points = 1;
     for (const std::uint32_t size : header.latticeSize)
-        if (size < 2 || __builtin_mul_overflow(points, std::uint64_t(size), &points) || points > (1ull << 32))
+        if (size < (scattered ? 1u : 2u) || __builtin_mul_overflow(points, std::uint64_t(size), &points) ||
+            points > (1ull << 32))
             return damaged("a lattice of " + std::to_string(header.latticeSize[0]) + " x " +
                            std::to_string(header.latticeSize[1]) + " x " + std::to_string(header.latticeSize[2]) +
                            " points cannot be");
     for (int axis = 0; axis < 3; ++axis)
         if (!(header.spacing[axis] > 0) || !std::isfinite(header.spacing[axis]) || !std::isfinite(header.origin[axis]))
             return damaged("the spacing or the origin of its lattice makes no sense");
+    const std::uint32_t fewest = scattered ? 4 : 8;
+    if (header.siteCount < fewest || header.siteCount > points || header.siteCount == Model::never ||
+        header.tetrahedronCount == 0)
+        return damaged("a " + std::string(scattered ? "set" : "lattice") + " of " + std::to_string(points) +
+                       " points cannot have " + std::to_string(header.siteCount) + " sites and " +
+                       std::to_string(header.tetrahedronCount) + " tetrahedra");
+    return {};
+}
+
+Status LayoutReader::checkValues() const
+{
+    const Header& header = layout_.header;
     if (!std::isfinite(header.valueRange[0]) || !std::isfinite(header.valueRange[1]) ||
         header.valueRange[0] > header.valueRange[1] || !(header.finalError >= 0) || !std::isfinite(header.finalError))
         return damaged("its value range or its final error makes no sense");
-    if (header.siteCount < 8 || header.siteCount > points || header.siteCount == Model::never ||
-        header.tetrahedronCount == 0)
-        return damaged("a lattice of " + std::to_string(points) + " points cannot have " +
-                       std::to_string(header.siteCount) + " sites and " + std::to_string(header.tetrahedronCount) +
-                       " tetrahedra");
+    return {};
+}
+
+Status LayoutReader::checkPlace() const
+{
+    const Header& header = layout_.header;
+    for (int axis = 0; axis < 3; ++axis)
+        if (!std::isfinite(header.boundingBox[axis]) || !std::isfinite(header.boundingBox[axis + 3]) ||
+            header.boundingBox[axis] > header.boundingBox[axis + 3])
+            return damaged("its bounding box makes no sense");
+    const bool lifted = isDomain(header, DomainClass::Curvilinear);
+    if (!(header.warpingWeight >= 0) || !std::isfinite(header.warpingWeight) || lifted != (header.warpingWeight > 0) ||
+        header.leftHanded > (lifted ? 1u : 0u))
+        return damaged("its warping weight or its handedness makes no sense");
     return {};
 }
 
@@ -199,10 +233,24 @@ Status LayoutReader::checkCounts() const
     for (const Expected& expected : perTetrahedron)
         if (const Status status = checkCount(expected, header.tetrahedronCount); !status)
             return status;
+    if (isDomain(header, DomainClass::Curvilinear))
+        if (const Status status = checkCount({SectionId::OwnWarpings, 2}, header.tetrahedronCount); !status)
+            return status;
     const auto text = std::ranges::find(layout_.sections, std::uint32_t(SectionId::Text), &Section::id);
     if (text == layout_.sections.end() || text->bytes > format::longestText)
         return damaged("its text section is missing or too long");
     return {};
+}
+
+/// Floats where they hold every coordinate exactly, else doubles; none for a lattice that says where its points are.
+Status LayoutReader::checkPositions() const
+{
+    if (isDomain(layout_.header, DomainClass::RegularLattice))
+        return {};
+    const auto section = std::ranges::find(layout_.sections, std::uint32_t(SectionId::SitePositions), &Section::id);
+    const bool doubles = section != layout_.sections.end() && section->elementBytes == positionBytesInDoubles;
+    return checkCount({SectionId::SitePositions, doubles ? positionBytesInDoubles : positionBytesInFloats},
+                      layout_.header.siteCount);
 }
 
 Status LayoutReader::checkCount(Expected expected, std::uint64_t count) const
@@ -245,11 +293,15 @@ std::uint64_t headerChecksum(const Header& header, std::span<const std::byte> ta
 ModelDescription descriptionOf(const Header& header)
 {
     ModelDescription description;
+    description.domain = static_cast<DomainClass>(header.domainClass);
     description.lattice.size = header.latticeSize;
     description.lattice.spacing = Eigen::Vector3d(header.spacing.data());
     description.lattice.origin = Eigen::Vector3d(header.origin.data());
     description.sampleType = static_cast<SampleType>(header.sampleType);
     description.range = {header.valueRange[0], header.valueRange[1]};
+    description.bounds = {Eigen::Vector3d(header.boundingBox.data()), Eigen::Vector3d(header.boundingBox.data() + 3)};
+    description.warpingWeight = header.warpingWeight;
+    description.leftHanded = header.leftHanded != 0;
     description.sourceHash = header.sourceHash;
     return description;
 }
@@ -257,9 +309,9 @@ ModelDescription descriptionOf(const Header& header)
 Header headerOf(const ModelDescription& description)
 {
     const Lattice& lattice = description.lattice;
-    const Eigen::AlignedBox3d box = lattice.bounds();
+    const Eigen::AlignedBox3d& box = description.bounds;
     Header header;
-    header.domainClass = static_cast<std::uint32_t>(DomainClass::RegularLattice);
+    header.domainClass = static_cast<std::uint32_t>(description.domain);
     header.sampleType = static_cast<std::uint32_t>(description.sampleType);
     header.latticeSize = lattice.size;
     std::copy_n(lattice.spacing.data(), 3, header.spacing.begin());
@@ -267,6 +319,8 @@ Header headerOf(const ModelDescription& description)
     header.valueRange = {description.range.minimum, description.range.maximum};
     std::copy_n(box.min().data(), 3, header.boundingBox.begin());
     std::copy_n(box.max().data(), 3, header.boundingBox.begin() + 3);
+    header.warpingWeight = description.warpingWeight;
+    header.leftHanded = description.leftHanded ? 1 : 0;
     header.sourceHash = description.sourceHash;
     return header;
 }

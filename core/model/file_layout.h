@@ -18,7 +18,7 @@ struct FileLayout {
     format::Header header;
     std::vector<format::Section> sections; ///< known and unknown ones, in order of their offsets
 
-    /// One of the required sections; readLayout() made sure that it is there.
+    /// One of the sections that the domain requires; readLayout() made sure that it is there.
     const format::Section& section(format::SectionId id) const;
 };
 

@@ -13,9 +13,11 @@ std::string_view sectionName(std::uint32_t id) noexcept
     case SectionId::StarOffsets: return "star offsets";
     case SectionId::MeshSizes: return "mesh sizes";
     case SectionId::SiteGroups: return "site groups";
+    case SectionId::SitePositions: return "site positions";
     case SectionId::OtherSites: return "other sites";
     case SectionId::Destroyers: return "destroyers";
     case SectionId::OwnErrors: return "own errors";
+    case SectionId::OwnWarpings: return "own warpings";
     }
     return "unknown";
 }

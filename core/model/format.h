@@ -39,9 +39,11 @@ enum class SectionId : std::uint32_t {
     StarOffsets = 19,
     MeshSizes = 20,
     SiteGroups = 21,
+    SitePositions = 22,
     OtherSites = 32,
     Destroyers = 33,
     OwnErrors = 34,
+    OwnWarpings = 35,
 };
 
 /// The name that messages give a section.
@@ -81,12 +83,14 @@ struct Header {
     std::array<double, 6> boundingBox{}; ///< minimum x y z, maximum x y z
     std::uint64_t sourceHash = 0;
     float finalError = 0;
-    std::array<std::uint32_t, 15> reserved{};
+    std::uint32_t leftHanded = 0;
+    double warpingWeight = 0;
+    std::array<std::uint32_t, 12> reserved{};
     std::uint64_t checksum = 0; ///< XXH3 of the header up to here, followed by the section table
 };
 static_assert(sizeof(Header) == 256 && offsetof(Header, checksum) == 248);
 static_assert(offsetof(Header, latticeSize) == 40 && offsetof(Header, spacing) == 64);
-static_assert(offsetof(Header, sourceHash) == 176 && offsetof(Header, reserved) == 188);
+static_assert(offsetof(Header, sourceHash) == 176 && offsetof(Header, warpingWeight) == 192);
 
 /// The next multiple of the alignment.
 constexpr std::uint64_t aligned(std::uint64_t offset) noexcept

@@ -43,12 +43,25 @@ public:
         otherSites_ = elementsOf<std::array<std::uint32_t, 3>>(*file_, layout, SectionId::OtherSites);
         destroyers_ = elementsOf<std::uint32_t>(*file_, layout, SectionId::Destroyers);
         ownErrors_ = elementsOf<std::uint16_t>(*file_, layout, SectionId::OwnErrors);
+        if (description_.warpingWeight > 0)
+            ownWarpings_ = elementsOf<std::uint16_t>(*file_, layout, SectionId::OwnWarpings);
+        if (description_.domain != DomainClass::RegularLattice)
+            mapPositions(layout);
     }
 
     std::span<const std::byte> fileBytes() const noexcept override { return file_->bytes(); }
     bool damaged() const noexcept override { return file_->damaged(); }
 
 private:
+    void mapPositions(const FileLayout& layout)
+    {
+        static_assert(sizeof(Eigen::Vector3f) == 12 && sizeof(Eigen::Vector3d) == 24);
+        if (layout.section(SectionId::SitePositions).elementBytes == sizeof(Eigen::Vector3f))
+            floatPositions_ = elementsOf<Eigen::Vector3f>(*file_, layout, SectionId::SitePositions);
+        else
+            doublePositions_ = elementsOf<Eigen::Vector3d>(*file_, layout, SectionId::SitePositions);
+    }
+
     std::shared_ptr<const MappedFile> file_;
 };
 
@@ -76,6 +89,16 @@ Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& pa
     if (const Status intact = model->checkIntact(); !intact)
         return intact.error();
     return model;
+}
+
+Eigen::Vector3d Model::position(std::uint32_t site) const
+{
+    if (!floatPositions_.empty())
+        return floatPositions_[site].cast<double>();
+    if (!doublePositions_.empty())
+        return doublePositions_[site];
+    const auto place = description_.lattice.coordinates(points_[site]);
+    return description_.lattice.position(place[0], place[1], place[2]);
 }
 
 Status Model::checkIntact() const

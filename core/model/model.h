@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/data/domain_class.h"
 #include "core/data/lattice.h"
 #include "core/data/scalar_field.h"
 
@@ -18,7 +19,14 @@ namespace tetra {
 
 /// What a model says of itself: its domain, its values, and how it was made.
 struct ModelDescription {
-    Lattice lattice;
+    DomainClass domain = DomainClass::RegularLattice;
+    Lattice lattice; ///< as Dataset::lattice: of curvilinear data the computational space
+    Eigen::AlignedBox3d bounds{Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0, 0, 0)}; ///< of all points of the dataset
+    /// Units of the values for a unit of length: running keys are the larger of error and this times warping (S4). 0
+    /// where there is no warping.
+    double warpingWeight = 0;
+    /// Whether what is positive in computational space is negative in physical space: curvilinear data only.
+    bool leftHanded = false;
     SampleType sampleType = SampleType::UInt8;
     ValueRange range;                                            ///< of the whole dataset, not of the sites
     std::string sourceName;                                      ///< provenance: the dataset's name ...
@@ -48,16 +56,16 @@ public:
     float finalError() const noexcept
     {
         return finalError_;
-    } ///< error of the mesh of all sites, in units of the values
+    } ///< bounds the key of the mesh of all sites, in units of the values
 
     std::uint32_t siteCount() const noexcept { return static_cast<std::uint32_t>(points_.size()); }
     /// All that ever lived in a mesh that a query can give.
     std::uint64_t tetrahedronCount() const noexcept { return destroyers_.size(); }
 
-    std::span<const std::uint32_t> points() const noexcept { return points_; } ///< lattice index of each site
+    std::span<const std::uint32_t> points() const noexcept { return points_; } ///< the dataset's point of each site
     std::span<const std::byte> values() const noexcept { return values_; }     ///< a sample of sampleType for each site
-    /// Running minimum of the mesh's error before each site entered, not increasing; infinity for the initial sites
-    /// (S1).
+    /// Running minimum of the mesh's key before each site entered, in units of the values: its error, or with a warping
+    /// weight the larger of that and the weighted warping. Not increasing; infinity for the initial sites (S1).
     std::span<const float> runningErrors() const noexcept { return runningErrors_; }
     /// Site s created the tetrahedra starOffsets()[s] up to starOffsets()[s + 1]; siteCount() + 1 entries.
     std::span<const std::uint64_t> starOffsets() const noexcept { return starOffsets_; }
@@ -66,12 +74,24 @@ public:
     /// 1 for a site whose successor belongs to the same group, else 0. The first N sites have a mesh if N - 1 ends its
     /// group.
     std::span<const std::uint8_t> groupGoesOn() const noexcept { return groupGoesOn_; }
-    /// The three sites of a tetrahedron that are not its creator; (creator, a, b, c) is positive.
+    /// The three sites of a tetrahedron that are not its creator; (creator, a, b, c) is positive in the space that the
+    /// mesh was made in: computational space for curvilinear data.
     std::span<const std::array<std::uint32_t, 3>> otherSites() const noexcept { return otherSites_; }
     std::span<const std::uint32_t> destroyers() const noexcept { return destroyers_; }
     /// Bound on each tetrahedron's own error as IEEE half, a fraction of the value range (halfToFloat in
     /// core/base/half.h).
     std::span<const std::uint16_t> ownErrors() const noexcept { return ownErrors_; }
+    /// Likewise on its own warping, a fraction of the bounding box's diagonal; empty without a warping weight.
+    std::span<const std::uint16_t> ownWarpings() const noexcept { return ownWarpings_; }
+
+    /// Where each site lies: nothing for a regular lattice, else one array of the two, that of floats if they hold
+    /// every coordinate of the dataset exactly.
+    std::span<const Eigen::Vector3f> floatPositions() const noexcept { return floatPositions_; }
+    std::span<const Eigen::Vector3d> doublePositions() const noexcept { return doublePositions_; }
+    /// Where site `site` lies in physical space, exactly. For a few.
+    Eigen::Vector3d position(std::uint32_t site) const;
+    /// The length that warpings are a percentage of (R7).
+    double diagonal() const noexcept { return description_.bounds.diagonal().norm(); }
 
     /// The whole file as it is mapped, for those who check it.
     virtual std::span<const std::byte> fileBytes() const noexcept = 0;
@@ -95,6 +115,9 @@ protected:
     std::span<const std::array<std::uint32_t, 3>> otherSites_;
     std::span<const std::uint32_t> destroyers_;
     std::span<const std::uint16_t> ownErrors_;
+    std::span<const std::uint16_t> ownWarpings_;
+    std::span<const Eigen::Vector3f> floatPositions_;
+    std::span<const Eigen::Vector3d> doublePositions_;
 };
 
 } // namespace tetra

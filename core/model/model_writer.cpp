@@ -2,11 +2,13 @@
 #include "core/model/model_writer.h"
 
 #include "core/base/half.h"
+#include "core/data/grid_handedness.h"
 #include "core/model/chunked_array.h"
 #include "core/model/description_text.h"
 #include "core/model/file_layout.h"
 #include "core/model/history_batch.h"
 #include "core/model/section_writer.h"
+#include "core/model/site_sections.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,32 +21,34 @@ namespace {
 
 using format::SectionId;
 
-constexpr std::uint32_t sectionCount = 10;
-constexpr std::uint32_t cornerCount = 8;
+/// Sections of every model; domains with positions of their own and with warping have more.
+constexpr std::uint32_t commonSections = 10;
+
+std::uint32_t sectionCount(DomainClass domain)
+{
+    return commonSections + (domain != DomainClass::RegularLattice ? 1 : 0) +
+           (domain == DomainClass::Curvilinear ? 1 : 0);
+}
+
+/// A first mesh needs as many sites: the corners of a lattice, or those of one tetrahedron.
+std::uint32_t fewestSites(DomainClass domain)
+{
+    return domain == DomainClass::Scattered ? 4 : 8;
+}
+
 /// The number in the file of a tetrahedron that is dead.
 constexpr std::uint32_t gone = 0xffffffff;
-
-/// A bound on `error / extent` as a half.
-std::uint16_t ownErrorOf(float error, double extent)
-{
-    if (error <= 0)
-        return 0;
-    std::uint16_t half = halfRoundedUp(static_cast<float>(error / extent));
-    // The division and the conversion to float may each have rounded down.
-    while (static_cast<double>(halfToFloat(half)) * extent < static_cast<double>(error))
-        ++half;
-    return half;
-}
 
 class HistoryFileWriter final : public ModelWriter {
 public:
     HistoryFileWriter(FileWriter file, const Dataset& dataset, ModelDescription description)
-        : target_(file.target()), sections_(std::move(file), sectionCount), dataset_(dataset),
+        : target_(file.target()), sections_(std::move(file), sectionCount(dataset.domain)), dataset_(dataset),
           description_(std::move(description))
     {
     }
 
-    Status begin();
+    Status writeFront();
+    Status begin(const HistoryTraits& traits) override;
     Status add(const HistoryStep& step) override;
     Status finish(float finalError) override;
     Status finishEarly() override;
@@ -73,7 +77,7 @@ private:
     void storeMeshSizes();
     std::uint32_t madeCount() const noexcept { return static_cast<std::uint32_t>(storedNumbers_.size()); }
     Status writeOtherSites();
-    Status writeValues();
+    Status writeGeometry();
     template <class T> Status writeArray(SectionId id, const ChunkedArray<T>& array);
     Error inconsistent(const std::string& what) const;
     Error outOfMemory() const;
@@ -90,6 +94,7 @@ private:
     ChunkedArray<std::uint8_t> groupGoesOn_;
     ChunkedArray<std::uint32_t> destroyers_;
     ChunkedArray<std::uint16_t> ownErrors_;
+    ChunkedArray<std::uint16_t> ownWarpings_;
 
     ChunkedArray<std::uint32_t> finalNumbers_;  ///< in the file, of each of the builder's sites
     ChunkedArray<std::uint32_t> storedNumbers_; ///< in the file, of each of the builder's tetrahedra; gone when dead
@@ -105,7 +110,7 @@ private:
     std::int64_t meshSize_ = 0;        ///< and after the last batch in the file
 };
 
-Status HistoryFileWriter::begin()
+Status HistoryFileWriter::writeFront()
 {
     if (const Status reserved = sections_.reserveFront(); !reserved)
         return reserved;
@@ -120,6 +125,16 @@ Status HistoryFileWriter::begin()
         return written;
     sections_.end();
     return sections_.begin(SectionId::OtherSites, sizeof(otherSites_[0]));
+}
+
+Status HistoryFileWriter::begin(const HistoryTraits& traits)
+{
+    const bool lifted = description_.domain == DomainClass::Curvilinear;
+    if (siteCount() > 0 || !(traits.warpingWeight >= 0) || !std::isfinite(traits.warpingWeight) ||
+        lifted != (traits.warpingWeight > 0))
+        return inconsistent("its warping weight is " + std::to_string(traits.warpingWeight));
+    description_.warpingWeight = traits.warpingWeight;
+    return {};
 }
 
 Status HistoryFileWriter::add(const HistoryStep& step)
@@ -143,8 +158,10 @@ Status HistoryFileWriter::add(const HistoryStep& step)
 Status HistoryFileWriter::check(const HistoryStep& step) const
 {
     const std::uint32_t creator = siteCount();
-    if (step.point >= dataset_.lattice.pointCount() || creator == Model::never - 1)
+    if (step.point >= dataset_.pointCount() || creator == Model::never - 1)
         return inconsistent("point " + std::to_string(step.point) + " is not in the dataset");
+    if (description_.domain == DomainClass::Curvilinear && !(description_.warpingWeight > 0))
+        return inconsistent("curvilinear data need a warping weight");
     if (std::isnan(step.keyBefore) || step.keyBefore < 0)
         return inconsistent("the error before it is not a number of at least 0");
     if (step.star.size() > gone - storedNumbers_.size())
@@ -153,8 +170,9 @@ Status HistoryFileWriter::check(const HistoryStep& step) const
     for (const HistoryTetrahedron& tetrahedron : step.star) {
         if (std::ranges::any_of(tetrahedron.sites, [creator](std::uint32_t site) { return site >= creator; }))
             return inconsistent("a tetrahedron of its star has a site that comes after it");
-        if (!(tetrahedron.error >= 0))
-            return inconsistent("a tetrahedron of its star has an error that is not a number of at least 0");
+        if (!(tetrahedron.error >= 0) || !(tetrahedron.warping >= 0))
+            return inconsistent(
+                "a tetrahedron of its star has an error or a warping that is not a number of at least 0");
     }
     for (const std::uint32_t destroyed : step.destroyed)
         if (destroyed >= madeCount() || storedNumbers_[destroyed] == gone)
@@ -228,13 +246,16 @@ void HistoryFileWriter::storeTetrahedra()
     for (std::uint32_t i = 0; i < staying_.size(); ++i)
         starOrder_[starEnds_[staying_[i].sites[0] - batch_.firstSite()]++] = i;
     const double extent = description_.range.extent();
+    const double diagonal = description_.bounds.diagonal().norm();
     otherSites_.clear();
     for (const std::uint32_t i : starOrder_) {
         const auto& [sites, number] = staying_[i];
         otherSites_.push_back({sites[1], sites[2], sites[3]});
         storedNumbers_[batch_.firstTetrahedron() + number] = static_cast<std::uint32_t>(destroyers_.size());
         destroyers_.push_back(Model::never);
-        ownErrors_.push_back(ownErrorOf(made[number].error, extent));
+        ownErrors_.push_back(halfBound(made[number].error, extent));
+        if (description_.warpingWeight > 0)
+            ownWarpings_.push_back(halfBound(made[number].warping, diagonal));
     }
 }
 
@@ -261,8 +282,8 @@ Status HistoryFileWriter::writeOtherSites()
 
 Status HistoryFileWriter::finish(float finalError)
 {
-    if (siteCount() < cornerCount || alive_ == 0)
-        return inconsistent("a model needs at least the corners of its lattice");
+    if (siteCount() < fewestSites(description_.domain) || alive_ == 0)
+        return inconsistent("a model needs at least the sites of a first mesh");
     if (!(finalError >= 0) || !std::isfinite(finalError))
         return inconsistent("the final error is not a number of at least 0");
     try {
@@ -294,10 +315,11 @@ Status HistoryFileWriter::writeArrays(float finalError)
     starOffsets_.push_back(tetrahedronCount());
     sections_.end();
     for (const Status& written :
-         {writeArray(SectionId::SitePoints, points_), writeValues(),
+         {writeArray(SectionId::SitePoints, points_), writeSiteValues(sections_, dataset_, points_),
           writeArray(SectionId::SiteRunningErrors, runningErrors_), writeArray(SectionId::StarOffsets, starOffsets_),
           writeArray(SectionId::MeshSizes, meshSizes_), writeArray(SectionId::SiteGroups, groupGoesOn_),
-          writeArray(SectionId::Destroyers, destroyers_), writeArray(SectionId::OwnErrors, ownErrors_)})
+          writeArray(SectionId::Destroyers, destroyers_), writeArray(SectionId::OwnErrors, ownErrors_),
+          writeGeometry()})
         if (!written)
             return written;
     format::Header header = headerOf(description_);
@@ -318,23 +340,15 @@ template <class T> Status HistoryFileWriter::writeArray(SectionId id, const Chun
     return {};
 }
 
-Status HistoryFileWriter::writeValues()
+/// What only domains that are no regular lattices have.
+Status HistoryFileWriter::writeGeometry()
 {
-    return visitSampleType(dataset_.values.type(), [this]<class T>() -> Status {
-        if (const Status begun = sections_.begin(SectionId::SiteValues, sizeof(T)); !begun)
-            return begun;
-        const std::span<const T> samples = dataset_.values.as<T>();
-        std::vector<T> values;
-        for (std::size_t number = 0; number < points_.chunkCount(); ++number) {
-            const std::span<const std::uint32_t> points = points_.chunk(number);
-            values.resize(points.size());
-            std::ranges::transform(points, values.begin(), [samples](std::uint32_t point) { return samples[point]; });
-            if (const Status written = sections_.add(std::as_bytes(std::span(values))); !written)
-                return written;
-        }
-        sections_.end();
+    if (description_.domain == DomainClass::RegularLattice)
         return {};
-    });
+    const Status positions = writeSitePositions(sections_, dataset_, points_);
+    if (!positions || description_.domain != DomainClass::Curvilinear)
+        return positions;
+    return writeArray(SectionId::OwnWarpings, ownWarpings_);
 }
 
 Error HistoryFileWriter::inconsistent(const std::string& what) const
@@ -356,11 +370,14 @@ Error HistoryFileWriter::outOfMemory() const
 Result<std::unique_ptr<ModelWriter>> ModelWriter::create(const std::filesystem::path& path, const Dataset& dataset,
                                                          ModelDescription description)
 {
-    if (dataset.lattice.pointCount() > (1ull << 32))
+    if (dataset.pointCount() > (1ull << 32))
         return Error{ErrorKind::OutOfResource, "A model holds at most 4294967296 points, and '" + dataset.source.name +
-                                                   "' has " + std::to_string(dataset.lattice.pointCount()) +
+                                                   "' has " + std::to_string(dataset.pointCount()) +
                                                    ". Take a part of it."};
+    description.domain = dataset.domain;
     description.lattice = dataset.lattice;
+    description.bounds = dataset.bounds();
+    description.leftHanded = dataset.domain == DomainClass::Curvilinear && isLeftHanded(dataset);
     description.sampleType = dataset.values.type();
     description.range = dataset.values.range();
     description.sourceName = dataset.source.name;
@@ -369,7 +386,7 @@ Result<std::unique_ptr<ModelWriter>> ModelWriter::create(const std::filesystem::
     if (!file)
         return file.error();
     auto writer = std::make_unique<HistoryFileWriter>(std::move(*file), dataset, std::move(description));
-    if (const Status begun = writer->begin(); !begun)
+    if (const Status begun = writer->writeFront(); !begun)
         return begun.error();
     return std::unique_ptr<ModelWriter>(std::move(writer));
 }

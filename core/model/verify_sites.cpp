@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/checksum.h"
 #include "core/model/findings.h"
 #include "core/model/verify_parts.h"
 
@@ -10,10 +9,13 @@ namespace tetra {
 
 namespace {
 
-std::string sizeText(const Lattice& lattice)
+/// "5 x 4 x 6 samples of type uint8"; a domain that is no regular lattice comes first.
+std::string kindText(DomainClass domain, const Lattice& lattice, SampleType type)
 {
-    return std::to_string(lattice.size[0]) + " x " + std::to_string(lattice.size[1]) + " x " +
-           std::to_string(lattice.size[2]);
+    const std::string kind =
+        domain == DomainClass::RegularLattice ? std::string() : std::string(domainClassName(domain)) + ", ";
+    return kind + std::to_string(lattice.size[0]) + " x " + std::to_string(lattice.size[1]) + " x " +
+           std::to_string(lattice.size[2]) + " samples of type " + std::string(sampleTypeName(type));
 }
 
 std::string hexadecimal(std::uint64_t number)
@@ -126,20 +128,24 @@ bool verifySource(const Model& model, const Dataset& original, std::vector<std::
 {
     const ModelDescription& description = model.description();
     const Lattice& lattice = original.lattice;
-    if (description.lattice.size != lattice.size || description.sampleType != original.values.type()) {
-        failures.push_back("The model was built from another dataset: " + sizeText(description.lattice) +
-                           " samples of type " + std::string(sampleTypeName(description.sampleType)) + " ('" +
-                           description.sourceName + "'), and '" + original.source.name + "' has " + sizeText(lattice) +
-                           " of type " + std::string(sampleTypeName(original.values.type())) + ".");
+    if (description.domain != original.domain || description.lattice.size != lattice.size ||
+        description.sampleType != original.values.type()) {
+        failures.push_back("The model was built from another dataset: " +
+                           kindText(description.domain, description.lattice, description.sampleType) + " ('" +
+                           description.sourceName + "'), and '" + original.source.name + "' has " +
+                           kindText(original.domain, lattice, original.values.type()) + ".");
         return false;
     }
-    const std::uint64_t hash = checksum(original.values.bytes());
+    const std::uint64_t hash = contentHash(original.values, original.positions);
     if (description.sourceHash != hash)
-        failures.push_back("The model was built from other samples ('" + description.sourceName + "', XXH3 " +
-                           hexadecimal(description.sourceHash) + ") than those of '" + original.source.name +
-                           "' (XXH3 " + hexadecimal(hash) + ").");
+        failures.push_back("The model was built from other samples or positions ('" + description.sourceName +
+                           "', XXH3 " + hexadecimal(description.sourceHash) + ") than those of '" +
+                           original.source.name + "' (XXH3 " + hexadecimal(hash) + ").");
     if (description.lattice.spacing != lattice.spacing || description.lattice.origin != lattice.origin)
         failures.emplace_back("The spacing or the origin of the lattice is not that of the original.");
+    const Eigen::AlignedBox3d bounds = original.bounds();
+    if (description.bounds.min() != bounds.min() || description.bounds.max() != bounds.max())
+        failures.emplace_back("The bounding box is not that of the original.");
     const ValueRange range = original.values.range();
     if (description.range.minimum != range.minimum || description.range.maximum != range.maximum)
         failures.push_back("The value range is " + textOf(description.range.minimum) + " to " +

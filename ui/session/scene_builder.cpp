@@ -67,7 +67,7 @@ try {
         built.extractionSeconds = secondsSince(start);
     }
     if (!session || renderer != request.renderer) {
-        session = request.renderer->open(mesh, request.model->description().lattice.bounds());
+        session = request.renderer->open(mesh, request.model->description().bounds);
         renderer = request.renderer;
     }
     auto scene = session->prepare(request.values, request.camera, progress.part(0.5, 1));

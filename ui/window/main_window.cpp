@@ -240,7 +240,7 @@ void MainWindow::fillRecent()
 void MainWindow::fit()
 {
     if (const auto& model = workbench_.session().model())
-        viewport_->fit(model->description().lattice.bounds());
+        viewport_->fit(model->description().bounds);
 }
 
 void MainWindow::showFile()

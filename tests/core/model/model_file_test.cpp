@@ -262,8 +262,7 @@ void ModelFileTest::whatCannotBeReadIsRefused_data()
     row(
         "byte order", [](FileParts& f) { f.header().byteOrderMark = 0x04030201; }, "the other byte order");
     row(
-        "domain", [](FileParts& f) { f.header().domainClass = 1; },
-        "a model of a curvilinear grid, which this version");
+        "domain", [](FileParts& f) { f.header().domainClass = 2; }, "a model of an irregular mesh, which this version");
     row(
         "far domain", [](FileParts& f) { f.header().domainClass = 77; }, "domain class 77, which this version cannot");
     row(
@@ -356,7 +355,8 @@ void ModelFileTest::aWrongHistoryIsNotWritten_data()
     row(
         "order", [](RecordedHistory& h) { h.steps[9].star[0].sites[1] = 9; }, "a site that comes after it");
     row(
-        "own error", [](RecordedHistory& h) { h.steps[9].star[0].error = NAN; }, "an error that is not a number");
+        "own error", [](RecordedHistory& h) { h.steps[9].star[0].error = NAN; },
+        "an error or a warping that is not a number");
     row(
         "error", [](RecordedHistory& h) { h.steps[9].keyBefore = -1; }, "the error before it is not a number");
     row(
@@ -364,7 +364,7 @@ void ModelFileTest::aWrongHistoryIsNotWritten_data()
     row(
         "dead", [](RecordedHistory& h) { h.steps[9].destroyed = h.steps[8].destroyed; }, "which is not in the mesh");
     row(
-        "few", [](RecordedHistory& h) { h.steps.resize(7); }, "needs at least the corners");
+        "few", [](RecordedHistory& h) { h.steps.resize(7); }, "needs at least the sites of a first mesh");
     row(
         "final", [](RecordedHistory& h) { h.finalError = INFINITY; }, "the final error is not a number");
 }

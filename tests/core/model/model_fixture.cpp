@@ -38,6 +38,33 @@ Dataset bumps(SampleType type, std::array<std::uint32_t, 3> size)
     });
 }
 
+Dataset bentBumps(SampleType type, std::array<std::uint32_t, 3> size, bool precise, bool mirrored)
+{
+    Dataset dataset = bumps(type, size);
+    auto positions = std::make_shared<std::vector<Eigen::Vector3d>>();
+    for (std::uint64_t point = 0; point < dataset.pointCount(); ++point) {
+        const auto c = dataset.lattice.coordinates(point);
+        const double angle = 0.07 * c[0];
+        const double radius = 9 + 0.8 * c[1] + 0.1 * std::sin(1.7 * c[2]);
+        Eigen::Vector3d place(-radius * std::cos(angle), radius * std::sin(angle), 1.5 * c[2] + 0.02 * c[0] * c[1]);
+        if (mirrored)
+            place[0] = -place[0];
+        positions->push_back(precise ? place : place.cast<float>().cast<double>());
+    }
+    dataset.domain = DomainClass::Curvilinear;
+    dataset.lattice = {dataset.lattice.size, {1, 1, 1}, {0, 0, 0}};
+    dataset.positions = positions;
+    dataset.source.name = "bent " + dataset.source.name;
+    dataset.source.hash = contentHash(dataset.values, dataset.positions);
+    return dataset;
+}
+
+Status RecordedHistory::begin(const HistoryTraits& given)
+{
+    traits = given;
+    return {};
+}
+
 Status RecordedHistory::add(const HistoryStep& step)
 {
     steps.push_back({step.point,
@@ -105,6 +132,8 @@ const RecordedHistory& historyOf(const Dataset& dataset)
 
 Status replay(const RecordedHistory& history, HistorySink& sink)
 {
+    if (const Status begun = sink.begin(history.traits); !begun)
+        return begun;
     for (const RecordedHistory::Step& step : history.steps)
         if (const Status added = sink.add({step.point, step.keyBefore, step.star, step.destroyed}); !added)
             return added;

@@ -16,6 +16,10 @@ namespace tetra {
 /// A lattice of smooth bumps, with spacings and an origin of their own.
 Dataset bumps(SampleType type, std::array<std::uint32_t, 3> size);
 
+/// The same values on a grid that is bent in physical space, gently enough that no tetrahedron ever flips; with
+/// positions that floats hold or, `precise`, that they do not; `mirrored` makes it left-handed.
+Dataset bentBumps(SampleType type, std::array<std::uint32_t, 3> size, bool precise = false, bool mirrored = false);
+
 /// A history in memory, as it was handed over.
 struct RecordedHistory final : HistorySink {
     struct Step {
@@ -24,9 +28,11 @@ struct RecordedHistory final : HistorySink {
         std::vector<HistoryTetrahedron> star;
         std::vector<std::uint32_t> destroyed;
     };
+    HistoryTraits traits;
     std::vector<Step> steps;
     float finalError = -1;
 
+    Status begin(const HistoryTraits& given) override;
     Status add(const HistoryStep& step) override;
     Status finish(float error) override;
 

@@ -50,6 +50,8 @@ struct Cell {
     Sites sites{};
     bool alive = true;
     double error = 0;
+    double warping = 0;
+    double key = 0; ///< the larger of the error and the weighted warping
     std::uint64_t worst = 0;
 };
 
@@ -57,7 +59,7 @@ class SlowRefinement {
 public:
     SlowRefinement(const Dataset& dataset, HistorySink& sink) : dataset_(dataset), sink_(sink) {}
 
-    Status run(double stopError);
+    Status run(double stopKey);
 
 private:
     Status start();
@@ -71,6 +73,7 @@ private:
 
     const Dataset& dataset_;
     HistorySink& sink_;
+    double warpingWeight_ = 0;
     std::vector<std::uint64_t> points_;
     std::vector<Cell> cells_;
 };
@@ -99,8 +102,16 @@ void SlowRefinement::measure(Cell& cell) const
             difference += static_cast<double>(weights[i]) *
                           (dataset_.values.at(points_[cell.sites[i]]) - dataset_.values.at(point));
         const double error = std::abs(difference) / volume;
-        if (error > cell.error) {
-            cell.error = error;
+        Eigen::Vector3d offset(0, 0, 0);
+        if (dataset_.positions)
+            for (int i = 0; i < 4; ++i)
+                offset += static_cast<double>(weights[i]) / volume *
+                          (dataset_.position(points_[cell.sites[i]]) - dataset_.position(point));
+        const double key = std::max(error, warpingWeight_ * offset.norm());
+        cell.error = std::max(cell.error, error);
+        cell.warping = std::max(cell.warping, offset.norm());
+        if (key > cell.key) {
+            cell.key = key;
             cell.worst = point;
         }
     }
@@ -110,7 +121,7 @@ const Cell* SlowRefinement::worst() const
 {
     const Cell* worst = nullptr;
     for (const Cell& cell : cells_)
-        if (cell.alive && (worst == nullptr || cell.error > worst->error))
+        if (cell.alive && (worst == nullptr || cell.key > worst->key))
             worst = &cell;
     return worst;
 }
@@ -173,28 +184,32 @@ Status SlowRefinement::hand(std::uint64_t point, double keyBefore, const std::ve
         Cell cell{sites};
         measure(cell);
         cells_.push_back(cell);
-        history.push_back({{sites[1], sites[2], sites[3]}, roundedUp(cell.error)});
+        history.push_back({{sites[1], sites[2], sites[3]}, roundedUp(cell.error), roundedUp(cell.warping)});
     }
     return sink_.add({point, roundedUp(keyBefore), history, destroyed});
 }
 
-Status SlowRefinement::run(double stopError)
+Status SlowRefinement::run(double stopKey)
 {
+    if (dataset_.positions)
+        warpingWeight_ = dataset_.values.range().extent() / dataset_.bounds().diagonal().norm();
+    if (const Status begun = sink_.begin({warpingWeight_}); !begun)
+        return begun;
     if (const Status started = start(); !started)
         return started;
     const Cell* next = worst();
-    for (; next->error > stopError; next = worst())
-        if (const Status inserted = insert(next->worst, next->error); !inserted)
+    for (; next->key > stopKey; next = worst())
+        if (const Status inserted = insert(next->worst, next->key); !inserted)
             return inserted;
-    const auto finalError = static_cast<float>(next->error);
+    const auto finalError = static_cast<float>(next->key);
     return sink_.finish(std::nextafter(finalError, finalError > 0 ? std::numeric_limits<float>::infinity() : 0));
 }
 
 } // namespace
 
-Status refineSlowly(const Dataset& dataset, HistorySink& sink, double stopError)
+Status refineSlowly(const Dataset& dataset, HistorySink& sink, double stopKey)
 {
-    return SlowRefinement(dataset, sink).run(stopError);
+    return SlowRefinement(dataset, sink).run(stopKey);
 }
 
 } // namespace tetra

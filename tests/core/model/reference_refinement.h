@@ -8,7 +8,7 @@ namespace tetra {
 
 /// Greedy refinement as the paper tells it, of a small lattice, with no care for time: every point tested against every
 /// tetrahedron. Shares nothing with core/mesh, so that what reads histories is tested against a second source.
-/// Stops when no point's error exceeds `stopError`.
-Status refineSlowly(const Dataset& dataset, HistorySink& sink, double stopError = 0);
+/// Stops when no point's error exceeds `stopKey`.
+Status refineSlowly(const Dataset& dataset, HistorySink& sink, double stopKey = 0);
 
 } // namespace tetra

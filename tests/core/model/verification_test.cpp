@@ -124,7 +124,7 @@ private slots:
                  qPrintable(textOf(*otherType)));
         QVERIFY(textOf(*otherType).contains("0 %: Not checked"));
         const auto otherSize = verify(**model, bumps(SampleType::UInt8, {5, 4, 7}), {{0}});
-        QVERIFY(textOf(*otherSize).contains("has 5 x 4 x 7 of type uint8"));
+        QVERIFY(textOf(*otherSize).contains("has 5 x 4 x 7 samples of type uint8"));
 
         auto samples = std::make_shared<std::vector<std::uint8_t>>();
         std::ranges::copy(dataset_.values.as<std::uint8_t>(), std::back_inserter(*samples));

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/data/dataset.h"
+#include "core/model/chunked_array.h"
+#include "core/model/section_writer.h"
+
+#include <cstdint>
+
+namespace tetra {
+
+/// Writes the section of the sites' values; `points` are the sites' points in `dataset`.
+Status writeSiteValues(SectionWriter& sections, const Dataset& dataset, const ChunkedArray<std::uint32_t>& points);
+
+/// Writes the section of the sites' positions for a dataset that has positions: in floats if they hold each of its
+/// coordinates exactly, else in doubles.
+Status writeSitePositions(SectionWriter& sections, const Dataset& dataset, const ChunkedArray<std::uint32_t>& points);
+
+} // namespace tetra
