@@ -15,6 +15,7 @@ namespace tetra {
 /// Vectors of the compiler; wider ones than the machine has are done in pieces. For use inside functions only: how they
 /// are passed differs between instruction sets.
 using Float8 = float __attribute__((vector_size(32)));
+using Float4 = float __attribute__((vector_size(16)));
 using Int8 = int __attribute__((vector_size(32)));
 using Double8 = double __attribute__((vector_size(64)));
 using Long8 = long __attribute__((vector_size(64)));

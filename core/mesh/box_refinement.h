@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace tetra {
@@ -22,6 +23,7 @@ public:
                                         HistorySink& sink, const Progress& progress);
 
 private:
+    static constexpr std::uint32_t none = 0xffffffff;
     /// What is kept for each slot besides its geometry.
     struct SlotState {
         std::uint32_t history; ///< its tetrahedron's number in the history
@@ -33,9 +35,11 @@ private:
     Status addCorners();
     Result<LatticeRefinementResult> refine(const Progress& progress);
     Status insertWorst(PointBucket worst);
-    void collectDestroyed();
-    float fillBucket(std::uint32_t slot, std::size_t face);
+    void fetchAhead() const;
+    void collectDestroyed(PackedPoint apex);
+    void fillBuckets(std::span<const std::uint32_t> slots);
     std::uint32_t takeBucketNumber();
+    std::span<const PointBucket> buckets() const { return {buckets_.data(), bucketCount_}; }
     bool counts(float error) const { return error > options_.stopError; }
     std::uint64_t wholeIndex(PackedPoint point) const;
 
@@ -45,20 +49,22 @@ private:
     PackedLattice lattice_{{2, 2, 2}};
     LatticeDelaunay delaunay_;
     PointPool pool_;
-    std::vector<PointBucket> buckets_;
+    ReservedArray<PointBucket> buckets_;
+    std::uint32_t bucketCount_ = 0; ///< in use or once used
     std::vector<std::uint32_t> freeBuckets_;
     ErrorQueue queue_;
     ReservedArray<SlotState> slots_;
-    ReservedArray<std::uint32_t> siteOfPoint_; ///< of no meaning before the point is a site
+    Star startStar_;
     Relocation relocation_;
     std::uint64_t pointsAboveStop_ = 0; ///< points in tetrahedra that must still be refined: what is left to do
     std::uint32_t siteCount_ = 0;
     std::uint64_t tetrahedronCount_ = 0;
 
-    std::vector<PackedPoint> points_;
+    Buffer<PackedPoint> points_;
+    Buffer<std::uint32_t> filledFaces_;
+    Buffer<std::uint32_t> places_;
     std::vector<std::uint32_t> destroyedHistory_;
     std::vector<std::uint32_t> destroyedBuckets_;
-    std::vector<std::uint32_t> rimSites_;
     std::vector<HistoryTetrahedron> starHistory_;
     std::array<float, LatticeDelaunay::startCount> startErrors_{};
 };

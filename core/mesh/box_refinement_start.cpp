@@ -34,16 +34,19 @@ Status BoxRefinement::distributeStart()
                     ++slot;
                 inside[slot].push_back(point);
             }
-    Star star;
+    Star& star = startStar_;
     if (Status status = star.attach(lattice_); !status)
         return status;
     for (std::uint32_t slot = 0; slot < LatticeDelaunay::startCount; ++slot) {
         const auto& vertices = delaunay_[slot].vertices;
-        star.clear(vertices[0]);
-        star.addFace(vertices[1], vertices[2], vertices[3]);
-        star.finish({1, 1, 1});
+        star.set(vertices[0], {{{vertices[1], vertices[2], vertices[3]}}}, {1, 1, 1});
+        slots_[slot].bucket = none;
+        startErrors_[slot] = 0;
+        if (inside[slot].empty())
+            continue;
         relocation_.run(lattice_, *samples_, star, inside[slot]);
-        startErrors_[slot] = fillBucket(slot, 0);
+        fillBuckets({&slot, 1});
+        startErrors_[slot] = relocation_.worstError(0);
         std::vector<PackedPoint>().swap(inside[slot]);
     }
     return {};
@@ -57,14 +60,15 @@ Status BoxRefinement::addCorners()
     for (std::uint32_t corner = 0; corner < points.size(); ++corner) {
         points[corner] = lattice_.pack((corner & 1) * (size[0] - 1), (corner >> 1 & 1) * (size[1] - 1),
                                        (corner >> 2 & 1) * (size[2] - 1));
-        siteOfPoint_[lattice_.index(points[corner])] = corner;
+        delaunay_.label(points[corner], corner);
     }
     for (const PackedPoint point : points) {
         starHistory_.clear();
         for (std::uint32_t slot = 0; slot < LatticeDelaunay::startCount; ++slot) {
             std::array<std::uint32_t, 4> sites{};
             for (std::size_t i = 0; i < 4; ++i)
-                sites[i] = siteOfPoint_[lattice_.index(delaunay_[slot].vertices[i])];
+                sites[i] =
+                    static_cast<std::uint32_t>(std::ranges::find(points, delaunay_[slot].vertices[i]) - points.begin());
             const auto latest = static_cast<std::size_t>(std::ranges::max_element(sites) - sites.begin());
             if (sites[latest] != siteCount_)
                 continue;
@@ -89,7 +93,7 @@ Status BoxRefinement::start()
         return status;
     lattice_ = delaunay_.lattice();
     queue_.start(roundedUp(options_.valueExtent));
-    buckets_.clear();
+    bucketCount_ = 0;
     freeBuckets_.clear();
     pointsAboveStop_ = 0;
     siteCount_ = 0;
@@ -97,9 +101,9 @@ Status BoxRefinement::start()
     const std::uint64_t pointCount = std::uint64_t(size[0]) * size[1] * size[2];
     if (Status status = pool_.reserve(pointCount); !status)
         return status;
-    if (Status status = slots_.ensure(delaunay_.capacity(), "the state of the refinement's tetrahedra"); !status)
+    if (Status status = buckets_.ensure(pointCount, "the lists of the refinement's points"); !status)
         return status;
-    if (Status status = siteOfPoint_.ensure(pointCount, "the numbers of the sites"); !status)
+    if (Status status = slots_.ensure(delaunay_.capacity(), "the state of the refinement's tetrahedra"); !status)
         return status;
     if (Status status = distributeStart(); !status)
         return status;

@@ -12,55 +12,62 @@ namespace {
 /// The largest coordinate for which every sum of the plane tests, at most 6 c^3, is exact in a float.
 constexpr double exactReachOfFloat = 140;
 
-/// owners[i] = the last face whose cone, seen from the apex, contains point i. `pconeSearchLanes` holds three normals
-/// of four numbers for each face. Branch free: every face is tested.
-template <class Real, class Numbers, class Mask>
-[[gnu::always_inline]] inline void findOwnersIn(const Real* pconeSearchLanes, std::size_t stride, std::size_t faceCount,
-                                                std::size_t pointCount, const float* x, const float* y, const float* z,
-                                                std::int32_t* owners)
+/// The owners of `groups` times eight points from number `i`, which share the loading of the planes. `planes` holds
+/// three normals of four numbers for each face. Branch free: every face is tested.
+template <std::size_t groups, class Numbers, class Mask, class Real>
+[[gnu::always_inline]] inline void findOwnersAt(std::size_t i, const Real* planes, std::size_t stride,
+                                                std::size_t faceCount, const ConePoints& points, std::int32_t* owners)
 {
-    const auto load = [](Numbers& to, const float* from) {
+    const auto load = [i](Numbers& to, std::span<const float> from, std::size_t group) {
         Float8 numbers;
-        std::memcpy(&numbers, from, sizeof numbers);
+        std::memcpy(&numbers, from.data() + i + group * coneSearchLanes, sizeof numbers);
         to = __builtin_convertvector(numbers, Numbers);
     };
-    for (std::size_t i = 0; i < pointCount; i += coneSearchLanes) {
-        Numbers px, py, pz;
-        load(px, x + i);
-        load(py, y + i);
-        load(pz, z + i);
-        Mask owner = {};
-        Mask face = {};
-        for (const Real* plane = pconeSearchLanes; plane != pconeSearchLanes + stride * faceCount; plane += stride) {
-            const Numbers side0 = plane[0] * px + plane[1] * py + plane[2] * pz;
-            const Numbers side1 = plane[4] * px + plane[5] * py + plane[6] * pz;
-            const Numbers side2 = plane[8] * px + plane[9] * py + plane[10] * pz;
+    Numbers x[groups], y[groups], z[groups];
+    Mask owner[groups] = {};
+    for (std::size_t group = 0; group < groups; ++group) {
+        load(x[group], points.x, group);
+        load(y[group], points.y, group);
+        load(z[group], points.z, group);
+    }
+    Mask face = {};
+    for (const Real* plane = planes; plane != planes + stride * faceCount; plane += stride) {
+        for (std::size_t group = 0; group < groups; ++group) {
+            const Numbers side0 = plane[0] * x[group] + plane[1] * y[group] + plane[2] * z[group];
+            const Numbers side1 = plane[4] * x[group] + plane[5] * y[group] + plane[6] * z[group];
+            const Numbers side2 = plane[8] * x[group] + plane[9] * y[group] + plane[10] * z[group];
             const Mask inside = (side0 >= 0) & (side1 >= 0) & (side2 >= 0);
-            owner = inside ? face : owner;
-            face += 1;
+            owner[group] = inside ? face : owner[group];
         }
-        const auto narrow = __builtin_convertvector(owner, Int8);
-        std::memcpy(owners + i, &narrow, sizeof narrow);
+        face += 1;
+    }
+    for (std::size_t group = 0; group < groups; ++group) {
+        const auto narrow = __builtin_convertvector(owner[group], Int8);
+        std::memcpy(owners + i + group * coneSearchLanes, &narrow, sizeof narrow);
     }
 }
 
-TETRA_SIMD_CLONES void findOwnersFloat(std::span<const Star::Face> faces, float* pconeSearchLanes,
-                                       std::size_t pointCount, const float* x, const float* y, const float* z,
-                                       std::int32_t* owners)
+TETRA_SIMD_CLONES void findOwnersFloat(std::span<const Star::Face> faces, float* planes, const ConePoints& points,
+                                       std::span<std::int32_t> owners)
 {
     for (std::size_t face = 0; face < faces.size(); ++face) {
         const double* const normals = faces[face].normalBC.data();
         for (std::size_t k = 0; k < 12; ++k)
-            pconeSearchLanes[12 * face + k] = static_cast<float>(normals[k]);
+            planes[12 * face + k] = static_cast<float>(normals[k]);
     }
-    findOwnersIn<float, Float8, Int8>(pconeSearchLanes, 12, faces.size(), pointCount, x, y, z, owners);
+    std::size_t i = 0;
+    for (; i + coneSearchLanes < owners.size(); i += 2 * coneSearchLanes)
+        findOwnersAt<2, Float8, Int8>(i, planes, 12, faces.size(), points, owners.data());
+    if (i < owners.size())
+        findOwnersAt<1, Float8, Int8>(i, planes, 12, faces.size(), points, owners.data());
 }
 
-TETRA_SIMD_CLONES void findOwnersDouble(std::span<const Star::Face> faces, std::size_t pointCount, const float* x,
-                                        const float* y, const float* z, std::int32_t* owners)
+TETRA_SIMD_CLONES void findOwnersDouble(std::span<const Star::Face> faces, const ConePoints& points,
+                                        std::span<std::int32_t> owners)
 {
-    findOwnersIn<double, Double8, Long8>(faces[0].normalBC.data(), sizeof(Star::Face) / sizeof(double), faces.size(),
-                                         pointCount, x, y, z, owners);
+    for (std::size_t i = 0; i < owners.size(); i += coneSearchLanes)
+        findOwnersAt<1, Double8, Long8>(i, faces[0].normalBC.data(), sizeof(Star::Face) / sizeof(double), faces.size(),
+                                        points, owners.data());
 }
 
 } // namespace
@@ -69,10 +76,9 @@ void findCones(const Star& star, const ConePoints& points, Buffer<float>& planes
 {
     if (star.reach() <= exactReachOfFloat) {
         planes.resize(12 * star.faceCount());
-        findOwnersFloat(star.faces(), planes.data(), owners.size(), points.x.data(), points.y.data(), points.z.data(),
-                        owners.data());
+        findOwnersFloat(star.faces(), planes.data(), points, owners);
     } else {
-        findOwnersDouble(star.faces(), owners.size(), points.x.data(), points.y.data(), points.z.data(), owners.data());
+        findOwnersDouble(star.faces(), points, owners);
     }
 }
 

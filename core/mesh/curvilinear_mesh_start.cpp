@@ -68,9 +68,7 @@ void CurvilinearMesh::distribute(std::uint32_t block, std::uint32_t firstSlot)
     for (std::uint32_t number = 0; number < LatticeDelaunay::startCount; ++number) {
         const std::uint32_t slot = firstSlot + number;
         const auto& vertices = delaunay_[slot].vertices;
-        startStar_.clear(vertices[0]);
-        startStar_.addFace(vertices[1], vertices[2], vertices[3]);
-        startStar_.finish({1, 1, 1});
+        startStar_.set(vertices[0], {{{vertices[1], vertices[2], vertices[3]}}}, {1, 1, 1});
         relocation_.run(grid_, startStar_, inside[number]);
         slots_[slot] = {none, none, block, 1};
         startAccuracies_.push_back(fillBucket(slot, 0, delaunay_[slot].determinant()));

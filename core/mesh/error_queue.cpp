@@ -18,13 +18,13 @@ void ErrorQueue::start(float largestError)
     firstClass_ = largest < classCount ? 0 : largest - classCount + 1;
 }
 
-bool ErrorQueue::current(const Candidate& candidate, const std::vector<PointBucket>& buckets) const
+bool ErrorQueue::current(const Candidate& candidate, std::span<const PointBucket> buckets) const
 {
     const PointBucket& bucket = buckets[candidate.bucket];
     return bucket.count > 0 && this->candidate(candidate.bucket, bucket).key == candidate.key;
 }
 
-std::uint32_t ErrorQueue::top(const std::vector<PointBucket>& buckets)
+std::uint32_t ErrorQueue::top(std::span<const PointBucket> buckets)
 {
     do {
         while (!sorted_.empty() && !current(sorted_.back(), buckets)) {
@@ -44,7 +44,7 @@ std::uint32_t ErrorQueue::top(const std::vector<PointBucket>& buckets)
     return none;
 }
 
-bool ErrorQueue::openNextClass(const std::vector<PointBucket>& buckets)
+bool ErrorQueue::openNextClass(std::span<const PointBucket> buckets)
 {
     while (foremost_ > 0 && classes_[foremost_].empty())
         --foremost_;
@@ -61,7 +61,7 @@ bool ErrorQueue::openNextClass(const std::vector<PointBucket>& buckets)
     return true;
 }
 
-void ErrorQueue::sweep(const std::vector<PointBucket>& buckets)
+void ErrorQueue::sweep(std::span<const PointBucket> buckets)
 {
     for (std::vector<Waiting>& waiting : classes_) {
         const std::size_t before = waiting.size();

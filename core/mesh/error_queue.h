@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace tetra {
@@ -43,14 +44,16 @@ public:
 
     /// The bucket of the largest error, or none. It stays in the queue until its content changes.
     static constexpr std::uint32_t none = 0xffffffff;
-    std::uint32_t top(const std::vector<PointBucket>& buckets);
+    std::uint32_t top(std::span<const PointBucket> buckets);
 
-    /// A bucket that will probably be the next top once the present one has changed, or none; a hint for fetching
-    /// ahead.
-    std::uint32_t probableNext() const { return sorted_.size() < 2 ? none : sorted_[sorted_.size() - 2].bucket; }
+    /// A bucket that will probably be the top after `ahead` others, or none; a hint for fetching ahead.
+    std::uint32_t probableNext(std::size_t ahead) const
+    {
+        return sorted_.size() <= ahead ? none : sorted_[sorted_.size() - 1 - ahead].bucket;
+    }
 
     /// Drops what has changed; worth calling when `live` buckets are far fewer than entryCount().
-    void sweep(const std::vector<PointBucket>& buckets);
+    void sweep(std::span<const PointBucket> buckets);
     std::uint64_t entryCount() const noexcept { return entryCount_; }
 
 private:
@@ -78,8 +81,8 @@ private:
     {
         return {std::uint64_t(std::bit_cast<std::uint32_t>(content.error)) << 32 | ~content.worst, bucket};
     }
-    bool openNextClass(const std::vector<PointBucket>& buckets);
-    bool current(const Candidate& candidate, const std::vector<PointBucket>& buckets) const;
+    bool openNextClass(std::span<const PointBucket> buckets);
+    bool current(const Candidate& candidate, std::span<const PointBucket> buckets) const;
 
     std::vector<std::vector<Waiting>> classes_;
     std::vector<Candidate> sorted_; ///< the open class when it was opened, the largest last

@@ -16,7 +16,7 @@ constexpr std::uint8_t faceVertices[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0
 /// Slots for every tetrahedron that can be alive at once: six to seven a vertex, with room to spare.
 std::uint64_t slotCapacity(const std::array<std::uint32_t, 3>& size)
 {
-    return std::min<std::uint64_t>(10 * (std::uint64_t(size[0]) * size[1] * size[2]) + 4096, 0xfffffff0);
+    return 10 * (std::uint64_t(size[0]) * size[1] * size[2]) + 4096;
 }
 
 } // namespace
@@ -39,12 +39,14 @@ Status LatticeDelaunay::prepare(const std::array<std::uint32_t, 3>& size, const 
     lattice_ = PackedLattice(size);
     for (std::size_t axis = 0; axis < 3; ++axis)
         weights_[axis] = metric[axis];
-    if (const Status status = tetrahedra_.ensure(slots, "the tetrahedra of the refinement"); !status)
+    slotCapacity_ = std::min<std::uint64_t>(slots, 0x7ffffff0);
+    if (const Status status = tetrahedra_.ensure(slotCapacity_ + 1, "the tetrahedra of the refinement"); !status)
         return status;
     if (Status status = star_.attach(lattice_); !status)
         return status;
     freeSlots_.clear();
     slotCount_ = 0;
+    records()[-1] = {};
     return {};
 }
 
@@ -63,29 +65,25 @@ std::uint32_t LatticeDelaunay::addBox(const LatticeBox& box, bool centreAtOrigin
         std::array<PackedPoint, 4> vertices{};
         for (std::size_t i = 0; i < 4; ++i)
             vertices[i] = corners[cutAtOdd[number][i] ^ (centreAtOrigin ? 0u : 1u)];
-        const auto setStar = [&] {
-            star_.clear(vertices[0]);
-            star_.addFace(vertices[1], vertices[2], vertices[3]);
-            star_.finish(weights_);
-        };
+        const auto setStar = [&] { star_.set(vertices[0], {{{vertices[1], vertices[2], vertices[3]}}}, weights_); };
         setStar();
         if (star_.faces()[0].determinant() < 0) {
             std::swap(vertices[2], vertices[3]);
             setStar();
         }
-        tetrahedra_[start + number] = {vertices, {none, none, none, none}, star_.faces()[0].sphere};
+        records()[start + number] = {vertices, {none, none, none, none}, star_.faces()[0].sphere};
     }
-    DelaunayTetrahedron& centre = tetrahedra_[start + 4];
+    DelaunayTetrahedron& centre = records()[start + 4];
     for (std::uint32_t slot = start; slot < start + 4; ++slot) {
-        tetrahedra_[slot].neighbours[0] = start + 4;
+        records()[slot].neighbours[0] = start + 4;
         for (std::size_t i = 0; i < 4; ++i)
-            if (std::ranges::find(tetrahedra_[slot].vertices, centre.vertices[i]) == tetrahedra_[slot].vertices.end())
+            if (std::ranges::find(at(slot).vertices, centre.vertices[i]) == at(slot).vertices.end())
                 centre.neighbours[i] = slot;
     }
     return start;
 }
 
-bool LatticeDelaunay::onHullPlane(PackedPoint point, const DelaunayTetrahedron& tetrahedron, std::uint8_t face) const
+bool LatticeDelaunay::onHullPlane(PackedPoint point, const DelaunayTetrahedron& tetrahedron, std::uint32_t face) const
 {
     const PackedPoint a = tetrahedron.vertices[faceVertices[face][0]];
     const PackedPoint b = tetrahedron.vertices[faceVertices[face][1]];
@@ -99,100 +97,115 @@ bool LatticeDelaunay::onHullPlane(PackedPoint point, const DelaunayTetrahedron& 
            inPlane([this](PackedPoint p) { return lattice_.z(p); });
 }
 
-/// conflicts[i] != 0 if the point lies strictly inside the sphere of tetrahedron i, four at a time.
-inline void LatticeDelaunay::testSpheres(PackedPoint point, const std::array<std::uint32_t, 4>& slots,
-                                         std::array<std::int64_t, 4>& conflicts) const
-{
-    const DelaunayTetrahedron* t[4] = {&tetrahedra_[slots[0]], &tetrahedra_[slots[1]], &tetrahedra_[slots[2]],
-                                       &tetrahedra_[slots[3]]};
-    Double4 rows[4];
-    for (std::size_t i = 0; i < 4; ++i)
-        std::memcpy(&rows[i], &t[i]->sphere, sizeof rows[i]);
-    const Int4 apex = {static_cast<int>(t[0]->vertices[0]), static_cast<int>(t[1]->vertices[0]),
-                       static_cast<int>(t[2]->vertices[0]), static_cast<int>(t[3]->vertices[0])};
-    Int4 apexX, apexY, apexZ;
-    lattice_.unpack(apex, apexX, apexY, apexZ);
-    const Double4 qx = __builtin_convertvector(lattice_.x(point) - apexX, Double4);
-    const Double4 qy = __builtin_convertvector(lattice_.y(point) - apexY, Double4);
-    const Double4 qz = __builtin_convertvector(lattice_.z(point) - apexZ, Double4);
-    const Double4 low01 = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6);
-    const Double4 high01 = __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7);
-    const Double4 low23 = __builtin_shufflevector(rows[2], rows[3], 0, 4, 2, 6);
-    const Double4 high23 = __builtin_shufflevector(rows[2], rows[3], 1, 5, 3, 7);
-    const Double4 centreX = __builtin_shufflevector(low01, low23, 0, 1, 4, 5);
-    const Double4 centreY = __builtin_shufflevector(high01, high23, 0, 1, 4, 5);
-    const Double4 centreZ = __builtin_shufflevector(low01, low23, 2, 3, 6, 7);
-    const Double4 determinant = __builtin_shufflevector(high01, high23, 2, 3, 6, 7);
-    const Double4 square = weights_[0] * qx * qx + weights_[1] * qy * qy + weights_[2] * qz * qz;
-    const auto conflict = determinant * square < centreX * qx + centreY * qy + centreZ * qz;
-    std::memcpy(conflicts.data(), &conflict, sizeof conflict);
-}
+namespace {
+
+/// Tests a point against the spheres of four tetrahedra at a time. Values, so that the loop keeps them in registers.
+struct SphereTest {
+    PackedLattice lattice;
+    std::array<double, 3> weights;
+    std::int32_t x, y, z; ///< the point
+
+    /// Sets lanes of `conflict` where the point lies strictly inside, and of `alive` where the tetrahedron is alive.
+    [[gnu::always_inline]] void operator()(const DelaunayTetrahedron* t0, const DelaunayTetrahedron* t1,
+                                           const DelaunayTetrahedron* t2, const DelaunayTetrahedron* t3,
+                                           Long4& conflict, Long4& alive) const
+    {
+        Double4 row0, row1, row2, row3;
+        std::memcpy(&row0, &t0->sphere, sizeof row0);
+        std::memcpy(&row1, &t1->sphere, sizeof row1);
+        std::memcpy(&row2, &t2->sphere, sizeof row2);
+        std::memcpy(&row3, &t3->sphere, sizeof row3);
+        const Int4 apex = {static_cast<int>(t0->vertices[0]), static_cast<int>(t1->vertices[0]),
+                           static_cast<int>(t2->vertices[0]), static_cast<int>(t3->vertices[0])};
+        Int4 apexX, apexY, apexZ;
+        lattice.unpack(apex, apexX, apexY, apexZ);
+        const Double4 qx = __builtin_convertvector(x - apexX, Double4);
+        const Double4 qy = __builtin_convertvector(y - apexY, Double4);
+        const Double4 qz = __builtin_convertvector(z - apexZ, Double4);
+        const Double4 low01 = __builtin_shufflevector(row0, row1, 0, 4, 2, 6);
+        const Double4 high01 = __builtin_shufflevector(row0, row1, 1, 5, 3, 7);
+        const Double4 low23 = __builtin_shufflevector(row2, row3, 0, 4, 2, 6);
+        const Double4 high23 = __builtin_shufflevector(row2, row3, 1, 5, 3, 7);
+        const Double4 centreX = __builtin_shufflevector(low01, low23, 0, 1, 4, 5);
+        const Double4 centreY = __builtin_shufflevector(high01, high23, 0, 1, 4, 5);
+        const Double4 centreZ = __builtin_shufflevector(low01, low23, 2, 3, 6, 7);
+        const Double4 determinant = __builtin_shufflevector(high01, high23, 2, 3, 6, 7);
+        const Double4 square = weights[0] * qx * qx + weights[1] * qy * qy + weights[2] * qz * qz;
+        alive = determinant != 0.0;
+        conflict = determinant * square < centreX * qx + centreY * qy + centreZ * qz;
+    }
+};
+
+} // namespace
 
 TETRA_SIMD_CLONES void LatticeDelaunay::findCavity(PackedPoint point, std::uint32_t containing)
 {
-    destroyed_.resize(std::max<std::size_t>(destroyed_.capacity(), 64));
-    cavityFaces_.resize(std::max<std::size_t>(cavityFaces_.capacity(), 64));
-    DelaunayTetrahedron* const tetrahedra = tetrahedra_.data();
+    std::size_t room = std::max<std::size_t>(destroyed_.capacity(), 64);
+    destroyed_.resize(room);
+    cavityFaces_.resize(3 * room);
+    DelaunayTetrahedron* const tetrahedra = records();
     std::uint32_t* destroyed = destroyed_.data();
     CavityFace* faces = cavityFaces_.data();
+    const SphereTest test{lattice_, weights_, lattice_.x(point), lattice_.y(point), lattice_.z(point)};
     tetrahedra[containing].sphere[3] = 0;
     destroyed[0] = containing;
-    std::size_t destroyedCount = 1;
-    std::size_t faceCount = 0;
-    for (std::size_t next = 0; next < destroyedCount; ++next) {
-        if (destroyedCount + 4 > destroyed_.size()) {
-            destroyed_.resize(2 * destroyed_.size());
+    // How many are destroyed, and in the upper half how many faces bound the cavity: one sum for both.
+    std::uint64_t counts = 1;
+    const auto destroyedCount = [&] { return static_cast<std::uint32_t>(counts); };
+    const auto faceCount = [&] { return static_cast<std::uint32_t>(counts >> 32); };
+    double unused = 0;
+    for (std::uint32_t next = 0; next < destroyedCount(); ++next) {
+        // The faces found so far are at most two for each tetrahedron, and two.
+        if (destroyedCount() + 4 > room) {
+            room *= 2;
+            destroyed_.resize(room);
+            cavityFaces_.resize(3 * room);
             destroyed = destroyed_.data();
-        }
-        if (faceCount + 8 > cavityFaces_.size()) {
-            cavityFaces_.resize(2 * cavityFaces_.size());
             faces = cavityFaces_.data();
         }
         const std::uint32_t inside = destroyed[next];
-        // A missing neighbour is replaced by the tetrahedron itself, which is dead and so neither joins nor bounds.
-        std::array<std::uint32_t, 4> outside = tetrahedra[inside].neighbours;
-        std::uint32_t missing = 0;
-        for (std::uint32_t& neighbour : outside) {
-            missing += neighbour == none;
-            neighbour = neighbour == none ? inside : neighbour;
-        }
-        if (next + 1 < destroyedCount)
-            for (const std::uint32_t neighbour : tetrahedra[destroyed[next + 1]].neighbours)
-                __builtin_prefetch(tetrahedra + (neighbour == none ? inside : neighbour));
-        std::array<std::int64_t, 4> conflicts{};
-        testSpheres(point, outside, conflicts);
-        for (std::uint8_t face = 0; face < 4; ++face) {
+        // A missing neighbour is dead and so neither joins nor bounds.
+        const std::array<std::uint32_t, 4> outside = tetrahedra[inside].neighbours;
+        const std::uint32_t following = destroyed[next + 1 < destroyedCount() ? next + 1 : next];
+        for (const std::uint32_t neighbour : tetrahedra[following].neighbours)
+            __builtin_prefetch(tetrahedra + static_cast<std::int32_t>(neighbour));
+        Long4 conflict, alive;
+        test(&at(outside[0]), &at(outside[1]), &at(outside[2]), &at(outside[3]), conflict, alive);
+        const Long4 joins = conflict & alive & 1;
+        const Long4 increments = joins | (alive & ~conflict & std::int64_t(0x100000000));
+        for (std::uint32_t face = 0; face < 4; ++face) {
             // Without branches on the outcome, which nobody can predict.
-            DelaunayTetrahedron& other = tetrahedra[outside[face]];
-            const bool alive = other.sphere[3] != 0;
-            const bool conflict = alive & (conflicts[face] != 0);
-            other.sphere[3] = conflict ? 0 : other.sphere[3];
-            destroyed[destroyedCount] = outside[face];
-            destroyedCount += conflict;
-            const std::uint8_t back =
-                static_cast<std::uint8_t>((other.neighbours[1] == inside) + 2 * (other.neighbours[2] == inside) +
-                                          3 * (other.neighbours[3] == inside));
-            faces[faceCount] = {inside, outside[face], face, back};
-            faceCount += alive & !conflict;
+            double* const mark =
+                joins[face] != 0 ? &tetrahedra[static_cast<std::int32_t>(outside[face])].sphere[3] : &unused;
+            *mark = 0;
+            destroyed[destroyedCount()] = outside[face];
+            faces[faceCount()] = {inside, outside[face], face, 0};
+            counts += static_cast<std::uint64_t>(increments[face]);
         }
-        if (missing > 0)
-            for (std::uint8_t face = 0; face < 4; ++face)
-                if (tetrahedra[inside].neighbours[face] == none && !onHullPlane(point, tetrahedra[inside], face))
-                    faces[faceCount++] = {inside, none, face, 0};
+        if ((outside[0] == none) | (outside[1] == none) | (outside[2] == none) | (outside[3] == none))
+            for (std::uint32_t face = 0; face < 4; ++face)
+                if (tetrahedra[inside].neighbours[face] == none && !onHullPlane(point, tetrahedra[inside], face)) {
+                    faces[faceCount()] = {inside, none, face, 0};
+                    counts += std::uint64_t(1) << 32;
+                }
     }
-    destroyed_.resize(destroyedCount);
-    cavityFaces_.resize(faceCount);
+    destroyed_.resize(destroyedCount());
+    cavityFaces_.resize(faceCount());
 }
 
 void LatticeDelaunay::gatherStar(PackedPoint point)
 {
-    star_.clear(point);
-    for (const CavityFace& face : cavityFaces_) {
-        const std::array<PackedPoint, 4>& vertices = tetrahedra_[face.inside].vertices;
-        star_.addFace(vertices[faceVertices[face.insideFace][0]], vertices[faceVertices[face.insideFace][1]],
-                      vertices[faceVertices[face.insideFace][2]]);
+    starFaces_.resize(cavityFaces_.size());
+    for (std::size_t i = 0; i < cavityFaces_.size(); ++i) {
+        CavityFace& face = cavityFaces_[i];
+        const auto& back = at(face.outside).neighbours;
+        face.outsideFace = static_cast<std::uint32_t>((back[1] == face.inside) + 2 * (back[2] == face.inside) +
+                                                      3 * (back[3] == face.inside));
+        const std::array<PackedPoint, 4>& vertices = at(face.inside).vertices;
+        const auto& order = faceVertices[face.insideFace];
+        starFaces_[i] = {vertices[order[0]], vertices[order[1]], vertices[order[2]]};
     }
-    star_.finish(weights_);
+    star_.set(point, starFaces_, weights_);
 }
 
 bool LatticeDelaunay::takeSlots()
@@ -206,7 +219,7 @@ bool LatticeDelaunay::takeSlots()
         if (!freeSlots_.empty()) {
             created_.push_back(freeSlots_.back());
             freeSlots_.pop_back();
-        } else if (slotCount_ < tetrahedra_.capacity()) {
+        } else if (slotCount_ < slotCapacity_) {
             created_.push_back(slotCount_++);
         } else {
             return false;
@@ -217,19 +230,32 @@ bool LatticeDelaunay::takeSlots()
 
 void LatticeDelaunay::writeStar(PackedPoint point)
 {
-    const std::span<const std::array<std::uint32_t, 3>> partners = star_.partners();
-    const std::span<const PackedPoint> rim = star_.rim();
-    for (std::size_t i = 0; i < created_.size(); ++i) {
-        const std::array<std::uint32_t, 3>& corners = star_.corners()[i];
-        const CavityFace& cavityFace = cavityFaces_[i];
-        const auto neighbour = [&](std::size_t corner) {
-            return partners[i][corner] == Star::noPartner ? none : created_[partners[i][corner]];
-        };
-        tetrahedra_[created_[i]] = {{point, rim[corners[0]], rim[corners[1]], rim[corners[2]]},
-                                    {cavityFace.outside, neighbour(0), neighbour(1), neighbour(2)},
-                                    star_.faces()[i].sphere};
-        if (cavityFace.outside != none)
-            tetrahedra_[cavityFace.outside].neighbours[cavityFace.outsideFace] = created_[i];
+    const std::size_t count = created_.size();
+    const std::uint32_t* const slots = created_.data();
+    const std::array<std::uint32_t, 3>* const corners = star_.corners().data();
+    const std::array<std::uint32_t, 3>* const partners = star_.partners(created_, none).data();
+    const PackedPoint* const rim = star_.rim().data();
+    const Star::Face* const faces = star_.faces().data();
+    const CavityFace* const cavityFaces = cavityFaces_.data();
+    DelaunayTetrahedron* const tetrahedra = records();
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto& [a, b, c] = corners[i];
+        const CavityFace& face = cavityFaces[i];
+        tetrahedra[slots[i]] = {{point, rim[a], rim[b], rim[c]},
+                                {face.outside, partners[i][0], partners[i][1], partners[i][2]},
+                                faces[i].sphere};
+        tetrahedra[static_cast<std::int32_t>(face.outside)].neighbours[face.outsideFace] = slots[i];
+    }
+}
+
+void LatticeDelaunay::prefetchSurroundings(std::uint32_t slot) const
+{
+    for (const PackedPoint vertex : at(slot).vertices)
+        star_.prefetch(vertex);
+    for (const std::uint32_t neighbour : at(slot).neighbours) {
+        prefetchNeighbours(neighbour);
+        for (const PackedPoint vertex : at(neighbour).vertices)
+            star_.prefetch(vertex);
     }
 }
 

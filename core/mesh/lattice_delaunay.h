@@ -34,6 +34,9 @@ struct alignas(64) DelaunayTetrahedron {
 /// faces have no neighbour. One thread. An insertion costs O(cavity), 12 tetrahedra destroyed and 17 made on average.
 class LatticeDelaunay {
 public:
+    /// The slots of the five tetrahedra of the start.
+    static constexpr std::uint32_t startCount = 5;
+    /// The slot of no tetrahedron.
     static constexpr std::uint32_t none = 0xffffffff;
 
     /// May be called again for another box, in the same memory. Errors: the lattice is too large for exact arithmetic,
@@ -48,25 +51,27 @@ public:
     /// The corners of `box` cut into five; the first of their slots.
     std::uint32_t addBox(const LatticeBox& box, bool centreAtOrigin);
 
-    /// The slots of the five tetrahedra of the start.
-    static constexpr std::uint32_t startCount = 5;
     /// Slots in use or once used: every valid slot is smaller.
     std::uint32_t slotCount() const noexcept { return slotCount_; }
-    const DelaunayTetrahedron& operator[](std::uint32_t slot) const noexcept { return tetrahedra_[slot]; }
+    const DelaunayTetrahedron& operator[](std::uint32_t slot) const noexcept { return at(slot); }
 
     /// Inserts a lattice point that is not a vertex yet; `containing` is a live tetrahedron that contains it. star()
     /// and destroyed() then tell what changed. False if the slots are exhausted (the mesh is then unusable).
     [[nodiscard]] bool insert(PackedPoint point, std::uint32_t containing);
 
-    /// Fetches a tetrahedron that is likely to be inserted into soon, then its neighbours, into the cache: at millions
-    /// of sites waiting for memory is most of an insertion.
-    void prefetch(std::uint32_t slot) const { __builtin_prefetch(&tetrahedra_[slot]); }
+    /// Gives a vertex a number that star().labels() tells.
+    void label(PackedPoint point, std::uint32_t number) { star_.label(point, number); }
+
+    /// Fetch a tetrahedron that is likely to be inserted into soon into the cache, then its neighbours, then theirs and
+    /// what is kept for their vertices; each needs the one before: at millions of sites waiting for memory is most of
+    /// an insertion.
+    void prefetch(std::uint32_t slot) const { __builtin_prefetch(&at(slot)); }
     void prefetchNeighbours(std::uint32_t slot) const
     {
-        for (const std::uint32_t neighbour : tetrahedra_[slot].neighbours)
-            if (neighbour != none)
-                __builtin_prefetch(&tetrahedra_[neighbour]);
+        for (const std::uint32_t neighbour : at(slot).neighbours)
+            __builtin_prefetch(&at(neighbour));
     }
+    void prefetchSurroundings(std::uint32_t slot) const;
 
     /// The geometry of the tetrahedra made by the last insertion, and their slots (same order).
     const Star& star() const noexcept { return star_; }
@@ -74,20 +79,25 @@ public:
     /// Slots of the tetrahedra that the last insertion destroyed; some are in created() again.
     std::span<const std::uint32_t> destroyed() const noexcept { return destroyed_; }
     /// The most slots there can ever be.
-    std::uint64_t capacity() const noexcept { return tetrahedra_.capacity(); }
+    std::uint64_t capacity() const noexcept { return slotCapacity_; }
 
 private:
     struct CavityFace {
         std::uint32_t inside;  ///< destroyed tetrahedron
         std::uint32_t outside; ///< its neighbour that stays, or none
-        std::uint8_t insideFace;
-        std::uint8_t outsideFace;
+        std::uint32_t insideFace;
+        std::uint32_t outsideFace;
     };
 
+    /// Before the first slot is a dead tetrahedron, which `none` stands for: a missing neighbour needs no special case.
+    DelaunayTetrahedron* records() noexcept { return tetrahedra_.data() + 1; }
+    const DelaunayTetrahedron& at(std::uint32_t slot) const noexcept
+    {
+        return (tetrahedra_.data() + 1)[static_cast<std::int32_t>(slot)];
+    }
+
     void findCavity(PackedPoint point, std::uint32_t containing);
-    void testSpheres(PackedPoint point, const std::array<std::uint32_t, 4>& slots,
-                     std::array<std::int64_t, 4>& conflicts) const;
-    bool onHullPlane(PackedPoint point, const DelaunayTetrahedron& tetrahedron, std::uint8_t face) const;
+    bool onHullPlane(PackedPoint point, const DelaunayTetrahedron& tetrahedron, std::uint32_t face) const;
     void gatherStar(PackedPoint point);
     bool takeSlots();
     void writeStar(PackedPoint point);
@@ -95,9 +105,11 @@ private:
     PackedLattice lattice_{{2, 2, 2}};
     std::array<double, 3> weights_{1, 1, 1};
     ReservedArray<DelaunayTetrahedron> tetrahedra_;
+    std::uint64_t slotCapacity_ = 0;
     std::uint32_t slotCount_ = 0;
     std::vector<std::uint32_t> freeSlots_;
     Buffer<CavityFace> cavityFaces_;
+    Buffer<std::array<PackedPoint, 3>> starFaces_;
     Buffer<std::uint32_t> destroyed_;
     std::vector<std::uint32_t> created_;
     Star star_;

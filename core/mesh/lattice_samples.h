@@ -5,6 +5,7 @@
 #include "core/mesh/lattice_box.h"
 #include "core/mesh/packed_lattice.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -35,9 +36,14 @@ public:
     void gather(const PackedLattice& lattice, std::span<const PackedPoint> points, double* values) const
     {
         std::visit(
-            [&](const auto* samples) {
-                for (std::size_t i = 0; i < points.size(); ++i)
-                    values[i] = static_cast<double>(samples[lattice.index(points[i])]);
+            [&lattice, points, values](const auto* samples) {
+                std::array<std::uint32_t, 64> indices;
+                for (std::size_t first = 0; first < points.size(); first += indices.size()) {
+                    const std::size_t count = std::min(indices.size(), points.size() - first);
+                    latticeIndices(lattice, points.subspan(first, count), indices.data());
+                    for (std::size_t i = 0; i < count; ++i)
+                        values[first + i] = static_cast<double>(samples[indices[i]]);
+                }
             },
             samples_);
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 
 namespace tetra {
 
@@ -61,5 +62,8 @@ private:
     std::uint32_t maskY_;
     std::uint32_t maskZ_;
 };
+
+/// indices[i] = lattice.index(points[i]), several at a time.
+void latticeIndices(const PackedLattice& lattice, std::span<const PackedPoint> points, std::uint32_t* indices);
 
 } // namespace tetra

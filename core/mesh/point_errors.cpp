@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/point_errors.h"
 
-#include "core/mesh/rounding.h"
+#include "core/base/simd.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 
 namespace tetra {
@@ -41,21 +42,57 @@ double independentError(const ValuedFace& face, double value, double x, double y
     return std::abs(sum) / static_cast<double>(determinant / divisor);
 }
 
-/// |value - interpolation| * determinant, an exact integer for integer samples of up to 16 bits.
-void computeNumerators(const ValuedFace& face, const PlacedPoints& placed, std::size_t first, std::size_t last,
-                       const double* values, double* numerators)
+/// The field of each tetrahedron as a plane: its slopes times the determinant, then the determinant; all exact integers
+/// for integer samples of up to 16 bits.
+TETRA_SIMD_CLONES void computePlanes(std::span<const Star::Face> faces, const std::array<std::uint32_t, 3>* corners,
+                                     double apexValue, const double* rimValues, std::array<double, 4>* planes)
 {
-    const Star::Face& geometry = face.geometry;
-    const double apexValue = face.values[0];
-    const double a = face.values[1] - apexValue;
-    const double b = face.values[2] - apexValue;
-    const double c = face.values[3] - apexValue;
-    const double slopeX = a * geometry.normalBC[0] + b * geometry.normalCA[0] + c * geometry.normalAB[0];
-    const double slopeY = a * geometry.normalBC[1] + b * geometry.normalCA[1] + c * geometry.normalAB[1];
-    const double slopeZ = a * geometry.normalBC[2] + b * geometry.normalCA[2] + c * geometry.normalAB[2];
-    for (std::size_t k = first; k < last; ++k)
-        numerators[k] = std::abs(geometry.determinant() * (values[k] - apexValue) - slopeX * placed.x[k] -
-                                 slopeY * placed.y[k] - slopeZ * placed.z[k]);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        const Star::Face& face = faces[i];
+        Double4 normalBC, normalCA, normalAB;
+        std::memcpy(&normalBC, &face.normalBC, sizeof normalBC);
+        std::memcpy(&normalCA, &face.normalCA, sizeof normalCA);
+        std::memcpy(&normalAB, &face.normalAB, sizeof normalAB);
+        Double4 plane = (rimValues[corners[i][0]] - apexValue) * normalBC +
+                        (rimValues[corners[i][1]] - apexValue) * normalCA +
+                        (rimValues[corners[i][2]] - apexValue) * normalAB;
+        plane[3] = face.determinant();
+        std::memcpy(&planes[i], &plane, sizeof plane);
+    }
+}
+
+/// |value - interpolation|, four points at a time.
+TETRA_SIMD_CLONES void computeDistances(const OwnedPoints& owned, const std::array<double, 4>* planes, double apexValue,
+                                        const double* values, double* errors)
+{
+    const auto load = [](Double4& to, const std::span<const float> from, std::size_t i) {
+        Float4 numbers;
+        std::memcpy(&numbers, from.data() + i, sizeof numbers);
+        to = __builtin_convertvector(numbers, Double4);
+    };
+    const std::int32_t* const owners = owned.owners.data();
+    const std::size_t count = owned.points.size();
+    for (std::size_t i = 0; i < count; i += 4) {
+        Double4 rows[4];
+        for (std::size_t k = 0; k < 4; ++k)
+            std::memcpy(&rows[k], &planes[owners[i + k]], sizeof rows[k]);
+        const Double4 low01 = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6);
+        const Double4 high01 = __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7);
+        const Double4 low23 = __builtin_shufflevector(rows[2], rows[3], 0, 4, 2, 6);
+        const Double4 high23 = __builtin_shufflevector(rows[2], rows[3], 1, 5, 3, 7);
+        const Double4 slopeX = __builtin_shufflevector(low01, low23, 0, 1, 4, 5);
+        const Double4 slopeY = __builtin_shufflevector(high01, high23, 0, 1, 4, 5);
+        const Double4 slopeZ = __builtin_shufflevector(low01, low23, 2, 3, 6, 7);
+        const Double4 determinant = __builtin_shufflevector(high01, high23, 2, 3, 6, 7);
+        Double4 value, x, y, z;
+        std::memcpy(&value, values + i, sizeof value);
+        load(x, owned.x, i);
+        load(y, owned.y, i);
+        load(z, owned.z, i);
+        const Double4 numerator = determinant * (value - apexValue) - slopeX * x - slopeY * y - slopeZ * z;
+        const Double4 distance = (numerator < 0.0 ? -numerator : numerator) / determinant;
+        std::memcpy(errors + i, &distance, sizeof distance);
+    }
 }
 
 bool onBoundary(const PackedLattice& lattice, PackedPoint point)
@@ -68,60 +105,43 @@ bool onBoundary(const PackedLattice& lattice, PackedPoint point)
            outermost(lattice.z(point), size[2]);
 }
 
+/// Makes the errors of the points on the box's boundary independent of the tetrahedron.
+void computeBoundaryErrors(const PackedLattice& lattice, const Star& star, const OwnedPoints& owned, double apexValue,
+                           const PointErrorRoom& room, std::span<double> errors)
+{
+    const std::span<const PackedPoint> rim = star.rim();
+    for (std::size_t k = 0; k < owned.points.size(); ++k) {
+        if (!onBoundary(lattice, owned.points[k]))
+            continue;
+        const auto owner = static_cast<std::size_t>(owned.owners[k]);
+        const auto& [a, b, c] = star.corners()[owner];
+        const ValuedFace face{star.faces()[owner],
+                              {star.apex(), rim[a], rim[b], rim[c]},
+                              {apexValue, room.rimValues[a], room.rimValues[b], room.rimValues[c]}};
+        errors[k] = independentError(face, room.values[k], owned.x[k], owned.y[k], owned.z[k]);
+    }
+}
+
 } // namespace
 
 void computeErrors(const PackedLattice& lattice, const LatticeSamples& samples, const Star& star,
-                   const PlacedPoints& placed, PointErrorRoom& room, std::span<double> scaledErrors,
-                   std::span<double> divisors)
+                   const OwnedPoints& owned, PointErrorRoom& room, std::span<double> errors)
 {
-    const std::span<const PackedPoint> rim = star.rim();
     const PackedPoint apex = star.apex();
     double apexValue = 0;
     samples.gather(lattice, {&apex, 1}, &apexValue);
-    room.rimValues.resize(rim.size());
-    samples.gather(lattice, rim, room.rimValues.data());
-    room.values.resize(placed.points.size());
-    samples.gather(lattice, placed.points, room.values.data());
-
-    // What is not exact, or multiplied by weights, must be divided first to be independent of the tetrahedron.
-    const bool exact = samples.exact();
-    const bool divided = !exact || samples.weighted();
-    for (std::size_t i = 0; i < star.faceCount(); ++i) {
-        const std::size_t first = placed.offsets[i], last = placed.offsets[i + 1];
-        const double determinant = star.faces()[i].determinant();
-        divisors[i] = divided ? 1 : determinant;
-        if (first == last)
-            continue;
-        const std::array<std::uint32_t, 3>& corners = star.corners()[i];
-        const ValuedFace face{
-            star.faces()[i],
-            {apex, rim[corners[0]], rim[corners[1]], rim[corners[2]]},
-            {apexValue, room.rimValues[corners[0]], room.rimValues[corners[1]], room.rimValues[corners[2]]}};
-        computeNumerators(face, placed, first, last, room.values.data(), scaledErrors.data());
-        if (!divided)
-            continue;
-        for (std::size_t k = first; k < last; ++k)
-            scaledErrors[k] = exact || !onBoundary(lattice, placed.points[k])
-                                  ? scaledErrors[k] / determinant
-                                  : independentError(face, room.values[k], placed.x[k], placed.y[k], placed.z[k]);
-    }
+    room.rimValues.resize(star.rim().size());
+    samples.gather(lattice, star.rim(), room.rimValues.data());
+    room.values.resize(owned.points.size());
+    samples.gather(lattice, owned.points, room.values.data());
+    room.planes.resize(star.faceCount());
+    computePlanes(star.faces(), star.corners().data(), apexValue, room.rimValues.data(), room.planes.data());
+    computeDistances(owned, room.planes.data(), apexValue, room.values.data(), errors.data());
+    if (!samples.exact())
+        computeBoundaryErrors(lattice, star, owned, apexValue, room, errors);
     if (samples.weighted())
-        for (std::size_t k = 0; k < placed.points.size(); ++k)
-            scaledErrors[k] *= samples.weight(lattice, placed.points[k]);
-}
-
-PlacedError worstError(std::span<const PackedPoint> points, std::span<const double> scaledErrors, double divisor)
-{
-    double largest = 0;
-    for (const double error : scaledErrors)
-        largest = std::max(largest, error);
-    PlacedError worst{0xffffffff, roundedUp(largest / divisor)};
-    // What is smaller by more than half a float's precision cannot be rounded to the same.
-    const double nearly = largest * (1 - 0x1p-22);
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (scaledErrors[i] >= nearly && points[i] < worst.point && roundedUp(scaledErrors[i] / divisor) == worst.error)
-            worst.point = points[i];
-    return worst;
+        for (std::size_t k = 0; k < owned.points.size(); ++k)
+            errors[k] *= samples.weight(lattice, owned.points[k]);
 }
 
 } // namespace tetra

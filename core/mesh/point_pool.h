@@ -9,6 +9,7 @@
 #include <bit>
 #include <cassert>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 namespace tetra {
@@ -22,7 +23,7 @@ public:
     Status reserve(std::uint64_t points)
     {
         freeBlocks_.fill(none);
-        used_ = 0;
+        used_ = nowhere + minimumBlock;
         return storage_.ensure(2 * points + std::uint64_t{64} * minimumBlock, "the points of the refinement");
     }
 
@@ -52,6 +53,19 @@ public:
     void free(std::uint32_t place, std::uint32_t count) { release(place, blockClass(count)); }
 
     std::span<PackedPoint> points(std::uint32_t place, std::uint32_t count) { return {storage_.data() + place, count}; }
+    void put(std::uint32_t place, PackedPoint point) { storage_[place] = point; }
+    /// A place that is never allocated, for points that nobody will read.
+    static constexpr std::uint32_t nowhere = 0;
+
+    void prefetch(std::uint32_t place) const { __builtin_prefetch(storage_.data() + place); }
+
+    /// Copies a short list quickly: `to` must have room for copyPadding points more.
+    void copy(std::uint32_t place, std::uint32_t count, PackedPoint* to) const
+    {
+        for (std::uint32_t i = 0; i < count; i += copyPadding)
+            std::memcpy(to + i, storage_.data() + place + i, copyPadding * sizeof(PackedPoint));
+    }
+    static constexpr std::uint32_t copyPadding = 4;
 
 private:
     static constexpr std::uint32_t none = 0xffffffff;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/relocation.h"
 
+#include "core/base/simd.h"
 #include "core/mesh/cone_search.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace tetra {
 
@@ -12,50 +14,51 @@ namespace {
 /// Point arrays are padded to what the search tests at a time.
 constexpr std::size_t lanes = coneSearchLanes;
 
-} // namespace
-
-void Relocation::gatherCoordinates(const PackedLattice& lattice, PackedPoint apex, std::span<const PackedPoint> points)
+/// Coordinates relative to the apex, eight points at a time.
+TETRA_SIMD_CLONES void unpackPoints(const PackedLattice& lattice, PackedPoint apex, const PackedPoint* points,
+                                    std::size_t count, float* x, float* y, float* z)
 {
-    points_.resize(points.size());
-    std::size_t count = 0;
-    for (const PackedPoint point : points) {
-        points_[count] = point;
-        count += point != apex;
-    }
-    points_.resize(count);
-    const std::size_t padded = (count + lanes - 1) / lanes * lanes;
-    x_.resize(padded);
-    y_.resize(padded);
-    z_.resize(padded);
-    owners_.resize(padded);
     const std::int32_t apexX = lattice.x(apex), apexY = lattice.y(apex), apexZ = lattice.z(apex);
-    for (std::size_t i = 0; i < count; ++i) {
-        x_[i] = static_cast<float>(lattice.x(points_[i]) - apexX);
-        y_[i] = static_cast<float>(lattice.y(points_[i]) - apexY);
-        z_[i] = static_cast<float>(lattice.z(points_[i]) - apexZ);
+    const PackedLattice local = lattice;
+    for (std::size_t i = 0; i < count; i += lanes) {
+        Int8 packed, pointX, pointY, pointZ;
+        std::memcpy(&packed, points + i, sizeof packed);
+        local.unpack(packed, pointX, pointY, pointZ);
+        const Float8 relativeX = __builtin_convertvector(pointX - apexX, Float8);
+        const Float8 relativeY = __builtin_convertvector(pointY - apexY, Float8);
+        const Float8 relativeZ = __builtin_convertvector(pointZ - apexZ, Float8);
+        std::memcpy(x + i, &relativeX, sizeof relativeX);
+        std::memcpy(y + i, &relativeY, sizeof relativeY);
+        std::memcpy(z + i, &relativeZ, sizeof relativeZ);
     }
 }
 
-void Relocation::sortByOwner(std::size_t faceCount)
+/// The bits of each error, rounded up to a float, then the complement of the point.
+TETRA_SIMD_CLONES void makeKeys(const double* errors, const PackedPoint* points, std::size_t count, std::uint64_t* keys)
 {
-    offsets_.assign(faceCount + 2, 0);
-    for (std::size_t i = 0; i < points_.size(); ++i)
-        ++offsets_[static_cast<std::size_t>(owners_[i]) + 2];
-    for (std::size_t face = 2; face < offsets_.size(); ++face)
-        offsets_[face] += offsets_[face - 1];
-    const std::size_t count = points_.size();
-    placed_.resize(count);
-    placedX_.resize(count);
-    placedY_.resize(count);
-    placedZ_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-        const std::uint32_t place = offsets_[static_cast<std::size_t>(owners_[i]) + 1]++;
-        placed_[place] = points_[i];
-        placedX_[place] = x_[i];
-        placedY_[place] = y_[i];
-        placedZ_[place] = z_[i];
+        const float rounded = static_cast<float>(errors[i]);
+        std::uint32_t bits = 0;
+        std::memcpy(&bits, &rounded, sizeof bits);
+        bits += static_cast<double>(rounded) < errors[i];
+        keys[i] = std::uint64_t(bits) << 32 | static_cast<std::uint32_t>(~points[i]);
     }
-    offsets_.pop_back();
+}
+
+} // namespace
+
+void Relocation::findWorst(std::size_t faceCount)
+{
+    keys_.resize(points_.size());
+    makeKeys(errors_.data(), points_.data(), points_.size(), keys_.data());
+    faces_.resize(faceCount);
+    FacePoints* const faces = faces_.data();
+    std::fill_n(faces, faceCount, FacePoints{0, 0});
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        FacePoints& face = faces[owners_[i]];
+        face.worst = std::max(face.worst, keys_[i]);
+        ++face.count;
+    }
 }
 
 void Relocation::run(const PackedLattice& lattice, const LatticeSamples& samples, const Star& star,
@@ -65,13 +68,20 @@ void Relocation::run(const PackedLattice& lattice, const LatticeSamples& samples
     constexpr std::size_t roomWorthKeeping = 65536;
     if (points_.capacity() > std::max(roomWorthKeeping, 16 * points.size()))
         *this = Relocation();
-    gatherCoordinates(lattice, star.apex(), points);
+    // The padding repeats the apex, which every tetrahedron has.
+    const std::size_t padded = (points.size() + lanes - 1) / lanes * lanes;
+    points_.resize(padded);
+    std::ranges::copy(points, points_.begin());
+    std::fill(points_.begin() + static_cast<std::ptrdiff_t>(points.size()), points_.end(), star.apex());
+    for (Buffer<float>* coordinates : {&x_, &y_, &z_})
+        coordinates->resize(padded);
+    owners_.resize(padded);
+    errors_.resize(padded);
+    unpackPoints(lattice, star.apex(), points_.data(), padded, x_.data(), y_.data(), z_.data());
     findCones(star, {x_, y_, z_}, planes_, owners_);
-    sortByOwner(star.faceCount());
-    scaledErrors_.resize(placed_.size());
-    divisors_.resize(star.faceCount());
-    computeErrors(lattice, samples, star, {placed_, offsets_, placedX_, placedY_, placedZ_}, room_, scaledErrors_,
-                  divisors_);
+    computeErrors(lattice, samples, star, {points_, owners_, x_, y_, z_}, room_, errors_);
+    points_.resize(points.size());
+    findWorst(star.faceCount());
 }
 
 } // namespace tetra

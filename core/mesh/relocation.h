@@ -5,9 +5,9 @@
 #include "core/mesh/point_errors.h"
 #include "core/mesh/star.h"
 
+#include <bit>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace tetra {
 
@@ -16,31 +16,42 @@ namespace tetra {
 /// the star's tetrahedra that have it; its error is the same in all of them.
 class Relocation {
 public:
-    /// The points must lie in the star. They may be in any order; the apex is passed over.
+    /// The points must lie in the star, in any order, without the apex; they are copied.
     void run(const PackedLattice& lattice, const LatticeSamples& samples, const Star& star,
              std::span<const PackedPoint> points);
 
-    /// Face f of the star contains the points placed()[offsets()[f]] up to offsets()[f + 1].
-    std::span<const PackedPoint> placed() const noexcept { return placed_; }
-    std::span<const std::uint32_t> offsets() const noexcept { return offsets_; }
-    /// The error of each placed point times the divisor of its face.
-    std::span<const double> scaledErrors() const noexcept { return scaledErrors_; }
-    std::span<const double> divisors() const noexcept { return divisors_; }
+    std::span<const PackedPoint> points() const noexcept { return points_; }
+    /// The star's tetrahedron that has each point.
+    std::span<const std::int32_t> owners() const noexcept { return {owners_.data(), points_.size()}; }
+    /// The error of each point, before it is rounded up to a float.
+    std::span<const double> errors() const noexcept { return {errors_.data(), points_.size()}; }
+
+    /// How many points a tetrahedron of the star has.
+    std::uint32_t count(std::size_t face) const noexcept { return faces_[face].count; }
+    /// Of a tetrahedron with points: the largest error, rounded up to a float, and the first point of the lattice that
+    /// has it *after rounding*: the queue orders points in the same way.
+    float worstError(std::size_t face) const noexcept
+    {
+        return std::bit_cast<float>(static_cast<std::uint32_t>(faces_[face].worst >> 32));
+    }
+    PackedPoint worstPoint(std::size_t face) const noexcept { return ~static_cast<PackedPoint>(faces_[face].worst); }
 
 private:
-    void gatherCoordinates(const PackedLattice& lattice, PackedPoint apex, std::span<const PackedPoint> points);
-    void sortByOwner(std::size_t faceCount);
+    struct FacePoints {
+        std::uint64_t worst; ///< the bits of the error, then the complement of the point
+        std::uint32_t count;
+    };
+
+    void findWorst(std::size_t faceCount);
 
     Buffer<PackedPoint> points_;
     Buffer<float> x_, y_, z_;
     Buffer<std::int32_t> owners_;
-    Buffer<PackedPoint> placed_;
-    Buffer<float> placedX_, placedY_, placedZ_;
-    std::vector<std::uint32_t> offsets_;
-    Buffer<double> scaledErrors_;
-    Buffer<double> divisors_;
-    PointErrorRoom room_;
+    Buffer<double> errors_;
+    Buffer<std::uint64_t> keys_;
+    Buffer<FacePoints> faces_;
     Buffer<float> planes_;
+    PointErrorRoom room_;
 };
 
 } // namespace tetra

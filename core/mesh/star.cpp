@@ -8,10 +8,47 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 namespace tetra {
 
 namespace {
+
+constexpr std::size_t rimLanes = 4;
+
+/// x, y, z relative to the apex and the weighted square of each vertex, a few at a time and so up to rimLanes - 1
+/// beyond the last. Gives the largest absolute coordinate.
+TETRA_SIMD_CLONES double unpackRim(const PackedLattice& lattice, PackedPoint apex, const std::array<double, 3>& weights,
+                                   const PackedPoint* rim, std::size_t count, std::array<double, 4>* coordinates)
+{
+    const PackedLattice local = lattice;
+    const double weightX = weights[0], weightY = weights[1], weightZ = weights[2];
+    const std::int32_t apexX = local.x(apex), apexY = local.y(apex), apexZ = local.z(apex);
+    Int4 reach = {};
+    for (std::size_t i = 0; i < count; i += rimLanes) {
+        Int4 packed, offsetX, offsetY, offsetZ;
+        std::memcpy(&packed, rim + i, sizeof packed);
+        local.unpack(packed, offsetX, offsetY, offsetZ);
+        offsetX -= apexX;
+        offsetY -= apexY;
+        offsetZ -= apexZ;
+        // Of the two's complement |q| or |q| - 1: near enough for a bound when 1 is added.
+        reach |= (offsetX ^ (offsetX >> 31)) | (offsetY ^ (offsetY >> 31)) | (offsetZ ^ (offsetZ >> 31));
+        const Double4 x = __builtin_convertvector(offsetX, Double4);
+        const Double4 y = __builtin_convertvector(offsetY, Double4);
+        const Double4 z = __builtin_convertvector(offsetZ, Double4);
+        const Double4 square = weightX * x * x + weightY * y * y + weightZ * z * z;
+        const Double4 xy01 = __builtin_shufflevector(x, y, 0, 4, 2, 6),
+                      xy23 = __builtin_shufflevector(x, y, 1, 5, 3, 7);
+        const Double4 zs01 = __builtin_shufflevector(z, square, 0, 4, 2, 6),
+                      zs23 = __builtin_shufflevector(z, square, 1, 5, 3, 7);
+        const Double4 rows[4] = {
+            __builtin_shufflevector(xy01, zs01, 0, 1, 4, 5), __builtin_shufflevector(xy23, zs23, 0, 1, 4, 5),
+            __builtin_shufflevector(xy01, zs01, 2, 3, 6, 7), __builtin_shufflevector(xy23, zs23, 2, 3, 6, 7)};
+        std::memcpy(coordinates + i, rows, sizeof rows);
+    }
+    return 1.0 + static_cast<double>(reach[0] | reach[1] | reach[2] | reach[3]);
+}
 
 /// `rim` holds x, y, z and the weighted square of each vertex.
 TETRA_SIMD_CLONES void computeFaces(std::span<const std::array<std::uint32_t, 3>> corners,
@@ -50,64 +87,91 @@ Status Star::attach(const PackedLattice& lattice)
     // Stamps of another lattice in the same memory count as old ones.
     rimStart_ += rimCount_;
     rimCount_ = 0;
-    rim_.resize(64);
     const auto& size = lattice.size();
-    return stamps_.ensure(std::uint64_t(size[0]) * size[1] * size[2], "the marks of the refinement's points");
+    return marks_.ensure(std::uint64_t(size[0]) * size[1] * size[2], "the marks of the refinement's points");
 }
 
-void Star::clear(PackedPoint apex)
+/// Finds the distinct vertices of the faces. Without a branch on whether one is new, which nobody could predict.
+void Star::numberRim(std::span<const std::array<PackedPoint, 3>> faces)
 {
-    apex_ = apex;
     rimStart_ += rimCount_;
-    rimCount_ = 0;
-    corners_.clear();
     // After four thousand million rim vertices the stamps begin anew.
     if (rimStart_ > std::numeric_limits<std::uint32_t>::max() / 2) {
-        std::fill_n(stamps_.data(), stamps_.capacity(), 0u);
+        for (std::uint64_t i = 0; i < marks_.capacity(); ++i)
+            marks_[i].stamp = 0;
         rimStart_ = 0;
     }
+    rim_.resize(3 * faces.size() + rimLanes);
+    labels_.resize(rim_.size());
+    corners_.resize(faces.size());
+    indices_.resize(3 * faces.size());
+    latticeIndices(*lattice_, {faces.data()->data(), 3 * faces.size()}, indices_.data());
+    const std::uint32_t* index = indices_.data();
+    Mark* const marks = marks_.data();
+    std::uint32_t* const labels = labels_.data();
+    PackedPoint* const rim = rim_.data();
+    std::array<std::uint32_t, 3>* const corners = corners_.data();
+    const std::uint32_t start = rimStart_ + 1;
+    std::uint32_t count = 0;
+    for (std::size_t face = 0; face < faces.size(); ++face)
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const PackedPoint point = faces[face][corner];
+            Mark& mark = marks[*index++];
+            const std::uint32_t known = mark.stamp;
+            const bool isNew = known < start;
+            const std::uint32_t place = isNew ? count : known - start;
+            rim[count] = point;
+            labels[count] = mark.label;
+            mark.stamp = start + place;
+            corners[face][corner] = place;
+            count += isNew;
+        }
+    rimCount_ = count;
+    std::fill_n(rim + count, rimLanes, apex_);
 }
 
-void Star::finish(const std::array<double, 3>& weights)
+void Star::set(PackedPoint apex, std::span<const std::array<PackedPoint, 3>> faces,
+               const std::array<double, 3>& weights)
 {
-    const std::int32_t apexX = lattice_->x(apex_), apexY = lattice_->y(apex_), apexZ = lattice_->z(apex_);
-    rimCoordinates_.resize(rimCount_);
-    double reach = 0;
-    for (std::size_t i = 0; i < rimCount_; ++i) {
-        const double x = lattice_->x(rim_[i]) - apexX;
-        const double y = lattice_->y(rim_[i]) - apexY;
-        const double z = lattice_->z(rim_[i]) - apexZ;
-        reach = std::max(reach, std::max(std::abs(x), std::max(std::abs(y), std::abs(z))));
-        rimCoordinates_[i] = {x, y, z, weights[0] * x * x + weights[1] * y * y + weights[2] * z * z};
-    }
-    reach_ = reach;
+    apex_ = apex;
+    numberRim(faces);
+    rimCoordinates_.resize(rimCount_ + rimLanes);
+    reach_ = unpackRim(*lattice_, apex, weights, rim_.data(), rimCount_, rimCoordinates_.data());
     faces_.resize(corners_.size());
     computeFaces(corners_, rimCoordinates_.data(), faces_.data());
 }
 
-std::span<const std::array<std::uint32_t, 3>> Star::partners()
+/// An edge (u, v) of one face is (v, u) of its partner: note, then look up, without a branch.
+template <class Stride> void Star::linkFaces(std::span<const std::uint32_t> names, Stride stride)
 {
-    if (rimCount_ > edgeStride_) {
-        edgeStride_ = std::bit_ceil(std::max<std::size_t>(rimCount_, 32));
-        edges_.assign(edgeStride_ * edgeStride_, 0);
-    }
-    // An edge (u, v) of one face is (v, u) of its partner. Three passes without a branch: note, look up, clear.
-    const std::uint32_t count = static_cast<std::uint32_t>(corners_.size());
-    const std::size_t stride = edgeStride_;
+    const std::size_t count = corners_.size();
     std::uint32_t* const edges = edges_.data();
-    partners_.resize(count);
-    for (std::uint32_t face = 0; face < count; ++face) {
-        const std::size_t a = corners_[face][0], b = corners_[face][1], c = corners_[face][2];
-        edges[b * stride + c] = edges[c * stride + a] = edges[a * stride + b] = face + 1;
+    const std::array<std::uint32_t, 3>* const corners = corners_.data();
+    std::array<std::uint32_t, 3>* const partners = partners_.data();
+    for (std::size_t face = 0; face < count; ++face) {
+        const std::size_t a = corners[face][0], b = corners[face][1], c = corners[face][2];
+        edges[b * stride + c] = edges[c * stride + a] = edges[a * stride + b] = names[face];
     }
-    for (std::uint32_t face = 0; face < count; ++face) {
-        const std::size_t a = corners_[face][0], b = corners_[face][1], c = corners_[face][2];
-        partners_[face] = {edges[c * stride + b] - 1, edges[a * stride + c] - 1, edges[b * stride + a] - 1};
+    for (std::size_t face = 0; face < count; ++face) {
+        const std::size_t a = corners[face][0], b = corners[face][1], c = corners[face][2];
+        partners[face] = {edges[c * stride + b], edges[a * stride + c], edges[b * stride + a]};
     }
-    for (std::uint32_t face = 0; face < count; ++face) {
-        const std::size_t a = corners_[face][0], b = corners_[face][1], c = corners_[face][2];
-        edges[b * stride + c] = edges[c * stride + a] = edges[a * stride + b] = 0;
+}
+
+std::span<const std::array<std::uint32_t, 3>> Star::partners(std::span<const std::uint32_t> names, std::uint32_t absent)
+{
+    constexpr std::size_t usualStride = 32;
+    if (rimCount_ > edgeStride_) {
+        edgeStride_ = std::bit_ceil(std::max<std::size_t>(rimCount_, usualStride));
+        edges_.assign(edgeStride_ * edgeStride_, absent);
     }
+    partners_.resize(corners_.size());
+    const bool usual = rimCount_ <= usualStride;
+    if (usual)
+        linkFaces(names, std::integral_constant<std::size_t, usualStride>());
+    else
+        linkFaces(names, edgeStride_);
+    std::fill_n(edges_.data(), rimCount_ * (usual ? usualStride : edgeStride_), absent);
     return partners_;
 }
 

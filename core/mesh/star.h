@@ -15,7 +15,7 @@ namespace tetra {
 
 /// The star of a new point: the tetrahedra (apex, a, b, c) over the faces of its cavity, with the geometry that
 /// linking, spheres and relocation need, computed once in vectors. All coordinates are relative to the apex. An object
-/// is reused from insertion to insertion; it holds four bytes for each point of the lattice.
+/// is reused from insertion to insertion; it holds eight bytes for each point of the lattice.
 class Star {
 public:
     /// The geometry of one tetrahedron; a, b, c are relative to the apex.
@@ -30,61 +30,54 @@ public:
     /// Must come first; `lattice` must outlive the star. Error: refused memory.
     Status attach(const PackedLattice& lattice);
 
-    void clear(PackedPoint apex);
-    /// Adds a face; (apex, a, b, c) must be positive.
-    void addFace(PackedPoint a, PackedPoint b, PackedPoint c)
-    {
-        corners_.push_back({rimPosition(a), rimPosition(b), rimPosition(c)});
-    }
-    /// Computes faces(). `weights` is the metric.
-    void finish(const std::array<double, 3>& weights);
+    /// The star of `apex` over faces (a, b, c), where (apex, a, b, c) must be positive. `weights` is the metric.
+    void set(PackedPoint apex, std::span<const std::array<PackedPoint, 3>> faces, const std::array<double, 3>& weights);
 
     std::size_t faceCount() const noexcept { return corners_.size(); }
     PackedPoint apex() const noexcept { return apex_; }
     /// The rim: the distinct vertices of the faces.
     std::span<const PackedPoint> rim() const noexcept { return {rim_.data(), rimCount_}; }
+    /// What label() was given for each rim vertex.
+    std::span<const std::uint32_t> labels() const noexcept { return {labels_.data(), rimCount_}; }
+    /// Gives a point a number that labels() tells when it is on the rim.
+    void label(PackedPoint point, std::uint32_t number) { marks_[lattice_->index(point)].label = number; }
+    /// Fetches what is kept for a point that will probably be on the next rim.
+    void prefetch(PackedPoint point) const { __builtin_prefetch(&marks_[lattice_->index(point)]); }
+
     /// The three rim vertices a, b, c of each face, as positions in rim().
     std::span<const std::array<std::uint32_t, 3>> corners() const noexcept { return corners_; }
     std::span<const Face> faces() const noexcept { return faces_; }
-    /// The largest absolute coordinate of the rim, relative to the apex.
+    /// A bound on the absolute coordinates of the rim, relative to the apex: less than twice the largest, if more
+    /// than 1.
     double reach() const noexcept { return reach_; }
 
-    /// For each face and each corner the face on the other side of the edge opposite to that corner, or noPartner if
-    /// the star ends there (on the hull).
-    static constexpr std::uint32_t noPartner = 0xffffffff;
-    std::span<const std::array<std::uint32_t, 3>> partners();
+    /// For each face and each corner the name of the face on the other side of the edge opposite to that corner, or
+    /// `absent` if the star ends there (on the hull). `absent` must be the same in every call.
+    std::span<const std::array<std::uint32_t, 3>> partners(std::span<const std::uint32_t> names, std::uint32_t absent);
 
 private:
-    std::uint32_t rimPosition(PackedPoint point);
+    template <class Stride> void linkFaces(std::span<const std::uint32_t> names, Stride stride);
+    void numberRim(std::span<const std::array<PackedPoint, 3>> faces);
 
     const PackedLattice* lattice_ = nullptr;
     PackedPoint apex_ = 0;
     double reach_ = 0;
-    /// A point is on the present rim if its stamp is above rimStart_, by its position + 1.
-    ReservedArray<std::uint32_t> stamps_;
+    struct Mark {
+        std::uint32_t stamp; ///< above rimStart_, by its position + 1, if the point is on the present rim
+        std::uint32_t label;
+    };
+    ReservedArray<Mark> marks_;
     std::uint32_t rimStart_ = 0;
     std::uint32_t rimCount_ = 0;
+    Buffer<std::uint32_t> indices_;
     Buffer<PackedPoint> rim_;
-    std::vector<std::array<std::uint32_t, 3>> corners_;
+    Buffer<std::uint32_t> labels_;
+    Buffer<std::array<std::uint32_t, 3>> corners_;
     Buffer<std::array<double, 4>> rimCoordinates_;
     Buffer<Face> faces_;
     Buffer<std::array<std::uint32_t, 3>> partners_;
     std::vector<std::uint32_t> edges_;
     std::size_t edgeStride_ = 0;
 };
-
-/// The position of a point on the rim, which it joins if it is new. Without a branch on that, which nobody could
-/// predict.
-inline std::uint32_t Star::rimPosition(PackedPoint point)
-{
-    if (rimCount_ == rim_.size())
-        rim_.resize(2 * rim_.size());
-    std::uint32_t& stamp = stamps_[lattice_->index(point)];
-    const bool isNew = stamp <= rimStart_;
-    rim_[rimCount_] = point;
-    stamp = isNew ? rimStart_ + rimCount_ + 1 : stamp;
-    rimCount_ += isNew;
-    return stamp - rimStart_ - 1;
-}
 
 } // namespace tetra

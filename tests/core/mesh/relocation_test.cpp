@@ -52,7 +52,7 @@ private slots:
         };
         Star star;
         QVERIFY(star.attach(lattice).ok());
-        star.clear(apex);
+        std::vector<std::array<PackedPoint, 3>> faces;
         constexpr int quads[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                      {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
         for (const auto& quad : quads)
@@ -62,51 +62,63 @@ private slots:
                 PackedPoint c = corners[static_cast<std::size_t>(quad[2 + half])];
                 if (determinant(offset(a), offset(b), offset(c)) < 0)
                     std::swap(b, c);
-                star.addFace(a, b, c);
+                faces.push_back({a, b, c});
             }
-        star.finish({1, 1, 1});
+        star.set(apex, faces, {1, 1, 1});
         QCOMPARE(star.faceCount(), std::size_t(12));
 
-        std::vector<PackedPoint> points{apex};
+        std::vector<PackedPoint> points;
         for (int i = 0; i < 3000; ++i)
             points.push_back(lattice.pack(random() % n, random() % n, random() % n));
         Relocation relocation;
         relocation.run(lattice, LatticeSamples(std::span<const std::uint8_t>(values)), star, points);
 
-        std::size_t placed = 0;
-        for (std::size_t face = 0; face < star.faceCount(); ++face) {
-            const auto& rim = star.corners()[face];
+        QVERIFY(std::ranges::equal(relocation.points(), points));
+        std::vector<std::uint32_t> counts(star.faceCount());
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const auto owner = static_cast<std::size_t>(relocation.owners()[i]);
+            const auto& rim = star.corners()[owner];
             const PackedPoint a = star.rim()[rim[0]], b = star.rim()[rim[1]], c = star.rim()[rim[2]];
             const Whole whole = determinant(offset(a), offset(b), offset(c));
             QVERIFY(whole > 0);
-            QVERIFY(star.faces()[face].determinant() == static_cast<double>(whole));
-            for (std::uint32_t i = relocation.offsets()[face]; i < relocation.offsets()[face + 1]; ++i) {
-                const PackedPoint p = relocation.placed()[i];
-                const Whole wa = determinant(offset(p), offset(b), offset(c));
-                const Whole wb = determinant(offset(a), offset(p), offset(c));
-                const Whole wc = determinant(offset(a), offset(b), offset(p));
-                QVERIFY(wa >= 0 && wb >= 0 && wc >= 0 && wa + wb + wc <= whole);
-                const auto value = [&](PackedPoint q) { return Whole(values[lattice.index(q)]); };
-                const Whole error = whole * (value(p) - value(apex)) - wa * (value(a) - value(apex)) -
-                                    wb * (value(b) - value(apex)) - wc * (value(c) - value(apex));
-                QVERIFY(relocation.scaledErrors()[i] == static_cast<double>(error < 0 ? -error : error));
-                ++placed;
-            }
+            QVERIFY(star.faces()[owner].determinant() == static_cast<double>(whole));
+            const PackedPoint p = points[i];
+            const Whole wa = determinant(offset(p), offset(b), offset(c));
+            const Whole wb = determinant(offset(a), offset(p), offset(c));
+            const Whole wc = determinant(offset(a), offset(b), offset(p));
+            QVERIFY(wa >= 0 && wb >= 0 && wc >= 0 && wa + wb + wc <= whole);
+            const auto value = [&](PackedPoint q) { return Whole(values[lattice.index(q)]); };
+            const Whole error = whole * (value(p) - value(apex)) - wa * (value(a) - value(apex)) -
+                                wb * (value(b) - value(apex)) - wc * (value(c) - value(apex));
+            QCOMPARE(relocation.errors()[i],
+                     static_cast<double>(error < 0 ? -error : error) / static_cast<double>(whole));
+            QVERIFY(relocation.worstError(owner) >= relocation.errors()[i]);
+            ++counts[owner];
         }
-        QCOMPARE(placed, static_cast<std::size_t>(
-                             std::ranges::count_if(points, [&](PackedPoint point) { return point != apex; })));
+        for (std::size_t face = 0; face < star.faceCount(); ++face)
+            QCOMPARE(relocation.count(face), counts[face]);
     }
 
     /// S3: what the queue cannot tell apart goes to the first point, or blocks would disagree about a shared one.
     void worstAmongEqualFloatsIsTheFirst()
     {
-        const std::array<PackedPoint, 4> points{9, 7, 3, 1};
-        const std::array<double, 4> errors{1e9 + 2, 1e9 + 1, 1e9 + 1, 1e9 - 500};
-        const PlacedError worst = worstError(points, errors, 3);
-        QCOMPARE(worst.point, PackedPoint(3));
-        QVERIFY(worst.error >= (1e9 + 2) / 3);
-        QCOMPARE(worstError(std::span(points).first(2), std::array{5.0, 6.0}, 2).point, PackedPoint(7));
-        QCOMPARE(worstError(std::span(points).first(2), std::array{0.0, 0.0}, 2).point, PackedPoint(7));
+        const PackedLattice lattice({3, 3, 3});
+        Star star;
+        QVERIFY(star.attach(lattice).ok());
+        const std::vector<std::array<PackedPoint, 3>> faces{
+            {lattice.pack(2, 0, 0), lattice.pack(0, 2, 0), lattice.pack(0, 0, 2)}};
+        star.set(0, faces, {1, 1, 1});
+        std::vector<double> values(27, 0.0);
+        const PackedPoint first = lattice.pack(1, 0, 0), later = lattice.pack(0, 1, 0), last = lattice.pack(0, 0, 1);
+        values[lattice.index(first)] = 1e9 + 1;
+        values[lattice.index(later)] = -1e9 - 2;
+        values[lattice.index(last)] = 1e9 - 500;
+        Relocation relocation;
+        relocation.run(lattice, LatticeSamples(std::span<const double>(values)), star, std::array{last, later, first});
+        QCOMPARE(relocation.count(0), 3u);
+        QCOMPARE(relocation.worstPoint(0), first);
+        QVERIFY(relocation.worstError(0) >= 1e9 + 2);
+        QVERIFY(relocation.worstError(0) <= (1e9 + 2) * (1 + 1e-6));
     }
 };
 
