@@ -84,6 +84,10 @@ try {
     if (encoding != "raw" && encoding != "gzip")
         return Error{ErrorKind::WrongUsage,
                      "NRRD files are written with the encoding raw or gzip, not '" + printable(encoding) + "'."};
+    if (dataset.domain != DomainClass::RegularLattice)
+        return Error{ErrorKind::WrongUsage, "NRRD files hold regular lattices, and '" + dataset.source.name + "' is " +
+                                                std::string(domainClassName(dataset.domain)) +
+                                                ". Give the file another ending, such as .xyz for PLOT3D."};
     Result<FileWriter> file = FileWriter::create(path);
     if (!file)
         return file.error();

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/plot3d/plot3d_arrays.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tetra {
+
+namespace {
+
+constexpr double specificHeats = 1.4; ///< their ratio, of a gas of molecules of two atoms
+
+/// In the order in which "automatic" tries them.
+constexpr std::array<std::string_view, 10> names = {
+    "density",    "pressure",   "energy",     "velocity_magnitude", "momentum_magnitude",
+    "momentum_x", "momentum_y", "momentum_z", "temperature",        "mach",
+};
+
+/// The five quantities of one point.
+struct State {
+    double density = 0;
+    double momentumX = 0;
+    double momentumY = 0;
+    double momentumZ = 0;
+    double energy = 0;
+
+    double momentum() const { return std::sqrt(momentumX * momentumX + momentumY * momentumY + momentumZ * momentumZ); }
+    double speed() const { return momentum() / density; }
+    double pressure() const { return (specificHeats - 1) * (energy - 0.5 * momentum() * momentum() / density); }
+    double temperature() const { return pressure() / density; }
+    double mach() const { return speed() / std::sqrt(specificHeats * temperature()); }
+};
+
+double valueOf(std::string_view name, const State& state)
+{
+    if (name == "density")
+        return state.density;
+    if (name == "pressure")
+        return state.pressure();
+    if (name == "energy")
+        return state.energy;
+    if (name == "velocity_magnitude")
+        return state.speed();
+    if (name == "momentum_magnitude")
+        return state.momentum();
+    if (name == "momentum_x")
+        return state.momentumX;
+    if (name == "momentum_y")
+        return state.momentumY;
+    if (name == "momentum_z")
+        return state.momentumZ;
+    if (name == "temperature")
+        return state.temperature();
+    return state.mach();
+}
+
+using Quantities = std::array<std::vector<double>, 5>;
+
+Result<Quantities> readQuantities(const Plot3dFile& solution, std::size_t grid, const Progress& progress)
+{
+    Quantities quantities;
+    for (std::size_t number = 0; number < quantities.size(); ++number) {
+        const double share = 1.0 / static_cast<double>(quantities.size());
+        const double begin = share * static_cast<double>(number);
+        auto component = readComponent(solution, grid, number, progress.part(begin, begin + share));
+        if (!component)
+            return component.error();
+        quantities[number] = *std::move(component);
+    }
+    return quantities;
+}
+
+std::vector<double> evaluate(std::string_view name, const Quantities& q)
+{
+    std::vector<double> values(q[0].size());
+    for (std::size_t point = 0; point < values.size(); ++point)
+        values[point] = valueOf(name, {q[0][point], q[1][point], q[2][point], q[3][point], q[4][point]});
+    return values;
+}
+
+bool isFinite(const std::vector<double>& values)
+{
+    return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+bool varies(const std::vector<double>& values)
+{
+    return std::ranges::any_of(values, [first = values.front()](double value) { return value != first; });
+}
+
+/// Arrays that can be taken, for messages.
+std::string usableNames(const Quantities& quantities)
+{
+    std::string list;
+    for (const std::string_view name : names)
+        if (const auto values = evaluate(name, quantities); isFinite(values) && varies(values))
+            list += (list.empty() ? "" : ", ") + std::string(name);
+    return list.empty() ? "No array of this solution varies." : "These can be taken: " + list + ".";
+}
+
+Status checkUsable(const Plot3dArray& array, const Quantities& quantities, const Plot3dFile& solution)
+{
+    const std::filesystem::path& path = solution.file->path();
+    if (!isFinite(array.values)) {
+        const auto wrong = std::ranges::count_if(array.values, [](double value) { return !std::isfinite(value); });
+        return inPlot3dFile(path, "the array '" + array.name + "' is not a finite number at " + std::to_string(wrong) +
+                                      " of its points. " + usableNames(quantities));
+    }
+    if (!varies(array.values))
+        return inPlot3dFile(path,
+                            "the array '" + array.name + "' has one value everywhere. " + usableNames(quantities));
+    return {};
+}
+
+} // namespace
+
+std::span<const std::string_view> plot3dArrayNames()
+{
+    return names;
+}
+
+Result<Plot3dArray> readPlot3dArray(const Plot3dFile& solution, std::size_t grid, const std::string& name,
+                                    const Progress& progress)
+{
+    const auto quantities = readQuantities(solution, grid, progress);
+    if (!quantities)
+        return quantities.error();
+    if (name != "automatic") {
+        Plot3dArray array{name, evaluate(name, *quantities)};
+        if (const Status usable = checkUsable(array, *quantities, solution); !usable)
+            return usable.error();
+        return array;
+    }
+    for (const std::string_view candidate : names)
+        if (auto values = evaluate(candidate, *quantities); isFinite(values) && varies(values))
+            return Plot3dArray{std::string(candidate), std::move(values)};
+    return inPlot3dFile(solution.file->path(), "none of its arrays varies, so there is nothing to see.");
+}
+
+} // namespace tetra

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/plot3d/plot3d_file.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+namespace tetra {
+
+namespace {
+
+template <class Real, class Bits> double realAt(const std::byte* place, std::endian order)
+{
+    Bits bits = 0;
+    std::memcpy(&bits, place, sizeof bits);
+    if (order != std::endian::native)
+        bits = sizeof bits == 4 ? static_cast<Bits>(__builtin_bswap32(static_cast<std::uint32_t>(bits)))
+                                : static_cast<Bits>(__builtin_bswap64(static_cast<std::uint64_t>(bits)));
+    return static_cast<double>(std::bit_cast<Real>(bits));
+}
+
+/// Checks the length before and behind a record of `payload` bytes at `offset`.
+bool marksFit(const Plot3dFile& file, std::uint64_t offset, std::uint64_t payload)
+{
+    const auto mark = [&](std::uint64_t at) {
+        return static_cast<std::uint32_t>(plot3dInteger(file.file->bytes(), at, file.layout.order));
+    };
+    const auto length = static_cast<std::uint32_t>(payload); // records beyond 4 GiB have what is left of it
+    return mark(offset - 4) == length && mark(offset + payload) == length;
+}
+
+bool allMarksFit(const Plot3dFile& file)
+{
+    for (std::size_t grid = 0; grid < file.layout.sizes.size(); ++grid) {
+        const Plot3dBlock block = plot3dBlock(file.layout, file.kind, grid);
+        const std::uint64_t reals = (file.kind == Plot3dKind::Grid ? 3 : 5) * block.points * file.layout.realBytes;
+        if (!marksFit(file, block.reals, reals + (file.layout.iblank ? 4 * block.points : 0)))
+            return false;
+        const std::uint64_t state = std::uint64_t(4) * file.layout.realBytes;
+        if (file.kind == Plot3dKind::Solution && !marksFit(file, block.reals - 8 - state, state))
+            return false;
+    }
+    return true;
+}
+
+bool endsInZeros(const Plot3dFile& file)
+{
+    return std::ranges::all_of(file.file->bytes().last(file.layout.padding),
+                               [](std::byte byte) { return byte == std::byte{}; });
+}
+
+} // namespace
+
+Error inPlot3dFile(const std::filesystem::path& path, const std::string& text)
+{
+    return {ErrorKind::BadInput, "Cannot read '" + path.string() + "': " + text};
+}
+
+Result<Plot3dFile> openPlot3d(const std::filesystem::path& path, Plot3dKind kind)
+{
+    const auto mapped = MappedFile::open(path);
+    if (!mapped)
+        return mapped.error();
+    const std::span<const std::byte> bytes = (*mapped)->bytes();
+    if (bytes.empty())
+        return inPlot3dFile(path, "it is empty. Get or make the file again.");
+    const auto layout = findPlot3dLayout(bytes, bytes.size(), kind);
+    if (!layout)
+        return inPlot3dFile(path, layout.error().text);
+    Plot3dFile file{*mapped, kind, *layout};
+    if (file.layout.recordMarks && !allMarksFit(file))
+        return inPlot3dFile(path, "the lengths of its Fortran records do not fit the sizes of its grids. Get it again "
+                                  "from where it came from.");
+    if (!endsInZeros(file))
+        return inPlot3dFile(path, std::to_string(file.layout.padding) +
+                                      " bytes too many stand behind its data. Check that it is a PLOT3D file.");
+    return file;
+}
+
+Result<std::size_t> chooseGrid(const Plot3dFile& file, std::int64_t wanted)
+{
+    const std::size_t count = file.layout.sizes.size();
+    const std::filesystem::path& path = file.file->path();
+    if (wanted == 0 && count > 1)
+        return inPlot3dFile(path, "it holds " + std::to_string(count) +
+                                      " grids, and a model is of one. Choose which: 'grid' from 1 to " +
+                                      std::to_string(count) + ".");
+    if (wanted > static_cast<std::int64_t>(count))
+        return Error{ErrorKind::WrongUsage, "'" + path.string() + "' has no grid " + std::to_string(wanted) +
+                                                ": it holds " + std::to_string(count) + "."};
+    const std::size_t grid = wanted == 0 ? 0 : static_cast<std::size_t>(wanted - 1);
+    const auto& size = file.layout.sizes[grid];
+    if (std::ranges::min(size) < 2)
+        return inPlot3dFile(path, "its grid has " + std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
+                                      std::to_string(size[2]) +
+                                      " points. TAn takes volumes: at least two points along each of three axes.");
+    return grid;
+}
+
+Result<std::vector<double>> readComponent(const Plot3dFile& file, std::size_t grid, std::size_t number,
+                                          const Progress& progress)
+{
+    constexpr std::uint64_t pointsAtOnce = 1 << 20;
+    const Plot3dBlock block = plot3dBlock(file.layout, file.kind, grid);
+    const std::uint32_t realBytes = file.layout.realBytes;
+    const std::byte* const first = file.file->bytes().data() + block.reals + number * block.points * realBytes;
+    std::vector<double> component(block.points);
+    for (std::uint64_t point = 0; point < block.points; ++point) {
+        if (point % pointsAtOnce == 0) {
+            if (progress.cancelled())
+                return cancelledError("Reading");
+            progress.report(static_cast<double>(point) / static_cast<double>(block.points), "Reading");
+        }
+        const std::byte* const place = first + point * realBytes;
+        component[point] = realBytes == 4 ? realAt<float, std::uint32_t>(place, file.layout.order)
+                                          : realAt<double, std::uint64_t>(place, file.layout.order);
+    }
+    if (file.file->damaged())
+        return inPlot3dFile(file.file->path(), "it changed while it was read. Read it again.");
+    return component;
+}
+
+std::uint64_t blankedPoints(const Plot3dFile& file, std::size_t grid)
+{
+    const Plot3dBlock block = plot3dBlock(file.layout, file.kind, grid);
+    std::uint64_t blanked = 0;
+    if (block.iblank != 0)
+        for (std::uint64_t point = 0; point < block.points; ++point)
+            if (plot3dInteger(file.file->bytes(), block.iblank + 4 * point, file.layout.order) == 0)
+                ++blanked;
+    return blanked;
+}
+
+} // namespace tetra

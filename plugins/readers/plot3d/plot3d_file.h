@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/mapped_file.h"
+#include "core/base/progress.h"
+#include "plugins/readers/plot3d/plot3d_layout.h"
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace tetra {
+
+/// A mapped PLOT3D file whose layout is known.
+struct Plot3dFile {
+    std::shared_ptr<const MappedFile> file;
+    Plot3dKind kind = Plot3dKind::Grid;
+    Plot3dLayout layout;
+};
+
+/// Opens the file and checks that it is whole: sizes, record marks, nothing but zeros behind the data. Errors name the
+/// file.
+Result<Plot3dFile> openPlot3d(const std::filesystem::path& path, Plot3dKind kind);
+
+/// The number of the grid that `wanted` (1 for the first; 0 if the user said nothing) means in this file.
+Result<std::size_t> chooseGrid(const Plot3dFile& file, std::int64_t wanted);
+
+/// Component `number` of a grid's reals: of a grid file 0 to 2 are x, y, z, of a solution file 0 to 4 density, the
+/// three momenta and energy. May throw std::bad_alloc. Errors: damaged while it was read, cancelled.
+Result<std::vector<double>> readComponent(const Plot3dFile& file, std::size_t grid, std::size_t number,
+                                          const Progress& progress);
+
+/// The number of points with iblank 0 in a grid file; 0 without iblank.
+std::uint64_t blankedPoints(const Plot3dFile& file, std::size_t grid);
+
+/// An error about the file at `path`, for the user.
+Error inPlot3dFile(const std::filesystem::path& path, const std::string& text);
+
+} // namespace tetra

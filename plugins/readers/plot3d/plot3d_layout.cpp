@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/plot3d/plot3d_layout.h"
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+#include <string>
+
+namespace tetra {
+
+namespace {
+
+constexpr std::uint64_t integerBytes = 4;
+constexpr std::uint64_t markBytes = 4;
+constexpr std::uint64_t mostPadding = 511; ///< files are filled up to whole blocks
+constexpr std::int32_t mostGrids = 10000;
+constexpr std::uint64_t mostPoints = std::uint64_t(1) << 32;
+constexpr std::uint64_t numbersOfAState = 4; ///< Mach number, angle of attack, Reynolds number, time
+constexpr std::uint64_t coordinates = 3;
+
+/// What comes before the data of the first grid, as one way of reading it has it.
+struct Front {
+    std::vector<std::array<std::uint32_t, 3>> sizes;
+    std::uint64_t bytes = 0;
+};
+
+/// Takes integers from the beginning of a file, record by record; nothing once something does not fit.
+class FrontReader {
+public:
+    FrontReader(std::span<const std::byte> bytes, const Plot3dLayout& layout, std::uint32_t dimensions)
+        : bytes_(bytes), layout_(layout), dimensions_(dimensions)
+    {
+    }
+
+    std::optional<Front> read()
+    {
+        Front front;
+        std::uint64_t grids = 1;
+        if (layout_.multiGrid) {
+            const auto count = record(1);
+            if (count.empty() || count[0] < 1 || count[0] > mostGrids)
+                return std::nullopt;
+            grids = static_cast<std::uint64_t>(count[0]);
+        }
+        const auto numbers = record(grids * dimensions_);
+        if (numbers.empty())
+            return std::nullopt;
+        for (std::uint64_t grid = 0; grid < grids; ++grid) {
+            std::array<std::uint32_t, 3> size{1, 1, 1};
+            std::uint64_t points = 1;
+            for (std::uint32_t axis = 0; axis < dimensions_; ++axis) {
+                const std::int32_t number = numbers[grid * dimensions_ + axis];
+                if (number < 1 || __builtin_mul_overflow(points, std::uint64_t(number), &points) || points > mostPoints)
+                    return std::nullopt;
+                size[axis] = static_cast<std::uint32_t>(number);
+            }
+            front.sizes.push_back(size);
+        }
+        front.bytes = offset_;
+        return front;
+    }
+
+private:
+    /// The integers of the next record; empty if it is not one of so many.
+    std::vector<std::int32_t> record(std::uint64_t count)
+    {
+        const std::uint64_t payload = count * integerBytes;
+        const std::uint64_t marks = layout_.recordMarks ? 2 * markBytes : 0;
+        if (bytes_.size() - offset_ < payload + marks)
+            return {};
+        if (layout_.recordMarks && (next() != payload || !skipTo(payload)))
+            return {};
+        std::vector<std::int32_t> numbers;
+        for (std::uint64_t i = 0; i < count; ++i)
+            numbers.push_back(static_cast<std::int32_t>(next()));
+        if (layout_.recordMarks)
+            next();
+        return numbers;
+    }
+    /// Whether the mark behind a record of `payload` bytes that begins here repeats its length.
+    bool skipTo(std::uint64_t payload) const
+    {
+        return static_cast<std::uint32_t>(plot3dInteger(bytes_, offset_ + payload, layout_.order)) == payload;
+    }
+    std::uint32_t next()
+    {
+        const std::int32_t number = plot3dInteger(bytes_, offset_, layout_.order);
+        offset_ += integerBytes;
+        return static_cast<std::uint32_t>(number);
+    }
+
+    std::span<const std::byte> bytes_;
+    const Plot3dLayout& layout_;
+    std::uint32_t dimensions_;
+    std::uint64_t offset_ = 0;
+};
+
+std::uint64_t pointsOf(const std::array<std::uint32_t, 3>& size)
+{
+    return std::uint64_t(size[0]) * size[1] * size[2];
+}
+
+/// Bytes of one grid's records.
+std::uint64_t gridBytes(const Plot3dLayout& layout, Plot3dKind kind, std::uint64_t points, std::uint64_t dimensions)
+{
+    const std::uint64_t marks = layout.recordMarks ? 2 * markBytes : 0;
+    if (kind == Plot3dKind::Grid)
+        return marks + points * (dimensions * layout.realBytes + (layout.iblank ? integerBytes : 0));
+    return 2 * marks + (numbersOfAState + (dimensions + 2) * points) * layout.realBytes;
+}
+
+/// One way of reading the file, and how many bytes it would need.
+struct Candidate {
+    Plot3dLayout layout;
+    std::uint64_t bytes = 0;
+};
+
+std::vector<Candidate> candidates(std::span<const std::byte> firstBytes, Plot3dKind kind, std::uint32_t dimensions)
+{
+    std::vector<Candidate> found;
+    for (const std::endian order : {std::endian::little, std::endian::big})
+        for (const bool marks : {false, true})
+            for (const bool multi : {false, true}) {
+                Plot3dLayout layout{.order = order, .recordMarks = marks, .multiGrid = multi};
+                const auto front = FrontReader(firstBytes, layout, dimensions).read();
+                if (!front)
+                    continue;
+                layout.sizes = front->sizes;
+                for (const std::uint32_t realBytes : {4u, 8u})
+                    for (const bool iblank : {false, true}) {
+                        if (iblank && kind == Plot3dKind::Solution)
+                            continue;
+                        layout.realBytes = realBytes;
+                        layout.iblank = iblank;
+                        std::uint64_t bytes = front->bytes;
+                        for (const auto& size : layout.sizes)
+                            bytes += gridBytes(layout, kind, pointsOf(size), dimensions);
+                        found.push_back({layout, bytes});
+                    }
+            }
+    return found;
+}
+
+bool zerosFrom(std::span<const std::byte> firstBytes, std::uint64_t offset)
+{
+    return offset >= firstBytes.size() ||
+           std::ranges::all_of(firstBytes.subspan(offset), [](std::byte byte) { return byte == std::byte{}; });
+}
+
+bool isSolid(const Plot3dLayout& layout)
+{
+    return std::ranges::all_of(layout.sizes, [](const auto& size) { return std::ranges::min(size) >= 2; });
+}
+
+std::string sizeText(const std::array<std::uint32_t, 3>& size)
+{
+    return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
+}
+
+/// Why no layout fits.
+Error explain(const std::vector<Candidate>& all, std::span<const std::byte> firstBytes, std::uint64_t fileBytes,
+              Plot3dKind kind)
+{
+    for (const Candidate& flat : candidates(firstBytes, kind, 2))
+        if (flat.bytes == fileBytes)
+            return {ErrorKind::BadInput, "it holds a two-dimensional grid. TAn takes volumes: grids with at least two "
+                                         "points along each of three axes."};
+    const Candidate* nearest = nullptr;
+    for (const Candidate& candidate : all)
+        if (isSolid(candidate.layout) && (nearest == nullptr || candidate.bytes < nearest->bytes))
+            nearest = &candidate;
+    if (nearest == nullptr)
+        return {ErrorKind::BadInput,
+                "it is no binary PLOT3D file: it does not begin with the sizes of its grids. Text files are not read."};
+    const std::string wanted = "it begins like a grid of " + sizeText(nearest->layout.sizes[0]) +
+                               " points, which takes " + std::to_string(nearest->bytes) + " bytes or more, and has " +
+                               std::to_string(fileBytes);
+    if (nearest->bytes > fileBytes)
+        return {ErrorKind::BadInput, wanted + ": it is cut short. Get it again from where it came from."};
+    return {ErrorKind::BadInput, wanted + ", which fits no kind of PLOT3D file."};
+}
+
+} // namespace
+
+std::int32_t plot3dInteger(std::span<const std::byte> bytes, std::uint64_t offset, std::endian order)
+{
+    std::uint32_t number = 0;
+    std::memcpy(&number, bytes.data() + offset, sizeof number);
+    return static_cast<std::int32_t>(order == std::endian::native ? number : __builtin_bswap32(number));
+}
+
+Plot3dBlock plot3dBlock(const Plot3dLayout& layout, Plot3dKind kind, std::size_t grid)
+{
+    const std::uint64_t mark = layout.recordMarks ? markBytes : 0;
+    std::uint64_t offset =
+        (layout.multiGrid ? integerBytes + 2 * mark : 0) + 2 * mark + layout.sizes.size() * coordinates * integerBytes;
+    for (std::size_t before = 0; before < grid; ++before)
+        offset += gridBytes(layout, kind, pointsOf(layout.sizes[before]), coordinates);
+    Plot3dBlock block;
+    block.points = pointsOf(layout.sizes[grid]);
+    block.reals = offset + mark + (kind == Plot3dKind::Solution ? numbersOfAState * layout.realBytes + 2 * mark : 0);
+    if (layout.iblank)
+        block.iblank = block.reals + coordinates * block.points * layout.realBytes;
+    return block;
+}
+
+Result<Plot3dLayout> findPlot3dLayout(std::span<const std::byte> firstBytes, std::uint64_t fileBytes, Plot3dKind kind)
+{
+    const std::vector<Candidate> all = candidates(firstBytes, kind, 3);
+    const Candidate* best = nullptr;
+    for (const Candidate& candidate : all)
+        if (candidate.bytes <= fileBytes && fileBytes - candidate.bytes <= mostPadding &&
+            zerosFrom(firstBytes, candidate.bytes) && (best == nullptr || candidate.bytes > best->bytes))
+            best = &candidate;
+    if (best == nullptr)
+        return explain(all, firstBytes, fileBytes, kind);
+    Plot3dLayout layout = best->layout;
+    layout.padding = fileBytes - best->bytes;
+    return layout;
+}
+
+} // namespace tetra

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/plot3d/plot3d_reader.h"
+
+#include "core/data/sample_buffer.h"
+#include "plugins/readers/plot3d/plot3d_arrays.h"
+#include "plugins/readers/plot3d/plot3d_checks.h"
+#include "plugins/readers/plot3d/plot3d_names.h"
+
+#include <algorithm>
+#include <cctype>
+#include <new>
+
+namespace tetra {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string lowerExtension(const fs::path& path)
+{
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return extension;
+}
+
+/// The two files of a dataset.
+struct Pair {
+    fs::path grid;
+    fs::path solution;
+};
+
+std::string namesText(const std::vector<fs::path>& names)
+{
+    std::string list;
+    for (const fs::path& name : names)
+        list += (list.empty() ? "" : ", ") + name.filename().string();
+    return list;
+}
+
+bool isSolution(const fs::path& path)
+{
+    const auto file = MappedFile::open(path);
+    return file && !findPlot3dLayout((*file)->bytes(), (*file)->bytes().size(), Plot3dKind::Grid) &&
+           findPlot3dLayout((*file)->bytes(), (*file)->bytes().size(), Plot3dKind::Solution);
+}
+
+Result<Pair> findPair(const fs::path& path, const std::string& solutionGiven)
+{
+    if (!solutionGiven.empty()) {
+        const fs::path solution(solutionGiven);
+        return Pair{path, solution.is_absolute() ? solution : path.parent_path() / solution};
+    }
+    if (isSolution(path)) {
+        const fs::path grid = firstExisting(gridNames(path));
+        if (grid.empty())
+            return inPlot3dFile(path, "it is a PLOT3D solution, and its grid is not beside it (" +
+                                          namesText(gridNames(path)) + "). Open the grid, and give it the solution.");
+        return Pair{grid, path};
+    }
+    const fs::path solution = firstExisting(solutionNames(path));
+    if (solution.empty())
+        return inPlot3dFile(path, "it is a grid without values, and no solution is beside it (" +
+                                      namesText(solutionNames(path)) +
+                                      "). Say where it is with 'solution', or give it one of these names.");
+    return Pair{path, solution};
+}
+
+struct OpenPair {
+    Plot3dFile grid;
+    Plot3dFile solution;
+    std::size_t number = 0; ///< of the grid, and of its solution
+};
+
+Result<OpenPair> openPair(const Pair& pair, std::int64_t wanted)
+{
+    const auto grid = openPlot3d(pair.grid, Plot3dKind::Grid);
+    if (!grid)
+        return grid.error();
+    const auto number = chooseGrid(*grid, wanted);
+    if (!number)
+        return number.error();
+    const auto solution = openPlot3d(pair.solution, Plot3dKind::Solution);
+    if (!solution)
+        return solution.error();
+    if (solution->layout.sizes != grid->layout.sizes)
+        return inPlot3dFile(pair.solution, "it is the solution of another grid: its sizes are not those of '" +
+                                               pair.grid.string() + "'. Choose another one with 'solution'.");
+    return OpenPair{*grid, *solution, *number};
+}
+
+Result<PointPositions> readPositions(const OpenPair& pair, const Progress& progress)
+{
+    if (const std::uint64_t blanked = blankedPoints(pair.grid, pair.number); blanked > 0)
+        return inPlot3dFile(pair.grid.file->path(),
+                            std::to_string(blanked) +
+                                " of its points are blanked out (iblank 0), so that its domain "
+                                "has holes, which cannot be refined. Take the part without them.");
+    auto positions = std::make_shared<std::vector<Eigen::Vector3d>>();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double begin = static_cast<double>(axis) / 3;
+        const auto component = readComponent(pair.grid, pair.number, axis, progress.part(begin, begin + 1. / 3));
+        if (!component)
+            return component.error();
+        positions->resize(component->size());
+        for (std::size_t point = 0; point < component->size(); ++point)
+            (*positions)[point][static_cast<Eigen::Index>(axis)] = (*component)[point];
+    }
+    return PointPositions(std::move(positions));
+}
+
+/// Single precision if the solution was.
+Result<ScalarField> fieldOf(const Plot3dArray& array, std::uint32_t realBytes)
+{
+    const SampleType type = realBytes == 4 ? SampleType::Float32 : SampleType::Float64;
+    auto samples = allocateSamples(type, array.values.size());
+    if (!samples)
+        return samples.error();
+    if (type == SampleType::Float32)
+        std::ranges::transform(array.values, reinterpret_cast<float*>(samples->get()),
+                               [](double value) { return static_cast<float>(value); });
+    else
+        std::ranges::copy(array.values, reinterpret_cast<double*>(samples->get()));
+    return ScalarField(type, array.values.size(), *std::move(samples));
+}
+
+Result<Dataset> readDataset(const fs::path& path, const OpenPair& pair, const std::string& arrayName,
+                            const Progress& progress)
+{
+    const auto positions = readPositions(pair, progress.part(0, 0.35));
+    if (!positions)
+        return positions.error();
+    const auto array = readPlot3dArray(pair.solution, pair.number, arrayName, progress.part(0.35, 0.9));
+    if (!array)
+        return array.error();
+    const auto values = fieldOf(*array, pair.solution.layout.realBytes);
+    if (!values)
+        return values.error();
+    Dataset dataset;
+    dataset.domain = DomainClass::Curvilinear;
+    dataset.lattice.size = pair.grid.layout.sizes[pair.number];
+    dataset.positions = *positions;
+    dataset.values = *values;
+    dataset.source = {pair.grid.file->path().filename().string() + ", " + array->name, path,
+                      contentHash(*values, *positions)};
+    if (const Status usable = checkGrid(dataset); !usable)
+        return inPlot3dFile(pair.grid.file->path(), usable.error().text);
+    progress.report(1, "Reading");
+    return dataset;
+}
+
+} // namespace
+
+std::vector<std::string> Plot3dReader::nameFilters() const
+{
+    return {"PLOT3D grid and solution (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)"};
+}
+
+double Plot3dReader::score(const fs::path& path, std::span<const std::byte> firstBytes) const
+{
+    constexpr std::array<std::string_view, 6> ownNames = {".x", ".g", ".grd", ".p3d", ".q", ".qsol"};
+    std::error_code problem;
+    const std::uint64_t bytes = fs::file_size(path, problem);
+    if (!problem)
+        for (const Plot3dKind kind : {Plot3dKind::Grid, Plot3dKind::Solution})
+            if (findPlot3dLayout(firstBytes, bytes, kind))
+                return 0.9;
+    return std::ranges::find(ownNames, lowerExtension(path)) != ownNames.end() ? 0.2 : 0; // to say what is wrong
+}
+
+std::vector<Parameter> Plot3dReader::parameters() const
+{
+    Parameter array;
+    array.id = "array";
+    array.label = "Values";
+    array.explanation = "Which scalar of the solution: automatic takes the density, or if that is the same everywhere "
+                        "the first that varies.";
+    array.defaultValue = std::string("automatic");
+    array.choices = {"automatic"};
+    for (const std::string_view name : plot3dArrayNames())
+        array.choices.emplace_back(name);
+    Parameter solution;
+    solution.id = "solution";
+    solution.label = "Solution file";
+    solution.explanation = "The PLOT3D solution of the grid; without it the one beside it with a fitting name.";
+    solution.defaultValue = std::string();
+    Parameter grid;
+    grid.id = "grid";
+    grid.label = "Grid";
+    grid.explanation = "Which grid of a PLOT3D file that holds several, from 1; 0 takes the only one.";
+    grid.defaultValue = std::int64_t(0);
+    grid.minimum = 0;
+    grid.maximum = 10000;
+    return {array, solution, grid};
+}
+
+Result<Dataset> Plot3dReader::read(const fs::path& path, const ParameterValues& values, const Progress& progress) const
+try {
+    const auto all = parameters();
+    const auto pair = findPair(path, parameterValue<std::string>(all, values, "solution"));
+    if (!pair)
+        return pair.error();
+    const auto open = openPair(*pair, parameterValue<std::int64_t>(all, values, "grid"));
+    if (!open)
+        return open.error();
+    return readDataset(path, *open, parameterValue<std::string>(all, values, "array"), progress);
+} catch (const std::bad_alloc&) {
+    return Error{ErrorKind::OutOfResource, "Not enough memory to read the file. Close other programs."};
+}
+
+} // namespace tetra

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugins/api/reader.h"
+
+namespace tetra {
+
+/// Reads curvilinear grids in binary PLOT3D files, a grid and a solution file: either is opened and finds the other by
+/// its name. Byte order, precision, record marks and iblank follow from the files. What is read and what is refused:
+/// docs/formats.md.
+class Plot3dReader : public Reader {
+public:
+    std::vector<std::string> nameFilters() const override;
+    double score(const std::filesystem::path& path, std::span<const std::byte> firstBytes) const override;
+    std::vector<Parameter> parameters() const override;
+    Result<Dataset> read(const std::filesystem::path& path, const ParameterValues& values,
+                         const Progress& progress) const override;
+};
+
+} // namespace tetra

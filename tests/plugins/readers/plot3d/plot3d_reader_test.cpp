@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// PLOT3D files of every binary kind are read (R1), what is no volume is refused with a text that helps (S6, S20), and
+// damaged files are read or refused, never anything else.
+#include "plugins/readers/plot3d/plot3d_reader.h"
+#include "plugins/readers/plot3d/plot3d_writer.h"
+#include "tests/plugins/readers/plot3d/plot3d_files.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <fstream>
+#include <random>
+
+using namespace tetra;
+
+namespace {
+
+double expectedArray(const std::string& name, int n)
+{
+    const double density = testQuantity(0, n);
+    double square = 0;
+    for (int axis = 1; axis <= 3; ++axis)
+        square += testQuantity(axis, n) * testQuantity(axis, n);
+    const double pressure = 0.4 * (testQuantity(4, n) - square / density / 2);
+    if (name == "density")
+        return density;
+    if (name == "energy")
+        return testQuantity(4, n);
+    if (name == "momentum_y")
+        return testQuantity(2, n);
+    if (name == "velocity_magnitude")
+        return std::sqrt(square) / density;
+    if (name == "pressure")
+        return pressure;
+    if (name == "temperature")
+        return pressure / density;
+    return std::sqrt(square) / density / std::sqrt(1.4 * pressure / density); // mach
+}
+
+} // namespace
+
+class Plot3dReaderTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { folder_ = std::make_unique<QTemporaryDir>(); }
+    void everyKindIsRead_data();
+    void everyKindIsRead();
+    void arraysFollowFromTheSolution_data();
+    void arraysFollowFromTheSolution();
+    void theSolutionIsFoundByItsName_data();
+    void theSolutionIsFoundByItsName();
+    void aGridOfSeveralIsChosen();
+    void constantArraysAreNotTaken();
+    void zerosBehindTheDataAreBorne();
+    void refuses_data();
+    void refuses();
+    void mutationsAreReadOrRefused();
+    void otherFilesAreLeftToOthers();
+    void whatIsWrittenComesBack();
+    void cancels();
+
+private:
+    std::filesystem::path write(const std::string& name, const QByteArray& content) const
+    {
+        const std::filesystem::path path = folder_->path().toStdString() + "/" + name;
+        std::ofstream(path, std::ios::binary | std::ios::trunc).write(content.data(), content.size());
+        return path;
+    }
+    std::filesystem::path writePair(const Plot3dStyle& style) const
+    {
+        write("g.q", testFile(style, true));
+        return write("g.xyz", testFile(style, false));
+    }
+    static Result<Dataset> read(const std::filesystem::path& path, const ParameterValues& values = {})
+    {
+        return Plot3dReader().read(path, values, {});
+    }
+    static double scoreOf(const std::filesystem::path& path, const QByteArray& content)
+    {
+        const QByteArray first = content.left(4096);
+        return Plot3dReader().score(path,
+                                    std::as_bytes(std::span(first.data(), static_cast<std::size_t>(first.size()))));
+    }
+
+    std::unique_ptr<QTemporaryDir> folder_;
+};
+
+void Plot3dReaderTest::everyKindIsRead_data()
+{
+    QTest::addColumn<int>("kind");
+    for (int kind = 0; kind < 32; ++kind)
+        QTest::addRow("%s%s%s%s%s", kind & 1 ? "big " : "little ", kind & 2 ? "marks " : "", kind & 4 ? "multi " : "",
+                      kind & 8 ? "double " : "single ", kind & 16 ? "iblank" : "")
+            << kind;
+}
+
+void Plot3dReaderTest::everyKindIsRead()
+{
+    QFETCH(int, kind);
+    const Plot3dStyle style{.order = kind & 1 ? std::endian::big : std::endian::little,
+                            .marks = (kind & 2) != 0,
+                            .multiGrid = (kind & 4) != 0,
+                            .doubles = (kind & 8) != 0,
+                            .iblank = (kind & 16) != 0};
+    const auto path = writePair(style);
+    QVERIFY(scoreOf(path, testFile(style, false)) > 0.5);
+    const auto dataset = read(path);
+    QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+    QCOMPARE(dataset->domain, DomainClass::Curvilinear);
+    QCOMPARE(dataset->lattice.size, (std::array<std::uint32_t, 3>{3, 4, 5}));
+    QCOMPARE(dataset->values.type(), style.doubles ? SampleType::Float64 : SampleType::Float32);
+    QCOMPARE(dataset->source.hash, contentHash(dataset->values, dataset->positions));
+    QCOMPARE(QString::fromStdString(dataset->source.name), QString("g.xyz, density"));
+    for (int n = 0; n < 60; ++n) {
+        const auto point = static_cast<std::uint64_t>(n);
+        QCOMPARE(dataset->position(point),
+                 Eigen::Vector3d(testCoordinate(0, n, 0), testCoordinate(1, n, 0), testCoordinate(2, n, 0)));
+        QCOMPARE(dataset->values.at(point), testQuantity(0, n));
+    }
+}
+
+void Plot3dReaderTest::arraysFollowFromTheSolution_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const char* name :
+         {"density", "energy", "momentum_y", "velocity_magnitude", "pressure", "temperature", "mach"})
+        QTest::newRow(name) << name;
+}
+
+void Plot3dReaderTest::arraysFollowFromTheSolution()
+{
+    QFETCH(QString, name);
+    const auto dataset = read(writePair({.doubles = true}), {{"array", name.toStdString()}});
+    QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+    for (int n = 0; n < 60; ++n)
+        QVERIFY(std::abs(dataset->values.at(static_cast<std::uint64_t>(n)) - expectedArray(name.toStdString(), n)) <
+                1e-12);
+}
+
+void Plot3dReaderTest::theSolutionIsFoundByItsName_data()
+{
+    QTest::addColumn<QString>("grid");
+    QTest::addColumn<QString>("solution");
+    QTest::newRow("xyz.bin") << "finxyz.bin"
+                             << "finq.bin";
+    QTest::newRow(".xyz") << "fin.xyz"
+                          << "fin.q";
+    QTest::newRow(".x") << "fin.x"
+                        << "fin.q";
+    QTest::newRow(".p3d") << "fin.p3d"
+                          << "fin.q";
+    QTest::newRow("capitals") << "FIN.XYZ"
+                              << "FIN.Q";
+}
+
+void Plot3dReaderTest::theSolutionIsFoundByItsName()
+{
+    QFETCH(QString, grid);
+    QFETCH(QString, solution);
+    const auto gridPath = write(grid.toStdString(), testFile({}, false));
+    const auto alone = read(gridPath);
+    QVERIFY(!alone.ok());
+    QVERIFY2(QString::fromStdString(alone.error().text).contains(solution), alone.error().text.c_str());
+    const auto solutionPath = write(solution.toStdString(), testFile({}, true));
+    QVERIFY(read(gridPath).ok());
+    const auto bySolution = read(solutionPath);
+    QVERIFY2(bySolution.ok(), bySolution.ok() ? "" : bySolution.error().text.c_str());
+    QCOMPARE(bySolution->source.hash, read(gridPath)->source.hash);
+
+    std::filesystem::rename(solutionPath, solutionPath.parent_path() / "other.data");
+    QVERIFY(!read(gridPath).ok());
+    QVERIFY(read(gridPath, {{"solution", std::string("other.data")}}).ok());
+    QVERIFY(!read(gridPath, {{"solution", std::string("missing.data")}}).ok());
+}
+
+void Plot3dReaderTest::aGridOfSeveralIsChosen()
+{
+    const auto path = writePair({.order = std::endian::big, .marks = true, .multiGrid = true, .grids = 3});
+    const auto none = read(path);
+    QVERIFY(!none.ok());
+    QVERIFY2(QString::fromStdString(none.error().text).contains("3 grids"), none.error().text.c_str());
+    const auto third = read(path, {{"grid", std::int64_t(3)}});
+    QVERIFY2(third.ok(), third.ok() ? "" : third.error().text.c_str());
+    QCOMPARE(third->lattice.size, (std::array<std::uint32_t, 3>{5, 4, 5}));
+    QCOMPARE(third->position(17)[2], testCoordinate(2, 17, 2));
+    QCOMPARE(third->values.at(17), testQuantity(0, 17));
+    const auto fourth = read(path, {{"grid", std::int64_t(4)}});
+    QVERIFY(!fourth.ok());
+    QCOMPARE(fourth.error().kind, ErrorKind::WrongUsage);
+}
+
+void Plot3dReaderTest::constantArraysAreNotTaken()
+{
+    Plot3dBytes solution({});
+    for (const std::int32_t number : testSize(0))
+        solution.integer(number);
+    for (int i = 0; i < 4; ++i)
+        solution.real(1);
+    for (int component = 0; component < 5; ++component)
+        for (int n = 0; n < 60; ++n)
+            solution.real(component == 0 ? 1 : testQuantity(component, n));
+    solution.endRecord();
+    write("g.q", solution.bytes());
+    const auto path = write("g.xyz", testFile({}, false));
+    const auto automatic = read(path);
+    QVERIFY(automatic.ok());
+    QCOMPARE(QString::fromStdString(automatic->source.name), QString("g.xyz, pressure"));
+    const auto density = read(path, {{"array", std::string("density")}});
+    QVERIFY(!density.ok());
+    const QString text = QString::fromStdString(density.error().text);
+    QVERIFY2(text.contains("one value everywhere") && text.contains("pressure, energy"), qPrintable(text));
+}
+
+void Plot3dReaderTest::zerosBehindTheDataAreBorne()
+{
+    write("g.xyz", testFile({}, false) + QByteArray(100, '\0'));
+    write("g.q", testFile({}, true) + QByteArray(484, '\0'));
+    QVERIFY(read(folder_->path().toStdString() + "/g.xyz").ok());
+    write("g.q", testFile({}, true) + QByteArray(483, '\0') + "x");
+    QVERIFY(!read(folder_->path().toStdString() + "/g.xyz").ok());
+    write("g.q", testFile({}, true) + QByteArray(5000, '\0'));
+    QVERIFY(!read(folder_->path().toStdString() + "/g.xyz").ok());
+}
+
+void Plot3dReaderTest::refuses_data()
+{
+    QTest::addColumn<QByteArray>("grid");
+    QTest::addColumn<QByteArray>("solution");
+    QTest::addColumn<QString>("says");
+    const Plot3dStyle marked{.marks = true};
+    const QByteArray grid = testFile(marked, false);
+    const QByteArray solution = testFile(marked, true);
+    const auto row = [&](const char* name, const QByteArray& gridFile, const QByteArray& solutionFile,
+                         const char* says) { QTest::newRow(name) << gridFile << solutionFile << QString(says); };
+    row("empty", {}, solution, "is empty");
+    row("text", "3 4 5\n1.0 2.0 3.0\n", solution, "no binary PLOT3D file");
+    row("cut short", grid.chopped(1), solution, "cut short");
+    row("cut solution", grid, solution.chopped(1), "cut short");
+    row("another's solution", grid, testFile({.marks = true, .multiGrid = true, .grids = 2}, true), "another grid");
+    row("holes", testFile({.marks = true, .iblank = true}, false, [](int n) { return n == 7 || n == 9 ? 0 : 1; }),
+        solution, "2 of its points are blanked out");
+    QByteArray wrongMark = grid;
+    wrongMark[wrongMark.size() - 4] = 1;
+    row("wrong mark", wrongMark, solution, "Fortran records");
+
+    Plot3dBytes flat(marked);
+    flat.integer(5);
+    flat.integer(4);
+    flat.endRecord();
+    for (int n = 0; n < 40; ++n)
+        flat.real(n);
+    flat.endRecord();
+    row("two-dimensional", flat.bytes(), solution, "two-dimensional");
+
+    Plot3dBytes layer(marked);
+    for (const int number : {5, 4, 1})
+        layer.integer(number);
+    layer.endRecord();
+    for (int n = 0; n < 60; ++n)
+        layer.real(n);
+    layer.endRecord();
+    row("one layer", layer.bytes(), solution, "5 x 4 x 1");
+
+    const auto filled = [&](int components, bool isSolution, double value, bool everywhere) {
+        Plot3dBytes file(marked);
+        for (const std::int32_t number : testSize(0))
+            file.integer(number);
+        file.endRecord();
+        if (isSolution) {
+            for (int i = 0; i < 4; ++i)
+                file.real(1);
+            file.endRecord();
+        }
+        for (int n = 0; n < 60 * components; ++n)
+            file.real(everywhere || n == 33 ? value : n * n % 17);
+        file.endRecord();
+        return file.bytes();
+    };
+    row("no number", filled(3, false, NAN, false), solution, "position of point (0, 3, 2)");
+    row("infinite", filled(3, false, INFINITY, false), solution, "position of point (0, 3, 2)");
+    row("one place", filled(3, false, 2, true), solution, "no cell has a volume");
+    row("nothing varies", grid, filled(5, true, 0, true), "nothing to see");
+}
+
+void Plot3dReaderTest::refuses()
+{
+    QFETCH(QByteArray, grid);
+    QFETCH(QByteArray, solution);
+    QFETCH(QString, says);
+    write("g.q", solution);
+    const auto dataset = read(write("g.xyz", grid));
+    QVERIFY(!dataset.ok());
+    QCOMPARE(dataset.error().kind, ErrorKind::BadInput);
+    const QString text = QString::fromStdString(dataset.error().text);
+    QVERIFY2(text.contains(says) && text.contains(folder_->path()), qPrintable(text));
+}
+
+void Plot3dReaderTest::mutationsAreReadOrRefused()
+{
+    std::mt19937 random(20240229);
+    int wereRead = 0;
+    for (int round = 0; round < 1500; ++round) {
+        const Plot3dStyle style{.order = round & 1 ? std::endian::big : std::endian::little,
+                                .marks = (round & 2) != 0,
+                                .multiGrid = (round & 4) != 0,
+                                .iblank = (round & 8) != 0};
+        QByteArray files[] = {testFile(style, false), testFile(style, true)};
+        QByteArray& file = files[random() % 2];
+        const auto place = [&](qsizetype below) {
+            return below == 0 ? 0 : static_cast<qsizetype>(random() % static_cast<unsigned>(below));
+        };
+        for (unsigned change = 0; change <= random() % 3; ++change)
+            switch (random() % 4) {
+            case 0: file.truncate(place(file.size())); break;
+            case 1: file.insert(place(file.size() + 1), QByteArray(1 + place(9), static_cast<char>(random()))); break;
+            case 2: file += "xx"; break;
+            default:
+                if (!file.isEmpty()) // the front matters most
+                    file[place(random() % 2 ? std::min<qsizetype>(32, file.size()) : file.size())] =
+                        static_cast<char>(random());
+            }
+        write("g.q", files[1]);
+        const auto dataset = read(write("g.xyz", files[0]));
+        if (!dataset) {
+            QVERIFY(dataset.error().text.size() > 10);
+            continue;
+        }
+        ++wereRead;
+        QCOMPARE(dataset->values.count(), dataset->lattice.pointCount());
+        QCOMPARE(dataset->positions->size(), std::size_t(dataset->values.count()));
+        QCOMPARE(dataset->values.notFiniteCount(), std::uint64_t(0));
+        for (const Eigen::Vector3d& position : *dataset->positions)
+            QVERIFY(position.allFinite());
+    }
+    QVERIFY(wereRead > 100);
+}
+
+void Plot3dReaderTest::otherFilesAreLeftToOthers()
+{
+    for (const QByteArray& content : {QByteArray("x,y,z,value\n1,2,3,4\n"), QByteArray("NRRD0004\n"),
+                                      QByteArray(32768, '\x10'), QByteArray(32768, '\0')})
+        QCOMPARE(scoreOf(write("file.xyz", content), content), 0.);
+}
+
+void Plot3dReaderTest::whatIsWrittenComesBack()
+{
+    for (const bool doubles : {false, true}) {
+        const auto dataset = read(writePair({.order = std::endian::big, .doubles = doubles}));
+        QVERIFY(dataset.ok());
+        const std::filesystem::path path = folder_->filePath("copy.xyz").toStdString();
+        const Status written = Plot3dWriter().write(*dataset, path, {}, {});
+        QVERIFY2(written.ok(), written.ok() ? "" : written.error().text.c_str());
+        const auto copy = read(path);
+        QVERIFY2(copy.ok(), copy.ok() ? "" : copy.error().text.c_str());
+        QCOMPARE(copy->source.hash, dataset->source.hash);
+        QCOMPARE(copy->lattice.size, dataset->lattice.size);
+        QCOMPARE(copy->values.type(), dataset->values.type());
+    }
+    Dataset scattered = *read(writePair({}));
+    scattered.domain = DomainClass::Scattered;
+    QVERIFY(!Plot3dWriter().write(scattered, folder_->filePath("points.xyz").toStdString(), {}, {}).ok());
+    QVERIFY(!std::filesystem::exists(folder_->filePath("points.xyz").toStdString()));
+}
+
+void Plot3dReaderTest::cancels()
+{
+    const auto path = writePair({});
+    std::stop_source stop;
+    stop.request_stop();
+    const auto dataset = Plot3dReader().read(path, {}, Progress(stop.get_token(), {}));
+    QVERIFY(!dataset.ok());
+    QCOMPARE(dataset.error().kind, ErrorKind::Cancelled);
+}
+
+QTEST_GUILESS_MAIN(Plot3dReaderTest)
+#include "plot3d_reader_test.moc"
