@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/data/analytic_fields.h"
 
-#include "core/base/checksum.h"
 #include "core/data/analytic_functions.h"
+#include "core/data/analytic_grids.h"
 #include "core/data/sample_buffer.h"
 
 #include <tbb/parallel_for.h>
@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <mutex>
 #include <new>
@@ -21,12 +22,19 @@ namespace tetra {
 
 namespace {
 
-constexpr std::array<SampleKind, 4> kinds = {{
+constexpr std::array<SampleKind, 8> kinds = {{
     {"c60", "electron density of the C60 molecule, a hollow ball of smooth bumps", SampleType::UInt8},
     {"hydrogen", "probability density of the hydrogen atom's 3d electron: two lobes and a ring", SampleType::Float32},
     {"marschner-lobb", "the test signal of Marschner and Lobb: ripples that are hard to reproduce",
      SampleType::Float32},
     {"noise", "white noise, the worst case: no sample tells of its neighbour", SampleType::UInt8},
+    {"blunt-body", "flow in front of a half sphere: a curvilinear grid whose axis is collapsed", SampleType::Float32,
+     DomainClass::Curvilinear},
+    {"o-grid", "flow around a cylinder: a curvilinear grid that closes on itself", SampleType::Float32,
+     DomainClass::Curvilinear},
+    {"bent-duct", "flow through a bent duct: a curvilinear grid", SampleType::Float32, DomainClass::Curvilinear},
+    {"stretched", "a layer at a wall: a rectilinear grid with spacings that grow", SampleType::Float32,
+     DomainClass::Curvilinear},
 }};
 
 RowFunction rowFunction(const SampleRequest& request)
@@ -58,7 +66,10 @@ template <class T> void quantise(std::span<const double> values, T* samples)
     });
 }
 
-Status fill(const RowFunction& rows, SampleType type, std::uint32_t size, std::byte* samples, const Progress& progress)
+using PlaneFunction = std::function<void(std::uint32_t k)>;
+
+/// Makes all planes of the sample, on all threads.
+Status forEachPlane(std::uint32_t size, const Progress& progress, const PlaneFunction& plane)
 {
     constexpr std::string_view activity = "Making the sample";
     std::mutex reporting;
@@ -66,18 +77,48 @@ Status fill(const RowFunction& rows, SampleType type, std::uint32_t size, std::b
     tbb::parallel_for(std::uint32_t(0), size, [&](std::uint32_t k) {
         if (progress.cancelled())
             return;
-        std::vector<double> row(size);
-        for (std::uint32_t j = 0; j < size; ++j) {
-            rows(j, k, row);
-            const std::uint64_t first = (std::uint64_t(k) * size + j) * size;
-            visitSampleType(type, [&]<class T>() { quantise(row, reinterpret_cast<T*>(samples) + first); });
-        }
+        plane(k);
         const std::scoped_lock lock(reporting);
         progress.report(++planesDone / static_cast<double>(size), activity);
     });
     if (progress.cancelled())
         return cancelledError(activity);
     return {};
+}
+
+void storeRow(std::span<const double> row, SampleType type, std::uint64_t first, std::byte* samples)
+{
+    visitSampleType(type, [&]<class T>() { quantise(row, reinterpret_cast<T*>(samples) + first); });
+}
+
+Status fillCube(const RowFunction& rows, SampleType type, std::uint32_t size, std::byte* samples,
+                const Progress& progress)
+{
+    return forEachPlane(size, progress, [&](std::uint32_t k) {
+        std::vector<double> row(size);
+        for (std::uint32_t j = 0; j < size; ++j) {
+            rows(j, k, row);
+            storeRow(row, type, (std::uint64_t(k) * size + j) * size, samples);
+        }
+    });
+}
+
+Status fillGrid(const GridFunction& grid, SampleType type, std::uint32_t size, std::byte* samples,
+                std::vector<Eigen::Vector3d>& positions, const Progress& progress)
+{
+    const auto fraction = [size](std::uint32_t index) { return index / (size - 1.0); };
+    return forEachPlane(size, progress, [&](std::uint32_t k) {
+        std::vector<double> row(size);
+        for (std::uint32_t j = 0; j < size; ++j) {
+            const std::uint64_t first = (std::uint64_t(k) * size + j) * size;
+            for (std::uint32_t i = 0; i < size; ++i) {
+                const GridPoint point = grid({fraction(i), fraction(j), fraction(k)});
+                positions[first + i] = point.position.cast<float>().cast<double>(); // files and models stay small
+                row[i] = point.value;
+            }
+            storeRow(row, type, first, samples);
+        }
+    });
 }
 
 } // namespace
@@ -103,12 +144,21 @@ try {
     Result<std::shared_ptr<std::byte>> samples = allocateSamples(type, count);
     if (!samples)
         return samples.error();
-    if (const Status filled = fill(rowFunction(request), type, request.size, samples->get(), progress); !filled)
+    Status filled;
+    if (const GridFunction grid = gridFunction(request.name)) {
+        auto positions = std::make_shared<std::vector<Eigen::Vector3d>>(count);
+        filled = fillGrid(grid, type, request.size, samples->get(), *positions, progress);
+        dataset.positions = std::move(positions);
+    } else {
+        filled = fillCube(rowFunction(request), type, request.size, samples->get(), progress);
+    }
+    if (!filled)
         return filled.error();
+    dataset.domain = kind->domain;
     dataset.values = ScalarField(type, count, *std::move(samples));
     const std::string size = std::to_string(request.size);
     dataset.source.name = std::string(kind->name) + " " + size + "x" + size + "x" + size;
-    dataset.source.hash = checksum(dataset.values.bytes());
+    dataset.source.hash = contentHash(dataset.values, dataset.positions);
     return dataset;
 } catch (const std::bad_alloc&) {
     return Error{ErrorKind::OutOfResource, "Not enough memory to make the sample. Ask for a smaller size."};

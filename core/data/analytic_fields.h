@@ -17,14 +17,15 @@ struct SampleKind {
     std::string_view name;        ///< as on the command line
     std::string_view description; ///< one sentence for the user
     SampleType type;              ///< unless asked otherwise
+    DomainClass domain = DomainClass::RegularLattice;
 };
 
-/// All kinds: c60, hydrogen, marschner-lobb, noise.
+/// All kinds: c60, hydrogen, marschner-lobb, noise; the curvilinear grids blunt-body, o-grid, bent-duct, stretched.
 std::span<const SampleKind> sampleKinds();
 
 struct SampleRequest {
     std::string_view name = "c60";
-    std::uint32_t size = 64; ///< points along each axis of the cube, from smallestSampleSize to largestSampleSize
+    std::uint32_t size = 64;        ///< points along each axis, from smallestSampleSize to largestSampleSize
     std::optional<SampleType> type; ///< the kind's own if nothing is said
     std::uint64_t seed = 1;         ///< of noise; the other kinds have no chance in them
 };
@@ -32,10 +33,11 @@ struct SampleRequest {
 constexpr std::uint32_t smallestSampleSize = 2;
 constexpr std::uint32_t largestSampleSize = 2048;
 
-/// Makes the dataset, spacing 1 and origin 0, on all threads. Every field has values in [0, 1]; floating-point types
-/// hold them as they are, integer types hold value * largest number of the type, rounded to nearest. The samples are
-/// the same bits on every machine and with any number of threads. Errors: unknown name (naming the known ones), size
-/// out of bounds, not enough memory, cancelled. Formulas and sources: core/data/analytic_functions.h.
+/// Makes the dataset on all threads: a cube with spacing 1 and origin 0, or a curvilinear grid. Every field has values
+/// in [0, 1]; floating-point types hold them as they are, integer types hold value * largest number of the type,
+/// rounded to nearest. The samples are the same bits on every machine and with any number of threads. Errors: unknown
+/// name (naming the known ones), size out of bounds, not enough memory, cancelled. Formulas and sources:
+/// core/data/analytic_functions.h and analytic_grids.h.
 Result<Dataset> makeSample(const SampleRequest& request, const Progress& progress = {});
 
 } // namespace tetra
