@@ -16,11 +16,14 @@ struct LevelVerdict {
     Accuracy asked;
     std::uint32_t sites = 0;
     std::uint64_t tetrahedra = 0;
-    bool conforming = false;    ///< every face in two cells, or in one and on the domain's boundary
-    bool covers = false;        ///< the cells fill the domain exactly, every sample lies in one
-    std::uint64_t inverted = 0; ///< flat or negative cells
-    double largestError = 0;    ///< recomputed at every original sample, weighted (R6), % of the value range
-    double largestWarping = 0;
+    bool conforming = false; ///< every face in two cells, or in one and on the domain's boundary
+    bool covers = false;     ///< the cells fill the domain exactly, every sample lies in one
+    /// Flat or negative cells; of curvilinear data those in computational space and the negative ones in physical
+    /// space.
+    std::uint64_t inverted = 0;
+    std::uint64_t degenerate = 0;      ///< cells of curvilinear data without volume in physical space (S6)
+    double largestError = 0;           ///< recomputed at every original sample, weighted (R6), % of the value range
+    double largestWarping = 0;         ///< likewise, % of the diagonal
     std::vector<std::string> failures; ///< in words; empty means proved
     bool ok() const noexcept { return failures.empty(); }
 };
@@ -33,8 +36,10 @@ struct Verdict {
 };
 
 /// Proves, sharing no code with builders or extraction, that each level of `model` is a conforming, exact cover of the
-/// domain without flat or inverted cells and keeps the error it claims against the original data, weighted if the model
-/// was built with weights. An Error only if checking itself was impossible.
+/// domain without flat or inverted cells and keeps the error and the warping that it claims against the original data,
+/// weighted if the model was built with weights. Curvilinear data: exact in computational space, then lifted; cells
+/// without volume are counted apart, and those that even the last mesh leaves inverted are no failure there (S5). An
+/// Error only if checking itself was impossible.
 Result<Verdict> verify(const Model& model, const Dataset& original, const std::vector<Accuracy>& levels,
                        const Progress& progress = {});
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/cell_samples.h"
 #include "core/model/exact_error.h"
 #include "core/model/findings.h"
 #include "core/model/level_cells.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 namespace tetra {
@@ -26,6 +28,18 @@ enum SampleState {
     WithinOwnError = 2, ///< some cell that holds it grants its error
 };
 
+/// The largest running key of a mesh that keeps both thresholds (S4).
+double keyAsked(const Model& model, const Dataset& original, const Accuracy& asked)
+{
+    constexpr double anything = std::numeric_limits<double>::infinity();
+    const double extent = original.values.range().extent();
+    const double weight = model.description().warpingWeight;
+    double key = weight > 0 && extent == 0 ? anything : asked.error / 100 * extent;
+    if (weight > 0 && asked.warping < anyWarping)
+        key = std::min(key, asked.warping / 100 * weight * original.bounds().diagonal().norm());
+    return key;
+}
+
 /// The first state of the mesh that reached `asked`, found by looking at one after the other (S1).
 std::uint32_t firstPassage(const Model& model, double asked)
 {
@@ -36,7 +50,7 @@ std::uint32_t firstPassage(const Model& model, double asked)
 }
 
 /// Compares every original sample with the interpolation in every cell that holds it. `Errors` is ExactError, or
-/// RoundedError if there are weights.
+/// RoundedError where builders round, too: if there are weights, and for curvilinear data.
 template <class Sample, class Errors> class SampleCheck {
 public:
     SampleCheck(const Model& model, const Dataset& original, const Weights& weights, const LevelCells& cells,
@@ -95,7 +109,6 @@ template <class Sample, class Errors> Status SampleCheck<Sample, Errors>::run(co
     return {};
 }
 
-/// Visits the lattice points in the cell's bounding box, row by row; the four weights are exact integers.
 template <class Sample, class Errors> void SampleCheck<Sample, Errors>::checkCell(std::size_t number)
 {
     const CellCorners corners = cells_.corners(number);
@@ -107,35 +120,16 @@ template <class Sample, class Errors> void SampleCheck<Sample, Errors>::checkCel
         values[i] = samples_[model_.points()[cells_.sites(number)[i]]];
     const auto claimedBound = Errors::claimedBound(claimed_, extent_, volume);
     const auto ownBound = Errors::ownBound(model_.ownErrors()[cells_.historyNumber(number)], extent_, volume);
-    const BarycentricPlanes planes(corners);
-    LatticePoint low = corners[0];
-    LatticePoint high = corners[0];
-    for (const LatticePoint& corner : corners)
-        for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = std::min(low[axis], corner[axis]);
-            high[axis] = std::max(high[axis], corner[axis]);
-        }
     typename Errors::Number worst = 0;
-    LatticePoint worstPlace = low;
-    for (std::int64_t k = low[2]; k <= high[2]; ++k)
-        for (std::int64_t j = low[1]; j <= high[1]; ++j) {
-            const BarycentricRow row = planes.row({low[0], j, k});
-            std::array<std::int64_t, 4> weights = row.start;
-            std::uint64_t sample = lattice_.index(static_cast<std::uint32_t>(low[0]), static_cast<std::uint32_t>(j),
-                                                  static_cast<std::uint32_t>(k));
-            for (std::int64_t i = low[0]; i <= high[0]; ++i, ++sample) {
-                if ((weights[0] | weights[1] | weights[2] | weights[3]) >= 0) {
-                    const auto error = weighted(Errors::at(weights, values, samples_[sample], volume), sample);
-                    mark(sample, error <= ownBound ? Covered | WithinOwnError : Covered);
-                    if (error > worst) {
-                        worst = error;
-                        worstPlace = {i, j, k};
-                    }
-                }
-                for (int corner = 0; corner < 4; ++corner)
-                    weights[corner] += row.step[corner];
-            }
+    LatticePoint worstPlace = corners[0];
+    forEachSample(lattice_, corners, [&](const LatticePoint& place, std::uint64_t sample, const auto& weights) {
+        const auto error = weighted(Errors::at(weights, values, samples_[sample], volume), sample);
+        mark(sample, error <= ownBound ? Covered | WithinOwnError : Covered);
+        if (error > worst) {
+            worst = error;
+            worstPlace = place;
         }
+    });
     const double worstError = Errors::inUnitsOfValues(worst, volume);
     largest_.local() = std::max(largest_.local(), worstError);
     if (worst > claimedBound)
@@ -202,28 +196,38 @@ void verifyVolumes(const LevelCells& cells, const Lattice& lattice, LevelVerdict
 Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, const std::vector<LatticePoint>& places,
                                  const Weights& weights, const Accuracy& asked, const Progress& progress)
 {
+    const bool lifted = original.domain == DomainClass::Curvilinear;
+    const double samplesEnd = lifted ? 0.7 : 1; // how far it is after each part
+    const double facesEnd = samplesEnd / 2;
     LevelVerdict verdict;
     verdict.asked = asked;
-    verdict.sites = firstPassage(model, asked.error / 100 * original.values.range().extent());
+    verdict.sites = firstPassage(model, keyAsked(model, original, asked));
     const float claimed = verdict.sites < model.siteCount() ? model.runningErrors()[verdict.sites] : model.finalError();
     const LevelCells cells(model, places, verdict.sites);
     verdict.tetrahedra = cells.size();
     verifyVolumes(cells, original.lattice, verdict);
-    const Status faces = verifyFaces(cells, original.lattice, verdict, progress.part(0, 0.5));
+    const Status faces = verifyFaces(cells, original.lattice, verdict, progress.part(0, facesEnd));
     if (!faces)
         return faces.error();
     const Status samples = visitSampleType(original.values.type(), [&]<class Sample>() {
         const auto run = [&]<class Errors>() {
             SampleCheck<Sample, Errors> check(model, original, weights, cells, claimed);
-            const Status done = check.run(progress.part(0.5, 1));
+            const Status done = check.run(progress.part(facesEnd, samplesEnd));
             check.moveTo(verdict);
             return done;
         };
-        return weights.empty() ? run.template operator()<ExactError<Sample>>()
-                               : run.template operator()<RoundedError<Sample>>();
+        const bool rounds = !weights.empty() || lifted;
+        return !rounds ? run.template operator()<ExactError<Sample>>()
+                       : run.template operator()<RoundedError<Sample>>();
     });
     if (!samples)
         return samples.error();
+    if (!lifted)
+        return verdict;
+    if (const Status done =
+            verifyLifted(model, original, weights, cells, claimed, verdict, progress.part(samplesEnd, 1));
+        !done)
+        return done.error();
     return verdict;
 }
 

@@ -13,6 +13,8 @@
 
 namespace tetra {
 
+class LevelCells;
+
 /// The parts of verify(). Each appends to `failures` what it found, and gives an Error only if it was cancelled.
 
 /// Checksums, padding, reserved fields: every byte of the file has the value that it was written with.
@@ -51,6 +53,10 @@ Result<Weights> weightsOf(const Model& model, const Dataset& original, std::vect
 /// One level, proved from the file's arrays and the original samples alone.
 Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, const std::vector<LatticePoint>& places,
                                  const Weights& weights, const Accuracy& asked, const Progress& progress);
+
+/// What of a level of curvilinear data holds in physical space: inverted cells, and the warping at every sample (R4).
+Status verifyLifted(const Model& model, const Dataset& original, const Weights& weights, const LevelCells& cells,
+                    float claimed, LevelVerdict& verdict, const Progress& progress);
 
 /// For messages: "(3, 0, 17)".
 std::string textOf(const LatticePoint& point);

@@ -99,6 +99,19 @@ void verifyValues(const Model& model, const Dataset& original, Findings& finding
     });
 }
 
+void verifyPositions(const Model& model, const Dataset& original, Findings& findings)
+{
+    for (std::uint32_t site = 0; site < model.siteCount(); ++site) {
+        const std::uint32_t point = model.points()[site];
+        if (point < original.pointCount() && model.position(site) == original.position(point))
+            continue;
+        findings.add(site, [&] {
+            return "Site " + std::to_string(site) + " does not lie where the original has point " +
+                   std::to_string(point) + ".";
+        });
+    }
+}
+
 void verifyRunningErrors(const Model& model, Findings& findings)
 {
     const std::span<const float> errors = model.runningErrors();
@@ -160,11 +173,13 @@ std::vector<LatticePoint> verifySites(const Model& model, const Dataset& origina
     places.reserve(model.siteCount());
     Findings wrongPlaces;
     Findings wrongValues;
+    Findings wrongPositions;
     Findings wrongErrors;
     verifyPlaces(model, original.lattice, places, wrongPlaces);
     verifyValues(model, original, wrongValues);
+    verifyPositions(model, original, wrongPositions);
     verifyRunningErrors(model, wrongErrors);
-    for (Findings* findings : {&wrongPlaces, &wrongValues, &wrongErrors})
+    for (Findings* findings : {&wrongPlaces, &wrongValues, &wrongPositions, &wrongErrors})
         findings->moveTo(failures);
     return places;
 }

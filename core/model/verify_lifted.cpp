@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/half.h"
+#include "core/model/cell_samples.h"
+#include "core/model/exact_volume.h"
+#include "core/model/findings.h"
+#include "core/model/level_cells.h"
+#include "core/model/shared_progress.h"
+#include "core/model/verify_parts.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace tetra {
+
+namespace {
+
+constexpr std::size_t cellsAtOnce = 256;
+
+/// What of a level holds in physical space: that its cells are not inverted, and how far they are from the grid.
+class LiftedCheck {
+public:
+    LiftedCheck(const Model& model, const Dataset& original, const Weights& weights, const LevelCells& cells,
+                float claimed)
+        : model_(model), original_(original), weights_(weights), cells_(cells),
+          diagonal_(original.bounds().diagonal().norm()), allowance_(1e-12 * diagonal_ + 0x1p-44 * farthest(original)),
+          claimed_(static_cast<double>(claimed) / model.description().warpingWeight), withinOwn_(original.pointCount())
+    {
+    }
+
+    Status run(const Progress& progress);
+    void moveTo(LevelVerdict& verdict);
+
+private:
+    /// Coordinates of this size are rounded, in the builder as here.
+    static double farthest(const Dataset& original)
+    {
+        const Eigen::AlignedBox3d bounds = original.bounds();
+        return std::max(bounds.min().cwiseAbs().maxCoeff(), bounds.max().cwiseAbs().maxCoeff());
+    }
+    void checkCell(std::size_t number);
+    void checkVolume(std::size_t number, const std::array<Eigen::Vector3d, 4>& places);
+    double percent(double warping) const { return 100 * warping / diagonal_; }
+
+    const Model& model_;
+    const Dataset& original_;
+    const Weights& weights_;
+    const LevelCells& cells_;
+    double diagonal_;
+    double allowance_; ///< by which a claim may be exceeded
+    double claimed_;
+    std::vector<std::atomic<bool>> withinOwn_; ///< for each sample whether one of its cells' own warpings bounds it
+    tbb::enumerable_thread_specific<double> largest_{0.0};
+    std::atomic<std::uint64_t> degenerate_ = 0;
+    Findings inverted_;
+    Findings tooLarge_;
+};
+
+Status LiftedCheck::run(const Progress& progress)
+{
+    SharedProgress shared(progress, cells_.size(), "Verifying the warping at every sample");
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells_.size(), cellsAtOnce), [&](const auto& range) {
+        for (std::size_t number = range.begin(); number != range.end(); ++number) {
+            if (shared.cancelled())
+                return;
+            checkCell(number);
+        }
+        shared.done(range.size());
+    });
+    if (progress.cancelled())
+        return cancelledError("Verifying the model");
+    return {};
+}
+
+void LiftedCheck::checkVolume(std::size_t number, const std::array<Eigen::Vector3d, 4>& places)
+{
+    const int sign = volumeSign(places[0], places[1], places[2], places[3]);
+    const int hand = model_.description().leftHanded ? -1 : 1;
+    if (sign == 0)
+        ++degenerate_;
+    else if (sign != hand)
+        inverted_.add(number, [&] {
+            return "Cell with corners " + textOf(cells_.corners(number)) + " is inverted in physical space.";
+        });
+}
+
+void LiftedCheck::checkCell(std::size_t number)
+{
+    const CellCorners corners = cells_.corners(number);
+    const std::int64_t volume = sixVolumes(corners);
+    if (volume <= 0)
+        return; // found already
+    std::array<Eigen::Vector3d, 4> places;
+    for (std::size_t corner = 0; corner < 4; ++corner)
+        places[corner] = original_.position(model_.points()[cells_.sites(number)[corner]]);
+    checkVolume(number, places);
+    const double own =
+        static_cast<double>(halfToFloat(model_.ownWarpings()[cells_.historyNumber(number)])) * diagonal_ + allowance_;
+    double worst = 0;
+    LatticePoint worstPlace = corners[0];
+    forEachSample(
+        original_.lattice, corners, [&](const LatticePoint& place, std::uint64_t sample, const auto& weights) {
+            const Eigen::Vector3d original = original_.position(sample);
+            Eigen::Vector3d offset(0, 0, 0);
+            for (std::size_t corner = 0; corner < 4; ++corner)
+                offset +=
+                    static_cast<double>(weights[corner]) / static_cast<double>(volume) * (places[corner] - original);
+            const double warping = offset.norm() * (weights_.empty() ? 1 : static_cast<double>(weights_[sample]));
+            if (warping <= own)
+                withinOwn_[sample].store(true, std::memory_order_relaxed);
+            if (warping > worst) {
+                worst = warping;
+                worstPlace = place;
+            }
+        });
+    largest_.local() = std::max(largest_.local(), worst);
+    if (worst > claimed_ + allowance_)
+        tooLarge_.add(number, [&] {
+            return "The warping at sample " + textOf(worstPlace) + " is " + textOf(percent(worst)) +
+                   " % of the diagonal, more than the claimed " + textOf(percent(claimed_)) +
+                   " %, in the cell with corners " + textOf(corners) + ".";
+        });
+}
+
+void LiftedCheck::moveTo(LevelVerdict& verdict)
+{
+    Findings beyondOwn;
+    for (std::uint64_t sample = 0; sample < withinOwn_.size(); ++sample)
+        if (!withinOwn_[sample].load(std::memory_order_relaxed))
+            beyondOwn.add(sample, [&] {
+                const auto c = original_.lattice.coordinates(sample);
+                return "The warping at sample " + textOf(LatticePoint{c[0], c[1], c[2]}) +
+                       " is larger than the own warping of every cell that holds it.";
+            });
+    verdict.largestWarping = percent(largest_.combine([](double a, double b) { return std::max(a, b); }));
+    verdict.inverted += inverted_.count();
+    verdict.degenerate = degenerate_;
+    // What all sites leave inverted, no further point can cure (S5): it is counted, and borne.
+    if (verdict.sites < model_.siteCount())
+        inverted_.moveTo(verdict.failures);
+    for (Findings* findings : {&tooLarge_, &beyondOwn})
+        findings->moveTo(verdict.failures);
+}
+
+} // namespace
+
+Status verifyLifted(const Model& model, const Dataset& original, const Weights& weights, const LevelCells& cells,
+                    float claimed, LevelVerdict& verdict, const Progress& progress)
+{
+    LiftedCheck check(model, original, weights, cells, claimed);
+    const Status done = check.run(progress);
+    check.moveTo(verdict);
+    return done;
+}
+
+} // namespace tetra
