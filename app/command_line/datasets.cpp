@@ -11,8 +11,21 @@
 namespace tetra {
 namespace {
 
-/// The dataset class of all lattices (R1).
-constexpr const char* regular = "regular";
+QJsonArray toJson(const Eigen::Vector3d& vector)
+{
+    return {vector[0], vector[1], vector[2]};
+}
+
+std::string sizeText(const Lattice& lattice)
+{
+    return std::to_string(lattice.size[0]) + " x " + std::to_string(lattice.size[1]) + " x " +
+           std::to_string(lattice.size[2]);
+}
+
+std::string placeText(const Eigen::Vector3d& place)
+{
+    return "(" + rounded(place[0]) + ", " + rounded(place[1]) + ", " + rounded(place[2]) + ")";
+}
 
 } // namespace
 
@@ -33,35 +46,50 @@ Result<Dataset> openDatasetWithOptions(const Invocation& invocation, const std::
     return openDataset(invocation.host, path, *values, progress);
 }
 
-QJsonObject latticeFigures(const Lattice& lattice, SampleType type, const ValueRange& range)
+DatasetSummary summaryOf(const Dataset& dataset)
 {
-    QJsonArray size;
-    QJsonArray spacing;
-    QJsonArray origin;
-    for (int axis = 0; axis < 3; ++axis) {
-        size.append(static_cast<qint64>(lattice.size[axis]));
-        spacing.append(lattice.spacing[axis]);
-        origin.append(lattice.origin[axis]);
-    }
-    return {{"kind", regular},
-            {"points", static_cast<qint64>(lattice.pointCount())},
-            {"cells", static_cast<qint64>(lattice.cellCount())},
-            {"range", QJsonArray{range.minimum, range.maximum}},
-            {"type", QString::fromStdString(std::string(sampleTypeName(type)))},
-            {"size", size},
-            {"spacing", spacing},
-            {"origin", origin}};
+    return {dataset.domain, dataset.lattice, dataset.bounds(), dataset.values.type(), dataset.values.range()};
 }
 
-std::string latticeText(const Lattice& lattice, SampleType type, const ValueRange& range)
+DatasetSummary summaryOf(const ModelDescription& description)
 {
-    std::string text = "lattice of ";
-    for (int axis = 0; axis < 3; ++axis)
-        text += (axis == 0 ? "" : " x ") + std::to_string(lattice.size[axis]);
-    text += " points (" + std::string(sampleTypeName(type)) + "), spacing";
-    for (int axis = 0; axis < 3; ++axis)
-        text += (axis == 0 ? " " : " x ") + rounded(lattice.spacing[axis]);
-    return text + ", values " + formatNumber(range.minimum) + " to " + formatNumber(range.maximum);
+    return {description.domain, description.lattice, description.bounds, description.sampleType, description.range};
+}
+
+QJsonObject datasetFigures(const DatasetSummary& summary)
+{
+    const Lattice& lattice = summary.lattice;
+    const bool onGrid = summary.domain != DomainClass::Scattered;
+    QJsonObject figures = {{"kind", QString::fromStdString(std::string(domainClassName(summary.domain)))},
+                           {"points", static_cast<qint64>(lattice.pointCount())},
+                           {"cells", static_cast<qint64>(onGrid ? lattice.cellCount() : 0)},
+                           {"range", QJsonArray{summary.range.minimum, summary.range.maximum}},
+                           {"type", QString::fromStdString(std::string(sampleTypeName(summary.type)))},
+                           {"bounds", QJsonArray{toJson(summary.bounds.min()), toJson(summary.bounds.max())}}};
+    if (onGrid)
+        figures["size"] = QJsonArray{qint64(lattice.size[0]), qint64(lattice.size[1]), qint64(lattice.size[2])};
+    if (summary.domain == DomainClass::RegularLattice) {
+        figures["spacing"] = toJson(lattice.spacing);
+        figures["origin"] = toJson(lattice.origin);
+    }
+    return figures;
+}
+
+std::string datasetText(const DatasetSummary& summary)
+{
+    const Lattice& lattice = summary.lattice;
+    const std::string type = "(" + std::string(sampleTypeName(summary.type)) + ")";
+    std::string text;
+    if (summary.domain == DomainClass::Scattered)
+        text = "set of " + std::to_string(lattice.pointCount()) + " scattered points " + type;
+    else if (summary.domain == DomainClass::Curvilinear)
+        text = "curvilinear grid of " + sizeText(lattice) + " points " + type;
+    else
+        text = "lattice of " + sizeText(lattice) + " points " + type + ", spacing " + rounded(lattice.spacing[0]) +
+               " x " + rounded(lattice.spacing[1]) + " x " + rounded(lattice.spacing[2]);
+    if (summary.domain != DomainClass::RegularLattice)
+        text += ", from " + placeText(summary.bounds.min()) + " to " + placeText(summary.bounds.max());
+    return text + ", values " + formatNumber(summary.range.minimum) + " to " + formatNumber(summary.range.maximum);
 }
 
 } // namespace tetra

@@ -3,6 +3,7 @@
 
 #include "app/command_line/subcommand.h"
 #include "core/data/dataset.h"
+#include "core/model/model.h"
 
 #include <filesystem>
 
@@ -12,9 +13,21 @@ namespace tetra {
 Result<Dataset> openDatasetWithOptions(const Invocation& invocation, const std::filesystem::path& path,
                                        const Progress& progress);
 
-/// "kind", "points", "cells", "range", "size" and "spacing" of a lattice.
-QJsonObject latticeFigures(const Lattice& lattice, SampleType type, const ValueRange& range);
+/// What a dataset is, or the one that a model was built from.
+struct DatasetSummary {
+    DomainClass domain = DomainClass::RegularLattice;
+    Lattice lattice;
+    Eigen::AlignedBox3d bounds;
+    SampleType type = SampleType::UInt8;
+    ValueRange range;
+};
+
+DatasetSummary summaryOf(const Dataset& dataset);
+DatasetSummary summaryOf(const ModelDescription& description);
+
+/// "kind", "points", "cells", "range", "type" and "bounds"; of grids also "size", of lattices "spacing" and "origin".
+QJsonObject datasetFigures(const DatasetSummary& summary);
 /// The same for people, a line.
-std::string latticeText(const Lattice& lattice, SampleType type, const ValueRange& range);
+std::string datasetText(const DatasetSummary& summary);
 
 } // namespace tetra

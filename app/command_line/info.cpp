@@ -36,6 +36,40 @@ std::string provenanceText(const ModelDescription& description)
     return text + "\n";
 }
 
+/// The table of the levels, as rows for people and as a list for programs.
+struct LevelTable {
+    std::vector<std::vector<std::string>> rows;
+    QJsonArray list;
+};
+
+LevelTable levelTable(const Model& model, const std::vector<Accuracy>& levels)
+{
+    const bool warps = model.description().warpingWeight > 0;
+    LevelTable result;
+    result.rows = {{"error %", "sites", "tetrahedra", "reached %"}};
+    if (warps) {
+        result.rows[0].insert(result.rows[0].begin() + 1, "warping %");
+        result.rows[0].emplace_back("warping reached %");
+    }
+    for (const Accuracy& level : levels) {
+        const MeshSize size = meshSizeAt(model, level);
+        result.list.append(QJsonObject{{"error", level.error},
+                                       {"warping", warps ? level.warping : 0},
+                                       {"sites", static_cast<qint64>(size.sites)},
+                                       {"tetrahedra", static_cast<qint64>(size.tetrahedra)},
+                                       {"reached", size.error},
+                                       {"reached_warping", size.warping}});
+        std::vector<std::string> row = {rounded(level.error), std::to_string(size.sites),
+                                        std::to_string(size.tetrahedra), rounded(size.error)};
+        if (warps) {
+            row.insert(row.begin() + 1, rounded(level.warping));
+            row.push_back(rounded(size.warping));
+        }
+        result.rows.push_back(std::move(row));
+    }
+    return result;
+}
+
 Result<Outcome> describeModel(const std::string& path, const std::vector<Accuracy>& levels)
 {
     const auto opened = Model::open(path);
@@ -43,35 +77,21 @@ Result<Outcome> describeModel(const std::string& path, const std::vector<Accurac
         return opened.error();
     const Model& model = **opened;
     const ModelDescription& description = model.description();
-
-    QJsonArray list;
-    std::vector<std::vector<std::string>> rows = {{"error %", "sites", "tetrahedra", "reached %"}};
-    for (const Accuracy& level : levels) {
-        const MeshSize size = meshSizeAt(model, level);
-        list.append(QJsonObject{{"error", level.error},
-                                {"warping", 0},
-                                {"sites", static_cast<qint64>(size.sites)},
-                                {"tetrahedra", static_cast<qint64>(size.tetrahedra)},
-                                {"reached", size.error}});
-        rows.push_back(
-            {rounded(level.error), std::to_string(size.sites), std::to_string(size.tetrahedra), rounded(size.error)});
-    }
+    const LevelTable found = levelTable(model, levels);
     if (const Status intact = model.checkIntact(); !intact)
         return intact.error();
 
     Outcome outcome;
-    outcome.figures = latticeFigures(description.lattice, description.sampleType, description.range);
+    outcome.figures = datasetFigures(summaryOf(description));
     for (const auto& [key, value] : provenanceFigures(description).toVariantMap().asKeyValueRange())
         outcome.figures[key] = QJsonValue::fromVariant(value);
     outcome.figures["sites"] = static_cast<qint64>(model.siteCount());
     outcome.figures["tetrahedra"] = static_cast<qint64>(model.tetrahedronCount());
     outcome.figures["bytes"] = static_cast<qint64>(model.fileSize());
-    outcome.figures["levels"] = list;
-    outcome.text = path + ": model of a " +
-                   latticeText(description.lattice, description.sampleType, description.range) + "\n" +
-                   provenanceText(description) + std::to_string(model.siteCount()) + " sites, " +
-                   std::to_string(model.tetrahedronCount()) + " tetrahedra in the history, " +
-                   byteText(model.fileSize()) + "\n\n" + table(rows);
+    outcome.figures["levels"] = found.list;
+    outcome.text = path + ": model of a " + datasetText(summaryOf(description)) + "\n" + provenanceText(description) +
+                   std::to_string(model.siteCount()) + " sites, " + std::to_string(model.tetrahedronCount()) +
+                   " tetrahedra in the history, " + byteText(model.fileSize()) + "\n\n" + table(found.rows);
     return outcome;
 }
 
@@ -82,9 +102,10 @@ Result<Outcome> describeDataset(const Invocation& invocation, const std::string&
         return dataset.error();
     std::error_code problem;
     const auto bytes = std::filesystem::file_size(path, problem);
-    const auto range = dataset->values.range();
-    Outcome outcome{.figures = latticeFigures(dataset->lattice, dataset->values.type(), range),
-                    .text = path + ": " + latticeText(dataset->lattice, dataset->values.type(), range) + "\n"};
+    const DatasetSummary summary = summaryOf(*dataset);
+    Outcome outcome{.figures = datasetFigures(summary),
+                    .text = path + ": " + dataset->source.name + ", " + datasetText(summary) + "\n"};
+    outcome.figures["source"] = toQString(dataset->source.name);
     outcome.figures["bytes"] = static_cast<qint64>(problem ? 0 : bytes);
     return outcome;
 }
@@ -99,7 +120,7 @@ Syntax infoSyntax(PluginHost& host)
                       "detail. The sizes are looked up, not counted, so this is quick for models of any size. "
                       "Of a dataset: its size, its type and its range of values.",
                   .positionals = {{"FILE", "A model, or a dataset that one of the readers knows."}},
-                  .options = {levelsOption()},
+                  .options = {levelsOption(), warpingOption()},
                   .examples = {{"tan info engine.tan --lod 1,.5,.1", "The meshes at three accuracies."},
                                {"tan info engine.nrrd --json", "A dataset, for a program."}}};
     addPluginOptions(syntax, allParameters(host.readers()));

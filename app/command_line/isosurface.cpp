@@ -82,6 +82,7 @@ Syntax isosurfaceSyntax(PluginHost&)
                          .repeatable = true,
                          .required = true},
                         errorOption(),
+                        warpingOption(),
                         outputOption("FILE.ply", "The file to write.")},
             .examples = {
                 {"tan isosurface engine.tan --error 0.5 --value 100,180 -o engine.ply", "Two surfaces in one file."}}};

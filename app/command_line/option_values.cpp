@@ -66,12 +66,24 @@ Option errorOption()
             .byDefault = formatNumber(defaultError)};
 }
 
+Option warpingOption()
+{
+    return {.name = "warping",
+            .placeholder = "PERCENT",
+            .explanation = "For models of curvilinear data: the largest warping that the mesh may have, in % of the "
+                           "diagonal of the data's bounding box; 100 sets no limit.",
+            .byDefault = "the same number as the error"};
+}
+
 Result<Accuracy> accuracyOption(const Arguments& arguments)
 {
     const auto error = numberOption(arguments, "error", defaultError, 0, 100);
     if (!error)
         return error.error();
-    return Accuracy{.error = *error};
+    const auto warping = numberOption(arguments, "warping", *error, 0, anyWarping);
+    if (!warping)
+        return warping.error();
+    return Accuracy{.error = *error, .warping = *warping};
 }
 
 Option levelsOption()
@@ -88,8 +100,12 @@ Result<std::vector<Accuracy>> levelsOf(const Arguments& arguments)
     if (!errors)
         return errors.error();
     std::vector<Accuracy> levels;
-    for (const double error : *errors)
-        levels.push_back({.error = error});
+    for (const double error : *errors) {
+        const auto warping = numberOption(arguments, "warping", error, 0, anyWarping);
+        if (!warping)
+            return warping.error();
+        levels.push_back({.error = error, .warping = *warping});
+    }
     return levels;
 }
 

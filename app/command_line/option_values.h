@@ -20,11 +20,12 @@ Result<std::int64_t> wholeNumberOption(const Arguments& arguments, std::string_v
 /// Numbers separated by commas: "4,3,.5".
 Result<std::vector<double>> parseNumbers(std::string_view option, std::string_view text, double least, double most);
 
-/// --error, the accuracy of a query in % of the value range.
+/// --error and --warping, the accuracy of a query in % of the value range and of the diagonal.
 Option errorOption();
+Option warpingOption();
 Result<Accuracy> accuracyOption(const Arguments& arguments);
 
-/// --lod, the levels of detail to tell of.
+/// --lod, the levels of detail to tell of; with --warping all of them have that one.
 Option levelsOption();
 Result<std::vector<Accuracy>> levelsOf(const Arguments& arguments);
 

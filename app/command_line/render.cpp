@@ -161,6 +161,7 @@ Syntax renderSyntax(PluginHost& host)
                      .explanation = "What to show.",
                      .byDefault = std::string(defaultMode)},
                     errorOption(),
+                    warpingOption(),
                     {.name = "camera",
                      .placeholder = "VIEW or FILE",
                      .explanation = "A view (" + cameraNames() +

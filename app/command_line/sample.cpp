@@ -35,8 +35,9 @@ Outcome listOfSamples()
     for (const SampleKind& kind : sampleKinds()) {
         const std::string name(kind.name);
         const std::string description(kind.description);
-        list.append(
-            QJsonObject{{"name", QString::fromStdString(name)}, {"description", QString::fromStdString(description)}});
+        list.append(QJsonObject{{"name", QString::fromStdString(name)},
+                                {"kind", QString::fromStdString(std::string(domainClassName(kind.domain)))},
+                                {"description", QString::fromStdString(description)}});
         text += name + "\n    " + description + "\n";
     }
     return {.figures = {{"samples", list}}, .text = text};
@@ -74,8 +75,9 @@ Syntax sampleSyntax(PluginHost& host)
     Syntax syntax{
         .purpose = "make a dataset from a formula, to try things without data",
         .explanation =
-            "The dataset is a cube of samples with values from 0 to 1, or over the whole range of an integer "
-            "type. It is the same on every machine.",
+            "The dataset is a cube of samples, or a curvilinear grid (blunt-body, o-grid, bent-duct, stretched), with "
+            "values from 0 to 1, or over the whole range of an integer type. It is the same on every machine. Cubes "
+            "are written as .nrrd, curvilinear grids as .xyz with a .q file beside it (PLOT3D).",
         .positionals = {{"NAME", "Which one: " + names + ".", false}},
         .options =
             {outputOption("FILE", "The file to write; its ending says the format.", false),
@@ -91,6 +93,7 @@ Syntax sampleSyntax(PluginHost& host)
              {.name = "seed", .placeholder = "N", .explanation = "Another noise for each number.", .byDefault = "1"},
              {.name = "list", .placeholder = "", .explanation = "Only say which samples there are."}},
         .examples = {{"tan sample c60 --size 64 -o c60.nrrd", "The electrons around a ball of sixty carbon atoms."},
+                     {"tan sample blunt-body --size 48 -o body.xyz", "A curvilinear grid; body.q holds its values."},
                      {"tan sample --list", "What there is."}}};
     addPluginOptions(syntax, allParameters(host.writers()));
     return syntax;
@@ -119,9 +122,8 @@ Result<Outcome> runSample(const Invocation& invocation)
         !saved)
         return saved.error();
 
-    const auto range = dataset->values.range();
-    Outcome outcome{.figures = latticeFigures(dataset->lattice, dataset->values.type(), range),
-                    .text = *output + ": " + latticeText(dataset->lattice, dataset->values.type(), range) + "\n"};
+    const DatasetSummary summary = summaryOf(*dataset);
+    Outcome outcome{.figures = datasetFigures(summary), .text = *output + ": " + datasetText(summary) + "\n"};
     outcome.figures["file"] = QFile::decodeName(output->c_str());
     outcome.figures["name"] = QString::fromStdString(arguments.positionals[0]);
     return outcome;

@@ -21,14 +21,15 @@ QJsonArray toJson(const std::vector<std::string>& texts)
     return list;
 }
 
-QJsonObject levelFigures(const LevelVerdict& level)
+QJsonObject levelFigures(const LevelVerdict& level, bool warps)
 {
     return {{"error", level.asked.error},
-            {"warping", 0},
+            {"warping", warps ? level.asked.warping : 0},
             {"ok", level.ok()},
             {"conforming", level.conforming},
             {"covers", level.covers},
             {"inverted", static_cast<qint64>(level.inverted)},
+            {"degenerate", static_cast<qint64>(level.degenerate)},
             {"largest_error", level.largestError},
             {"largest_warping", level.largestWarping},
             {"sites", static_cast<qint64>(level.sites)},
@@ -36,12 +37,17 @@ QJsonObject levelFigures(const LevelVerdict& level)
             {"failures", toJson(level.failures)}};
 }
 
-std::vector<std::string> levelRow(const LevelVerdict& level)
+std::vector<std::string> levelRow(const LevelVerdict& level, bool warps)
 {
     const auto yes = [](bool answer) { return std::string(answer ? "yes" : "NO"); };
-    return {
+    std::vector<std::string> row = {
         rounded(level.asked.error), yes(level.ok()),   std::to_string(level.sites),    std::to_string(level.tetrahedra),
         yes(level.conforming),      yes(level.covers), std::to_string(level.inverted), rounded(level.largestError)};
+    if (warps) {
+        row.push_back(rounded(level.largestWarping));
+        row.push_back(std::to_string(level.degenerate));
+    }
+    return row;
 }
 
 /// Each failure once, with all levels that it is true of.
@@ -65,15 +71,17 @@ std::string failureText(const Verdict& verdict)
     return text.empty() ? text : text + "\n";
 }
 
-Outcome describe(const Verdict& verdict, const std::string& path)
+Outcome describe(const Verdict& verdict, const std::string& path, bool warps)
 {
     Outcome outcome;
     QJsonArray levels;
     std::vector<std::vector<std::string>> rows = {
         {"error %", "ok", "sites", "tetrahedra", "conforming", "covers", "inverted", "largest error %"}};
+    if (warps)
+        rows[0].insert(rows[0].end(), {"largest warping %", "degenerate"});
     for (const LevelVerdict& level : verdict.levels) {
-        levels.append(levelFigures(level));
-        rows.push_back(levelRow(level));
+        levels.append(levelFigures(level, warps));
+        rows.push_back(levelRow(level, warps));
     }
     outcome.isYes = verdict.ok();
     outcome.figures = {{"ok", verdict.ok()}, {"failures", toJson(verdict.failures)}, {"levels", levels}};
@@ -91,14 +99,16 @@ Syntax verifySyntax(PluginHost& host)
         .explanation =
             "Checks with code of its own, for each level of detail: every face of the mesh belongs to two "
             "cells or to the hull, the cells fill the domain exactly, none is flat or inverted, and the error "
-            "at every sample of the original data is at most the one claimed. Also the file itself: its "
-            "checksums, its structure, and its values against the original ones.",
+            "at every sample of the original data is at most the one claimed; for curvilinear data also the "
+            "warping, and that no cell is inverted in physical space (those that even all points leave inverted are "
+            "counted). Also the file itself: its checksums, its structure, and its values against the original ones.",
         .positionals = {{"MODEL", "The model."}},
         .options = {{.name = "against",
                      .placeholder = "IN",
                      .explanation = "The dataset that the model was built from.",
                      .required = true},
-                    levelsOption()},
+                    levelsOption(),
+                    warpingOption()},
         .examples = {{"tan verify engine.tan --against engine.nrrd", "All usual levels."},
                      {"tan verify engine.tan --against engine.nrrd --lod 1 --json", "One level, for a program."}}};
     addPluginOptions(syntax, allParameters(host.readers()));
@@ -121,7 +131,7 @@ Result<Outcome> runVerify(const Invocation& invocation)
     const auto verdict = verify(**model, *original, *levels, invocation.progress.part(0.05, 1));
     if (!verdict)
         return verdict.error();
-    return describe(*verdict, path);
+    return describe(*verdict, path, (*model)->description().warpingWeight > 0);
 }
 
 } // namespace tetra

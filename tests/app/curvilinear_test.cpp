@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Curvilinear data from a sample to a picture, as a user would (R1, R4, R7, B3).
+#include "tests/app/program.h"
+
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace tetra;
+
+class CurvilinearTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        const Run sample = tan({"sample", "blunt-body", "--size", "12", "-o", "body.xyz", "--json"});
+        QVERIFY2(sample.exitCode == 0, sample.messages);
+        QCOMPARE(sample.json()["kind"].toString(), QString("curvilinear"));
+        QVERIFY(QFileInfo::exists(folder_.filePath("body.q")));
+        const Run build = tan({"build", "body.xyz", "-o", "body.tan", "--json"});
+        QVERIFY2(build.exitCode == 0, build.messages);
+        QCOMPARE(build.json()["inverted"].toInt(-1), 0);
+        QVERIFY(build.json()["degenerate"].toInt() > 0); // at the collapsed axis
+    }
+
+    void infoTellsOfGrids()
+    {
+        for (const QString& file : {QString("body.xyz"), QString("body.q"), QString("body.tan")}) {
+            const QJsonObject info = tan({"info", file, "--json"}).json();
+            QCOMPARE(info["kind"].toString(), QString("curvilinear"));
+            QCOMPARE(info["points"].toInt(), 12 * 12 * 12);
+            QCOMPARE(info["cells"].toInt(), 11 * 11 * 11);
+            QCOMPARE(info["bounds"].toArray().size(), 2);
+            QVERIFY(!info.contains("spacing"));
+            QCOMPARE(info["source"].toString(), QString("body.xyz, density"));
+        }
+    }
+
+    /// A number given alone holds for the error and the warping; --warping says another one.
+    void levelsHaveTwoThresholds()
+    {
+        const auto levels = [this](const QStringList& more) {
+            return tan(QStringList{"info", "body.tan", "--lod", "4,1", "--json"} + more).json()["levels"].toArray();
+        };
+        const QJsonArray both = levels({});
+        const QJsonArray anyWarping = levels({"--warping", "100"});
+        const QJsonArray noWarping = levels({"--warping", "0"});
+        for (qsizetype level = 0; level < 2; ++level) {
+            const QJsonObject pair = both[level].toObject();
+            QCOMPARE(pair["warping"].toDouble(), pair["error"].toDouble());
+            QVERIFY(pair["reached"].toDouble(100) <= pair["error"].toDouble());
+            QVERIFY(pair["reached_warping"].toDouble(100) <= pair["warping"].toDouble());
+            QCOMPARE(anyWarping[level].toObject()["sites"].toInt(), pair["sites"].toInt()); // the key is of 1 : 1
+            QVERIFY(noWarping[level].toObject()["sites"].toInt() > pair["sites"].toInt());
+        }
+        QCOMPARE(tan({"info", "body.tan", "--warping", "101"}).exitCode, 2);
+    }
+
+    void verifyProves()
+    {
+        const Run run = tan({"verify", "body.tan", "--against", "body.xyz", "--lod", "4,1,0", "--json"});
+        QVERIFY2(run.exitCode == 0, run.output + run.messages);
+        for (const QJsonValue entry : run.json()["levels"].toArray()) {
+            const QJsonObject level = entry.toObject();
+            QVERIFY(level["ok"].toBool());
+            QCOMPARE(level["warping"].toDouble(-1), level["error"].toDouble());
+            QVERIFY(level["largest_error"].toDouble(100) <= level["error"].toDouble() + 1e-9);
+            QVERIFY(level["largest_warping"].toDouble(100) <= level["warping"].toDouble() + 1e-9);
+            QCOMPARE(level["inverted"].toInt(-1), 0);
+        }
+        QVERIFY(run.json()["levels"].toArray()[0].toObject()["largest_warping"].toDouble() > 0);
+    }
+
+    void surfacesAndPicturesAreMade()
+    {
+        const Run surface = tan(
+            {"isosurface", "body.tan", "--error", "1", "--warping", "2", "--value", "0.3", "-o", "body.ply", "--json"});
+        QVERIFY2(surface.exitCode == 0, surface.messages);
+        QVERIFY(surface.json()["triangles"].toInt() > 10);
+        const Run picture = tan({"render", "body.tan", "--isovalue", "0.3", "--warping", "2", "--size", "64x48", "-o",
+                                 "body.png", "--json"});
+        QVERIFY2(picture.exitCode == 0, picture.messages);
+        QVERIFY(picture.json()["triangles"].toInt() > 10);
+    }
+
+    void bothThresholdsStopABuild()
+    {
+        const Run build = tan({"build", "body.xyz", "--error", "2", "--warping", "2", "-o", "coarse.tan", "--json"});
+        QVERIFY2(build.exitCode == 0, build.messages);
+        QVERIFY(build.json()["sites"].toInt() < 12 * 12 * 12 / 2);
+        const Run verdict = tan({"verify", "coarse.tan", "--against", "body.xyz", "--lod", "4,2", "--json"});
+        QVERIFY2(verdict.exitCode == 0, verdict.output);
+    }
+
+    void gridsAreNotWrittenAsLattices()
+    {
+        const Run run = tan({"sample", "o-grid", "--size", "8", "-o", "o.nrrd"});
+        QCOMPARE(run.exitCode, 2);
+        QVERIFY2(run.messages.contains(".xyz"), run.messages);
+        QVERIFY(!QFileInfo::exists(folder_.filePath("o.nrrd")));
+    }
+
+private:
+    Run tan(const QStringList& words) const { return runTan(words, folder_.path()); }
+
+    QTemporaryDir folder_;
+};
+
+QTEST_GUILESS_MAIN(CurvilinearTest)
+#include "curvilinear_test.moc"
