@@ -531,6 +531,94 @@
         <source>refused</source>
         <translation>abgelehnt</translation>
     </message>
+    <message>
+        <source>PLOT3D grids</source>
+        <translation>PLOT3D-Gitter</translation>
+    </message>
+    <message>
+        <source>Reads curvilinear grids with a scalar of their solution from binary PLOT3D files of any byte order and precision.</source>
+        <translation>Liest krummlinige Gitter mit einem Skalar ihrer Lösung aus binären PLOT3D-Dateien jeder Bytefolge und Genauigkeit.</translation>
+    </message>
+    <message>
+        <source>PLOT3D writer</source>
+        <translation>PLOT3D-Schreiber</translation>
+    </message>
+    <message>
+        <source>Writes datasets on grids as a PLOT3D grid file and a solution file beside it.</source>
+        <translation>Schreibt Datensätze auf Gittern als PLOT3D-Gitterdatei und eine Lösungsdatei daneben.</translation>
+    </message>
+    <message>
+        <source>PLOT3D grid and solution (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)</source>
+        <translation>PLOT3D-Gitter und -Lösung (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Which scalar of the solution: automatic takes the density, or if that is the same everywhere the first that varies.</source>
+        <translation>Welcher Skalar der Lösung: automatic nimmt die Dichte, oder wenn sie überall gleich ist, den ersten, der sich ändert.</translation>
+    </message>
+    <message>
+        <source>Solution file</source>
+        <translation>Lösungsdatei</translation>
+    </message>
+    <message>
+        <source>The PLOT3D solution of the grid; without it the one beside it with a fitting name.</source>
+        <translation>Die PLOT3D-Lösung des Gitters; ohne sie die daneben mit passendem Namen.</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Which grid of a PLOT3D file that holds several, from 1; 0 takes the only one.</source>
+        <translation>Welches Gitter einer PLOT3D-Datei mit mehreren, von 1 an; 0 nimmt das einzige.</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatic</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>density</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>pressure</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>energy</translation>
+    </message>
+    <message>
+        <source>velocity_magnitude</source>
+        <translation>velocity_magnitude</translation>
+    </message>
+    <message>
+        <source>momentum_magnitude</source>
+        <translation>momentum_magnitude</translation>
+    </message>
+    <message>
+        <source>momentum_x</source>
+        <translation>momentum_x</translation>
+    </message>
+    <message>
+        <source>momentum_y</source>
+        <translation>momentum_y</translation>
+    </message>
+    <message>
+        <source>momentum_z</source>
+        <translation>momentum_z</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>temperature</translation>
+    </message>
+    <message>
+        <source>mach</source>
+        <translation>mach</translation>
+    </message>
 </context>
 <context>
     <name>RemoveIsovalue</name>
@@ -619,6 +707,14 @@
         <source>of the range, ± %1</source>
         <translation>des Bereichs, ± %1</translation>
     </message>
+    <message>
+        <source>of the range, ± %1; warping %2</source>
+        <translation>des Bereichs, ± %1; Verwerfung %2</translation>
+    </message>
+    <message>
+        <source>What the percentage means in units of the data. Of curvilinear data it holds for the error and for the warping: the distance of the mesh from the grid, in percent of the diagonal of the box around it.</source>
+        <translation>Was der Prozentsatz in Einheiten der Daten heißt. Bei krummlinigen Daten gilt er für den Fehler und für die Verwerfung: den Abstand des Netzes vom Gitter, in Prozent der Diagonale des Quaders darum.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::AccuracySlider</name>
@@ -633,10 +729,6 @@
 </context>
 <context>
     <name>tetra::BuildPanel</name>
-    <message>
-        <source>%1 × %2 × %3 samples, %4, values %5 to %6</source>
-        <translation>%1 × %2 × %3 Abtastwerte, %4, Werte %5 bis %6</translation>
-    </message>
     <message>
         <source>Open a dataset to build a model of it.</source>
         <translation>Öffnen Sie einen Datensatz, um sein Modell zu bauen.</translation>
@@ -732,6 +824,22 @@
     <message>
         <source>Models (*.tan)</source>
         <translation>Modelle (*.tan)</translation>
+    </message>
+    <message>
+        <source>%1 scattered points</source>
+        <translation>%1 verstreute Punkte</translation>
+    </message>
+    <message>
+        <source>curvilinear grid of %1 points, %2 cells</source>
+        <translation>krummliniges Gitter mit %1 Punkten, %2 Zellen</translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation>%1 Abtastwerte</translation>
+    </message>
+    <message>
+        <source>%1, %2, values %3 to %4</source>
+        <translation>%1, %2, Werte %3 bis %4</translation>
     </message>
 </context>
 <context>

@@ -52,6 +52,10 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
 {
     setObjectName("accuracy");
     inUnits_->setObjectName("accuracy.inUnits");
+    inUnits_->setToolTip(
+        tr("What the percentage means in units of the data. Of curvilinear data it holds for the error "
+           "and for the warping: the distance of the mesh from the grid, in percent of the diagonal "
+           "of the box around it."));
     limit_->setObjectName("accuracy.limit");
     limit_->setWordWrap(true);
 
@@ -161,12 +165,17 @@ void AccuracyPanel::showAccuracy()
         return;
     }
     const double extent = session_.range().extent();
-    inUnits_->setText(tr("of the range, ± %1").arg(QLocale().toString(error / 100 * extent, 'g', 3)));
+    const QString byError = QLocale().toString(error / 100 * extent, 'g', 3);
+    if (model->description().warpingWeight > 0)
+        inUnits_->setText(tr("of the range, ± %1; warping %2")
+                              .arg(byError, QLocale().toString(error / 100 * model->diagonal(), 'g', 3)));
+    else
+        inUnits_->setText(tr("of the range, ± %1").arg(byError));
     sites_->setText(countText(size.sites));
     siteShare_->setText(shareText(size.sites, model->siteCount()));
     tetrahedra_->setText(countText(size.tetrahedra));
-    tetrahedronShare_->setText(
-        shareText(static_cast<double>(size.tetrahedra), static_cast<double>(meshSizeAt(*model, {0}).tetrahedra)));
+    tetrahedronShare_->setText(shareText(static_cast<double>(size.tetrahedra),
+                                         static_cast<double>(meshSizeAt(*model, bothWithin(0)).tetrahedra)));
 }
 
 } // namespace tetra

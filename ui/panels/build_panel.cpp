@@ -41,17 +41,26 @@ QLabel* titleLabel(const char* name)
     return label;
 }
 
-QString factsOf(const Dataset& dataset)
+/// Points, cells and kind.
+QString shapeOf(const Dataset& dataset)
 {
     const auto& size = dataset.lattice.size;
+    const QString sizes = QString("%1 × %2 × %3").arg(size[0]).arg(size[1]).arg(size[2]);
+    if (dataset.domain == DomainClass::Scattered)
+        return BuildPanel::tr("%1 scattered points").arg(countText(dataset.pointCount()));
+    if (dataset.domain == DomainClass::Curvilinear)
+        return BuildPanel::tr("curvilinear grid of %1 points, %2 cells")
+            .arg(sizes, countText(dataset.lattice.cellCount()));
+    return BuildPanel::tr("%1 samples").arg(sizes);
+}
+
+QString factsOf(const Dataset& dataset)
+{
     const ValueRange range = dataset.values.range();
     const QLocale locale;
-    return BuildPanel::tr("%1 × %2 × %3 samples, %4, values %5 to %6")
-        .arg(size[0])
-        .arg(size[1])
-        .arg(size[2])
-        .arg(QString::fromUtf8(sampleTypeName(dataset.values.type())), locale.toString(range.minimum, 'g', 6),
-             locale.toString(range.maximum, 'g', 6));
+    return BuildPanel::tr("%1, %2, values %3 to %4")
+        .arg(shapeOf(dataset), QString::fromUtf8(sampleTypeName(dataset.values.type())),
+             locale.toString(range.minimum, 'g', 6), locale.toString(range.maximum, 'g', 6));
 }
 
 } // namespace

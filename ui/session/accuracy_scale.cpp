@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/accuracy_scale.h"
 
-#include "core/model/extraction.h"
-
 #include <Qt>
 
 #include <algorithm>
@@ -36,6 +34,11 @@ std::vector<double> ladder()
 }
 
 } // namespace
+
+Accuracy bothWithin(double percent)
+{
+    return {.error = percent, .warping = percent};
+}
 
 double accuracyPosition(double percent)
 {
@@ -89,9 +92,9 @@ std::vector<CurvePoint> sitesAgainstError(const Model& model, int points)
     for (int point = 0; point < points; ++point) {
         const double fraction = static_cast<double>(point) / (points - 1);
         const double error = coarsestOnScale * std::pow(finestOnScale / coarsestOnScale, fraction);
-        curve.push_back({error, meshSizeAt(model, {error}).sites});
+        curve.push_back({error, meshSizeAt(model, bothWithin(error)).sites});
     }
-    curve.push_back({0, meshSizeAt(model, {0}).sites});
+    curve.push_back({0, meshSizeAt(model, bothWithin(0)).sites});
     return curve;
 }
 
@@ -99,10 +102,10 @@ double startingError(const Model& model)
 {
     constexpr std::uint64_t quick = 1'000'000; // tetrahedra
     for (const double percent : {1.0, 2.0, 3.0, 4.0})
-        if (meshSizeAt(model, {percent}).tetrahedra <= quick)
+        if (meshSizeAt(model, bothWithin(percent)).tetrahedra <= quick)
             return percent;
     double percent = 5;
-    while (percent < coarsestOnScale && meshSizeAt(model, {percent}).tetrahedra > quick)
+    while (percent < coarsestOnScale && meshSizeAt(model, bothWithin(percent)).tetrahedra > quick)
         percent = steppedAccuracy(percent, -1);
     return percent;
 }

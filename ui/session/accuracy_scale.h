@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/model/extraction.h"
 #include "core/model/model.h"
 
 #include <array>
@@ -19,6 +20,10 @@ inline constexpr double coarsestOnScale = 20;
 inline constexpr double finestOnScale = 0.01;
 /// The position where the logarithmic part ends.
 inline constexpr double logarithmicPart = 0.94;
+
+/// What one number on the scale asks for: this error in % of the value range, and for curvilinear data also this
+/// warping in % of the diagonal.
+Accuracy bothWithin(double percent);
 
 /// Where an error (in %) lies on the scale, in [0, 1].
 double accuracyPosition(double percent);

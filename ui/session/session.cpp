@@ -18,7 +18,7 @@ Session::Session(QObject* parent) : QObject(parent) {}
 
 MeshSize Session::meshSize() const
 {
-    return model_ ? meshSizeAt(*model_, {view_.error()}) : MeshSize{};
+    return model_ ? meshSizeAt(*model_, bothWithin(view_.error())) : MeshSize{};
 }
 
 ValueRange Session::range() const
