@@ -10,11 +10,33 @@
 
 namespace tetra {
 
+namespace {
+
+/// The largest of several measures and its point; ties go to the first point of the lattice.
+struct Worst {
+    double measure = -1;
+    PackedPoint point = 0;
+
+    void take(double other, PackedPoint at)
+    {
+        const bool larger = (other > measure) | ((other == measure) & (at < point));
+        measure = larger ? other : measure;
+        point = larger ? at : point;
+    }
+};
+
+} // namespace
+
 CurvilinearMesh::CurvilinearMesh(const LiftedGrid& grid, const BlockDivision& blocks, const Options& options)
     : grid_(grid), blocks_(blocks), options_(options)
 {
     queue_.start(roundedUp(std::max(options.largestError, options.warpingWeight * options.largestWarping)));
     warpingQueue_.start(roundedUp(options.largestWarping));
+}
+
+float CurvilinearMesh::keyOf(float error, float warping) const
+{
+    return std::max(error, roundedUp(options_.warpingWeight * double(warping)));
 }
 
 std::uint32_t CurvilinearMesh::takeBucketNumber()
@@ -30,16 +52,6 @@ std::uint32_t CurvilinearMesh::takeBucketNumber()
     return number;
 }
 
-/// The largest of `measures`; ties go to the first point of the lattice.
-std::size_t CurvilinearMesh::worstOf(std::span<const double> measures, std::span<const PackedPoint> points) const
-{
-    std::size_t worst = 0;
-    for (std::size_t i = 1; i < measures.size(); ++i)
-        if (measures[i] > measures[worst] || (measures[i] == measures[worst] && points[i] < points[worst]))
-            worst = i;
-    return worst;
-}
-
 /// Makes the bucket of `slot` out of what the relocation placed into `face` of its star.
 CurvilinearMesh::Accuracy CurvilinearMesh::fillBucket(std::uint32_t slot, std::size_t face, double determinant)
 {
@@ -48,64 +60,56 @@ CurvilinearMesh::Accuracy CurvilinearMesh::fillBucket(std::uint32_t slot, std::s
     if (count == 0)
         return {};
     const std::span<const PackedPoint> points = relocation_.placed().subspan(first, count);
-    const std::span<const double> errors = relocation_.scaledSquaredErrors().subspan(first, count);
-    const std::span<const double> warpings = relocation_.scaledSquaredWarpings().subspan(first, count);
-    const auto measure = [&](std::span<const double> squares, double least) {
-        const double largest = std::sqrt(*std::ranges::max_element(squares)) / determinant;
-        return largest <= least ? 0 : largest;
+    const double* const errors = relocation_.scaledSquaredErrors().data() + first;
+    const double* const warpings = relocation_.scaledSquaredWarpings().data() + first;
+    const double squaredWeight = options_.warpingWeight * options_.warpingWeight;
+    Worst error, warping, key;
+    for (std::size_t i = 0; i < count; ++i) {
+        error.take(errors[i], points[i]);
+        warping.take(warpings[i], points[i]);
+        key.take(std::max(errors[i], squaredWeight * warpings[i]), points[i]);
+    }
+    const auto bound = [determinant](double scaledSquare, double least) {
+        const double value = std::sqrt(scaledSquare) / determinant;
+        return value <= least ? 0.0f : roundedUp(value);
     };
-    const double error = measure(errors, grid_.leastError());
-    const double warping = measure(warpings, grid_.leastWarping());
-    const Accuracy accuracy{roundedUp(error), roundedUp(warping),
-                            roundedUp(std::max(error, options_.warpingWeight * warping))};
+    Accuracy accuracy{bound(error.measure, grid_.leastError()), bound(warping.measure, grid_.leastWarping()), 0};
+    accuracy.key = keyOf(accuracy.error, accuracy.warping);
 
     const std::uint32_t number = takeBucketNumber();
     slots_[slot].bucket = number;
     PointBucket& bucket = buckets_[number];
-    bucket = {count, 0, points[0], 0, slot};
+    bucket = {count, 0, key.point, accuracy.key, slot};
     if (count > 1) {
         bucket.place = pool_.allocate(count);
         std::ranges::copy(points, pool_.points(bucket.place, count).begin());
     }
+    if (accuracy.key > options_.stopKey)
+        pointsAboveStop_ += count;
     if (options_.selection == CurvilinearSelection::Paper) {
-        PointBucket& warpingBucket = warpingBuckets_[number];
-        warpingBucket = bucket;
-        warpingBucket.worst = points[worstOf(warpings, points)];
-        warpingBucket.error = accuracy.warping;
+        warpingBuckets_[number] = {count, bucket.place, warping.point, accuracy.warping, slot};
         if (accuracy.warping > 0)
-            warpingQueue_.push(number, warpingBucket);
-        bucket.worst = points[worstOf(errors, points)];
+            warpingQueue_.push(number, warpingBuckets_[number]);
+        bucket.worst = error.point;
         bucket.error = accuracy.error;
-    } else {
-        const double squaredWeight = options_.warpingWeight * options_.warpingWeight;
-        keys_.resize(count);
-        for (std::size_t i = 0; i < count; ++i)
-            keys_[i] = std::max(errors[i], squaredWeight * warpings[i]);
-        bucket.worst = points[worstOf(keys_, points)];
-        bucket.error = accuracy.key;
     }
     if (bucket.error > 0)
         queue_.push(number, bucket);
-    if (accuracy.key > options_.stopKey)
-        pointsAboveStop_ += count;
     return accuracy;
 }
 
 /// Finds out whether lifting flips the tetrahedron of `slot`, and queues it if so.
-void CurvilinearMesh::noteOrientation(std::uint32_t slot, float key)
+void CurvilinearMesh::noteOrientation(std::uint32_t slot)
 {
     SlotState& state = slots_[slot];
-    state.orientation = grid_.orientation(delaunay_[slot].vertices);
+    const DelaunayTetrahedron& tetrahedron = delaunay_[slot];
+    state.orientation = grid_.orientation(tetrahedron.vertices);
     degenerate_ += state.orientation == 0;
     if (state.orientation >= 0)
         return;
     ++inverted_;
-    if (options_.selection == CurvilinearSelection::Paper)
-        return;
-    if (state.bucket == none)
-        emptyFlips_.push_back({slot, state.history});
-    else
-        flips_.push(key, buckets_[state.bucket].worst, slot, state.history);
+    if (options_.selection == CurvilinearSelection::Normalised)
+        flips_.push(fatness(tetrahedron), tetrahedron.vertices[0], slot, state.history);
 }
 
 /// Takes the points and the history numbers of what the last insertion destroyed, and gives their buckets back.
@@ -131,9 +135,8 @@ void CurvilinearMesh::collectDestroyed()
         }
         float key = bucket.error;
         if (options_.selection == CurvilinearSelection::Paper) {
-            PointBucket& warpingBucket = warpingBuckets_[state.bucket];
-            key = std::max(key, roundedUp(options_.warpingWeight * double(warpingBucket.error)));
-            warpingBucket.count = 0;
+            key = keyOf(bucket.error, warpingBuckets_[state.bucket].error);
+            warpingBuckets_[state.bucket].count = 0;
         }
         if (key > options_.stopKey)
             pointsAboveStop_ -= bucket.count;
@@ -146,6 +149,9 @@ bool CurvilinearMesh::insertIntoBlock(PackedPoint point, std::uint32_t slot, std
 {
     if (!delaunay_.insert(point, slot))
         return false;
+    for (const std::uint32_t destroyed : delaunay_.destroyed())
+        __builtin_prefetch(&slots_[destroyed]);
+    delaunay_.prefetchNeighbours(nextSlot_);
     collectDestroyed();
     pointsMoved_ += points_.size();
     const Star& star = delaunay_.star();
@@ -159,7 +165,7 @@ bool CurvilinearMesh::insertIntoBlock(PackedPoint point, std::uint32_t slot, std
         const std::uint32_t created = delaunay_.created()[face];
         slots_[created] = {static_cast<std::uint32_t>(tetrahedronCount_++), none, block, 1};
         const Accuracy accuracy = hasPoints ? fillBucket(created, face, star.faces()[face].determinant()) : Accuracy{};
-        noteOrientation(created, accuracy.key);
+        noteOrientation(created);
         const std::array<std::uint32_t, 3>& corners = star.corners()[face];
         starHistory_.push_back(
             {{rimSites_[corners[0]], rimSites_[corners[1]], rimSites_[corners[2]]}, accuracy.error, accuracy.warping});
@@ -168,8 +174,17 @@ bool CurvilinearMesh::insertIntoBlock(PackedPoint point, std::uint32_t slot, std
     return true;
 }
 
+/// Fetches what the next insertion will probably need.
+void CurvilinearMesh::prefetchNext()
+{
+    const std::uint32_t bucket = queue_.probableNext(1);
+    nextSlot_ = bucket == ErrorQueue::none ? 0 : buckets_[bucket].tetrahedron;
+    delaunay_.prefetch(nextSlot_);
+}
+
 Status CurvilinearMesh::insert(const Candidate& candidate, float keyBefore, HistorySink& sink)
 {
+    prefetchNext();
     const PackedLattice& lattice = grid_.lattice();
     const PackedPoint point = candidate.point;
     const std::uint32_t home = slots_[candidate.slot].block;
@@ -209,18 +224,11 @@ CurvilinearMesh::Candidate CurvilinearMesh::flipped()
     const auto alive = [this](std::uint32_t slot, std::uint32_t history) {
         return delaunay_[slot].determinant() != 0 && slots_[slot].history == history;
     };
-    if (const std::uint32_t slot = flips_.top(alive); slot != FlipQueue::none) {
-        const PointBucket& bucket = buckets_[slots_[slot].bucket];
-        return {bucket.worst, slot, bucket.error};
-    }
-    while (!emptyFlips_.empty()) {
-        const auto [slot, history] = emptyFlips_.back();
-        emptyFlips_.pop_back();
-        if (!alive(slot, history))
-            continue;
+    for (std::uint32_t slot = flips_.top(alive); slot != FlipQueue::none; slot = flips_.top(alive)) {
         const auto cure = deepestPointInSphere(grid_.lattice(), delaunay_[slot], blocks_.box(slots_[slot].block));
         if (cure)
             return {*cure, slot, 0};
+        flips_.pop(); // and stays: none of the points left can destroy it
     }
     return {};
 }

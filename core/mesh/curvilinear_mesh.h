@@ -59,9 +59,8 @@ public:
     Candidate worst();
     /// With the paper's selection: the point of the largest warping.
     Candidate worstWarping();
-    /// What the next insertion into a flipped tetrahedron should be: the point of the largest key inside the foremost
-    /// one, else the cure of one without points, the deepest point in its circumsphere. None if no flipped tetrahedron
-    /// can be cured; those that remain are counted by inverted().
+    /// The cure of the foremost flipped tetrahedron, the deepest point in its circumsphere (S5). None if no flipped
+    /// tetrahedron can be cured; those that remain are counted by inverted(). Always none with the paper's selection.
     Candidate flipped();
 
     /// Inserts the candidate's point into every block that has it and hands the step to `sink`.
@@ -77,6 +76,8 @@ public:
     std::uint64_t pointsMoved() const noexcept { return pointsMoved_; }
     /// Drops what is stale from the queues; worth calling now and then.
     void sweep();
+    /// The key of a mesh or tetrahedron of that error and warping: a bound, as they are.
+    float keyOf(float error, float warping) const;
 
 private:
     /// What is kept for each slot besides its geometry.
@@ -99,8 +100,8 @@ private:
     [[nodiscard]] bool insertIntoBlock(PackedPoint point, std::uint32_t slot, std::uint32_t block);
     void collectDestroyed();
     Accuracy fillBucket(std::uint32_t slot, std::size_t face, double determinant);
-    std::size_t worstOf(std::span<const double> measures, std::span<const PackedPoint> points) const;
-    void noteOrientation(std::uint32_t slot, float key);
+    void prefetchNext();
+    void noteOrientation(std::uint32_t slot);
     std::uint32_t takeBucketNumber();
     std::uint32_t index(PackedPoint point) const { return grid_.lattice().index(point); }
 
@@ -115,7 +116,6 @@ private:
     ErrorQueue queue_;
     ErrorQueue warpingQueue_;
     FlipQueue flips_;
-    std::vector<std::array<std::uint32_t, 2>> emptyFlips_; ///< slot and history number of those without points
     ReservedArray<SlotState> slots_;
     ReservedArray<std::uint32_t> siteOfPoint_; ///< plus one; 0 while it is none
     std::vector<std::uint32_t> hints_;         ///< a live slot of each block
@@ -129,12 +129,12 @@ private:
     std::uint64_t pointsAboveStop_ = 0;
     std::uint64_t pointsMoved_ = 0;
 
+    std::uint32_t nextSlot_ = 0;
     std::vector<std::uint32_t> pointBlocks_;
     std::vector<PackedPoint> points_;
     std::vector<std::uint32_t> destroyedHistory_;
     std::vector<std::uint32_t> rimSites_;
     std::vector<HistoryTetrahedron> starHistory_;
-    std::vector<double> keys_;
     std::vector<Accuracy> startAccuracies_;
 };
 

@@ -40,7 +40,7 @@ Status CurvilinearMesh::start(HistorySink& sink)
     if (Status status = addCorners(sink); !status)
         return status;
     for (std::uint32_t slot = 0; slot < delaunay_.slotCount(); ++slot)
-        noteOrientation(slot, startAccuracies_[slot].key);
+        noteOrientation(slot);
     return {};
 }
 

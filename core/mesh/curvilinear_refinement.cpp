@@ -2,7 +2,6 @@
 #include "core/mesh/curvilinear_refinement.h"
 
 #include "core/mesh/lattice_metric.h"
-#include "core/mesh/rounding.h"
 
 #include <algorithm>
 #include <limits>
@@ -27,12 +26,11 @@ Choice chooseNormalised(CurvilinearMesh& mesh)
     return {worst, worst.measure};
 }
 
-Choice chooseAsThePaper(CurvilinearMesh& mesh, double warpingWeight)
+Choice chooseAsThePaper(CurvilinearMesh& mesh)
 {
     const CurvilinearMesh::Candidate error = mesh.worst();
     const CurvilinearMesh::Candidate warping = mesh.worstWarping();
-    const float key = std::max(error.measure, roundedUp(warpingWeight * double(warping.measure)));
-    return {warping.measure > error.measure ? warping : error, key};
+    return {warping.measure > error.measure ? warping : error, mesh.keyOf(error.measure, warping.measure)};
 }
 
 /// Whether the arithmetic of computational space is exact in every block, and the points can be numbered.
@@ -67,9 +65,8 @@ Result<CurvilinearRefinementResult> refine(const LiftedGrid& grid, const BlockDi
     constexpr std::uint64_t workBetweenReports = 1u << 20;
     std::uint64_t work = 0;
     for (;;) {
-        const Choice choice = options.selection == CurvilinearSelection::Paper
-                                  ? chooseAsThePaper(mesh, options.warpingWeight)
-                                  : chooseNormalised(mesh);
+        const Choice choice =
+            options.selection == CurvilinearSelection::Paper ? chooseAsThePaper(mesh) : chooseNormalised(mesh);
         if (choice.consistent && choice.key <= options.stopKey) {
             if (Status status = sink.finish(choice.key); !status)
                 return status.error();

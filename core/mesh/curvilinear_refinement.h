@@ -35,9 +35,10 @@ struct CurvilinearRefinementResult {
 };
 
 /// Greedy refinement of a curvilinear grid in computational space (3.1, R8, R9): starting from the eight corners,
-/// inserts the point of the largest key until no point's key exceeds the stop. Before that come the points that flipped
-/// tetrahedra need: the point of the largest key inside one, and the deepest point in the circumsphere of one without
-/// points. So every mesh with a finite key is consistent, but for tetrahedra that no point of the grid can cure.
+/// inserts the point of the largest key until no point's key exceeds the stop. Before that flipped tetrahedra are
+/// cured, each by the deepest point in its circumsphere; the worst point inside would do only where there is one, and
+/// needs more sites. So every mesh with a finite key is consistent, but for tetrahedra that no point of the grid can
+/// cure (S5).
 ///
 /// With the paper's selection the mesh's warping against its error, both in their own units, decides whether the point
 /// of the largest warping or of the largest error comes next, and flipped tetrahedra are not looked at.

@@ -115,8 +115,7 @@ private slots:
                                                                   : level.papersSites;
             QVERIFY2(double(sites) <= most, qPrintable(QString("%1 sites at %2 %").arg(sites).arg(level.percent)));
             const Counts counts = countAt(*data, history, sites);
-            // In blocks one tetrahedron of BluntFin comes that no point can cure.
-            const std::size_t incurable = bluntFin ? (blockEdge > 0 ? 1 : level.percent > 0 ? 0 : 2) : 0;
+            const std::size_t incurable = bluntFin && level.percent == 0 ? 2 : 0;
             QVERIFY2(counts.inverted <= incurable,
                      qPrintable(QString("%1 inverted at %2 %").arg(counts.inverted).arg(level.percent)));
         }
