@@ -26,6 +26,9 @@ Acceptance acceptCurvilinear(const Dataset& dataset)
 Result<BuildReport> buildCurvilinear(const Dataset& dataset, const CurvilinearBuildRequest& request,
                                      BuildTarget& target, const Progress& progress)
 {
+    const Result<std::vector<float>> weights = pointWeights(request.weighting, dataset, progress);
+    if (!weights)
+        return weights.error();
     CurvilinearRefinementOptions options;
     options.valueExtent = unitOf(dataset.values.range().extent());
     options.positionExtent = unitOf(dataset.bounds().diagonal().norm());
@@ -38,8 +41,9 @@ Result<BuildReport> buildCurvilinear(const Dataset& dataset, const CurvilinearBu
     options.blockEdge = request.blockEdge;
     const Result<CurvilinearRefinementResult> result =
         visitSampleType(dataset.values.type(), [&]<class T>() -> Result<CurvilinearRefinementResult> {
-            return refineCurvilinear(dataset.lattice.size, *dataset.positions, LatticeSamples(dataset.values.as<T>()),
-                                     options, target.history, progress);
+            return refineCurvilinear(dataset.lattice.size, *dataset.positions,
+                                     LatticeSamples(dataset.values.as<T>(), *weights), options, target.history,
+                                     progress);
         });
     if (!result)
         return result.error();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/data/weighting.h"
 #include "core/mesh/curvilinear_mesh.h"
 #include "plugins/api/builder.h"
 
@@ -12,6 +13,7 @@ struct CurvilinearBuildRequest {
     double warping = 0; ///< where to stop, in % of the bounding box's diagonal
     CurvilinearSelection selection = CurvilinearSelection::Normalised;
     std::uint32_t blockEdge = 0; ///< cells along an edge of a block, or 0 for no blocks
+    Weighting weighting{};       ///< of errors and warpings (R6)
 };
 
 /// The builder's work on curvilinear and rectilinear grids (R8, R9).

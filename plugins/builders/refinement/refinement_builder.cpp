@@ -78,9 +78,11 @@ Parameter selectionParameter()
     return selection;
 }
 
-CurvilinearBuildRequest curvilinearRequest(const std::vector<Parameter>& parameters, const ParameterValues& values)
+CurvilinearBuildRequest curvilinearRequest(const std::vector<Parameter>& parameters, const ParameterValues& values,
+                                           const Weighting& weighting)
 {
     CurvilinearBuildRequest request;
+    request.weighting = weighting;
     request.error = parameterValue<double>(parameters, values, "error");
     request.warping = parameterValue<double>(parameters, values, "warping");
     if (parameterValue<std::string>(parameters, values, "selection") == paper)
@@ -116,10 +118,7 @@ Result<BuildReport> RefinementBuilder::build(const Dataset& dataset, const Param
     switch (dataset.domain) {
     case DomainClass::RegularLattice: return buildLattice(dataset, error, *weighting, target, progress);
     case DomainClass::Curvilinear:
-        if (!weighting->empty())
-            return Error{ErrorKind::WrongUsage,
-                         "Refinement does not take weights for curvilinear data. Build without them."};
-        return buildCurvilinear(dataset, curvilinearRequest(parameters(), values), target, progress);
+        return buildCurvilinear(dataset, curvilinearRequest(parameters(), values, *weighting), target, progress);
     case DomainClass::Scattered:
     case DomainClass::Irregular: break;
     }

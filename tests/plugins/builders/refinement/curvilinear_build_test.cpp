@@ -107,6 +107,22 @@ private slots:
         }
     }
 
+    /// R6: points far from what matters need less accuracy.
+    void weightsSaveSites()
+    {
+        const Dataset dataset = pipe(false);
+        const auto sitesWith = [&](const std::string& weights) -> std::uint64_t {
+            CountingSink sink;
+            BuildTarget target{sink};
+            const auto report = RefinementBuilder().build(
+                dataset, {{"error", 1.0}, {"warping", 1.0}, {"weights", weights}}, target, {});
+            return report ? sink.sites : 0;
+        };
+        const std::uint64_t near = sitesWith("point:0,2,0,1,0.01");
+        QVERIFY(near > 8 && near < sitesWith("") / 2);
+        QCOMPARE(sitesWith("point:0,2,0,1,1"), sitesWith(""));
+    }
+
     /// A field without a range still has a shape.
     void constantFieldKeepsTheShape()
     {
