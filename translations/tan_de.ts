@@ -841,6 +841,14 @@
         <source>%1, %2, values %3 to %4</source>
         <translation>%1, %2, Werte %3 bis %4</translation>
     </message>
+    <message>
+        <source>Read &amp;Differently…</source>
+        <translation>&amp;Anders lesen …</translation>
+    </message>
+    <message>
+        <source>Reads the file again in another way, for other values</source>
+        <translation>Liest die Datei noch einmal auf andere Weise, für andere Werte</translation>
+    </message>
 </context>
 <context>
     <name>tetra::ColourButton</name>
@@ -1126,6 +1134,10 @@
     <message>
         <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
         <translation>Kein Plugin zur Darstellung konnte geladen werden; so lässt sich kein Modell zeigen. %1</translation>
+    </message>
+    <message>
+        <source>It was read as %1.</source>
+        <translation>Gelesen wurde sie als %1.</translation>
     </message>
 </context>
 </TS>

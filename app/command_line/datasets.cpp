@@ -3,7 +3,6 @@
 
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/table.h"
-#include "core/base/number_text.h"
 #include "plugins/host/dataset_opening.h"
 
 #include <QJsonArray>
@@ -89,7 +88,7 @@ std::string datasetText(const DatasetSummary& summary)
                " x " + rounded(lattice.spacing[1]) + " x " + rounded(lattice.spacing[2]);
     if (summary.domain != DomainClass::RegularLattice)
         text += ", from " + placeText(summary.bounds.min()) + " to " + placeText(summary.bounds.max());
-    return text + ", values " + formatNumber(summary.range.minimum) + " to " + formatNumber(summary.range.maximum);
+    return text + ", values " + rounded(summary.range.minimum, 6) + " to " + rounded(summary.range.maximum, 6);
 }
 
 } // namespace tetra

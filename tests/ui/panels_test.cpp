@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/data/analytic_fields.h"
+#include "plugins/host/dataset_saving.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/panels/accuracy_curve.h"
 #include "ui/widgets/colour_button.h"
 #include "ui/widgets/value_box.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -33,6 +36,8 @@ private slots:
     void aHeldKeyIsOneStep();
     void numbersFollowTheAccuracyWithTheirShare();
     void aModelThatEndsEarlySaysSo();
+    void oneNumberIsErrorAndWarping();
+    void aGridIsReadDifferently();
     void isovaluesAreAddedEditedAndRemoved();
     void theColourMenuOffersThePalette();
     void deleteRemovesTheRow();
@@ -171,6 +176,41 @@ void PanelsTest::aModelThatEndsEarlySaysSo()
 {
     open(3);
     QVERIFY(window_->find<QLabel>("accuracy.limit").isVisible());
+}
+
+/// Of curvilinear data the number on the scale is both (R7).
+void PanelsTest::oneNumberIsErrorAndWarping()
+{
+    const auto grid = makeSample({.name = "bent-duct", .size = 8, .type = std::nullopt, .seed = 1});
+    QVERIFY(grid);
+    const auto path = buildSampleModel(*window_->host, *grid, window_->folderPath(), 0);
+    window_->window.open(QString::fromStdString(path));
+    QTRY_VERIFY(session().model() && window_->settled());
+    window_->find<QDoubleSpinBox>("accuracy.box").setValue(2);
+    QCOMPARE(session().meshSize().sites, meshSizeAt(*session().model(), {2, 2}).sites);
+    QVERIFY(session().meshSize().warping <= 2);
+    const QString warping = QLocale().toString(0.02 * session().model()->diagonal(), 'g', 3);
+    QVERIFY(window_->find<QLabel>("accuracy.inUnits").text().contains(warping));
+}
+
+/// The array can be chosen after the file was opened with another one.
+void PanelsTest::aGridIsReadDifferently()
+{
+    const auto grid = makeSample({.name = "bent-duct", .size = 8, .type = std::nullopt, .seed = 1});
+    QVERIFY(grid);
+    const std::string path = window_->folderPath() + "/duct.xyz";
+    QVERIFY(saveDataset(*window_->host, *grid, path).ok());
+    window_->window.open(QString::fromStdString(path));
+    QTRY_COMPARE(window_->find<QLabel>("build.name").text(), QString("duct.xyz, density"));
+    QVERIFY(window_->find<QLabel>("build.facts").text().contains("curvilinear grid of 8 × 8 × 8 points, 343 cells"));
+    QTest::mouseClick(&window_->find<QPushButton>("build.differently"), Qt::LeftButton);
+    window_->find<QComboBox>("describe.array")
+        .setCurrentText("energy"); // the same everywhere: refused, and asked again
+    QTest::mouseClick(&window_->find<QPushButton>("describe.read"), Qt::LeftButton);
+    QTRY_VERIFY(window_->find<QLabel>("describe.hint").text().contains("one value everywhere"));
+    window_->find<QComboBox>("describe.array").setCurrentText("density");
+    QTest::mouseClick(&window_->find<QPushButton>("describe.read"), Qt::LeftButton);
+    QTRY_VERIFY(window_->find<QPushButton>("build.start").isVisible());
 }
 
 void PanelsTest::isovaluesAreAddedEditedAndRemoved()

@@ -116,6 +116,10 @@ QWidget* BuildPanel::makeBuildPage()
 {
     name_ = titleLabel("build.name");
     facts_ = wrappedLabel("build.facts");
+    differently_ = new QPushButton(tr("Read &Differently…"));
+    differently_->setObjectName("build.differently");
+    differently_->setToolTip(tr("Reads the file again in another way, for other values"));
+    connect(differently_, &QPushButton::clicked, this, [this] { workbench_.readDifferently(); });
     builder_ = new QComboBox;
     builder_->setObjectName("build.builder");
     builder_->setAccessibleName(tr("Builder"));
@@ -145,6 +149,7 @@ QWidget* BuildPanel::makeBuildPage()
     layout->setContentsMargins({});
     layout->addWidget(name_);
     layout->addWidget(facts_);
+    layout->addWidget(differently_, 0, Qt::AlignLeft);
     layout->addSpacing(8);
     layout->addWidget(inputs_);
     layout->addSpacing(6);
@@ -231,6 +236,7 @@ void BuildPanel::showDataset()
     const Dataset& dataset = *workbench_.dataset();
     name_->setText(QString::fromStdString(dataset.source.name));
     facts_->setText(factsOf(dataset));
+    differently_->setVisible(workbench_.canReadDifferently());
     const QSignalBlocker blocker(builder_);
     builder_->clear();
     double best = 0;
@@ -268,6 +274,7 @@ void BuildPanel::showTarget()
 void BuildPanel::showRunning(bool running)
 {
     inputs_->setEnabled(!running);
+    differently_->setEnabled(!running);
     build_->setVisible(!running);
     progress_->setVisible(running);
     cancel_->setEnabled(true);

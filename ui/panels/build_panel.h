@@ -50,6 +50,7 @@ private:
     QWidget* describePage_;
     QLabel* name_;
     QLabel* facts_;
+    QPushButton* differently_ = nullptr;
     QComboBox* builder_;
     QLabel* reason_;
     ParameterForm* options_;

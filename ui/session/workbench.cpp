@@ -24,11 +24,8 @@ const Parameter* isovalueParameter(const std::vector<Parameter>& parameters)
     return nullptr;
 }
 
-/// What a file must be described by, if that is why it could not be read.
-std::vector<Parameter> neededDescription(PluginHost& host, const std::filesystem::path& path, const Error& error)
+std::vector<Parameter> readerParameters(PluginHost& host, const std::filesystem::path& path)
 {
-    if (error.kind != ErrorKind::WrongUsage)
-        return {};
     const auto reader = chooseReader(host, path);
     return reader ? reader->plugin->parameters() : std::vector<Parameter>{};
 }
@@ -107,11 +104,28 @@ void Workbench::datasetRead(const std::filesystem::path& path, const Result<Data
         emit datasetOpened();
         return;
     }
-    const auto parameters = neededDescription(host_, path, dataset.error());
+    const bool undescribed = dataset.error().kind == ErrorKind::WrongUsage;
+    const auto parameters = undescribed ? readerParameters(host_, path) : std::vector<Parameter>{};
     if (parameters.empty())
         return tell(dataset.error());
     undescribedFile_ = path;
     emit descriptionNeeded(parameters, pluginText(dataset.error().text));
+}
+
+bool Workbench::canReadDifferently() const
+{
+    // Lattices are described in full, by their file or by the user.
+    return dataset_ && dataset_->domain != DomainClass::RegularLattice &&
+           !readerParameters(host_, dataset_->source.path).empty();
+}
+
+void Workbench::readDifferently()
+{
+    if (!canReadDifferently())
+        return;
+    undescribedFile_ = dataset_->source.path;
+    emit descriptionNeeded(readerParameters(host_, undescribedFile_),
+                           tr("It was read as %1.").arg(QString::fromStdString(dataset_->source.name)));
 }
 
 void Workbench::describe(const ParameterValues& values)

@@ -48,6 +48,10 @@ public:
     QStringList nameFilters();
     /// Opens a model, or a dataset by the reader that fits it best.
     void open(const QString& path);
+    /// Whether the file of the dataset that is open could be read in another way: another array, other columns.
+    bool canReadDifferently() const;
+    /// Asks by descriptionNeeded() how the file of the dataset that is open is to be read.
+    void readDifferently();
     /// Opens the undescribed file with what descriptionNeeded() asked for.
     void describe(const ParameterValues& values);
     /// Builds a model of the dataset, and opens it.

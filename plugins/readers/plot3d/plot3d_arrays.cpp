@@ -104,12 +104,14 @@ Status checkUsable(const Plot3dArray& array, const Quantities& quantities, const
     const std::filesystem::path& path = solution.file->path();
     if (!isFinite(array.values)) {
         const auto wrong = std::ranges::count_if(array.values, [](double value) { return !std::isfinite(value); });
-        return inPlot3dFile(path, "the array '" + array.name + "' is not a finite number at " + std::to_string(wrong) +
-                                      " of its points. " + usableNames(quantities));
+        return inPlot3dFile(path,
+                            "the array '" + array.name + "' is not a finite number at " + std::to_string(wrong) +
+                                " of its points. " + usableNames(quantities),
+                            ErrorKind::WrongUsage);
     }
     if (!varies(array.values))
-        return inPlot3dFile(path,
-                            "the array '" + array.name + "' has one value everywhere. " + usableNames(quantities));
+        return inPlot3dFile(path, "the array '" + array.name + "' has one value everywhere. " + usableNames(quantities),
+                            ErrorKind::WrongUsage);
     return {};
 }
 

@@ -51,9 +51,9 @@ bool endsInZeros(const Plot3dFile& file)
 
 } // namespace
 
-Error inPlot3dFile(const std::filesystem::path& path, const std::string& text)
+Error inPlot3dFile(const std::filesystem::path& path, const std::string& text, ErrorKind kind)
 {
-    return {ErrorKind::BadInput, "Cannot read '" + path.string() + "': " + text};
+    return {kind, "Cannot read '" + path.string() + "': " + text};
 }
 
 Result<Plot3dFile> openPlot3d(const std::filesystem::path& path, Plot3dKind kind)
@@ -82,9 +82,11 @@ Result<std::size_t> chooseGrid(const Plot3dFile& file, std::int64_t wanted)
     const std::size_t count = file.layout.sizes.size();
     const std::filesystem::path& path = file.file->path();
     if (wanted == 0 && count > 1)
-        return inPlot3dFile(path, "it holds " + std::to_string(count) +
-                                      " grids, and a model is of one. Choose which: 'grid' from 1 to " +
-                                      std::to_string(count) + ".");
+        return inPlot3dFile(path,
+                            "it holds " + std::to_string(count) +
+                                " grids, and a model is of one. Choose which: 'grid' from 1 to " +
+                                std::to_string(count) + ".",
+                            ErrorKind::WrongUsage);
     if (wanted > static_cast<std::int64_t>(count))
         return Error{ErrorKind::WrongUsage, "'" + path.string() + "' has no grid " + std::to_string(wanted) +
                                                 ": it holds " + std::to_string(count) + "."};

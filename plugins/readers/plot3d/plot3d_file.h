@@ -33,7 +33,7 @@ Result<std::vector<double>> readComponent(const Plot3dFile& file, std::size_t gr
 /// The number of points with iblank 0 in a grid file; 0 without iblank.
 std::uint64_t blankedPoints(const Plot3dFile& file, std::size_t grid);
 
-/// An error about the file at `path`, for the user.
-Error inPlot3dFile(const std::filesystem::path& path, const std::string& text);
+/// An error about the file at `path`, for the user. WrongUsage if other parameters can help.
+Error inPlot3dFile(const std::filesystem::path& path, const std::string& text, ErrorKind kind = ErrorKind::BadInput);
 
 } // namespace tetra

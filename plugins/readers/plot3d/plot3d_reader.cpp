@@ -60,9 +60,11 @@ Result<Pair> findPair(const fs::path& path, const std::string& solutionGiven)
     }
     const fs::path solution = firstExisting(solutionNames(path));
     if (solution.empty())
-        return inPlot3dFile(path, "it is a grid without values, and no solution is beside it (" +
-                                      namesText(solutionNames(path)) +
-                                      "). Say where it is with 'solution', or give it one of these names.");
+        return inPlot3dFile(path,
+                            "it is a grid without values, and no solution is beside it (" +
+                                namesText(solutionNames(path)) +
+                                "). Say where it is with 'solution', or give it one of these names.",
+                            ErrorKind::WrongUsage);
     return Pair{path, solution};
 }
 

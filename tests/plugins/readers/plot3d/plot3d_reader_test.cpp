@@ -162,6 +162,7 @@ void Plot3dReaderTest::theSolutionIsFoundByItsName()
     const auto alone = read(gridPath);
     QVERIFY(!alone.ok());
     QVERIFY2(QString::fromStdString(alone.error().text).contains(solution), alone.error().text.c_str());
+    QCOMPARE(alone.error().kind, ErrorKind::WrongUsage); // so that the window asks
     const auto solutionPath = write(solution.toStdString(), testFile({}, true));
     QVERIFY(read(gridPath).ok());
     const auto bySolution = read(solutionPath);
