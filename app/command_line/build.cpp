@@ -61,8 +61,8 @@ Syntax buildSyntax(PluginHost& host)
         .explanation =
             "The model holds the whole history of the mesh, coarse to fine, so that any accuracy can be had "
             "from it later without building again. The file appears when it is complete; when the build is "
-            "cancelled or fails, nothing is left (but see --keep) and an older model of that name stays as it "
-            "was.",
+            "cancelled or fails, nothing is left (but see --keep and --resume) and an older model of that name stays "
+            "as it was. Until then all files of the build lie in the folder MODEL.work.",
         .positionals = {{"IN", "The dataset: " + std::string("a file that one of the readers knows.")}},
         .options = {outputOption("MODEL", "The model to write, by habit with the ending .tan."),
                     {.name = "builder",
@@ -76,7 +76,11 @@ Syntax buildSyntax(PluginHost& host)
                     {.name = "threads",
                      .placeholder = "N",
                      .explanation = "The most threads to use.",
-                     .byDefault = "as many as the machine has"}},
+                     .byDefault = "as many as the machine has"},
+                    {.name = "resume",
+                     .placeholder = "",
+                     .explanation = "Go on with what an interrupted build of the same model left behind; the result is "
+                                    "the same. Keeps it, too, if this one is cancelled."}},
         .examples = {{"tan build engine.nrrd -o engine.tan", "Everything, down to an error of 0."},
                      {"tan build engine.nrrd --error 0.5 -o engine.tan", "A smaller model, exact to 0.5 %."}}};
     addPluginOptions(syntax, allParameters(host.builders()));
@@ -113,8 +117,9 @@ Result<Outcome> runBuild(const Invocation& invocation)
     if (!values)
         return values.error();
     const std::atomic<bool> keep = arguments.has("keep");
-    const auto build = buildModel(invocation.host, *dataset, builder->id, *values, output,
-                                  invocation.progress.part(0.05, 1), {.live = nullptr, .keepWhenCancelled = &keep});
+    const auto build =
+        buildModel(invocation.host, *dataset, builder->id, *values, output, invocation.progress.part(0.05, 1),
+                   {.live = nullptr, .keepWhenCancelled = &keep, .resume = arguments.has("resume")});
     if (!build)
         return build.error();
     return describe(*build, output);

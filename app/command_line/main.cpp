@@ -5,11 +5,14 @@
 
 #include <QCoreApplication>
 
+#include <exception>
 #include <iostream>
 
 #include <unistd.h>
 
-int main(int argc, char** argv)
+namespace {
+
+int run(int argc, char** argv)
 {
     const std::vector<std::string> words(argv + 1, argv + argc);
     if (tetra::isForWindow(words)) {
@@ -21,4 +24,18 @@ int main(int argc, char** argv)
     const auto host = tetra::PluginHost::standard();
     return tetra::runCommandLine(words, *host, {std::cout, std::cerr, isatty(STDERR_FILENO) != 0},
                                  interruption.token());
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    try {
+        return run(argc, argv);
+    } catch (const std::exception& problem) {
+        // What is left when not even a thread can be started or a few bytes be had, as under a low ulimit.
+        std::cerr << "tan: The system refuses what every program needs (" << problem.what()
+                  << "). Close other programs, or raise the limits (ulimit).\n";
+        return 4;
+    }
 }

@@ -73,14 +73,15 @@ Status checkTarget(const std::filesystem::path& target, std::optional<mode_t>& m
     return {};
 }
 
-std::filesystem::path temporaryName(const std::filesystem::path& target)
+std::filesystem::path temporaryName(const std::filesystem::path& target, const std::filesystem::path& workFolder)
 {
     constexpr std::size_t longestKept = 200; // leaves room for the rest within the usual limit of 255
     std::random_device random;
     char digits[8];
     const auto end = std::to_chars(digits, digits + sizeof digits, random(), 16).ptr;
     const std::string name = target.filename().string().substr(0, longestKept);
-    return target.parent_path() / ("." + name + "." + std::string(digits, end) + ".partial");
+    return (workFolder.empty() ? target.parent_path() : workFolder) /
+           ("." + name + "." + std::string(digits, end) + ".partial");
 }
 
 /// Makes the rename survive a power failure. File systems that cannot sync a folder say so and are believed.
@@ -96,7 +97,8 @@ int syncFolder(const std::filesystem::path& folder)
 
 } // namespace
 
-Result<FileWriter> FileWriter::create(const std::filesystem::path& target, std::size_t bufferBytes)
+Result<FileWriter> FileWriter::create(const std::filesystem::path& target, std::size_t bufferBytes,
+                                      const std::filesystem::path& workFolder)
 {
     FileWriter writer;
     std::error_code ignored;
@@ -108,7 +110,7 @@ Result<FileWriter> FileWriter::create(const std::filesystem::path& target, std::
     if (const Status possible = checkTarget(writer.target_, mode); !possible)
         return possible.error();
     do {
-        writer.temporary_ = temporaryName(writer.target_);
+        writer.temporary_ = temporaryName(writer.target_, workFolder);
         writer.descriptor_ = uninterrupted(
             [&] { return ::open(writer.temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666); });
     } while (writer.descriptor_ < 0 && errno == EEXIST);
@@ -177,11 +179,25 @@ Status FileWriter::overwrite(std::uint64_t offset, std::span<const std::byte> by
     return put(bytes, offset);
 }
 
-Status FileWriter::commit()
+Status FileWriter::extend(std::uint64_t size)
+{
+    assert(size >= size_);
+    if (const Status flushed = flush(); !flushed)
+        return flushed;
+    const auto length = static_cast<off_t>(size);
+    if (uninterrupted([&] { return ::fallocate(descriptor_, 0, 0, length); }) != 0 &&
+        (errno != EOPNOTSUPP || uninterrupted([&] { return ::ftruncate(descriptor_, length); }) != 0))
+        return fail(errno);
+    size_ = size;
+    return {};
+}
+
+Status FileWriter::commit(Durability durability)
 {
     if (const Status flushed = flush(); !flushed)
         return flushed;
-    if (uninterrupted([&] { return ::fsync(descriptor_); }) != 0)
+    const bool sync = durability == Durability::Power;
+    if (sync && uninterrupted([&] { return ::fsync(descriptor_); }) != 0)
         return fail(errno);
     // Network file systems may report a full disk only here.
     if (::close(std::exchange(descriptor_, -1)) != 0 && errno != EINTR)
@@ -189,7 +205,7 @@ Status FileWriter::commit()
     if (::rename(temporary_.c_str(), target_.c_str()) != 0)
         return fail(errno);
     temporary_.clear();
-    if (const int systemError = syncFolder(target_.parent_path()); systemError != 0)
+    if (const int systemError = sync ? syncFolder(target_.parent_path()) : 0; systemError != 0)
         return fail(systemError);
     return {};
 }

@@ -20,19 +20,27 @@ namespace tetra {
 /// one every further call gives it again, and commit() changes nothing.
 class FileWriter {
 public:
+    /// What a committed file survives: the end of this program, or a power failure, too.
+    enum class Durability { Process, Power };
+
     /// Refuses a target that is a folder, a device or a read-only file, and a folder that cannot be written in. A
-    /// target that is a symbolic link is followed.
-    static Result<FileWriter> create(const std::filesystem::path& target, std::size_t bufferBytes = 1 << 20);
+    /// target that is a symbolic link is followed. The file grows in `workFolder`, which must be on the target's disk;
+    /// without one beside the target.
+    static Result<FileWriter> create(const std::filesystem::path& target, std::size_t bufferBytes = 1 << 20,
+                                     const std::filesystem::path& workFolder = {});
     ~FileWriter();
     FileWriter(FileWriter&& other) noexcept;
     FileWriter& operator=(FileWriter&& other) noexcept;
 
     /// Appends.
     Status write(std::span<const std::byte> bytes);
+    /// Makes the file `size` bytes long, not less than size(), with zeros, and takes the room on the disk at once if
+    /// the file system can.
+    Status extend(std::uint64_t size);
     /// Replaces bytes that were written before: [offset, offset + bytes.size()) lies within size().
     Status overwrite(std::uint64_t offset, std::span<const std::byte> bytes);
     /// Syncs the content, renames and syncs the folder. The writer is of no further use.
-    Status commit();
+    Status commit(Durability durability = Durability::Power);
 
     const std::filesystem::path& target() const noexcept { return target_; }
     /// Bytes appended so far.

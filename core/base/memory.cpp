@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/memory.h"
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <string>
 #include <string_view>
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace tetra {
@@ -39,6 +41,14 @@ std::uint64_t physicalBytes() noexcept
 {
     const long pages = ::sysconf(_SC_PHYS_PAGES);
     return pages > 0 ? static_cast<std::uint64_t>(pages) * pageSize() : 0;
+}
+
+std::uint64_t usableBytes() noexcept
+{
+    struct rlimit limit {};
+    if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+        return physicalBytes();
+    return std::min<std::uint64_t>(physicalBytes(), limit.rlim_cur);
 }
 
 std::uint64_t residentBytes()

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/description_text.h"
 
+#include "core/data/grid_handedness.h"
+#include "core/model/format.h"
+
 namespace tetra {
 
 namespace {
@@ -59,13 +62,29 @@ void readLine(std::string_view line, ModelDescription& description)
 
 } // namespace
 
-std::string textOf(const ModelDescription& description)
+void describeSource(ModelDescription& description, const Dataset& dataset)
+{
+    description.domain = dataset.domain;
+    description.lattice = dataset.lattice;
+    description.bounds = dataset.bounds();
+    description.leftHanded = dataset.domain == DomainClass::Curvilinear && isLeftHanded(dataset);
+    description.sampleType = dataset.values.type();
+    description.range = dataset.values.range();
+    description.sourceName = dataset.source.name;
+    description.sourceHash = dataset.source.hash;
+}
+
+Result<std::string> textOf(const ModelDescription& description, const std::filesystem::path& target)
 {
     std::string text;
     appendLine(text, "source", description.sourceName);
     appendLine(text, "builder", description.builder);
     for (const auto& [name, value] : description.parameters)
         appendLine(text, std::string(parameterPrefix) + name, value);
+    if (text.size() > format::longestText)
+        return Error{ErrorKind::OutOfResource, "Cannot write '" + target.string() +
+                                                   "': the names and parameters of the model are longer than 1 MiB. "
+                                                   "Shorten them."};
     return text;
 }
 

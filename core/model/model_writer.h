@@ -15,9 +15,11 @@ namespace tetra {
 /// and one batch whole; the sites of the tetrahedra go straight to the disk.
 class ModelWriter : public HistorySink {
 public:
-    /// `description` needs builder and parameters; the rest is taken from `dataset`.
+    /// `description` needs builder and parameters; the rest is taken from `dataset`. The unfinished file lies in
+    /// `workFolder`, on the same disk; without one beside `path`.
     static Result<std::unique_ptr<ModelWriter>> create(const std::filesystem::path& path, const Dataset& dataset,
-                                                       ModelDescription description);
+                                                       ModelDescription description,
+                                                       const std::filesystem::path& workFolder = {});
     /// In place of finish(), at any time: completes the file with the sites before the batch that is not complete yet,
     /// a mesh of known error. Error: no batch is complete.
     virtual Status finishEarly() = 0;

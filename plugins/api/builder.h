@@ -4,9 +4,17 @@
 #include "core/base/progress.h"
 #include "core/data/dataset.h"
 #include "core/mesh/history.h"
+#include "core/model/planned_model_writer.h"
 #include "plugins/api/parameter.h"
 
 #include <QtPlugin>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace tetra {
 
@@ -24,9 +32,23 @@ struct BuildReport {
     std::uint64_t degenerate = 0; ///< cells without volume (S6)
 };
 
+/// Opens the model for a builder that knows it beforehand. `parameters` replace or join those that the model keeps as
+/// its provenance: what the builder chose by itself.
+using PlannedTarget = std::function<Result<std::unique_ptr<PlannedModelWriter>>(
+    const PlannedCounts& counts, const std::vector<std::pair<std::string, std::string>>& parameters)>;
+
 /// Where a build puts what it makes.
 struct BuildTarget {
+    /// A history step by step. Costs memory for every site and tetrahedron.
     HistorySink& history;
+    /// The same model out of pieces that were put in order beforehand, in little memory; in place of `history`. Empty
+    /// if it cannot be had.
+    PlannedTarget planned{};
+    /// A folder on the model's disk for files of the builder's own, for as long as the build lasts. Empty if `planned`
+    /// is.
+    std::filesystem::path workFolder{};
+    /// The folder may hold what an interrupted build left: go on with that as far as it fits.
+    bool resume = false;
 };
 
 /// Makes a multiresolution history out of a dataset (R8, R11). Runs on a worker thread; touches no widget and no GL.

@@ -31,7 +31,13 @@ struct BuildControl {
     LiveBuild* live = nullptr; ///< can be looked at
     /// When the build is cancelled and this is true then, what is finished becomes the model, of less accuracy.
     const std::atomic<bool>* keepWhenCancelled = nullptr;
+    /// Go on with what an interrupted build of the same model left in its work folder, and leave there what is done if
+    /// this one does not end well. Else that is removed.
+    bool resume = false;
 };
+
+/// The folder beside a model that holds the files of its build until it is done.
+std::filesystem::path workFolderOf(const std::filesystem::path& output);
 
 /// Builds a model of `dataset` into `output`, which appears whole or not at all. `builderId` as in chooseBuilder();
 /// `values` may hold that builder's parameters and no others. The output never replaces the dataset's own file or

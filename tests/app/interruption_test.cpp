@@ -48,7 +48,8 @@ private:
     /// Of the file that a build is writing.
     qint64 unfinishedBytes() const
     {
-        const auto files = QDir(folder_.path()).entryInfoList({"*.partial"}, QDir::Files | QDir::Hidden);
+        const auto files =
+            QDir(folder_.filePath("kept.tan.work")).entryInfoList({"*.partial"}, QDir::Files | QDir::Hidden);
         return files.isEmpty() ? 0 : files.front().size();
     }
 
@@ -61,16 +62,19 @@ private slots:
     void endsABuildCleanly_data()
     {
         QTest::addColumn<int>("signal");
-        QTest::newRow("Ctrl-C") << SIGINT;
-        QTest::newRow("kill") << SIGTERM;
+        QTest::addColumn<QString>("block");
+        QTest::newRow("Ctrl-C") << SIGINT << "none";
+        QTest::newRow("kill") << SIGTERM << "none";
+        QTest::newRow("Ctrl-C, in blocks") << SIGINT << "32";
     }
     void endsABuildCleanly()
     {
         QFETCH(int, signal);
+        QFETCH(QString, block);
         const QStringList before = QDir(folder_.path()).entryList(QDir::AllEntries | QDir::Hidden);
         QProcess process;
         process.setWorkingDirectory(folder_.path());
-        process.start(tanProgram(), {"build", "noise.nrrd", "-o", "noise.tan"});
+        process.start(tanProgram(), {"build", "noise.nrrd", "--block", block, "-o", "noise.tan"});
         QVERIFY(process.waitForStarted());
         // Once its unfinished file is there, the build itself is running.
         QTRY_VERIFY_WITH_TIMEOUT(QDir(folder_.path()).entryList(QDir::AllEntries | QDir::Hidden) != before, 60'000);

@@ -4,12 +4,20 @@
 #include "core/data/weighting.h"
 #include "plugins/api/builder.h"
 
+#include <string>
+
 namespace tetra {
 
-/// The builder's work on regular lattices (R8).
+/// What a person asks of the refinement of a regular lattice.
+struct LatticeBuildRequest {
+    double error = 0;                ///< where to stop, in % of the value range
+    std::string block = "automatic"; ///< the value of blockParameter()
+    Weighting weighting;
+};
+
+/// The builder's work on regular lattices (R8), as a whole or in blocks (R10).
 Acceptance acceptLattice(const Dataset& dataset);
-/// `error`: where to stop, in % of the value range.
-Result<BuildReport> buildLattice(const Dataset& dataset, double error, const Weighting& weighting, BuildTarget& target,
+Result<BuildReport> buildLattice(const Dataset& dataset, const LatticeBuildRequest& request, BuildTarget& target,
                                  const Progress& progress);
 
 } // namespace tetra

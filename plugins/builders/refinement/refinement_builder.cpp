@@ -2,6 +2,7 @@
 #include "plugins/builders/refinement/refinement_builder.h"
 
 #include "core/data/weighting.h"
+#include "plugins/builders/refinement/block_choice.h"
 #include "plugins/builders/refinement/curvilinear_build.h"
 #include "plugins/builders/refinement/lattice_build.h"
 
@@ -79,10 +80,11 @@ Parameter selectionParameter()
 }
 
 CurvilinearBuildRequest curvilinearRequest(const std::vector<Parameter>& parameters, const ParameterValues& values,
-                                           const Weighting& weighting)
+                                           const Weighting& weighting, std::optional<std::uint32_t> cells)
 {
     CurvilinearBuildRequest request;
     request.weighting = weighting;
+    request.blockEdge = cells.value_or(0);
     request.error = parameterValue<double>(parameters, values, "error");
     request.warping = parameterValue<double>(parameters, values, "warping");
     if (parameterValue<std::string>(parameters, values, "selection") == paper)
@@ -105,7 +107,7 @@ Acceptance RefinementBuilder::accepts(const Dataset& dataset) const
 
 std::vector<Parameter> RefinementBuilder::parameters() const
 {
-    return {errorParameter(), warpingParameter(), selectionParameter(), weightsParameter()};
+    return {errorParameter(), blockParameter(), warpingParameter(), selectionParameter(), weightsParameter()};
 }
 
 Result<BuildReport> RefinementBuilder::build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
@@ -115,10 +117,15 @@ Result<BuildReport> RefinementBuilder::build(const Dataset& dataset, const Param
     const auto weighting = parseWeighting(parameterValue<std::string>(parameters(), values, "weights"));
     if (!weighting)
         return weighting.error();
+    const auto block = parameterValue<std::string>(parameters(), values, "block");
+    const auto cells = givenBlocks(block);
+    if (!cells)
+        return cells.error();
     switch (dataset.domain) {
-    case DomainClass::RegularLattice: return buildLattice(dataset, error, *weighting, target, progress);
+    case DomainClass::RegularLattice: return buildLattice(dataset, {error, block, *weighting}, target, progress);
     case DomainClass::Curvilinear:
-        return buildCurvilinear(dataset, curvilinearRequest(parameters(), values, *weighting), target, progress);
+        return buildCurvilinear(dataset, curvilinearRequest(parameters(), values, *weighting, *cells), target,
+                                progress);
     case DomainClass::Scattered:
     case DomainClass::Irregular: break;
     }

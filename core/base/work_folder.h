@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+
+#include <filesystem>
+
+namespace tetra {
+
+/// A folder of its own for the files of one long piece of work, locked while this object lives. It is removed with its
+/// content at the end, unless it is kept for a later one to go on with; when the program is killed it stays.
+class WorkFolder {
+public:
+    /// What to do with the content of a folder that was left behind.
+    enum class Leftovers { Remove, Keep };
+
+    /// Makes the folder or takes over the one that a killed program left. Errors (CannotWrite): another program works
+    /// in it; it is a folder of something else; it cannot be made.
+    static Result<WorkFolder> open(const std::filesystem::path& path, Leftovers leftovers);
+
+    ~WorkFolder();
+    WorkFolder(WorkFolder&& other) noexcept;
+    WorkFolder& operator=(WorkFolder&&) = delete;
+
+    const std::filesystem::path& path() const noexcept { return path_; }
+    /// Leaves the folder behind.
+    void keep() noexcept { keep_ = true; }
+
+private:
+    WorkFolder() = default;
+
+    std::filesystem::path path_; ///< empty if moved from
+    int lock_ = -1;
+    bool keep_ = false;
+};
+
+/// Bytes that this user can still write on the disk of `path`, which must exist; 0 if the system does not tell.
+std::uint64_t freeDiskBytes(const std::filesystem::path& path);
+
+} // namespace tetra

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/blocks/block_merge.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+
+namespace tetra {
+
+namespace {
+
+constexpr std::uint32_t noGroup = 0xffffffff;
+/// All buffers together, in words.
+constexpr std::uint32_t bufferWords = 8 << 20;
+
+} // namespace
+
+BlockMerge::BlockMerge(const RunFiles& files) : counts_(files.blockCount())
+{
+    const std::uint32_t words = std::clamp(bufferWords / std::max(files.blockCount(), 1u), 256u, 1u << 14);
+    for (std::uint32_t block = 0; block < files.blockCount(); ++block)
+        runs_.emplace_back(files, block, words);
+}
+
+Result<bool> BlockMerge::next()
+{
+    if (!started_)
+        for (std::uint32_t block = 0; block < runs_.size(); ++block)
+            if (const Status advanced = advance(block); !advanced)
+                return advanced.error();
+    started_ = true;
+    if (fronts_.empty())
+        return false;
+    const std::uint32_t key = fronts_.top().key;
+    batch_.runningKey = std::bit_cast<float>(key);
+    batch_.parts.clear();
+    entries_.clear();
+    while (!fronts_.empty() && fronts_.top().key == key) {
+        const std::uint32_t block = fronts_.top().block;
+        fronts_.pop();
+        if (const Status read = readBatch(block); !read)
+            return read.error();
+        if (const Status advanced = advance(block); !advanced)
+            return advanced.error();
+    }
+    if (batch_.parts.size() == 1)
+        takeOnlyPart();
+    else
+        unite();
+    return true;
+}
+
+Status BlockMerge::advance(std::uint32_t block)
+{
+    const Result<std::optional<std::uint32_t>> key = runs_[block].nextKey();
+    if (!key)
+        return key.error();
+    if (*key)
+        fronts_.push({**key, block});
+    return {};
+}
+
+Status BlockMerge::readBatch(std::uint32_t block)
+{
+    const Result<std::uint32_t> groups = runs_[block].groupCount();
+    if (!groups)
+        return groups.error();
+    Counts& counts = counts_[block];
+    for (std::uint32_t number = 0; number < *groups; ++number) {
+        const Result<RunBatches::Group> group = runs_[block].nextGroup();
+        if (!group)
+            return group.error();
+        const auto part = static_cast<std::uint32_t>(batch_.parts.size());
+        const auto slot = static_cast<std::uint32_t>(entries_.size());
+        const auto sites = static_cast<std::uint32_t>(group->points.size());
+        batch_.parts.push_back(
+            {block, sites, counts.sites, group->tetrahedronCount, group->destroyedCount, slot, counts.tetrahedra, 0});
+        for (std::uint32_t i = 0; i < sites; ++i)
+            entries_.push_back({group->points[i], part, slot + i});
+        counts.sites += sites;
+        counts.tetrahedra += group->tetrahedronCount;
+    }
+    return {};
+}
+
+/// Most batches: nothing to unite, and everything in order.
+void BlockMerge::takeOnlyPart()
+{
+    batch_.points.clear();
+    for (const Entry& entry : entries_)
+        batch_.points.push_back(entry.point);
+    batch_.groupGoesOn.assign(entries_.size(), 1);
+    batch_.groupGoesOn.back() = 0;
+    batch_.places.resize(entries_.size());
+    std::iota(batch_.places.begin(), batch_.places.end(), 0u);
+}
+
+void BlockMerge::unite()
+{
+    std::ranges::sort(entries_, {}, [](const Entry& entry) { return std::pair(entry.point, entry.slot); });
+    parents_.resize(batch_.parts.size());
+    std::iota(parents_.begin(), parents_.end(), 0u);
+    const bool initial = std::isinf(batch_.runningKey); // the mesh that they start from has no parts
+    for (std::size_t i = 1; i < entries_.size(); ++i)
+        if (initial || entries_[i].point == entries_[i - 1].point)
+            parents_[root(entries_[i].part)] = root(entries_[i - 1].part);
+    numberGroups();
+    placeSites();
+    sortParts();
+}
+
+std::uint32_t BlockMerge::root(std::uint32_t part)
+{
+    while (parents_[part] != part) {
+        parents_[part] = parents_[parents_[part]];
+        part = parents_[part];
+    }
+    return part;
+}
+
+/// By their first points, which is the order in which sorted entries show them.
+void BlockMerge::numberGroups()
+{
+    for (MergedBatch::Part& part : batch_.parts)
+        part.group = noGroup;
+    groupSizes_.clear();
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        MergedBatch::Part& first = batch_.parts[root(entries_[i].part)];
+        if (first.group == noGroup) {
+            first.group = static_cast<std::uint32_t>(groupSizes_.size());
+            groupSizes_.push_back(0);
+        }
+        if (i == 0 || entries_[i].point != entries_[i - 1].point)
+            ++groupSizes_[first.group];
+    }
+    for (std::uint32_t part = 0; part < batch_.parts.size(); ++part)
+        batch_.parts[part].group = batch_.parts[root(part)].group;
+}
+
+void BlockMerge::placeSites()
+{
+    std::uint32_t sites = 0;
+    for (std::uint32_t& size : groupSizes_)
+        sites += std::exchange(size, sites);
+    batch_.points.resize(sites);
+    batch_.places.resize(entries_.size());
+    batch_.groupGoesOn.assign(sites, 1);
+    for (const std::uint32_t first : groupSizes_)
+        if (first > 0)
+            batch_.groupGoesOn[first - 1] = 0;
+    batch_.groupGoesOn.back() = 0;
+    std::uint32_t place = 0;
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        if (i == 0 || entries_[i].point != entries_[i - 1].point) {
+            place = groupSizes_[batch_.parts[entries_[i].part].group]++;
+            batch_.points[place] = entries_[i].point;
+        }
+        batch_.places[entries_[i].slot] = place;
+    }
+}
+
+void BlockMerge::sortParts()
+{
+    std::ranges::stable_sort(batch_.parts, {}, &MergedBatch::Part::group);
+}
+
+} // namespace tetra

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/blocks/run_files.h"
+
+#include "core/base/checksum.h"
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace tetra {
+
+namespace {
+
+/// More runs than that are opened for each look into them: a process may have 1024 files open as a rule.
+constexpr std::uint32_t mostOpenFiles = 512;
+constexpr std::size_t checkedAtOnce = 1 << 18;
+
+/// Reads all of `to`, or gives the system's error, or ENODATA if the file is too short.
+int readAll(int descriptor, std::uint64_t offset, std::span<std::byte> to)
+{
+    while (!to.empty()) {
+        const ssize_t got = ::pread(descriptor, to.data(), to.size(), static_cast<off_t>(offset));
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got <= 0)
+            return got < 0 ? errno : ENODATA;
+        to = to.subspan(static_cast<std::size_t>(got));
+        offset += static_cast<std::uint64_t>(got);
+    }
+    return 0;
+}
+
+bool belongs(const BlockRunHeader& header, std::uint64_t fingerprint, std::uint32_t block, std::uint64_t fileBytes)
+{
+    const std::uint32_t most = 1u << 31;
+    return header.magic == BlockRunHeader().magic && header.fingerprint == fingerprint && header.block == block &&
+           (header.recordBytes == sizeof(NarrowTetrahedron) || header.recordBytes == sizeof(WideTetrahedron)) &&
+           header.wordCount < most && header.tetrahedronCount < 2ull * most && fileBytes == runBytes(header);
+}
+
+std::uint64_t sizeOf(int descriptor)
+{
+    struct stat status {};
+    return ::fstat(descriptor, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
+}
+
+} // namespace
+
+/// Closes a file at the end of a block of code.
+class RunFiles::OpenFile {
+public:
+    explicit OpenFile(const std::filesystem::path& path) : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+    ~OpenFile()
+    {
+        if (descriptor_ >= 0)
+            ::close(descriptor_);
+    }
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+
+    int descriptor() const noexcept { return descriptor_; }
+    int release() noexcept { return std::exchange(descriptor_, -1); }
+
+private:
+    int descriptor_;
+};
+
+std::uint64_t runBytes(const BlockRunHeader& header) noexcept
+{
+    return sizeof header + header.wordCount * sizeof(std::uint32_t) + header.tetrahedronCount * header.recordBytes;
+}
+
+RunFiles::RunFiles(std::filesystem::path folder, std::uint64_t fingerprint, std::uint32_t blockCount)
+    : folder_(std::move(folder)), fingerprint_(fingerprint), headers_(blockCount)
+{
+}
+
+RunFiles::~RunFiles()
+{
+    for (const int descriptor : descriptors_)
+        if (descriptor >= 0)
+            ::close(descriptor);
+}
+
+std::filesystem::path RunFiles::path(std::uint32_t block) const
+{
+    return folder_ / ("block-" + std::to_string(block) + ".run");
+}
+
+bool RunFiles::intact(std::uint32_t block) const
+{
+    const OpenFile file(path(block));
+    const Result<BlockRunHeader> header = readHeader(file, block);
+    if (!header)
+        return false;
+    Checksum checksum;
+    checksum.add(std::as_bytes(std::span(&*header, 1)).first(offsetof(BlockRunHeader, checksum)));
+    std::vector<std::byte> bytes(checkedAtOnce);
+    std::uint64_t offset = sizeof *header;
+    for (std::uint64_t left = runBytes(*header) - sizeof *header; left > 0;) {
+        const std::span<std::byte> part(bytes.data(), std::min<std::uint64_t>(left, bytes.size()));
+        if (readAll(file.descriptor(), offset, part) != 0)
+            return false;
+        checksum.add(part);
+        offset += part.size();
+        left -= part.size();
+    }
+    return checksum.value() == header->checksum;
+}
+
+Result<BlockRunHeader> RunFiles::readHeader(std::uint32_t block) const
+{
+    const OpenFile file(path(block));
+    return readHeader(file, block);
+}
+
+Result<BlockRunHeader> RunFiles::readHeader(const OpenFile& file, std::uint32_t block) const
+{
+    BlockRunHeader header;
+    if (file.descriptor() < 0)
+        return unreadable(block, std::generic_category().message(errno));
+    if (readAll(file.descriptor(), 0, std::as_writable_bytes(std::span(&header, 1))) != 0 ||
+        !belongs(header, fingerprint_, block, sizeOf(file.descriptor())))
+        return unreadable(block, "it is not what was written");
+    return header;
+}
+
+Status RunFiles::open()
+{
+    for (std::uint32_t block = 0; block < blockCount(); ++block) {
+        OpenFile file(path(block));
+        const Result<BlockRunHeader> header = readHeader(file, block);
+        if (!header)
+            return header.error();
+        headers_[block] = *header;
+        if (blockCount() <= mostOpenFiles)
+            descriptors_.push_back(file.release());
+    }
+    return {};
+}
+
+Status RunFiles::readWords(std::uint32_t block, std::uint64_t first, std::span<std::uint32_t> words) const
+{
+    if (first + words.size() > headers_[block].wordCount)
+        return unreadable(block, "it is not what was written");
+    return read(block, sizeof(BlockRunHeader) + first * sizeof(std::uint32_t), std::as_writable_bytes(words));
+}
+
+Status RunFiles::readTetrahedra(std::uint32_t block, std::uint64_t first, std::uint64_t count,
+                                std::span<std::byte> to) const
+{
+    const BlockRunHeader& header = headers_[block];
+    if (first + count > header.tetrahedronCount)
+        return unreadable(block, "it is not what was written");
+    return read(block, sizeof(BlockRunHeader) + header.wordCount * sizeof(std::uint32_t) + first * header.recordBytes,
+                to);
+}
+
+Status RunFiles::read(std::uint32_t block, std::uint64_t offset, std::span<std::byte> to) const
+{
+    int problem = 0;
+    if (!descriptors_.empty()) {
+        problem = readAll(descriptors_[block], offset, to);
+    } else {
+        const OpenFile file(path(block));
+        problem = file.descriptor() < 0 ? errno : readAll(file.descriptor(), offset, to);
+    }
+    if (problem != 0)
+        return unreadable(block, std::generic_category().message(problem));
+    return {};
+}
+
+Error RunFiles::unreadable(std::uint32_t block, const std::string& why) const
+{
+    return {ErrorKind::OutOfResource, "Cannot read '" + path(block).string() +
+                                          "', which this build had written: " + why + ". Start the build again."};
+}
+
+} // namespace tetra

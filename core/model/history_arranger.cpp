@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/history_arranger.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetra {
+
+namespace {
+
+Error inconsistent(const std::string& what)
+{
+    return {ErrorKind::BadInput, what};
+}
+
+} // namespace
+
+Status HistoryArranger::add(const HistoryStep& step)
+{
+    if (const Status right = check(step); !right)
+        return right;
+    if (step.keyBefore < runningKey_) {
+        if (const Status closed = closeBatch(); !closed)
+            return closed;
+        runningKey_ = step.keyBefore;
+    }
+    record(step);
+    return {};
+}
+
+Status HistoryArranger::finish()
+{
+    return closeBatch();
+}
+
+void HistoryArranger::abandonBatch()
+{
+    batch_.start(batch_.firstSite(), batch_.firstTetrahedron());
+}
+
+Status HistoryArranger::check(const HistoryStep& step) const
+{
+    const std::uint32_t creator = siteCount();
+    if (step.point >= pointCount_ || creator == gone - 1)
+        return inconsistent("point " + std::to_string(step.point) + " is not in the dataset");
+    if (std::isnan(step.keyBefore) || step.keyBefore < 0)
+        return inconsistent("the error before it is not a number of at least 0");
+    if (step.star.size() > gone - storedNumbers_.size())
+        return Error{ErrorKind::OutOfResource,
+                     "The history has more than 4294967295 tetrahedra. Ask for a larger error, or build in blocks."};
+    for (const HistoryTetrahedron& tetrahedron : step.star) {
+        if (std::ranges::any_of(tetrahedron.sites, [creator](std::uint32_t site) { return site >= creator; }))
+            return inconsistent("a tetrahedron of its star has a site that comes after it");
+        if (!(tetrahedron.error >= 0) || !(tetrahedron.warping >= 0))
+            return inconsistent(
+                "a tetrahedron of its star has an error or a warping that is not a number of at least 0");
+    }
+    for (const std::uint32_t destroyed : step.destroyed)
+        if (destroyed >= madeCount() || storedNumbers_[destroyed] == gone)
+            return inconsistent("it destroys tetrahedron " + std::to_string(destroyed) + ", which is not in the mesh");
+    const std::uint64_t alive = alive_ + step.star.size() - step.destroyed.size();
+    if (step.destroyed.size() > alive_ || alive > std::numeric_limits<std::uint32_t>::max())
+        return inconsistent("it destroys more tetrahedra than there are");
+    return {};
+}
+
+void HistoryArranger::record(const HistoryStep& step)
+{
+    const std::uint32_t site = siteCount();
+    alive_ += step.star.size() - step.destroyed.size();
+    batch_.add(step);
+    for (const std::uint32_t destroyed : step.destroyed) {
+        if (destroyed < batch_.firstTetrahedron())
+            destructions_.push_back({storedNumbers_[destroyed], site});
+        storedNumbers_[destroyed] = gone;
+    }
+    for (std::size_t made = 0; made < step.star.size(); ++made)
+        storedNumbers_.push_back(0); // until it is known whether it outlives the batch
+}
+
+Status HistoryArranger::closeBatch()
+{
+    if (batch_.siteCount() == 0)
+        return {};
+    if (std::isinf(runningKey_))
+        batch_.uniteAll();
+    batch_.arrange();
+    numberSites();
+    sortTetrahedra();
+    ArrangedBatch arranged;
+    arranged.runningKey = runningKey_;
+    arranged.firstSite = batch_.firstSite();
+    arranged.firstTetrahedron = storedCount_;
+    arranged.points = points_;
+    arranged.groupGoesOn = groupGoesOn_;
+    arranged.starEnds = starEnds_;
+    arranged.tetrahedra = sorted_;
+    arranged.destructions = destructions_;
+    storedCount_ += static_cast<std::uint32_t>(sorted_.size());
+    const Status added = sink_.add(arranged);
+    destructions_.clear();
+    batch_.start(siteCount(), madeCount());
+    return added;
+}
+
+void HistoryArranger::numberSites()
+{
+    const std::uint32_t count = batch_.siteCount();
+    points_.resize(count);
+    groupGoesOn_.resize(count);
+    for (std::uint32_t place = 0; place < count; ++place) {
+        points_[place] = batch_.pointAt(place);
+        groupGoesOn_[place] = batch_.groupGoesOn(place) ? 1 : 0;
+        finalNumbers_.push_back(batch_.firstSite() + batch_.placeOf(batch_.firstSite() + place));
+    }
+    for (ArrangedBatch::Destruction& destruction : destructions_)
+        destruction.destroyer = finalNumbers_[destruction.destroyer];
+}
+
+void HistoryArranger::sortTetrahedra()
+{
+    const std::span<const HistoryBatch::Tetrahedron> made = batch_.tetrahedra();
+    staying_.clear();
+    stayingNumbers_.clear();
+    starEnds_.assign(batch_.siteCount() + 1, 0);
+    for (std::uint32_t number = 0; number < made.size(); ++number) {
+        if (made[number].dropped)
+            continue;
+        std::array<std::uint32_t, 4> sites = made[number].sites;
+        for (std::uint32_t& site : sites)
+            site = finalNumbers_[site];
+        staying_.push_back({latestFirst(sites), made[number].error, made[number].warping});
+        stayingNumbers_.push_back(number);
+        ++starEnds_[staying_.back().sites[0] - batch_.firstSite() + 1];
+    }
+    for (std::uint32_t place = 0; place < batch_.siteCount(); ++place)
+        starEnds_[place + 1] += starEnds_[place];
+    sorted_.resize(staying_.size());
+    for (std::size_t i = 0; i < staying_.size(); ++i) {
+        const std::uint32_t position = starEnds_[staying_[i].sites[0] - batch_.firstSite()]++;
+        sorted_[position] = staying_[i];
+        storedNumbers_[batch_.firstTetrahedron() + stayingNumbers_[i]] = storedCount_ + position;
+    }
+    starEnds_.pop_back(); // the starts have moved to the ends
+}
+
+} // namespace tetra

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lattices refined in blocks are models like any others (R10, S3): proved on random ones, the same for any number of
+// threads, complete after an interruption, and refused where they cannot be.
+#include "core/base/checksum.h"
+#include "core/base/work_folder.h"
+#include "core/data/analytic_fields.h"
+#include "core/model/model_writer.h"
+#include "core/model/verification.h"
+#include "plugins/builders/refinement/block_choice.h"
+#include "plugins/builders/refinement/refinement_builder.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <tbb/global_control.h>
+
+#include <fstream>
+#include <memory>
+#include <random>
+
+using namespace tetra;
+
+namespace {
+
+/// Random values; `levels` below 256 gives many equal ones, and so large batches.
+Dataset randomDataset(std::mt19937& random, SampleType type, const Lattice& lattice)
+{
+    const double levels = random() % 3 == 0 ? 2 + random() % 4 : 250;
+    return visitSampleType(type, [&]<class T>() {
+        const auto values = std::make_shared<std::vector<T>>(lattice.pointCount());
+        for (T& value : *values) {
+            const double unit = static_cast<double>(random() % 100003) / 100003;
+            const double offset = std::is_signed_v<T> ? -levels / 2 : 0;
+            value = static_cast<T>(std::is_integral_v<T> ? (sizeof(T) == 1 ? std::floor(unit * levels) / 2 + offset / 2
+                                                                           : std::floor(unit * levels) * 90 + offset)
+                                                         : unit * 1e-3 + 1);
+        }
+        const std::shared_ptr<const std::byte> bytes(values, reinterpret_cast<const std::byte*>(values->data()));
+        const ScalarField field(type, lattice.pointCount(), bytes);
+        return Dataset{.lattice = lattice, .values = field, .source = {"random", {}, checksum(field.bytes())}};
+    });
+}
+
+/// A smooth field, which blocks refine unevenly.
+Dataset smoothDataset(std::uint32_t size)
+{
+    return makeSample({"marschner-lobb", size, {}, 1}).value();
+}
+
+std::vector<char> contentOf(const std::filesystem::path& path)
+{
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+} // namespace
+
+class BlockBuildTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { folder_ = std::make_unique<QTemporaryDir>(); }
+
+    /// Issue 3, acceptance 2: 50 random lattices of random values and sizes, with random block sizes.
+    void randomLatticesAreProved()
+    {
+        std::mt19937 random(7);
+        for (int round = 0; round < 50; ++round) {
+            Lattice lattice{{2, 2, 2}, {1, 1, 1}, {0, 0, 0}};
+            if (round > 0)
+                for (std::uint32_t& size : lattice.size)
+                    size = 2 + random() % (round < 25 ? 6 : 16);
+            if (round % 4 == 3)
+                lattice.spacing = {1, 0.5 + random() % 4, 1.25};
+            const auto type = static_cast<SampleType>(random() % 8);
+            const Dataset dataset = randomDataset(random, type, lattice);
+            const std::string block = round % 5 == 4 ? "none" : std::to_string(1 + random() % 9);
+            const double stop = round % 7 == 6 ? 10 : 0;
+            const QString name = QString("round %1: %2 x %3 x %4, type %5, block %6")
+                                     .arg(round)
+                                     .arg(lattice.size[0])
+                                     .arg(lattice.size[1])
+                                     .arg(lattice.size[2])
+                                     .arg(int(type))
+                                     .arg(block.c_str());
+            const Result<BuildReport> report = build(dataset, block, stop);
+            QVERIFY2(report.ok(), qPrintable(name + (report.ok() ? "" : report.error().text.c_str())));
+            QVERIFY2(isProved(dataset, stop, *report), qPrintable(name));
+            QVERIFY(!std::filesystem::exists(workFolder()));
+        }
+    }
+
+    void oneThreadAndTwoMakeTheSameBytes()
+    {
+        const Dataset dataset = smoothDataset(30);
+        std::vector<std::vector<char>> contents;
+        for (const std::size_t threads : {1, 2, 5}) {
+            const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+            QVERIFY(build(dataset, "7", 0).ok());
+            contents.push_back(contentOf(path()));
+        }
+        QVERIFY(!contents[0].empty());
+        QVERIFY(contents[1] == contents[0]);
+        QVERIFY(contents[2] == contents[0]);
+    }
+
+    void oneBlockIsTheWhole()
+    {
+        const Dataset dataset = smoothDataset(12);
+        QVERIFY(build(dataset, "none", 0).ok());
+        const auto whole = Model::open(path()).value();
+        const std::vector<std::uint32_t> points(whole->points().begin(), whole->points().end());
+        const std::vector<std::uint32_t> destroyers(whole->destroyers().begin(), whole->destroyers().end());
+        QVERIFY(build(dataset, "11", 0).ok());
+        const auto block = Model::open(path()).value();
+        QVERIFY(std::ranges::equal(block->points(), points));
+        QVERIFY(std::ranges::equal(block->destroyers(), destroyers));
+    }
+
+    void theModelTellsItsBlocks()
+    {
+        QVERIFY(build(smoothDataset(10), "4", 0).ok());
+        const auto model = Model::open(path()).value();
+        const auto& parameters = model->description().parameters;
+        QVERIFY(std::ranges::find(parameters, std::pair(std::string("block"), std::string("4"))) != parameters.end());
+    }
+
+    /// Whatever a killed build left: whole runs, damaged ones, those of another dataset.
+    void leftRunsAreUsedIfTheyAreRight()
+    {
+        const Dataset dataset = smoothDataset(20);
+        QVERIFY(build(dataset, "6", 0).ok());
+        const std::vector<char> right = contentOf(path());
+        interrupt(dataset, 0.4);
+        std::vector<std::filesystem::path> runs;
+        for (const auto& entry : std::filesystem::directory_iterator(workFolder()))
+            if (entry.path().extension() == ".run")
+                runs.push_back(entry.path());
+        QVERIFY2(runs.size() >= 3, QByteArray::number(qsizetype(runs.size())));
+        {
+            std::fstream damaged(runs[0], std::ios::binary | std::ios::in | std::ios::out);
+            damaged.seekp(200);
+            damaged.put('\x55');
+        }
+        std::filesystem::resize_file(runs[1], std::filesystem::file_size(runs[1]) - 12);
+        QVERIFY(build(dataset, "6", 0, true).ok());
+        QVERIFY(contentOf(path()) == right);
+        QVERIFY(!std::filesystem::exists(workFolder()));
+
+        interrupt(dataset, 0.4);
+        const Dataset other = smoothDataset(21);
+        QVERIFY(build(other, "6", 0).ok());
+        const std::vector<char> otherRight = contentOf(path());
+        interrupt(dataset, 0.4);
+        QVERIFY(build(other, "6", 0, true).ok());
+        QVERIFY(contentOf(path()) == otherRight);
+    }
+
+    void cancellingLeavesNothing()
+    {
+        for (const double when : {0.05, 0.4, 0.72, 0.9}) {
+            const Result<BuildReport> report = build(smoothDataset(24), "5", 0, false, when);
+            QVERIFY(!report.ok());
+            QCOMPARE(report.error().kind, ErrorKind::Cancelled);
+            QVERIFY(std::filesystem::is_empty(folder_->path().toStdString()));
+        }
+    }
+
+    void progressOnlyGrows()
+    {
+        double last = 0;
+        bool grows = true;
+        const Progress progress({}, [&](double fraction, std::string_view) {
+            grows = grows && fraction >= last - 1e-12 && fraction <= 1 + 1e-12;
+            last = fraction;
+        });
+        QVERIFY(build(smoothDataset(24), "5", 0, false, 2, &progress).ok());
+        QVERIFY(grows);
+        QVERIFY(last > 0.99);
+    }
+
+    void anotherBuildOfTheSameModelIsRefused()
+    {
+        const auto other = WorkFolder::open(workFolder(), WorkFolder::Leftovers::Remove);
+        QVERIFY(other.ok());
+        const Result<BuildReport> report = build(smoothDataset(10), "4", 0);
+        QVERIFY(!report.ok());
+        QCOMPARE(report.error().kind, ErrorKind::CannotWrite);
+        QVERIFY(QString::fromStdString(report.error().text).contains("another program is building this model"));
+    }
+
+    void aFolderOfTheUserIsNotTouched()
+    {
+        std::filesystem::create_directory(workFolder());
+        std::ofstream(workFolder() / "thesis.txt") << "all of it";
+        const Result<BuildReport> report = build(smoothDataset(10), "4", 0);
+        QVERIFY(!report.ok());
+        QVERIFY(QString::fromStdString(report.error().text).contains("it holds something else"));
+        QVERIFY(std::filesystem::exists(workFolder() / "thesis.txt"));
+    }
+
+    void theBlockIsChosenBySizeAndMemory()
+    {
+        const auto cells = [](const std::string& text, std::uint32_t size, std::uint64_t memory) {
+            const Lattice lattice{{size, size, size}, {1, 1, 1}, {0, 0, 0}};
+            return chooseBlocks(text, lattice, memory);
+        };
+        constexpr std::uint64_t plenty = 64ull << 30;
+        QCOMPARE(*cells("automatic", 64, plenty), std::optional<std::uint32_t>());
+        QCOMPARE(*cells("automatic", 256, plenty), std::optional<std::uint32_t>(32));
+        QCOMPARE(*cells("automatic", 128, 1ull << 30), std::optional<std::uint32_t>(32));
+        QCOMPARE(*cells("automatic", 64, 0), std::optional<std::uint32_t>());
+        QCOMPARE(*cells("none", 256, plenty), std::optional<std::uint32_t>());
+        QCOMPARE(*cells("17", 64, plenty), std::optional<std::uint32_t>(17));
+        for (const char* wrong : {"0", "-3", "1.5", "many", ""})
+            QCOMPARE(cells(wrong, 64, plenty).error().kind, ErrorKind::WrongUsage);
+        QVERIFY(cells("1", 256, plenty).error().text.find("Choose larger blocks") != std::string::npos);
+    }
+
+private:
+    std::filesystem::path path() const { return folder_->filePath("model.tan").toStdString(); }
+    std::filesystem::path workFolder() const { return folder_->filePath("model.tan.work").toStdString(); }
+
+    /// As the host does it; cancelled when the progress reaches `cancelAt`.
+    Result<BuildReport> build(const Dataset& dataset, const std::string& block, double stop, bool resume = false,
+                              double cancelAt = 2, const Progress* progress = nullptr) const
+    {
+        ModelDescription description;
+        description.builder = "refinement";
+        description.parameters = {{"block", "automatic"}};
+        auto folder =
+            WorkFolder::open(workFolder(), resume ? WorkFolder::Leftovers::Keep : WorkFolder::Leftovers::Remove);
+        if (!folder)
+            return folder.error();
+        const auto writer = ModelWriter::create(path(), dataset, description, folder->path());
+        if (!writer)
+            return writer.error();
+        BuildTarget target{.history = **writer, .workFolder = folder->path(), .resume = resume};
+        target.planned = [&](const PlannedCounts& counts, const auto& chosen) {
+            ModelDescription own = description;
+            own.parameters = chosen;
+            return PlannedModelWriter::create(path(), dataset, own, counts, workFolder());
+        };
+        std::stop_source source;
+        const Progress cancelling(source.get_token(), [&](double fraction, std::string_view) {
+            if (fraction >= cancelAt)
+                source.request_stop();
+        });
+        const auto report = RefinementBuilder().build(dataset, {{"error", stop}, {"block", block}}, target,
+                                                      progress != nullptr ? *progress : cancelling);
+        if (!report && resume)
+            folder->keep();
+        return report;
+    }
+
+    /// Leaves a work folder as an interrupted build does.
+    void interrupt(const Dataset& dataset, double when) const
+    {
+        QVERIFY(!build(dataset, "6", 0, true, when).ok());
+        QVERIFY(std::filesystem::exists(workFolder()));
+    }
+
+    bool isProved(const Dataset& dataset, double stop, const BuildReport& report) const
+    {
+        const auto model = Model::open(path());
+        if (!model || (*model)->siteCount() != report.sites || (*model)->tetrahedronCount() > report.tetrahedra)
+            return false;
+        std::vector<Accuracy> levels;
+        for (const double percent : {70.0, 50.0, 30.0, 20.0, 10.0})
+            levels.push_back({percent});
+        if (stop == 0)
+            for (const double percent : {5.0, 1.0, 0.0})
+                levels.push_back({percent});
+        const Result<Verdict> verdict = verify(**model, dataset, levels);
+        if (!verdict)
+            return false;
+        for (const std::string& failure : verdict->failures)
+            qWarning("%s", failure.c_str());
+        for (const LevelVerdict& level : verdict->levels)
+            for (const std::string& failure : level.failures)
+                qWarning("%g %%: %s", level.asked.error, failure.c_str());
+        return verdict->ok();
+    }
+
+    std::unique_ptr<QTemporaryDir> folder_;
+};
+
+QTEST_GUILESS_MAIN(BlockBuildTest)
+#include "block_build_test.moc"
