@@ -12,6 +12,8 @@ namespace tetra {
 namespace {
 
 constexpr std::uint64_t tetrahedraInChunk = 1 << 18;
+/// Larger groups are cut; each slice reads all parts that reach into it, so not too thin.
+constexpr std::uint64_t tetrahedraInSlice = 1 << 20;
 
 /// The chunk's tetrahedra as they stand in the runs, read with as few calls as their places allow.
 class ChunkReader {
@@ -83,9 +85,11 @@ template <class Record> bool translatePart(const std::byte* bytes, std::uint32_t
         const bool dies = record.destroyer != Record::never;
         if (!std::ranges::all_of(record.sites, known) || (dies && !known(record.destroyer)))
             return false;
-        out.push_back({latestFirst({numbers[record.sites[0]], numbers[record.sites[1]], numbers[record.sites[2]],
-                                    numbers[record.sites[3]]}),
-                       dies ? numbers[record.destroyer] : Model::never, record.ownError});
+        const auto sites = latestFirst(
+            {numbers[record.sites[0]], numbers[record.sites[1]], numbers[record.sites[2]], numbers[record.sites[3]]});
+        if (chunk.slice && sites[0] - chunk.firstSite >= chunk.points.size())
+            continue;
+        out.push_back({sites, dies ? numbers[record.destroyer] : Model::never, record.ownError});
     }
     return true;
 }
@@ -121,42 +125,93 @@ Result<MergedChunk> ChunkMaker::next()
     MergedChunk chunk;
     chunk.firstSite = sites_;
     while (chunk.tetrahedronCount < tetrahedraInChunk) {
-        if (!inBatch_) {
-            const Result<bool> more = merge_.next();
-            if (!more)
-                return more.error();
-            if (!*more)
-                break;
-            inBatch_ = true;
-            place_ = 0;
-            part_ = 0;
+        const Result<bool> found = findGroup();
+        if (!found)
+            return found.error();
+        if (!*found)
+            break;
+        if (group_.tetrahedronCount <= 2 * tetrahedraInSlice) {
+            takeGroup(chunk);
+        } else {
+            if (chunk.points.empty())
+                takeSlice(chunk);
+            break;
         }
-        takeGroup(chunk);
-        inBatch_ = place_ < merge_.batch().points.size();
     }
     return chunk;
 }
 
-void ChunkMaker::takeGroup(MergedChunk& chunk)
+/// Makes the group at place_ known, unless it is; false at the end of all batches.
+Result<bool> ChunkMaker::findGroup()
 {
+    if (inGroup_)
+        return true;
+    if (!inBatch_) {
+        const Result<bool> more = merge_.next();
+        if (!more || !*more)
+            return more;
+        place_ = 0;
+        part_ = 0;
+    }
     const MergedBatch& batch = merge_.batch();
-    const std::uint32_t group = batch.parts[part_].group;
-    for (; part_ < batch.parts.size() && batch.parts[part_].group == group; ++part_) {
-        const MergedBatch::Part& part = batch.parts[part_];
-        chunk.tetrahedronCount += part.tetrahedronCount;
+    group_ = {place_ + 1, part_, 0};
+    while (batch.groupGoesOn[group_.endPlace - 1] != 0)
+        ++group_.endPlace;
+    const std::uint32_t number = batch.parts[part_].group;
+    for (; group_.endPart < batch.parts.size() && batch.parts[group_.endPart].group == number; ++group_.endPart) {
+        const MergedBatch::Part& part = batch.parts[group_.endPart];
+        group_.tetrahedronCount += part.tetrahedronCount;
         meshSize_ += part.tetrahedronCount;
         meshSize_ -= part.destroyedCount;
-        if (part.tetrahedronCount > 0)
+    }
+    const std::uint64_t slices = group_.tetrahedronCount / tetrahedraInSlice + 1;
+    sliceSites_ = static_cast<std::uint32_t>((group_.endPlace - place_) / slices + 1);
+    inBatch_ = true;
+    inGroup_ = true;
+    return true;
+}
+
+void ChunkMaker::takeGroup(MergedChunk& chunk)
+{
+    const std::vector<MergedBatch::Part>& parts = merge_.batch().parts;
+    for (std::size_t part = part_; part < group_.endPart; ++part)
+        if (parts[part].tetrahedronCount > 0)
+            chunk.parts.push_back(parts[part]);
+    chunk.tetrahedronCount += group_.tetrahedronCount;
+    takeSites(chunk, group_.endPlace);
+}
+
+/// The next sites of the group and the parts that reach among them.
+void ChunkMaker::takeSlice(MergedChunk& chunk)
+{
+    const MergedBatch& batch = merge_.batch();
+    const std::uint32_t endPlace = std::min(place_ + sliceSites_, group_.endPlace);
+    for (std::size_t number = part_; number < group_.endPart; ++number) {
+        const MergedBatch::Part& part = batch.parts[number];
+        const auto places = std::span(batch.places).subspan(part.firstPlace, part.siteCount);
+        // A part's sites are in the order of their points, and so of their places.
+        if (places.front() < endPlace && places.back() >= place_)
             chunk.parts.push_back(part);
     }
-    bool goesOn = true;
-    for (; goesOn; ++place_, ++sites_) {
-        goesOn = batch.groupGoesOn[place_] != 0;
+    chunk.slice = true;
+    chunk.tetrahedronCount = tetrahedraInSlice;
+    takeSites(chunk, endPlace);
+}
+
+void ChunkMaker::takeSites(MergedChunk& chunk, std::uint32_t endPlace)
+{
+    const MergedBatch& batch = merge_.batch();
+    sites_ += endPlace - place_;
+    for (; place_ < endPlace; ++place_) {
         chunk.points.push_back(batch.points[place_]);
         chunk.runningKeys.push_back(batch.runningKey);
         chunk.groupGoesOn.push_back(batch.groupGoesOn[place_]);
         chunk.meshSizes.push_back(static_cast<std::uint32_t>(meshSize_));
     }
+    inGroup_ = place_ < group_.endPlace;
+    if (!inGroup_)
+        part_ = group_.endPart;
+    inBatch_ = inGroup_ || place_ < batch.points.size();
 }
 
 Result<TranslatedStars> translateStars(const MergedChunk& chunk, const RunFiles& runs, const MergedNumbers& numbers)
@@ -171,7 +226,7 @@ Result<TranslatedStars> translateStars(const MergedChunk& chunk, const RunFiles&
         const bool isNarrow = runs.header(part.block).recordBytes == sizeof(NarrowTetrahedron);
         const bool right = (isNarrow ? translatePart<NarrowTetrahedron>
                                      : translatePart<WideTetrahedron>)(reader.of(number), part.tetrahedronCount,
-                                                                       numbers.ofBlock(part.block), tetrahedra);
+                                                                       numbers.ofBlock(part.block), chunk, tetrahedra);
         if (!right)
             return unfit();
     }

@@ -10,18 +10,20 @@
 
 namespace tetra {
 
-/// Some consecutive groups of the whole model, and where their tetrahedra are.
+/// Consecutive sites of the whole model, and where their tetrahedra are: whole groups, or a slice of a large one.
 struct MergedChunk {
     std::uint32_t firstSite = 0;
+    bool slice = false; ///< its parts hold tetrahedra of other sites, too
     std::vector<std::uint32_t> points;
     std::vector<float> runningKeys;
     std::vector<std::uint8_t> groupGoesOn;
     std::vector<std::uint32_t> meshSizes;
     std::vector<MergedBatch::Part> parts;
-    std::uint64_t tetrahedronCount = 0;
+    std::uint64_t tetrahedronCount = 0; ///< of a slice about
 };
 
-/// Cuts the merged batches of all runs into chunks of about the same number of tetrahedra, at ends of groups.
+/// Cuts the merged batches of all runs into chunks of about the same number of tetrahedra. Groups are cut only if they
+/// have many more: where large parts of the data hardly differ, one group may hold a good part of a batch.
 class ChunkMaker {
 public:
     explicit ChunkMaker(const RunFiles& runs) : merge_(runs) {}
@@ -30,14 +32,27 @@ public:
     Result<MergedChunk> next();
 
 private:
+    /// A group of the batch.
+    struct Group {
+        std::uint32_t endPlace = 0;
+        std::size_t endPart = 0;
+        std::uint64_t tetrahedronCount = 0;
+    };
+
+    Result<bool> findGroup();
     void takeGroup(MergedChunk& chunk);
+    void takeSlice(MergedChunk& chunk);
+    void takeSites(MergedChunk& chunk, std::uint32_t endPlace);
 
     BlockMerge merge_;
     bool inBatch_ = false;
-    std::uint32_t place_ = 0; ///< in the batch, where the next group begins
-    std::size_t part_ = 0;
-    std::uint32_t sites_ = 0; ///< before the next group, in the whole model
-    std::uint64_t meshSize_ = 0;
+    bool inGroup_ = false;
+    Group group_;
+    std::uint32_t place_ = 0; ///< in the batch: the next site
+    std::size_t part_ = 0;    ///< in the batch: the group's first
+    std::uint32_t sliceSites_ = 0;
+    std::uint32_t sites_ = 0;    ///< before the next group, in the whole model
+    std::uint64_t meshSize_ = 0; ///< after the group
 };
 
 /// The chunk's tetrahedra in the model's numbers and order.
