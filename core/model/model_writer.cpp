@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/model_writer.h"
 
+#include "core/base/half.h"
 #include "core/model/chunked_array.h"
 #include "core/model/description_text.h"
 #include "core/model/file_layout.h"

@@ -76,7 +76,8 @@ Error unfit()
 
 /// Translates a part's tetrahedra and appends them; false if a number makes no sense.
 template <class Record> bool translatePart(const std::byte* bytes, std::uint32_t count,
-                                           std::span<const std::uint32_t> numbers, std::vector<Translated>& out)
+                                           std::span<const std::uint32_t> numbers, const MergedChunk& chunk,
+                                           std::vector<Translated>& out)
 {
     const auto known = [&](std::uint32_t site) { return site < numbers.size(); };
     for (std::uint32_t i = 0; i < count; ++i) {

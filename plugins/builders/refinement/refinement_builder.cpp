@@ -6,6 +6,7 @@
 #include "plugins/builders/refinement/curvilinear_build.h"
 #include "plugins/builders/refinement/lattice_build.h"
 
+#include <optional>
 #include <string_view>
 
 namespace tetra {
