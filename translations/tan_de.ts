@@ -296,6 +296,62 @@
         <translation>% des Wertebereichs</translation>
     </message>
     <message>
+        <source>Tables of points</source>
+        <translation>Tabellen von Punkten</translation>
+    </message>
+    <message>
+        <source>Reads scattered points with a value each from CSV, TSV and blank-separated text.</source>
+        <translation>Liest verstreute Punkte mit je einem Wert aus CSV, TSV und durch Leerzeichen getrenntem Text.</translation>
+    </message>
+    <message>
+        <source>CSV writer</source>
+        <translation>CSV-Schreiber</translation>
+    </message>
+    <message>
+        <source>Writes the points of any dataset as a table: x, y, z and value.</source>
+        <translation>Schreibt die Punkte jedes Datensatzes als Tabelle: x, y, z und Wert.</translation>
+    </message>
+    <message>
+        <source>Table of points (*.csv *.tsv *.xyz *.pts *.txt *.asc)</source>
+        <translation>Tabelle von Punkten (*.csv *.tsv *.xyz *.pts *.txt *.asc)</translation>
+    </message>
+    <message>
+        <source>Table of points (*.csv)</source>
+        <translation>Tabelle von Punkten (*.csv)</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <source>Tables of points: the columns of x, y and z, by name or number, as in lon,lat,depth or 1,2,3; &apos;automatic&apos; takes those called x, y and z, else the first three.</source>
+        <translation>Tabellen von Punkten: die Spalten für x, y und z, nach Name oder Nummer, wie lon,lat,depth oder 1,2,3; &apos;automatic&apos; nimmt die mit den Namen x, y und z, sonst die ersten drei.</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>The values to take, by name or number; &apos;automatic&apos; takes the first there are.</source>
+        <translation>Welche Werte genommen werden, nach Name oder Nummer; &apos;automatic&apos; nimmt die ersten.</translation>
+    </message>
+    <message>
+        <source>Skip incomplete rows</source>
+        <translation>Unvollständige Zeilen auslassen</translation>
+    </message>
+    <message>
+        <source>Tables of points: leave out rows that lack a number, instead of refusing the file.</source>
+        <translation>Tabellen von Punkten: Zeilen auslassen, denen eine Zahl fehlt, statt die Datei abzulehnen.</translation>
+    </message>
+    <message>
+        <source>Scattered points: refinement fills their convex hull.</source>
+        <translation>Verstreute Punkte: die Verfeinerung füllt ihre konvexe Hülle.</translation>
+    </message>
+    <message>
+        <source>Finding the convex hull</source>
+        <translation>Suche der konvexen Hülle</translation>
+    </message>
+    <message>
         <source>Weights</source>
         <translation>Gewichte</translation>
     </message>

@@ -40,6 +40,7 @@ struct Dataset {
     PointPositions positions = nullptr; ///< one a point in the order of the values; null for a regular lattice
     ScalarField values;                 ///< one sample per point, all finite
     Source source;
+    std::vector<std::string> remarks{}; ///< what reading changed, in sentences for the user
 
     std::uint64_t pointCount() const noexcept { return values.count(); }
     Eigen::Vector3d position(std::uint64_t point) const

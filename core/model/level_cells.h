@@ -9,6 +9,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace tetra {
@@ -45,8 +47,14 @@ private:
     std::vector<std::uint64_t> historyNumbers_;
 };
 
+/// What a domain says of its cells' faces.
+struct FaceRule {
+    std::function<bool(const std::array<std::uint32_t, 3>& sites)> onBoundary;
+    std::function<std::string(std::uint32_t site)> place; ///< for messages
+};
+
 /// Every face belongs to two cells, one on each side, or to one and lies on the domain's boundary. Sorts the faces in
 /// batches of at most about 8 million. An Error only if cancelled.
-Status verifyFaces(const LevelCells& cells, const Lattice& lattice, LevelVerdict& verdict, const Progress& progress);
+Status verifyFaces(const LevelCells& cells, const FaceRule& rule, LevelVerdict& verdict, const Progress& progress);
 
 } // namespace tetra

@@ -2,10 +2,12 @@
 #include "core/model/verification.h"
 
 #include "core/model/verify_parts.h"
+#include "core/model/verify_scattered.h"
 
 #include <algorithm>
 #include <charconv>
 #include <new>
+#include <optional>
 
 namespace tetra {
 
@@ -35,9 +37,18 @@ Result<Verdict> verifyAll(const Model& model, const Dataset& original, const std
     if (!weights)
         return weights.error();
     bool usable = !places.empty();
+    std::optional<ScatteredOriginal> scattered;
+    if (usable && original.domain == DomainClass::Scattered)
+        scattered.emplace(original);
+    const std::vector<LatticePoint> none;
     if (usable)
-        if (const Status done =
-                verifyHistory(model, places, verdict.failures, usable, progress.part(bytesEnd, historyEnd));
+        if (const Status done = verifyHistory(model, scattered ? none : places, verdict.failures, usable,
+                                              progress.part(bytesEnd, historyEnd));
+            !done)
+            return done.error();
+    if (usable && scattered)
+        if (const Status done = verifyScatteredHistory(model, *scattered, places, *weights, verdict.failures,
+                                                       progress.withCallback({}));
             !done)
             return done.error();
     if (usable)
@@ -50,8 +61,10 @@ Result<Verdict> verifyAll(const Model& model, const Dataset& original, const std
         }
         const double share = (1 - groupsEnd) / static_cast<double>(levels.size());
         const double begin = groupsEnd + share * static_cast<double>(number);
+        const Progress part = progress.part(begin, begin + share);
         Result<LevelVerdict> level =
-            verifyLevel(model, original, places, *weights, levels[number], progress.part(begin, begin + share));
+            scattered ? verifyScatteredLevel(model, *scattered, places, *weights, levels[number], part)
+                      : verifyLevel(model, original, places, *weights, levels[number], part);
         if (!level)
             return level.error();
         verdict.levels.push_back(std::move(*level));

@@ -47,7 +47,7 @@ Face faceOf(const std::array<std::uint32_t, 4>& s, int opposite, std::uint32_t c
 
 class FaceCheck {
 public:
-    FaceCheck(const LevelCells& cells, const Lattice& lattice) : cells_(cells), lattice_(lattice) {}
+    FaceCheck(const LevelCells& cells, const FaceRule& rule) : cells_(cells), rule_(rule) {}
 
     Status run(const Progress& progress);
     void moveTo(LevelVerdict& verdict)
@@ -61,10 +61,9 @@ private:
     void gather(std::uint32_t firstSite, std::uint32_t endSite);
     void checkBatch();
     void checkFace(std::span<const Face> sameFace);
-    bool onBoundary(const Face& face) const;
 
     const LevelCells& cells_;
-    const Lattice& lattice_;
+    const FaceRule& rule_;
     std::vector<Face> faces_;
     Findings findings_;
 };
@@ -137,28 +136,19 @@ void FaceCheck::checkFace(std::span<const Face> sameFace)
         wrong = " belongs to " + std::to_string(sameFace.size()) + " cells.";
     else if (sameFace.size() == 2 && face.odd == sameFace.back().odd)
         wrong = " has two cells on the same side.";
-    else if (sameFace.size() == 1 && !onBoundary(face))
+    else if (sameFace.size() == 1 && !rule_.onBoundary(face.sites))
         wrong = " belongs to one cell only and does not lie on the boundary of the domain.";
     else
         return;
-    const auto place = [&](int corner) { return textOf(cells_.place(face.sites[static_cast<std::size_t>(corner)])); };
+    const auto place = [&](int corner) { return rule_.place(face.sites[static_cast<std::size_t>(corner)]); };
     findings_.add(face.cell, [&] { return "The face " + place(0) + " " + place(1) + " " + place(2) + wrong; });
-}
-
-bool FaceCheck::onBoundary(const Face& face) const
-{
-    for (int axis = 0; axis < 3; ++axis)
-        for (const std::int64_t side : {std::int64_t(0), std::int64_t(lattice_.size[axis]) - 1})
-            if (std::ranges::all_of(face.sites, [&](std::uint32_t site) { return cells_.place(site)[axis] == side; }))
-                return true;
-    return false;
 }
 
 } // namespace
 
-Status verifyFaces(const LevelCells& cells, const Lattice& lattice, LevelVerdict& verdict, const Progress& progress)
+Status verifyFaces(const LevelCells& cells, const FaceRule& rule, LevelVerdict& verdict, const Progress& progress)
 {
-    FaceCheck check(cells, lattice);
+    FaceCheck check(cells, rule);
     const Status done = check.run(progress);
     check.moveTo(verdict);
     return done;

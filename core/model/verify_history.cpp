@@ -85,7 +85,7 @@ Status HistoryCheck::run(const Progress& progress)
     if (progress.cancelled())
         return cancelledError("Verifying the model");
     checkSizes();
-    if (usable())
+    if (usable() && !places_.empty())
         checkBalance();
     return {};
 }
@@ -135,6 +135,10 @@ void HistoryCheck::checkTetrahedron(std::uint32_t creator, std::uint64_t number)
         });
         return;
     }
+    if (destroyerKnown && destroyer != Model::never)
+        balance_.destroyed[destroyer].fetch_add(1, std::memory_order_relaxed);
+    if (places_.empty())
+        return;
     const CellCorners corners = {places_[creator], places_[others[0]], places_[others[1]], places_[others[2]]};
     const std::int64_t volume = sixVolumes(corners);
     if (volume <= 0)
@@ -143,10 +147,8 @@ void HistoryCheck::checkTetrahedron(std::uint32_t creator, std::uint64_t number)
                    (volume == 0 ? "flat." : "inverted.");
         });
     balance_.createdVolume[creator] += volume;
-    if (destroyerKnown && destroyer != Model::never) {
-        balance_.destroyed[destroyer].fetch_add(1, std::memory_order_relaxed);
+    if (destroyerKnown && destroyer != Model::never)
         balance_.destroyedVolume[destroyer].fetch_add(volume, std::memory_order_relaxed);
-    }
 }
 
 void HistoryCheck::checkSizes()

@@ -40,15 +40,6 @@ double keyAsked(const Model& model, const Dataset& original, const Accuracy& ask
     return key;
 }
 
-/// The first state of the mesh that reached `asked`, found by looking at one after the other (S1).
-std::uint32_t firstPassage(const Model& model, double asked)
-{
-    std::uint32_t sites = initialSiteCount(model);
-    while (sites < model.siteCount() && !(static_cast<double>(model.runningErrors()[sites]) <= asked))
-        ++sites;
-    return sites;
-}
-
 /// Compares every original sample with the interpolation in every cell that holds it. `Errors` is ExactError, or
 /// RoundedError where builders round, too: if there are weights, and for curvilinear data.
 template <class Sample, class Errors> class SampleCheck {
@@ -191,7 +182,27 @@ void verifyVolumes(const LevelCells& cells, const Lattice& lattice, LevelVerdict
                                    " sixths of a lattice cell, and the domain has " + std::to_string(domain) + ".");
 }
 
+FaceRule faceRule(const LevelCells& cells, const Lattice& lattice)
+{
+    const auto onBoundary = [&cells, &lattice](const std::array<std::uint32_t, 3>& sites) {
+        for (int axis = 0; axis < 3; ++axis)
+            for (const std::int64_t side : {std::int64_t(0), std::int64_t(lattice.size[axis]) - 1})
+                if (std::ranges::all_of(sites, [&](std::uint32_t site) { return cells.place(site)[axis] == side; }))
+                    return true;
+        return false;
+    };
+    return {onBoundary, [&cells](std::uint32_t site) { return textOf(cells.place(site)); }};
+}
+
 } // namespace
+
+std::uint32_t firstPassage(const Model& model, double asked)
+{
+    std::uint32_t sites = initialSiteCount(model);
+    while (sites < model.siteCount() && !(static_cast<double>(model.runningErrors()[sites]) <= asked))
+        ++sites;
+    return sites;
+}
 
 Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, const std::vector<LatticePoint>& places,
                                  const Weights& weights, const Accuracy& asked, const Progress& progress)
@@ -206,7 +217,7 @@ Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, co
     const LevelCells cells(model, places, verdict.sites);
     verdict.tetrahedra = cells.size();
     verifyVolumes(cells, original.lattice, verdict);
-    const Status faces = verifyFaces(cells, original.lattice, verdict, progress.part(0, facesEnd));
+    const Status faces = verifyFaces(cells, faceRule(cells, original.lattice), verdict, progress.part(0, facesEnd));
     if (!faces)
         return faces.error();
     const Status samples = visitSampleType(original.values.type(), [&]<class Sample>() {

@@ -23,6 +23,10 @@ Status verifyBytes(const Model& model, std::vector<std::string>& failures, const
 /// The sites of the first mesh: the leading ones of infinite running error.
 std::uint32_t initialSiteCount(const Model& model);
 
+/// The sites of the first mesh whose error is at most `asked`, in units of the values, found by looking at one after
+/// the other (S1).
+std::uint32_t firstPassage(const Model& model, double asked);
+
 /// That the model is one of this dataset: lattice, type, range, hash. False if not even the lattice or the type fit, so
 /// that nothing can be compared.
 bool verifySource(const Model& model, const Dataset& original, std::vector<std::string>& failures);
@@ -33,7 +37,8 @@ bool verifySource(const Model& model, const Dataset& original, std::vector<std::
 std::vector<LatticePoint> verifySites(const Model& model, const Dataset& original, std::vector<std::string>& failures);
 
 /// The history as a whole: creators are the latest sites, destroyers come later, every tetrahedron that ever lived is
-/// positive, every group fills exactly the volume that it empties, mesh sizes follow. `usable` becomes false if
+/// positive, every group fills exactly the volume that it empties, mesh sizes follow. Without `places`, nothing is said
+/// of volumes. `usable` becomes false if
 /// indices are so wrong that they cannot be followed.
 Status verifyHistory(const Model& model, const std::vector<LatticePoint>& places, std::vector<std::string>& failures,
                      bool& usable, const Progress& progress);

@@ -50,8 +50,9 @@ void verifyCorners(const Model& model, const Lattice& lattice, const std::vector
         });
 }
 
-void verifyPlaces(const Model& model, const Lattice& lattice, std::vector<LatticePoint>& places, Findings& findings)
+void verifyPlaces(const Model& model, const Dataset& original, std::vector<LatticePoint>& places, Findings& findings)
 {
+    const Lattice& lattice = original.lattice;
     std::vector<bool> taken(lattice.pointCount());
     bool usable = true;
     for (std::uint32_t site = 0; site < model.siteCount(); ++site) {
@@ -75,7 +76,7 @@ void verifyPlaces(const Model& model, const Lattice& lattice, std::vector<Lattic
     }
     if (!usable)
         places.clear();
-    else
+    else if (original.domain != DomainClass::Scattered)
         verifyCorners(model, lattice, places, findings);
 }
 
@@ -175,7 +176,7 @@ std::vector<LatticePoint> verifySites(const Model& model, const Dataset& origina
     Findings wrongValues;
     Findings wrongPositions;
     Findings wrongErrors;
-    verifyPlaces(model, original.lattice, places, wrongPlaces);
+    verifyPlaces(model, original, places, wrongPlaces);
     verifyValues(model, original, wrongValues);
     verifyPositions(model, original, wrongPositions);
     verifyRunningErrors(model, wrongErrors);

@@ -5,6 +5,7 @@
 #include "plugins/builders/refinement/block_choice.h"
 #include "plugins/builders/refinement/curvilinear_build.h"
 #include "plugins/builders/refinement/lattice_build.h"
+#include "plugins/builders/refinement/scattered_build.h"
 
 #include <optional>
 #include <string_view>
@@ -100,7 +101,7 @@ Acceptance RefinementBuilder::accepts(const Dataset& dataset) const
     switch (dataset.domain) {
     case DomainClass::RegularLattice: return acceptLattice(dataset);
     case DomainClass::Curvilinear: return acceptCurvilinear(dataset);
-    case DomainClass::Scattered:
+    case DomainClass::Scattered: return acceptScattered(dataset);
     case DomainClass::Irregular: break;
     }
     return {0, notYet(dataset)};
@@ -127,7 +128,7 @@ Result<BuildReport> RefinementBuilder::build(const Dataset& dataset, const Param
     case DomainClass::Curvilinear:
         return buildCurvilinear(dataset, curvilinearRequest(parameters(), values, *weighting, *cells), target,
                                 progress);
-    case DomainClass::Scattered:
+    case DomainClass::Scattered: return buildScattered(dataset, error, *weighting, target, progress);
     case DomainClass::Irregular: break;
     }
     return Error{ErrorKind::BadInput, notYet(dataset)};

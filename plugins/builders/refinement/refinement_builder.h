@@ -5,7 +5,8 @@
 
 namespace tetra {
 
-/// Greedy Delaunay refinement of regular lattices (convex class) and of curvilinear grids (R8, R9, R12).
+/// Greedy Delaunay refinement of regular lattices and scattered points (convex class) and of curvilinear grids (R8, R9,
+/// R12).
 class RefinementBuilder : public Builder {
 public:
     Acceptance accepts(const Dataset& dataset) const override;

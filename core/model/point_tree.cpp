@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/point_tree.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace tetra {
+
+PointTree::PointTree(std::span<const Eigen::Vector3d> points) : points_(points), order_(points.size())
+{
+    std::iota(order_.begin(), order_.end(), 0);
+    if (!points.empty())
+        build(0, 0, static_cast<std::uint32_t>(points.size()));
+}
+
+void PointTree::build(std::size_t node, std::uint32_t first, std::uint32_t end)
+{
+    if (boxes_.size() <= node)
+        boxes_.resize(node + 1);
+    Eigen::AlignedBox3d box;
+    for (std::uint32_t i = first; i < end; ++i)
+        box.extend(points_[order_[i]]);
+    boxes_[node] = box;
+    if (end - first <= leafSize)
+        return;
+    Eigen::Index axis = 0;
+    box.sizes().maxCoeff(&axis);
+    const std::uint32_t middle = first + (end - first) / 2;
+    std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + end,
+                     [&](std::uint32_t a, std::uint32_t b) { return points_[a][axis] < points_[b][axis]; });
+    build(2 * node + 1, first, middle);
+    build(2 * node + 2, middle, end);
+}
+
+PointTree::Planes::Planes(const std::array<Eigen::Vector3d, 4>& corners)
+{
+    constexpr std::array<std::array<std::size_t, 3>, 4> faces = {{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
+    for (std::size_t face = 0; face < 4; ++face) {
+        const Eigen::Vector3d& origin = corners[faces[face][0]];
+        const Eigen::Vector3d a = corners[faces[face][1]] - origin;
+        const Eigen::Vector3d b = corners[faces[face][2]] - origin;
+        origins_[face] = origin;
+        normals_[face] = a.cross(b);
+        const Eigen::Vector3d p = a.cwiseAbs(), q = b.cwiseAbs();
+        magnitudes_[face] = {p[1] * q[2] + p[2] * q[1], p[2] * q[0] + p[0] * q[2], p[0] * q[1] + p[1] * q[0]};
+        box_.extend(corners[face]);
+    }
+}
+
+bool PointTree::Planes::mayMeet(const Eigen::AlignedBox3d& box) const
+{
+    constexpr double margin = 32 * 0x1p-53;
+    if (!box_.intersects(box))
+        return false;
+    for (std::size_t face = 0; face < 4; ++face) {
+        double farthest = 0;
+        double doubt = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double low = box.min()[axis] - origins_[face][axis];
+            const double high = box.max()[axis] - origins_[face][axis];
+            farthest += std::max(normals_[face][axis] * low, normals_[face][axis] * high);
+            doubt += magnitudes_[face][axis] * std::max(std::abs(low), std::abs(high));
+        }
+        if (farthest < -margin * doubt)
+            return false;
+    }
+    return true;
+}
+
+} // namespace tetra

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/model/point_tree.h"
+#include "core/model/verify_parts.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tetra {
+
+/// The original points of a model of scattered data, ready to be looked for.
+struct ScatteredOriginal {
+    explicit ScatteredOriginal(const Dataset& dataset);
+
+    std::span<const Eigen::Vector3d> positions;
+    std::vector<double> values;
+    double extent = 0; ///< of the values
+    PointTree tree;
+};
+
+/// That every site lies where its point lies, every tetrahedron that ever lived is positive, and the first mesh fills
+/// the convex hull of all points: with that, a later mesh fills it if its boundary faces have the first mesh's sites on
+/// one side only. For a history whose indices can be followed. An Error only if cancelled.
+Status verifyScatteredHistory(const Model& model, const ScatteredOriginal& original,
+                              const std::vector<LatticePoint>& places, const Weights& weights,
+                              std::vector<std::string>& failures, const Progress& progress);
+
+/// As verifyLevel(). Claims are kept if they are exceeded by no more than 1e-12 of the value range: the interpolation
+/// is computed with 113 bits where it is close.
+Result<LevelVerdict> verifyScatteredLevel(const Model& model, const ScatteredOriginal& original,
+                                          const std::vector<LatticePoint>& places, const Weights& weights,
+                                          const Accuracy& asked, const Progress& progress);
+
+} // namespace tetra

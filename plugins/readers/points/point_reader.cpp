@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/points/point_reader.h"
+
+#include "core/base/mapped_file.h"
+#include "core/data/merged_points.h"
+#include "plugins/readers/points/point_columns.h"
+#include "plugins/readers/points/point_table.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <new>
+
+namespace tetra {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> ownNames = {".csv", ".tsv", ".xyz", ".pts"};
+constexpr std::array<std::string_view, 3> textNames = {".txt", ".asc", ".dat"};
+
+std::string_view asText(std::span<const std::byte> bytes)
+{
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+std::string extension(const std::filesystem::path& path)
+{
+    std::string text = path.extension().string();
+    std::ranges::transform(text, text.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return text;
+}
+
+Error inFile(const std::filesystem::path& path, const Error& error)
+{
+    if (error.kind == ErrorKind::Cancelled)
+        return error;
+    return {error.kind, "Cannot read '" + path.string() + "': " + error.text};
+}
+
+Dataset datasetOf(PointTable table, const std::filesystem::path& path)
+{
+    Dataset dataset;
+    const std::string merged = mergeRemark(mergePoints(table.positions, table.values));
+    if (table.skippedRows > 0)
+        dataset.remarks.push_back(std::to_string(table.skippedRows) + " incomplete rows were skipped.");
+    if (!merged.empty())
+        dataset.remarks.push_back(merged);
+    const auto values = std::make_shared<const std::vector<double>>(std::move(table.values));
+    dataset.domain = DomainClass::Scattered;
+    dataset.lattice.size = {static_cast<std::uint32_t>(values->size()), 1, 1};
+    dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(table.positions));
+    dataset.values =
+        ScalarField(SampleType::Float64, values->size(), {values, reinterpret_cast<const std::byte*>(values->data())});
+    dataset.source = {path.filename().string(), path, contentHash(dataset.values, dataset.positions)};
+    return dataset;
+}
+
+} // namespace
+
+std::vector<std::string> PointReader::nameFilters() const
+{
+    return {"Table of points (*.csv *.tsv *.xyz *.pts *.txt *.asc)"};
+}
+
+double PointReader::score(const std::filesystem::path& path, std::span<const std::byte> firstBytes) const
+{
+    const std::string name = extension(path);
+    if (asText(firstBytes).find('\0') != std::string_view::npos)
+        return 0;
+    const bool looksRight = looksLikePointTable(asText(firstBytes));
+    if (std::ranges::find(ownNames, name) != ownNames.end())
+        return looksRight ? 1 : 0.8; // to say what is wrong with it
+    if (std::ranges::find(textNames, name) != textNames.end())
+        return looksRight ? 0.7 : 0;
+    return looksRight ? 0.1 : 0;
+}
+
+std::vector<Parameter> PointReader::parameters() const
+{
+    Parameter positions;
+    positions.id = "positions";
+    positions.label = "Positions";
+    positions.explanation = "Tables of points: the columns of x, y and z, by name or number, as in lon,lat,depth or "
+                            "1,2,3; 'automatic' takes those called x, y and z, else the first three.";
+    positions.defaultValue = std::string(automaticColumns);
+    Parameter array;
+    array.id = "array";
+    array.label = "Values";
+    array.explanation = "The values to take, by name or number; 'automatic' takes the first there are.";
+    array.defaultValue = std::string(automaticColumns);
+    Parameter skip;
+    skip.id = "skip-incomplete";
+    skip.label = "Skip incomplete rows";
+    skip.explanation = "Tables of points: leave out rows that lack a number, instead of refusing the file.";
+    skip.defaultValue = false;
+    return {positions, array, skip};
+}
+
+Result<Dataset> PointReader::read(const std::filesystem::path& path, const ParameterValues& values,
+                                  const Progress& progress) const
+try {
+    const auto file = MappedFile::open(path);
+    if (!file)
+        return file.error();
+    const PointTableRequest request{parameterValue<std::string>(parameters(), values, "positions"),
+                                    parameterValue<std::string>(parameters(), values, "array"),
+                                    parameterValue<bool>(parameters(), values, "skip-incomplete")};
+    Result<PointTable> table = readPointTable(asText((*file)->bytes()), request, progress.part(0, 0.9));
+    if ((*file)->damaged())
+        return inFile(path, {ErrorKind::BadInput, "it changed while it was read. Read it again."});
+    if (!table)
+        return inFile(path, table.error());
+    if (table->values.size() > std::numeric_limits<std::uint32_t>::max())
+        return inFile(path, {ErrorKind::OutOfResource, "it has more than 4294967295 points. Take a part of them."});
+    Dataset dataset = datasetOf(std::move(*table), path);
+    progress.report(1, "Reading");
+    return dataset;
+} catch (const std::bad_alloc&) {
+    return Error{ErrorKind::OutOfResource, "Not enough memory to read the file. Close other programs."};
+}
+
+} // namespace tetra

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/points/point_table.h"
+
+#include "core/base/number_text.h"
+#include "plugins/readers/points/delimited_text.h"
+#include "plugins/readers/points/point_columns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace tetra {
+
+namespace {
+
+/// So large coordinates have no volumes that fit a double, and so small ones none that differ from zero.
+constexpr double largestCoordinate = 1e90;
+
+std::string lineText(std::uint64_t number)
+{
+    return "line " + std::to_string(number);
+}
+
+/// What a message shows of a field.
+std::string shown(std::string_view field)
+{
+    constexpr std::size_t most = 40;
+    std::string text;
+    for (const char character : field.substr(0, most))
+        text += static_cast<unsigned char>(character) < ' ' ? '?' : character;
+    return "'" + text + (field.size() > most ? "...'" : "'");
+}
+
+std::optional<double> finiteNumber(std::string_view field)
+{
+    const std::optional<double> number = parseNumber<double>(field);
+    return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+/// A line of names has no number at all where data have four.
+bool isNames(const std::vector<std::string_view>& fields)
+{
+    return std::ranges::none_of(fields, [](std::string_view field) { return parseNumber<double>(field).has_value(); });
+}
+
+std::string withoutDoubledQuotes(std::string_view field)
+{
+    std::string text;
+    for (std::size_t i = 0; i < field.size(); ++i) {
+        text += field[i];
+        if (field[i] == '"' && i + 1 < field.size() && field[i + 1] == '"')
+            ++i;
+    }
+    return text;
+}
+
+/// The names of the columns: those of the file, else their numbers.
+std::vector<std::string> namesFor(const std::vector<std::string_view>& names, std::size_t columns)
+{
+    std::vector<std::string> texts;
+    for (std::size_t column = 0; column < columns; ++column)
+        texts.push_back(names.empty() ? "column " + std::to_string(column + 1) : withoutDoubledQuotes(names[column]));
+    return texts;
+}
+
+class TableReading {
+public:
+    TableReading(std::string_view text, const PointTableRequest& request) : text_(text), request_(request), lines_(text)
+    {
+    }
+
+    Result<PointTable> run(const Progress& progress);
+
+private:
+    Status readFront();
+    Status split(std::string_view line);
+    Status addRow();
+    Result<double> number(std::size_t column) const;
+
+    std::string_view text_;
+    const PointTableRequest& request_;
+    TextLines lines_;
+    char separator_ = ',';
+    PointColumns columns_;
+    std::vector<std::string_view> fields_;
+    bool hasRow_ = false; ///< the first row of data is in fields_
+    PointTable table_;
+};
+
+Status TableReading::split(std::string_view line)
+{
+    if (!splitFields(line, separator_, fields_))
+        return Error{ErrorKind::BadInput, lineText(lines_.number()) + " has a double quote that is not closed."};
+    return {};
+}
+
+/// Names, if there are any, and the columns.
+Status TableReading::readFront()
+{
+    std::string_view line;
+    if (!lines_.next(line))
+        return Error{ErrorKind::BadInput, "it holds no points."};
+    separator_ = separatorOf(line);
+    if (const Status done = split(line); !done)
+        return done;
+    std::vector<std::string_view> names;
+    hasRow_ = !isNames(fields_);
+    if (!hasRow_) {
+        names = fields_;
+    } else if (std::vector<std::string_view> commented; splitFields(lines_.comment(), separator_, commented) &&
+                                                        commented.size() == fields_.size() && isNames(commented)) {
+        names = commented;
+    }
+    auto columns = choosePointColumns(namesFor(names, fields_.size()), request_.positions, request_.value);
+    if (!columns)
+        return columns.error();
+    columns_ = std::move(*columns);
+    table_.valueName = columns_.names[columns_.value];
+    return {};
+}
+
+Result<double> TableReading::number(std::size_t column) const
+{
+    const std::string_view field = fields_[column];
+    if (const auto number = finiteNumber(field))
+        return *number;
+    const std::string where = lineText(lines_.number()) + ", " + columns_.names[column] + ": ";
+    if (field.empty())
+        return Error{ErrorKind::BadInput, where + "there is no number. Add it, or have incomplete rows skipped."};
+    if (field.find(',') != std::string_view::npos)
+        return Error{ErrorKind::BadInput, where + shown(field) + " is not a number. Numbers need a decimal point."};
+    return Error{ErrorKind::BadInput, where + shown(field) + " is not a finite number."};
+}
+
+Status TableReading::addRow()
+{
+    if (fields_.size() != columns_.names.size())
+        return Error{ErrorKind::BadInput, lineText(lines_.number()) + " has " + std::to_string(fields_.size()) +
+                                              " columns, and those before have " +
+                                              std::to_string(columns_.names.size()) + "."};
+    Eigen::Vector3d position;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::size_t column = columns_.position[static_cast<std::size_t>(axis)];
+        const Result<double> coordinate = number(column);
+        if (!coordinate)
+            return coordinate.error();
+        if (std::abs(*coordinate) > largestCoordinate)
+            return Error{ErrorKind::BadInput, lineText(lines_.number()) + ", " + columns_.names[column] + ": " +
+                                                  shown(fields_[column]) + " is too large for a position."};
+        position[axis] = *coordinate;
+    }
+    const Result<double> value = number(columns_.value);
+    if (!value)
+        return value.error();
+    table_.positions.push_back(position);
+    table_.values.push_back(*value);
+    return {};
+}
+
+Result<PointTable> TableReading::run(const Progress& progress)
+{
+    constexpr std::uint64_t linesBetweenReports = 1 << 14;
+    if (const Status front = readFront(); !front)
+        return front.error();
+    std::string_view line;
+    for (; hasRow_ || lines_.next(line); hasRow_ = false) {
+        if (!hasRow_)
+            if (const Status done = split(line); !done)
+                return done.error();
+        const Status added = addRow();
+        const bool isIncomplete = !added && fields_.size() == columns_.names.size();
+        if (!added && !(isIncomplete && request_.skipIncomplete))
+            return added.error();
+        table_.skippedRows += !added;
+        if (lines_.number() % linesBetweenReports == 0) {
+            if (progress.cancelled())
+                return cancelledError("Reading");
+            progress.report(static_cast<double>(lines_.position()) / static_cast<double>(text_.size()), "Reading");
+        }
+    }
+    if (table_.values.empty())
+        return Error{ErrorKind::BadInput, "it holds no points."};
+    return std::move(table_);
+}
+
+} // namespace
+
+Result<PointTable> readPointTable(std::string_view text, const PointTableRequest& request, const Progress& progress)
+{
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+        return Error{ErrorKind::BadInput, "it is in UTF-16. Save it as UTF-8."};
+    if (text.find('\0') != std::string_view::npos)
+        return Error{ErrorKind::BadInput, "it is not a text."};
+    return TableReading(text, request).run(progress);
+}
+
+bool looksLikePointTable(std::string_view beginning)
+{
+    constexpr std::uint64_t linesToTry = 3;
+    if (beginning.find('\0') != std::string_view::npos)
+        return false;
+    TextLines lines(beginning);
+    std::string_view line;
+    std::vector<std::string_view> fields;
+    for (std::uint64_t tried = 0; tried < linesToTry && lines.next(line); ++tried)
+        if (splitFields(line, separatorOf(line), fields) &&
+            std::ranges::count_if(fields, [](std::string_view field) { return finiteNumber(field).has_value(); }) >= 4)
+            return true;
+    return false;
+}
+
+} // namespace tetra

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// R1, S20: tables of points are read whatever separates them, or refused with the line.
+#include "plugins/readers/points/csv_writer.h"
+#include "plugins/readers/points/point_reader.h"
+#include "plugins/readers/points/point_table.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <clocale>
+#include <random>
+
+using namespace tetra;
+
+namespace {
+
+QString mistakeIn(const QByteArray& text, const PointTableRequest& request = {"automatic", "automatic", false})
+{
+    const auto table = readPointTable(std::string_view(text.data(), std::size_t(text.size())), request);
+    return table ? QString() : QString::fromStdString(table.error().text);
+}
+
+} // namespace
+
+class PointReaderTest : public QObject {
+    Q_OBJECT
+
+private:
+    Result<Dataset> read(const QByteArray& content, const ParameterValues& values = {}, const char* name = "points.csv")
+    {
+        const QString path = folder_.filePath(name);
+        QFile file(path);
+        if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
+            qFatal("cannot write %s", qPrintable(path));
+        file.close();
+        return PointReader().read(path.toStdString(), values, {});
+    }
+
+    QTemporaryDir folder_;
+
+private slots:
+    void allKindsOfTablesAreRead_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::newRow("names") << QByteArray("x,y,z,t\n1,2,3,10\n4,5,6,20\n");
+        QTest::newRow("no names") << QByteArray("1,2,3,10\n4,5,6,20");
+        QTest::newRow("other order, units") << QByteArray("T (K),z_m,X [m],y\n10,3,1,2\n20,6,4,5\n");
+        QTest::newRow("ParaView") << QByteArray(
+            "\"Temp\",\"Points:0\",\"Points:1\",\"Points:2\"\n10,1,2,3\n20,4,5,6\n");
+        QTest::newRow("unknown names") << QByteArray("lon,lat,depth,magnitude\n1,2,3,10\n4,5,6,20\n");
+        QTest::newRow("tabs") << QByteArray("x\ty\tz\tv\r\n1\t2\t3\t10\r\n4\t5\t6\t20\r\n");
+        QTest::newRow("semicolons, blanks") << QByteArray(" x ; y ; z ; v \n 1 ; 2 ; 3 ; 10 \n4;5;6;20\n");
+        QTest::newRow("blanks") << QByteArray("  1 2   3 10\n4  5 6\t20  \n");
+        QTest::newRow("comments, empty lines") << QByteArray("# made by hand\n\n// x\n1,2,3,10\n% no\n\n4,5,6,20\n\n");
+        QTest::newRow("names in a comment") << QByteArray("# y x z v\n2 1 3 10\n5 4 6 20\n");
+        QTest::newRow("quotes") << QByteArray("\"x\",y,z,\"a \"\"b\"\", c\"\n\"1\",2,\"3\",10\n4,5,6,\"20\"\n");
+        QTest::newRow("byte-order mark, CR") << QByteArray("\xef\xbb\xbfx,y,z,v\r1,2,3,10\r4,5,6,20\r");
+        QTest::newRow("exponents, signs") << QByteArray("+1e0,0.2e1,3.,1E1\n4,5,6,20\n");
+        QTest::newRow("more columns") << QByteArray("x,y,z,v,name\n1,2,3,10,a\n4,5,6,20,b\n");
+    }
+    void allKindsOfTablesAreRead()
+    {
+        QFETCH(QByteArray, text);
+        const auto dataset = read(text);
+        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+        QCOMPARE(dataset->domain, DomainClass::Scattered);
+        QCOMPARE(dataset->pointCount(), std::uint64_t(2));
+        QCOMPARE(dataset->position(0), Eigen::Vector3d(1, 2, 3));
+        QCOMPARE(dataset->position(1), Eigen::Vector3d(4, 5, 6));
+        QCOMPARE(dataset->values.at(0), 10.0);
+        QCOMPARE(dataset->values.at(1), 20.0);
+        QVERIFY(dataset->remarks.empty());
+    }
+
+    void columnsCanBeChosen()
+    {
+        const QByteArray text = "a,b,c,d,e\n1,2,3,4,5\n";
+        const auto byName = read(text, {{"positions", std::string("c,b,a")}, {"array", std::string("E")}});
+        QCOMPARE(byName->position(0), Eigen::Vector3d(3, 2, 1));
+        QCOMPARE(byName->values.at(0), 5.0);
+        const auto byNumber = read(text, {{"positions", std::string("2, 3, 4")}, {"array", std::string("1")}});
+        QCOMPARE(byNumber->position(0), Eigen::Vector3d(2, 3, 4));
+        QCOMPARE(byNumber->values.at(0), 1.0);
+        const auto first = read(text, {{"positions", std::string("2,3,4")}});
+        QCOMPARE(first->values.at(0), 1.0);
+    }
+
+    void badTablesAreRefusedWithTheLine_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("reason");
+        QTest::newRow("empty") << QByteArray() << "holds no points";
+        QTest::newRow("names only") << QByteArray("x,y,z,v\n") << "holds no points";
+        QTest::newRow("three columns") << QByteArray("x,y,z\n1,2,3\n") << "has 3 columns";
+        QTest::newRow("short line") << QByteArray("x,y,z,v\n1,2,3,4\n1,2,3\n") << "line 3 has 3 columns";
+        QTest::newRow("text") << QByteArray("x,y,z,v\n#\n1,2,3,hot\n") << "line 3, v: 'hot' is not a finite number";
+        QTest::newRow("nan") << QByteArray("1,2,3,4\n1,2,nan,4\n") << "line 2, column 3: 'nan' is not a finite number";
+        QTest::newRow("infinite") << QByteArray("x,y,z,v\n1,2,3,1e999\n") << "line 2, v: '1e999'";
+        QTest::newRow("missing") << QByteArray("x,y,z,v\n1,2,,4\n") << "line 2, z: there is no number";
+        QTest::newRow("decimal comma") << QByteArray("x;y;z;v\n1,5;2;3;4\n")
+                                       << "line 2, x: '1,5' is not a number. "
+                                          "Numbers need a decimal point";
+        QTest::newRow("open quote") << QByteArray("x,y,z,v\n1,2,3,\"4\n") << "line 2 has a double quote";
+        QTest::newRow("huge") << QByteArray("x,y,z,v\n1e200,2,3,4\n") << "too large for a position";
+        QTest::newRow("binary") << QByteArray("x,y\0,z,v\n", 9) << "is not a text";
+        QTest::newRow("UTF-16") << QByteArray("\xff\xfex\0,\0", 6) << "UTF-16";
+    }
+    void badTablesAreRefusedWithTheLine()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, reason);
+        QVERIFY2(mistakeIn(text).contains(reason), qPrintable(mistakeIn(text)));
+    }
+
+    void wrongColumnsAreRefused()
+    {
+        const QByteArray text = "x,y,z,v\n1,2,3,4\n";
+        QVERIFY(mistakeIn(text, {"x,y", "automatic", false}).contains("does not name the three columns"));
+        QVERIFY(mistakeIn(text, {"x,y,x", "automatic", false}).contains("the same column twice"));
+        QVERIFY(mistakeIn(text, {"x,y,w", "automatic", false}).contains("there is no column 'w'; there are 'x', 'y'"));
+        QVERIFY(mistakeIn(text, {"automatic", "5", false}).contains("there is no column '5'"));
+    }
+
+    void incompleteRowsCanBeSkipped()
+    {
+        const auto dataset = read("x,y,z,v\n1,2,3,NA\n4,5,6,7\n,,,\n", {{"skip-incomplete", true}});
+        QVERIFY(dataset.ok());
+        QCOMPARE(dataset->pointCount(), std::uint64_t(1));
+        QCOMPARE(dataset->remarks, std::vector<std::string>{"2 incomplete rows were skipped."});
+    }
+
+    void pointsOnOnePlaceAreMergedAndTold()
+    {
+        const auto dataset = read("1,2,3,10\n4,5,6,7\n1,2,3,10\n4,5,6,8\n0,0,0,1\n-0,0,0,1\n4,5,6,9\n");
+        QVERIFY(dataset.ok());
+        QCOMPARE(dataset->pointCount(), std::uint64_t(3));
+        QCOMPARE(dataset->values.at(0), 10.0);
+        QCOMPARE(dataset->values.at(1), 8.0);
+        QCOMPARE(dataset->remarks,
+                 std::vector<std::string>{"4 points on the place of another one were merged with it; 1 places had "
+                                          "different values and got their mean."});
+    }
+
+    void numbersDoNotFollowTheLocale()
+    {
+        const char* before = std::setlocale(LC_ALL, "de_DE.UTF-8");
+        const auto dataset = read("1.5,2,3,4.25\n");
+        std::setlocale(LC_ALL, "C");
+        if (before == nullptr)
+            QSKIP("there is no locale de_DE.UTF-8");
+        QCOMPARE(dataset->position(0), Eigen::Vector3d(1.5, 2, 3));
+        QCOMPARE(dataset->values.at(0), 4.25);
+    }
+
+    void filesAreKnownByNameAndContent()
+    {
+        const PointReader reader;
+        const auto score = [&](const char* name, const QByteArray& text) {
+            return reader.score(name, std::as_bytes(std::span(text.data(), std::size_t(text.size()))));
+        };
+        QCOMPARE(score("a.csv", "x,y,z,v\n1,2,3,4\n"), 1.0);
+        QVERIFY(score("a.CSV", "nonsense") > 0.5);
+        QVERIFY(score("a.txt", "1 2 3 4\n") > 0.5);
+        QCOMPARE(score("a.txt", "Dear reader\n"), 0.0);
+        QCOMPARE(score("a.dat", QByteArray("1 2 3 4\0", 8)), 0.0);
+    }
+
+    /// What the writer writes is the same dataset again, bit for bit.
+    void writtenTablesComeBack()
+    {
+        std::mt19937_64 random(3);
+        std::uniform_real_distribution<double> number(-1e3, 1e3);
+        QByteArray text;
+        for (int i = 0; i < 500; ++i) {
+            for (int column = 0; column < 4; ++column)
+                text += QByteArray::number(number(random) * std::pow(10.0, i % 30 - 15), 'g', 17) + ",";
+            text.back() = '\n';
+        }
+        const auto dataset = read(text);
+        QVERIFY(dataset.ok());
+        const std::filesystem::path path = folder_.filePath("written.csv").toStdString();
+        QVERIFY(CsvWriter().write(*dataset, path, {}, {}).ok());
+        const auto again = PointReader().read(path, {}, {});
+        QVERIFY(again.ok());
+        QVERIFY(*again->positions == *dataset->positions);
+        QCOMPARE(again->source.hash, dataset->source.hash);
+    }
+
+    void mutatedTablesAreReadOrRefused()
+    {
+        const QByteArray valid = "\"x\",y,z,\"v, w\"\n# c\n1.5,2e3,\"-3\",4\r\n5, 6,7\t,8\n9,10,11,12\n";
+        const QByteArray characters("\"\n\r,;\t #%/.-+e0\0\xff"
+                                    "1n",
+                                    19);
+        std::mt19937 random(1);
+        int read = 0;
+        for (int attempt = 0; attempt < 30000; ++attempt) {
+            QByteArray text = valid;
+            for (unsigned change = random() % 6; change > 0; --change) {
+                const auto at = static_cast<qsizetype>(random() % static_cast<unsigned>(text.size()));
+                if (random() % 4 == 0)
+                    text.remove(at, static_cast<qsizetype>(random() % 12));
+                else
+                    text[at] = characters[static_cast<qsizetype>(random() % 19)];
+                if (text.isEmpty())
+                    break;
+            }
+            const std::string_view view(text.data(), std::size_t(text.size()));
+            const auto table = readPointTable(view, {"automatic", "automatic", attempt % 2 == 0});
+            if (table) {
+                ++read;
+                QCOMPARE(table->positions.size(), table->values.size());
+                QVERIFY(!table->values.empty());
+            } else {
+                QVERIFY(!table.error().text.empty());
+            }
+        }
+        QVERIFY(read > 1000);
+    }
+
+    void realTablesAreRead_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<int>("points");
+        QTest::newRow("probes") << "forge_probes.csv" << 245;
+        QTest::newRow("quakes") << "fiji_quakes.csv" << 1000;
+        QTest::newRow("disk") << "disk_out_ref_points.csv" << 8499;
+    }
+    void realTablesAreRead()
+    {
+        QFETCH(QString, file);
+        QFETCH(int, points);
+        const QString path = TAN_SOURCE_DIR "/../shared/data/scattered/" + file;
+        if (!QFile::exists(path))
+            QSKIP("the dataset is not there");
+        const auto dataset = PointReader().read(path.toStdString(), {}, {});
+        QVERIFY(dataset.ok());
+        QCOMPARE(dataset->pointCount(), std::uint64_t(points));
+        QVERIFY(dataset->remarks.empty());
+    }
+};
+
+QTEST_GUILESS_MAIN(PointReaderTest)
+#include "point_reader_test.moc"
