@@ -120,6 +120,12 @@ bool isForWindow(std::span<const std::string> words)
            std::filesystem::exists(words[0], problem);
 }
 
+bool needsFonts(std::span<const std::string> words)
+{
+    const Subcommand* subcommand = words.empty() ? nullptr : findSubcommand(words[0]);
+    return subcommand != nullptr && subcommand->drawsText;
+}
+
 int runCommandLine(std::span<const std::string> words, PluginHost& host, const Streams& streams,
                    const std::stop_token& stop)
 {

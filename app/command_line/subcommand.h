@@ -32,6 +32,7 @@ struct Subcommand {
     std::string_view name;
     Syntax (*syntax)(PluginHost& host);
     Result<Outcome> (*run)(const Invocation& invocation);
+    bool drawsText = false; ///< needs a QGuiApplication for its fonts
 };
 
 /// All of them, in the order of the help.

@@ -7,13 +7,14 @@ namespace tetra {
 
 std::span<const Subcommand> subcommands()
 {
-    static constexpr std::array<Subcommand, 7> all = {{
+    static constexpr std::array<Subcommand, 8> all = {{
         {"sample", sampleSyntax, runSample},
         {"build", buildSyntax, runBuild},
         {"info", infoSyntax, runInfo},
         {"verify", verifySyntax, runVerify},
         {"isosurface", isosurfaceSyntax, runIsosurface},
         {"render", renderSyntax, runRender},
+        {"reproduce", reproduceSyntax, runReproduce, true},
         {"plugins", pluginsSyntax, runPlugins},
     }};
     return all;

@@ -24,6 +24,9 @@ Result<Outcome> runIsosurface(const Invocation& invocation);
 Syntax renderSyntax(PluginHost& host);
 Result<Outcome> runRender(const Invocation& invocation);
 
+Syntax reproduceSyntax(PluginHost& host);
+Result<Outcome> runReproduce(const Invocation& invocation);
+
 Syntax pluginsSyntax(PluginHost& host);
 Result<Outcome> runPlugins(const Invocation& invocation);
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/reproduction/reproduction.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace tetra {
+
+/// Draws Fig. 10 (sites against error, ours as lines, the paper's tables as rings) and Fig. 11 (the vertices of
+/// BluntFin, all and those of the mesh at 2 %, 2 %) into `folder`, each as PNG and as SVG, as far as the reproduction
+/// has the models. Gives the files written. Needs a QGuiApplication for its fonts. Error: a file that cannot be
+/// written.
+Result<std::vector<std::filesystem::path>> drawFigures(const Reproduction& reproduction,
+                                                       const std::filesystem::path& folder);
+
+} // namespace tetra

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/reproduction/report.h"
+
+#include "app/command_line/table.h"
+#include "app/reproduction/report_tables.h"
+
+#include <QJsonArray>
+
+namespace tetra {
+
+namespace {
+
+std::string markdownRow(const std::vector<std::string>& cells)
+{
+    std::string line = "|";
+    for (const std::string& cell : cells)
+        line += " " + cell + " |";
+    return line + "\n";
+}
+
+QString toQString(const std::string& text)
+{
+    return QString::fromStdString(text);
+}
+
+QJsonObject meshFigures(std::uint64_t sites, std::uint64_t tetrahedra)
+{
+    return {{"sites", static_cast<qint64>(sites)}, {"tetrahedra", static_cast<qint64>(tetrahedra)}};
+}
+
+void addRows(const ReproducedModel& model, QJsonArray& rows)
+{
+    for (const ReproducedLevel& level : model.levels)
+        rows.append(QJsonObject{
+            {"dataset", toQString(model.paper.dataset)},
+            {"size", QJsonArray{static_cast<qint64>(model.paper.size[0]), static_cast<qint64>(model.paper.size[1]),
+                                static_cast<qint64>(model.paper.size[2])}},
+            {"block", static_cast<qint64>(model.paper.blockEdge)},
+            {"variant", toQString(model.experiment.variant)},
+            {"error", level.paper.error},
+            {"warping", level.paper.warping},
+            {"paper", meshFigures(level.paper.sites, level.paper.tetrahedra)},
+            {"ours", meshFigures(level.sites, level.tetrahedra)},
+            {"difference", QJsonObject{{"sites", differencePercent(level.sites, level.paper.sites)},
+                                       {"tetrahedra", differencePercent(level.tetrahedra, level.paper.tetrahedra)}}}});
+}
+
+QJsonObject modelFigures(const ReproducedModel& model)
+{
+    QJsonObject figures{{"dataset", toQString(model.paper.dataset)},
+                        {"variant", toQString(model.experiment.variant)},
+                        {"caveat", toQString(model.experiment.caveat)},
+                        {"skipped", model.model == nullptr}};
+    if (model.model == nullptr)
+        return figures;
+    figures["paper"] =
+        QJsonObject{{"tetrahedra", static_cast<qint64>(model.paper.tetrahedra)}, {"seconds", model.paper.seconds}};
+    figures["ours"] = QJsonObject{{"tetrahedra", static_cast<qint64>(model.model->tetrahedronCount())},
+                                  {"seconds", model.seconds},
+                                  {"inverted", static_cast<qint64>(model.inverted)},
+                                  {"degenerate", static_cast<qint64>(model.degenerate)}};
+    return figures;
+}
+
+QJsonObject surfaceFigures(const ReproducedSurface& surface)
+{
+    QJsonObject paper = meshFigures(surface.paper.sites, surface.paper.tetrahedra);
+    paper["triangles"] = static_cast<qint64>(surface.paper.triangles);
+    QJsonObject ours = meshFigures(surface.sites, surface.tetrahedra);
+    ours["triangles"] = static_cast<qint64>(surface.triangles);
+    return {{"dataset", toQString(surface.paper.dataset)},
+            {"variant", toQString(surface.variant)},
+            {"isovalue", surface.paper.isovalue},
+            {"error", surface.paper.error},
+            {"warping", surface.paper.warping},
+            {"paper", paper},
+            {"ours", ours}};
+}
+
+} // namespace
+
+std::string textReport(const Reproduction& reproduction)
+{
+    std::string text;
+    for (const ReportTable& part : reportTables(reproduction)) {
+        text += (text.empty() ? "" : "\n") + part.title + "\n" + (part.rows.empty() ? "" : table(part.rows));
+        for (const std::string& remark : part.remarks)
+            text += remark + "\n";
+    }
+    return text;
+}
+
+std::string markdownReport(const Reproduction& reproduction)
+{
+    std::string text = "# The paper's tables, made again\n";
+    for (const ReportTable& part : reportTables(reproduction)) {
+        text += "\n## " + part.title + "\n\n";
+        for (std::size_t row = 0; row < part.rows.size(); ++row) {
+            text += markdownRow(part.rows[row]);
+            if (row == 0)
+                text += markdownRow(std::vector<std::string>(part.rows[row].size(), "---:"));
+        }
+        for (const std::string& remark : part.remarks)
+            text += (part.rows.empty() ? "" : "\n") + remark + "\n";
+    }
+    return text;
+}
+
+QJsonObject jsonReport(const Reproduction& reproduction)
+{
+    QJsonArray tables;
+    for (const int number : reproduction.tables) {
+        QJsonArray rows;
+        QJsonArray models;
+        for (const ReproducedModel& model : reproduction.models)
+            if (model.table == number) {
+                addRows(model, rows);
+                models.append(modelFigures(model));
+            }
+        if (number == 4)
+            for (const ReproducedSurface& surface : reproduction.surfaces)
+                rows.append(surfaceFigures(surface));
+        QJsonObject figures{{"table", number}, {"rows", rows}};
+        if (!models.isEmpty())
+            figures["models"] = models;
+        tables.append(figures);
+    }
+    return {{"tables", tables}};
+}
+
+} // namespace tetra

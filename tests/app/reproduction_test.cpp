@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// `tan reproduce` (R30) on a folder of data of the test's own: what it prints, writes, skips and refuses.
+#include "tests/app/program.h"
+#include "tests/app/sample_files.h"
+
+#include <QDir>
+#include <QImage>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace tetra {
+namespace {
+
+constexpr const char* table2 =
+    "dataset,dim_i,dim_j,dim_k,dataset_sites,model_total_tetrahedra,construction_peak_ram_kb,"
+    "construction_time_cpu_seconds,max_error_epsilon_percent_of_value_range,lod_tetrahedra,lod_sites,"
+    "lod_sites_percent_as_printed\n"
+    "SOD,32,32,32,32768,177588,45134,1491,4.0,11485,2094,6\n"
+    "BuckyBall,32,32,32,32768,472130,25868,1318,4.0,42468,7125,21\n"
+    "BuckyBall,32,32,32,32768,472130,25868,1318,0.0,176687,32768,100\n";
+
+} // namespace
+
+class ReproductionTest : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir folder_;
+
+    QString path(const QString& name) const { return folder_.filePath(name); }
+
+private slots:
+    void init()
+    {
+        QDir(folder_.path()).removeRecursively();
+        QVERIFY(QDir().mkpath(path("data/paper")));
+        QVERIFY(QDir().mkpath(path("data/buckyball")));
+        QVERIFY(writeFile(path("data/paper/table2.csv"), table2));
+        QVERIFY(writeFile(path("data/buckyball/bucky_32x32x32_uint8.nhdr"), nrrd("uint8", "6 5 4", bytes(120))));
+    }
+
+    void printsOursBesideThePapers()
+    {
+        const Run run = runTan({"reproduce", "--tables", "2", "--data", "data", "-o", "out", "--json"}, folder_.path());
+        QCOMPARE(run.exitCode, 0);
+        const QJsonArray tables = run.json()["tables"].toArray();
+        QCOMPARE(tables.size(), 1);
+        QCOMPARE(tables[0]["table"].toInt(), 2);
+        const QJsonArray rows = tables[0]["rows"].toArray();
+        QCOMPARE(rows.size(), 2);
+        QCOMPARE(rows[1]["dataset"].toString(), "BuckyBall");
+        QCOMPARE(rows[1]["error"].toDouble(), 0.0);
+        QCOMPARE(rows[1]["paper"]["sites"].toInt(), 32768);
+        QCOMPARE(rows[1]["paper"]["tetrahedra"].toInt(), 176687);
+
+        // Ours is what the model that was left says of itself.
+        const Run info =
+            runTan({"info", "out/models/table2-BuckyBall-32x32x32.tan", "--lod", "0", "--json"}, folder_.path());
+        QCOMPARE(info.exitCode, 0);
+        const QJsonValue level = info.json()["levels"].toArray()[0];
+        QCOMPARE(rows[1]["ours"]["sites"].toInt(), level["sites"].toInt());
+        QCOMPARE(rows[1]["ours"]["tetrahedra"].toInt(), level["tetrahedra"].toInt());
+        QVERIFY(level["sites"].toInt() > 8);
+    }
+
+    void skipsWhatHasNoData()
+    {
+        const Run run = runTan({"reproduce", "--tables", "2", "--data", "data", "-o", "out"}, folder_.path());
+        QCOMPARE(run.exitCode, 0);
+        QVERIFY2(run.output.contains("Skipped: there is no 'sod/sod_sub_32x32x32_uint8.nhdr'"), run.output);
+    }
+
+    void writesReportsAndFigures()
+    {
+        QCOMPARE(runTan({"reproduce", "--tables", "2", "--data", "data", "-o", "out"}, folder_.path()).exitCode, 0);
+        for (const char* name : {"tables.txt", "tables.md", "tables.json", "figure10.svg"})
+            QVERIFY2(QFileInfo(path("out") + "/" + name).size() > 300, name);
+        const QImage figure(path("out/figure10.png"));
+        QCOMPARE(figure.size(), QSize(2000, 1280));
+        QCOMPARE(figure.pixelColor(0, 0), QColor(Qt::white));
+    }
+
+    void refusesBrokenFigures_data()
+    {
+        QTest::addColumn<QByteArray>("content");
+        QTest::addColumn<QByteArray>("message");
+        const QByteArray whole = table2;
+        QTest::newRow("a word") << QByteArray(whole).replace("7125", "many") << QByteArray("line 3");
+        QTest::newRow("a column") << QByteArray(whole).replace("lod_sites,", "sites,") << QByteArray("'lod_sites'");
+        QTest::newRow("a short line") << whole + "BuckyBall,32,32\n" << QByteArray("line 5");
+        QTest::newRow("nothing") << QByteArray() << QByteArray("Cannot read");
+    }
+    void refusesBrokenFigures()
+    {
+        QFETCH(QByteArray, content);
+        QFETCH(QByteArray, message);
+        QVERIFY(writeFile(path("data/paper/table2.csv"), content));
+        const Run run = runTan({"reproduce", "--tables", "2", "--data", "data", "-o", "out"}, folder_.path());
+        QCOMPARE(run.exitCode, 3);
+        QVERIFY2(run.messages.contains(message), run.messages);
+    }
+
+    void refusesTablesThatThePaperDoesNotHave()
+    {
+        for (const char* tables : {"5", "0", "1.5", "two"})
+            QCOMPARE(runTan({"reproduce", "--tables", tables, "--data", "data", "-o", "out"}, folder_.path()).exitCode,
+                     2);
+    }
+};
+
+} // namespace tetra
+
+QTEST_GUILESS_MAIN(tetra::ReproductionTest)
+#include "reproduction_test.moc"
