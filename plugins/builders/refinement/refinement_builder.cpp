@@ -109,7 +109,7 @@ Acceptance RefinementBuilder::accepts(const Dataset& dataset) const
 
 std::vector<Parameter> RefinementBuilder::parameters() const
 {
-    return {errorParameter(), blockParameter(), warpingParameter(), selectionParameter(), weightsParameter()};
+    return {errorParameter(), warpingParameter(), blockParameter(), selectionParameter(), weightsParameter()};
 }
 
 Result<BuildReport> RefinementBuilder::build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
