@@ -8,6 +8,7 @@
 #include "core/model/history_arranger.h"
 #include "core/model/section_writer.h"
 #include "core/model/site_sections.h"
+#include "core/model/spooled_array.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,9 +40,10 @@ constexpr std::size_t fileBufferBytes = 1 << 20;
 
 class HistoryFileWriter final : public ModelWriter, private ArrangedBatchSink {
 public:
-    HistoryFileWriter(FileWriter file, const Dataset& dataset, ModelDescription description)
+    HistoryFileWriter(FileWriter file, const Dataset& dataset, ModelDescription description,
+                      std::filesystem::path spoolFolder)
         : target_(file.target()), sections_(std::move(file), sectionCount(dataset.domain)), dataset_(dataset),
-          description_(std::move(description)), arranger_(dataset.pointCount(), *this)
+          description_(std::move(description)), spool_(std::move(spoolFolder)), arranger_(dataset.pointCount(), *this)
     {
     }
 
@@ -58,7 +60,8 @@ private:
     Status writeArrays(float finalError);
     void storeMeshSizes(const ArrangedBatch& batch);
     Status writeGeometry();
-    template <class T> Status writeArray(SectionId id, const ChunkedArray<T>& array);
+    template <class T> Status writeArray(SectionId id, const SpooledArray<T>& array);
+    Status writeDestroyers();
     Error inconsistent(const std::string& what) const;
     Error outOfMemory() const;
 
@@ -67,14 +70,15 @@ private:
     Dataset dataset_;
     ModelDescription description_;
 
-    ChunkedArray<std::uint32_t> points_;
-    ChunkedArray<float> runningErrors_;
-    ChunkedArray<std::uint64_t> starOffsets_;
-    ChunkedArray<std::uint32_t> meshSizes_;
-    ChunkedArray<std::uint8_t> groupGoesOn_;
+    SpoolFile spool_; ///< of the arrays that are only read at the end
+    SpooledArray<std::uint32_t> points_{spool_};
+    SpooledArray<float> runningErrors_{spool_};
+    SpooledArray<std::uint64_t> starOffsets_{spool_};
+    SpooledArray<std::uint32_t> meshSizes_{spool_};
+    SpooledArray<std::uint8_t> groupGoesOn_{spool_};
     ChunkedArray<std::uint32_t> destroyers_;
-    ChunkedArray<std::uint16_t> ownErrors_;
-    ChunkedArray<std::uint16_t> ownWarpings_;
+    SpooledArray<std::uint16_t> ownErrors_{spool_};
+    SpooledArray<std::uint16_t> ownWarpings_{spool_};
 
     HistoryArranger arranger_;
     std::vector<std::array<std::uint32_t, 3>> otherSites_; ///< of a batch, on their way to the file
@@ -140,6 +144,8 @@ Status HistoryFileWriter::add(const ArrangedBatch& batch)
         if (description_.warpingWeight > 0)
             ownWarpings_.push_back(halfBound(tetrahedron.warping, diagonal));
     }
+    if (!spool_.status())
+        return spool_.status();
     return sections_.add(std::as_bytes(std::span(otherSites_)));
 }
 
@@ -197,8 +203,7 @@ Status HistoryFileWriter::writeArrays(float finalError)
          {writeArray(SectionId::SitePoints, points_), writeSiteValues(sections_, dataset_, points_),
           writeArray(SectionId::SiteRunningErrors, runningErrors_), writeArray(SectionId::StarOffsets, starOffsets_),
           writeArray(SectionId::MeshSizes, meshSizes_), writeArray(SectionId::SiteGroups, groupGoesOn_),
-          writeArray(SectionId::Destroyers, destroyers_), writeArray(SectionId::OwnErrors, ownErrors_),
-          writeGeometry()})
+          writeDestroyers(), writeArray(SectionId::OwnErrors, ownErrors_), writeGeometry()})
         if (!written)
             return written;
     format::Header header = headerOf(description_);
@@ -208,12 +213,22 @@ Status HistoryFileWriter::writeArrays(float finalError)
     return sections_.finish(header);
 }
 
-template <class T> Status HistoryFileWriter::writeArray(SectionId id, const ChunkedArray<T>& array)
+template <class T> Status HistoryFileWriter::writeArray(SectionId id, const SpooledArray<T>& array)
 {
     if (const Status begun = sections_.begin(id, sizeof(T)); !begun)
         return begun;
-    for (std::size_t number = 0; number < array.chunkCount(); ++number)
-        if (const Status written = sections_.add(std::as_bytes(array.chunk(number))); !written)
+    const Status written =
+        array.forEachChunk([this](std::span<const T> chunk) { return sections_.add(std::as_bytes(chunk)); });
+    sections_.end();
+    return written;
+}
+
+Status HistoryFileWriter::writeDestroyers()
+{
+    if (const Status begun = sections_.begin(SectionId::Destroyers, sizeof(std::uint32_t)); !begun)
+        return begun;
+    for (std::size_t number = 0; number < destroyers_.chunkCount(); ++number)
+        if (const Status written = sections_.add(std::as_bytes(destroyers_.chunk(number))); !written)
             return written;
     sections_.end();
     return {};
@@ -258,7 +273,9 @@ Result<std::unique_ptr<ModelWriter>> ModelWriter::create(const std::filesystem::
     Result<FileWriter> file = FileWriter::create(path, fileBufferBytes, workFolder);
     if (!file)
         return file.error();
-    auto writer = std::make_unique<HistoryFileWriter>(std::move(*file), dataset, std::move(description));
+    auto spoolFolder = workFolder.empty() ? file->target().parent_path() : workFolder;
+    auto writer = std::make_unique<HistoryFileWriter>(std::move(*file), dataset, std::move(description),
+                                                      spoolFolder.empty() ? "." : std::move(spoolFolder));
     if (const Status begun = writer->writeFront(); !begun)
         return begun.error();
     return std::unique_ptr<ModelWriter>(std::move(writer));

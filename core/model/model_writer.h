@@ -11,8 +11,8 @@ namespace tetra {
 
 /// Writes a history into a `.tan` file while it is made. Nothing appears under `path` before finish() has succeeded:
 /// the file is written beside it, synced and renamed; destroying an unfinished writer removes what it wrote. Steps
-/// are put together into batches and groups on the way (FORMAT.md). Memory: about 10 bytes a tetrahedron and 25 a site,
-/// and one batch whole; the sites of the tetrahedra go straight to the disk.
+/// are put together into batches and groups on the way (FORMAT.md). Memory: about 8 bytes a tetrahedron and 4 a site,
+/// and one batch whole; all else waits on the disk.
 class ModelWriter : public HistorySink {
 public:
     /// `description` needs builder and parameters; the rest is taken from `dataset`. The unfinished file lies in

@@ -12,26 +12,25 @@ namespace {
 
 /// Writes elementOf(point) for every site's point, a chunk at a time.
 template <class Element, class Function> Status writeForEach(SectionWriter& sections, format::SectionId id,
-                                                             const ChunkedArray<std::uint32_t>& points,
+                                                             const SpooledArray<std::uint32_t>& points,
                                                              Function&& elementOf)
 {
     if (const Status begun = sections.begin(id, sizeof(Element)); !begun)
         return begun;
     std::vector<Element> elements;
-    for (std::size_t number = 0; number < points.chunkCount(); ++number) {
+    const Status written = points.forEachChunk([&](std::span<const std::uint32_t> chunk) {
         elements.clear();
-        for (const std::uint32_t point : points.chunk(number))
+        for (const std::uint32_t point : chunk)
             elements.push_back(elementOf(point));
-        if (const Status written = sections.add(std::as_bytes(std::span(elements))); !written)
-            return written;
-    }
+        return sections.add(std::as_bytes(std::span(elements)));
+    });
     sections.end();
-    return {};
+    return written;
 }
 
 } // namespace
 
-Status writeSiteValues(SectionWriter& sections, const Dataset& dataset, const ChunkedArray<std::uint32_t>& points)
+Status writeSiteValues(SectionWriter& sections, const Dataset& dataset, const SpooledArray<std::uint32_t>& points)
 {
     return visitSampleType(dataset.values.type(), [&]<class T>() {
         const std::span<const T> samples = dataset.values.as<T>();
@@ -40,7 +39,7 @@ Status writeSiteValues(SectionWriter& sections, const Dataset& dataset, const Ch
     });
 }
 
-Status writeSitePositions(SectionWriter& sections, const Dataset& dataset, const ChunkedArray<std::uint32_t>& points)
+Status writeSitePositions(SectionWriter& sections, const Dataset& dataset, const SpooledArray<std::uint32_t>& points)
 {
     const std::vector<Eigen::Vector3d>& positions = *dataset.positions;
     constexpr auto id = format::SectionId::SitePositions;

@@ -2,18 +2,18 @@
 #pragma once
 
 #include "core/data/dataset.h"
-#include "core/model/chunked_array.h"
 #include "core/model/section_writer.h"
+#include "core/model/spooled_array.h"
 
 #include <cstdint>
 
 namespace tetra {
 
 /// Writes the section of the sites' values; `points` are the sites' points in `dataset`.
-Status writeSiteValues(SectionWriter& sections, const Dataset& dataset, const ChunkedArray<std::uint32_t>& points);
+Status writeSiteValues(SectionWriter& sections, const Dataset& dataset, const SpooledArray<std::uint32_t>& points);
 
 /// Writes the section of the sites' positions for a dataset that has positions: in floats if they hold each of its
 /// coordinates exactly, else in doubles.
-Status writeSitePositions(SectionWriter& sections, const Dataset& dataset, const ChunkedArray<std::uint32_t>& points);
+Status writeSitePositions(SectionWriter& sections, const Dataset& dataset, const SpooledArray<std::uint32_t>& points);
 
 } // namespace tetra

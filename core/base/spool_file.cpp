@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/spool_file.h"
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+namespace tetra {
+
+SpoolFile::~SpoolFile()
+{
+    if (descriptor_ >= 0)
+        ::close(descriptor_);
+}
+
+Error SpoolFile::failed(int systemError) const
+{
+    return {ErrorKind::CannotWrite, "A temporary file in '" + folder_.string() +
+                                        "' cannot be used: " + std::generic_category().message(systemError) +
+                                        ". Free some space or choose another disk."};
+}
+
+Status SpoolFile::open()
+{
+    std::string name = (folder_ / "spool-XXXXXX").string();
+    descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
+    if (descriptor_ < 0)
+        return failed(errno);
+    ::unlink(name.c_str());
+    return {};
+}
+
+Result<std::uint64_t> SpoolFile::append(std::span<const std::byte> bytes)
+{
+    if (status_ && descriptor_ < 0)
+        status_ = open();
+    const std::uint64_t offset = size_;
+    while (status_ && !bytes.empty()) {
+        const ssize_t written = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(size_));
+        if (written > 0) {
+            size_ += static_cast<std::uint64_t>(written);
+            bytes = bytes.subspan(static_cast<std::size_t>(written));
+        } else if (written == 0 || errno != EINTR) {
+            status_ = failed(written == 0 ? ENOSPC : errno);
+        }
+    }
+    if (!status_)
+        return status_.error();
+    return offset;
+}
+
+Status SpoolFile::read(std::uint64_t offset, std::span<std::byte> bytes) const
+{
+    while (!bytes.empty()) {
+        const ssize_t count = ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+        if (count > 0) {
+            offset += static_cast<std::uint64_t>(count);
+            bytes = bytes.subspan(static_cast<std::size_t>(count));
+        } else if (count == 0 || errno != EINTR) {
+            return failed(count == 0 ? EIO : errno);
+        }
+    }
+    return {};
+}
+
+} // namespace tetra
