@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/box_refinement.h"
 
+#include "core/base/simd.h"
+
 #include <algorithm>
 
 namespace tetra {
@@ -37,7 +39,7 @@ std::uint32_t BoxRefinement::takeBucketNumber()
 }
 
 /// Makes the buckets of `slots` out of what the relocation placed into the tetrahedra of its star.
-void BoxRefinement::fillBuckets(std::span<const std::uint32_t> slots)
+TETRA_SIMD_CLONES void BoxRefinement::fillBuckets(std::span<const std::uint32_t> slots)
 {
     // Which tetrahedra have points at all is told without a branch, because nobody could predict it.
     std::size_t filledCount = 0;
@@ -67,7 +69,7 @@ void BoxRefinement::fillBuckets(std::span<const std::uint32_t> slots)
 
 /// Takes the points of the last insertion's cavity, without `apex`, and the history numbers of what it destroyed, and
 /// gives the buckets back.
-void BoxRefinement::collectDestroyed(PackedPoint apex)
+TETRA_SIMD_CLONES void BoxRefinement::collectDestroyed(PackedPoint apex)
 {
     destroyedHistory_.clear();
     destroyedBuckets_.clear();

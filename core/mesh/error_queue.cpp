@@ -56,7 +56,12 @@ bool ErrorQueue::openNextClass(std::span<const PointBucket> buckets)
             sorted_.push_back(candidate(entry.bucket, buckets[entry.bucket]));
         else
             --entryCount_;
-    std::vector<Waiting>().swap(waiting);
+    // Most classes are small and come again with the next box; the room of a large one is given back.
+    constexpr std::size_t roomWorthKeeping = 64;
+    if (waiting.capacity() > roomWorthKeeping)
+        std::vector<Waiting>().swap(waiting);
+    else
+        waiting.clear();
     std::sort(sorted_.begin(), sorted_.end());
     return true;
 }

@@ -193,7 +193,7 @@ TETRA_SIMD_CLONES void LatticeDelaunay::findCavity(PackedPoint point, std::uint3
     cavityFaces_.resize(faceCount());
 }
 
-void LatticeDelaunay::gatherStar(PackedPoint point)
+TETRA_SIMD_CLONES void LatticeDelaunay::gatherStar(PackedPoint point)
 {
     starFaces_.resize(cavityFaces_.size());
     for (std::size_t i = 0; i < cavityFaces_.size(); ++i) {
@@ -228,7 +228,7 @@ bool LatticeDelaunay::takeSlots()
     return true;
 }
 
-void LatticeDelaunay::writeStar(PackedPoint point)
+TETRA_SIMD_CLONES void LatticeDelaunay::writeStar(PackedPoint point)
 {
     const std::size_t count = created_.size();
     const std::uint32_t* const slots = created_.data();

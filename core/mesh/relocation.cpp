@@ -47,7 +47,7 @@ TETRA_SIMD_CLONES void makeKeys(const double* errors, const PackedPoint* points,
 
 } // namespace
 
-void Relocation::findWorst(std::size_t faceCount)
+TETRA_SIMD_CLONES void Relocation::findWorst(std::size_t faceCount)
 {
     keys_.resize(points_.size());
     makeKeys(errors_.data(), points_.data(), points_.size(), keys_.data());

@@ -92,7 +92,7 @@ Status Star::attach(const PackedLattice& lattice)
 }
 
 /// Finds the distinct vertices of the faces. Without a branch on whether one is new, which nobody could predict.
-void Star::numberRim(std::span<const std::array<PackedPoint, 3>> faces)
+TETRA_SIMD_CLONES void Star::numberRim(std::span<const std::array<PackedPoint, 3>> faces)
 {
     rimStart_ += rimCount_;
     // After four thousand million rim vertices the stamps begin anew.
@@ -142,7 +142,8 @@ void Star::set(PackedPoint apex, std::span<const std::array<PackedPoint, 3>> fac
 }
 
 /// An edge (u, v) of one face is (v, u) of its partner: note, then look up, without a branch.
-template <class Stride> void Star::linkFaces(std::span<const std::uint32_t> names, Stride stride)
+template <class Stride>
+[[gnu::always_inline]] inline void Star::linkFaces(std::span<const std::uint32_t> names, Stride stride)
 {
     const std::size_t count = corners_.size();
     std::uint32_t* const edges = edges_.data();
@@ -158,7 +159,8 @@ template <class Stride> void Star::linkFaces(std::span<const std::uint32_t> name
     }
 }
 
-std::span<const std::array<std::uint32_t, 3>> Star::partners(std::span<const std::uint32_t> names, std::uint32_t absent)
+TETRA_SIMD_CLONES std::span<const std::array<std::uint32_t, 3>> Star::partners(std::span<const std::uint32_t> names,
+                                                                               std::uint32_t absent)
 {
     constexpr std::size_t usualStride = 32;
     if (rimCount_ > edgeStride_) {
