@@ -122,7 +122,9 @@ Result<Outcome> runBuild(const Invocation& invocation)
                    {.live = nullptr, .keepWhenCancelled = &keep, .resume = arguments.has("resume")});
     if (!build)
         return build.error();
-    return describe(*build, output);
+    Outcome outcome = describe(*build, output);
+    addRemarks(*dataset, outcome);
+    return outcome;
 }
 
 } // namespace tetra

@@ -91,4 +91,14 @@ std::string datasetText(const DatasetSummary& summary)
     return text + ", values " + rounded(summary.range.minimum, 6) + " to " + rounded(summary.range.maximum, 6);
 }
 
+void addRemarks(const Dataset& dataset, Outcome& outcome)
+{
+    QJsonArray remarks;
+    for (const std::string& remark : dataset.remarks) {
+        remarks.append(QString::fromStdString(remark));
+        outcome.text += remark + "\n";
+    }
+    outcome.figures["remarks"] = remarks;
+}
+
 } // namespace tetra

@@ -30,4 +30,7 @@ QJsonObject datasetFigures(const DatasetSummary& summary);
 /// The same for people, a line.
 std::string datasetText(const DatasetSummary& summary);
 
+/// What reading the dataset changed: "remarks", and a line of the text each.
+void addRemarks(const Dataset& dataset, Outcome& outcome);
+
 } // namespace tetra

@@ -107,6 +107,7 @@ Result<Outcome> describeDataset(const Invocation& invocation, const std::string&
                     .text = path + ": " + dataset->source.name + ", " + datasetText(summary) + "\n"};
     outcome.figures["source"] = toQString(dataset->source.name);
     outcome.figures["bytes"] = static_cast<qint64>(problem ? 0 : bytes);
+    addRemarks(*dataset, outcome);
     return outcome;
 }
 

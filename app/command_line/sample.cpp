@@ -75,25 +75,31 @@ Syntax sampleSyntax(PluginHost& host)
     Syntax syntax{
         .purpose = "make a dataset from a formula, to try things without data",
         .explanation =
-            "The dataset is a cube of samples, or a curvilinear grid (blunt-body, o-grid, bent-duct, stretched), with "
-            "values from 0 to 1, or over the whole range of an integer type. It is the same on every machine. Cubes "
-            "are written as .nrrd, curvilinear grids as .xyz with a .q file beside it (PLOT3D).",
+            "The dataset is a cube of samples, a curvilinear grid (blunt-body, o-grid, bent-duct, stretched), or "
+            "scattered points, with values from 0 to 1, or over the whole range of an integer type. It is the same on "
+            "every machine. Cubes are written as .nrrd, curvilinear grids as .xyz with a .q file beside it (PLOT3D), "
+            "scattered points as .csv.",
         .positionals = {{"NAME", "Which one: " + names + ".", false}},
-        .options =
-            {outputOption("FILE", "The file to write; its ending says the format.", false),
-             {.name = "size",
-              .placeholder = "N",
-              .explanation = "Samples along each axis, " + std::to_string(smallestSampleSize) + " to " +
-                             std::to_string(largestSampleSize) + ".",
-              .byDefault = std::to_string(defaultSize)},
-             {.name = "type",
-              .placeholder = typeNames(),
-              .explanation = "The type of the samples.",
-              .byDefault = "the sample's own"},
-             {.name = "seed", .placeholder = "N", .explanation = "Another noise for each number.", .byDefault = "1"},
-             {.name = "list", .placeholder = "", .explanation = "Only say which samples there are."}},
+        .options = {outputOption("FILE", "The file to write; its ending says the format.", false),
+                    {.name = "size",
+                     .placeholder = "N",
+                     .explanation = "Samples along each axis, " + std::to_string(smallestSampleSize) + " to " +
+                                    std::to_string(largestSampleSize) +
+                                    "; of scattered points the cube root of their " + "number, to " +
+                                    std::to_string(largestScatteredSize) + ".",
+                     .byDefault = std::to_string(defaultSize)},
+                    {.name = "type",
+                     .placeholder = typeNames(),
+                     .explanation = "The type of the samples.",
+                     .byDefault = "the sample's own"},
+                    {.name = "seed",
+                     .placeholder = "N",
+                     .explanation = "Another noise or other points for each number.",
+                     .byDefault = "1"},
+                    {.name = "list", .placeholder = "", .explanation = "Only say which samples there are."}},
         .examples = {{"tan sample c60 --size 64 -o c60.nrrd", "The electrons around a ball of sixty carbon atoms."},
                      {"tan sample blunt-body --size 48 -o body.xyz", "A curvilinear grid; body.q holds its values."},
+                     {"tan sample scattered --size 20 -o ball.csv", "8000 random points in a ball."},
                      {"tan sample --list", "What there is."}}};
     addPluginOptions(syntax, allParameters(host.writers()));
     return syntax;

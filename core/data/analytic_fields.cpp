@@ -3,6 +3,7 @@
 
 #include "core/data/analytic_functions.h"
 #include "core/data/analytic_grids.h"
+#include "core/data/analytic_points.h"
 #include "core/data/sample_buffer.h"
 
 #include <tbb/parallel_for.h>
@@ -22,7 +23,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::array<SampleKind, 8> kinds = {{
+constexpr std::array<SampleKind, 9> kinds = {{
     {"c60", "electron density of the C60 molecule, a hollow ball of smooth bumps", SampleType::UInt8},
     {"hydrogen", "probability density of the hydrogen atom's 3d electron: two lobes and a ring", SampleType::Float32},
     {"marschner-lobb", "the test signal of Marschner and Lobb: ripples that are hard to reproduce",
@@ -35,6 +36,8 @@ constexpr std::array<SampleKind, 8> kinds = {{
     {"bent-duct", "flow through a bent duct: a curvilinear grid", SampleType::Float32, DomainClass::Curvilinear},
     {"stretched", "a layer at a wall: a rectilinear grid with spacings that grow", SampleType::Float32,
      DomainClass::Curvilinear},
+    {"scattered", "random points in a ball, with waves that grow finer outwards", SampleType::Float32,
+     DomainClass::Scattered},
 }};
 
 RowFunction rowFunction(const SampleRequest& request)
@@ -121,6 +124,47 @@ Status fillGrid(const GridFunction& grid, SampleType type, std::uint32_t size, s
     });
 }
 
+/// On one thread: each random number follows from the one before.
+Status fillBall(std::uint64_t seed, SampleType type, std::byte* samples, std::vector<Eigen::Vector3d>& positions,
+                const Progress& progress)
+{
+    constexpr std::size_t pointsBetweenReports = 1 << 14;
+    constexpr std::string_view activity = "Making the sample";
+    ScatteredBall ball(seed);
+    std::vector<double> row;
+    for (std::size_t first = 0; first < positions.size(); first += row.size()) {
+        if (progress.cancelled())
+            return cancelledError(activity);
+        row.resize(std::min(pointsBetweenReports, positions.size() - first));
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const ScatteredPoint point = ball.next();
+            positions[first + i] = point.position;
+            row[i] = point.value;
+        }
+        storeRow(row, type, first, samples);
+        progress.report(static_cast<double>(first + row.size()) / static_cast<double>(positions.size()), activity);
+    }
+    return {};
+}
+
+std::string nameOf(const SampleKind& kind, std::uint32_t size)
+{
+    const std::string edge = std::to_string(size);
+    const std::string points = std::to_string(std::uint64_t(size) * size * size);
+    return std::string(kind.name) + " " +
+           (kind.domain == DomainClass::Scattered ? points : edge + "x" + edge + "x" + edge);
+}
+
+Status checkSize(const SampleKind& kind, std::uint32_t size)
+{
+    const std::uint32_t largest = kind.domain == DomainClass::Scattered ? largestScatteredSize : largestSampleSize;
+    if (size >= smallestSampleSize && size <= largest)
+        return {};
+    return Error{ErrorKind::WrongUsage, "The sample '" + std::string(kind.name) + "' has from " +
+                                            std::to_string(smallestSampleSize) + " to " + std::to_string(largest) +
+                                            " points along each axis, not " + std::to_string(size) + "."};
+}
+
 } // namespace
 
 std::span<const SampleKind> sampleKinds()
@@ -133,10 +177,8 @@ try {
     const auto kind = std::ranges::find(kinds, request.name, &SampleKind::name);
     if (kind == kinds.end())
         return unknownKind(request.name);
-    if (request.size < smallestSampleSize || request.size > largestSampleSize)
-        return Error{ErrorKind::WrongUsage, "A sample has from " + std::to_string(smallestSampleSize) + " to " +
-                                                std::to_string(largestSampleSize) + " points along each axis, not " +
-                                                std::to_string(request.size) + "."};
+    if (const Status fits = checkSize(*kind, request.size); !fits)
+        return fits.error();
     const SampleType type = request.type.value_or(kind->type);
     Dataset dataset;
     dataset.lattice.size = {request.size, request.size, request.size};
@@ -149,6 +191,11 @@ try {
         auto positions = std::make_shared<std::vector<Eigen::Vector3d>>(count);
         filled = fillGrid(grid, type, request.size, samples->get(), *positions, progress);
         dataset.positions = std::move(positions);
+    } else if (kind->domain == DomainClass::Scattered) {
+        auto positions = std::make_shared<std::vector<Eigen::Vector3d>>(count);
+        filled = fillBall(request.seed, type, samples->get(), *positions, progress);
+        dataset.positions = std::move(positions);
+        dataset.lattice.size = {static_cast<std::uint32_t>(count), 1, 1};
     } else {
         filled = fillCube(rowFunction(request), type, request.size, samples->get(), progress);
     }
@@ -156,8 +203,7 @@ try {
         return filled.error();
     dataset.domain = kind->domain;
     dataset.values = ScalarField(type, count, *std::move(samples));
-    const std::string size = std::to_string(request.size);
-    dataset.source.name = std::string(kind->name) + " " + size + "x" + size + "x" + size;
+    dataset.source.name = nameOf(*kind, request.size);
     dataset.source.hash = contentHash(dataset.values, dataset.positions);
     return dataset;
 } catch (const std::bad_alloc&) {

@@ -20,24 +20,26 @@ struct SampleKind {
     DomainClass domain = DomainClass::RegularLattice;
 };
 
-/// All kinds: c60, hydrogen, marschner-lobb, noise; the curvilinear grids blunt-body, o-grid, bent-duct, stretched.
+/// All kinds: c60, hydrogen, marschner-lobb, noise; the curvilinear grids blunt-body, o-grid, bent-duct, stretched;
+/// scattered points: scattered.
 std::span<const SampleKind> sampleKinds();
 
 struct SampleRequest {
     std::string_view name = "c60";
     std::uint32_t size = 64;        ///< points along each axis, from smallestSampleSize to largestSampleSize
     std::optional<SampleType> type; ///< the kind's own if nothing is said
-    std::uint64_t seed = 1;         ///< of noise; the other kinds have no chance in them
+    std::uint64_t seed = 1;         ///< of noise and scattered; the other kinds have no chance in them
 };
 
 constexpr std::uint32_t smallestSampleSize = 2;
 constexpr std::uint32_t largestSampleSize = 2048;
+constexpr std::uint32_t largestScatteredSize = 512; ///< of scattered points: the cube root of their number
 
-/// Makes the dataset on all threads: a cube with spacing 1 and origin 0, or a curvilinear grid. Every field has values
-/// in [0, 1]; floating-point types hold them as they are, integer types hold value * largest number of the type,
-/// rounded to nearest. The samples are the same bits on every machine and with any number of threads. Errors: unknown
-/// name (naming the known ones), size out of bounds, not enough memory, cancelled. Formulas and sources:
-/// core/data/analytic_functions.h and analytic_grids.h.
+/// Makes the dataset on all threads: a cube with spacing 1 and origin 0, a curvilinear grid, or size^3 scattered
+/// points. Every field has values in [0, 1]; floating-point types hold them as they are, integer types hold value *
+/// largest number of the type, rounded to nearest. The samples are the same bits on every machine and with any number
+/// of threads. Errors: unknown name (naming the known ones), size out of bounds, not enough memory, cancelled. Formulas
+/// and sources: core/data/analytic_functions.h, analytic_grids.h and analytic_points.h.
 Result<Dataset> makeSample(const SampleRequest& request, const Progress& progress = {});
 
 } // namespace tetra

@@ -2,6 +2,7 @@
 #include "core/data/analytic_functions.h"
 
 #include "core/base/portable_math.h"
+#include "core/data/split_mix.h"
 
 #include <Eigen/Core>
 
@@ -123,10 +124,7 @@ RowFunction whiteNoise(std::uint32_t size, std::uint64_t seed)
     return [size, seed](std::uint32_t j, std::uint32_t k, std::span<double> row) {
         const std::uint64_t first = (std::uint64_t(k) * size + j) * size;
         for (std::size_t i = 0; i < row.size(); ++i) {
-            std::uint64_t bits = seed + (first + i + 1) * 0x9e3779b97f4a7c15u;
-            bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9u;
-            bits = (bits ^ bits >> 27) * 0x94d049bb133111ebu;
-            bits ^= bits >> 31;
+            const std::uint64_t bits = splitMix(seed + (first + i + 1) * splitMixStep);
             row[i] = static_cast<double>(bits >> 11) * 0x1p-53;
         }
     };

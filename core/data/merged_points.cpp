@@ -63,9 +63,11 @@ std::string mergeRemark(const MergedPoints& merged)
 {
     if (merged.removed == 0)
         return {};
-    std::string text = std::to_string(merged.removed) + " points on the place of another one were merged with it";
+    std::string text = std::to_string(merged.removed) + (merged.removed == 1 ? " point" : " points") +
+                       " on the place of another one " + (merged.removed == 1 ? "was" : "were") + " merged with it";
     if (merged.conflicting > 0)
-        text += "; " + std::to_string(merged.conflicting) + " places had different values and got their mean";
+        text += "; " + std::to_string(merged.conflicting) + (merged.conflicting == 1 ? " place" : " places") +
+                " had different values and got their mean";
     return text + ".";
 }
 

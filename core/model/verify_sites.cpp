@@ -12,10 +12,13 @@ namespace {
 /// "5 x 4 x 6 samples of type uint8"; a domain that is no regular lattice comes first.
 std::string kindText(DomainClass domain, const Lattice& lattice, SampleType type)
 {
+    const std::string ofType = " of type " + std::string(sampleTypeName(type));
+    if (domain == DomainClass::Scattered)
+        return std::to_string(lattice.pointCount()) + " scattered points" + ofType;
     const std::string kind =
         domain == DomainClass::RegularLattice ? std::string() : std::string(domainClassName(domain)) + ", ";
     return kind + std::to_string(lattice.size[0]) + " x " + std::to_string(lattice.size[1]) + " x " +
-           std::to_string(lattice.size[2]) + " samples of type " + std::string(sampleTypeName(type));
+           std::to_string(lattice.size[2]) + " samples" + ofType;
 }
 
 std::string hexadecimal(std::uint64_t number)

@@ -106,6 +106,30 @@ private slots:
         QVERIFY2(refused.messages.contains("it has 3 numbers, and the form is point:x,y,z,reach"), refused.messages);
     }
 
+    /// R1: from scattered points to the proof; what reading changed is told.
+    void scatteredPointsAreBuiltAndProved()
+    {
+        const Run sample = tan({"sample", "scattered", "--size", "8", "-o", "ball.csv", "--json"});
+        QVERIFY2(sample.exitCode == 0, sample.messages);
+        QCOMPARE(sample.json()["kind"].toString(), QString("scattered"));
+        QCOMPARE(sample.json()["points"].toInt(), 512);
+        const Run build = tan({"build", "ball.csv", "-o", "ball.tan", "--weight", "point:0,0,0,0.5", "--json"});
+        QVERIFY2(build.exitCode == 0, build.messages);
+        QVERIFY(build.json()["remarks"].toArray().isEmpty());
+        QCOMPARE(tan({"info", "ball.tan", "--json"}).json()["kind"].toString(), QString("scattered"));
+        const Run verify = tan({"verify", "ball.tan", "--against", "ball.csv", "--json"});
+        QVERIFY2(verify.exitCode == 0, verify.output);
+
+        QFile table(path("twice.csv"));
+        QVERIFY(table.open(QIODevice::WriteOnly));
+        table.write("x,y,z,v\n0,0,0,1\n1,0,0,2\n0,1,0,3\n0,0,1,4\n0,0,0,3\n");
+        table.close();
+        const QJsonArray remarks = tan({"info", "twice.csv", "--json"}).json()["remarks"].toArray();
+        QCOMPARE(remarks.size(), 1);
+        QVERIFY(remarks[0].toString().startsWith("1 point on the place of another one was merged"));
+        QVERIFY(tan({"build", "twice.csv", "-o", "twice.tan"}).output.contains(remarks[0].toString().toUtf8()));
+    }
+
     void verifySaysNo()
     {
         QVERIFY(tan({"sample", "noise", "--size", "12", "-o", "noise.nrrd"}).exitCode == 0);

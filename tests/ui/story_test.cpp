@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/data/analytic_fields.h"
+#include "plugins/host/dataset_saving.h"
 #include "tests/ui/pictures.h"
 #include "tests/ui/window_fixture.h"
 
@@ -22,6 +24,7 @@ private slots:
     void initTestCase();
     void openBuildLook();
     void theBuckyBall();
+    void scatteredPoints();
 
 private:
     static void buildThere(const WindowFixture& window, const QString& dataset);
@@ -130,6 +133,27 @@ void StoryTest::theBuckyBall()
     QVERIFY(window.workbench.session().meshSize().sites <= 14372 * 1.02);
     dragAccuracy(window);
     addTwoIsovalues(window);
+}
+
+/// R1: a table of points becomes surfaces; what reading it changed is told before it is built.
+void StoryTest::scatteredPoints()
+{
+    WindowFixture window;
+    window.window.show();
+    const QString file = window.folder.filePath("ball.csv");
+    const auto ball = makeSample({"scattered", 10, {}, 1});
+    QVERIFY(ball.ok() && saveDataset(*window.host, *ball, file.toStdString()).ok());
+    QFile table(file);
+    QVERIFY(table.open(QIODevice::Append) && table.write("0,0,0,1\n0,0,0,1\n") > 0);
+    table.close();
+
+    buildThere(window, file);
+    const QString facts = window.find<QLabel>("build.facts").text();
+    QVERIFY2(facts.contains("1001 scattered points"), qPrintable(facts));
+    QVERIFY2(facts.contains("1 point on the place of another one was merged with it."), qPrintable(facts));
+    QVERIFY(!window.viewport().scene()->surfaces.empty());
+    QVERIFY(window.viewport().scene()->surfaces[0].mesh->triangles.size() > 100);
+    dragAccuracy(window);
 }
 
 QTEST_MAIN(StoryTest)

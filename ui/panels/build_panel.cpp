@@ -235,7 +235,10 @@ void BuildPanel::showDataset()
 {
     const Dataset& dataset = *workbench_.dataset();
     name_->setText(QString::fromStdString(dataset.source.name));
-    facts_->setText(factsOf(dataset));
+    QStringList facts = {factsOf(dataset)};
+    for (const std::string& remark : dataset.remarks)
+        facts << QString::fromStdString(remark);
+    facts_->setText(facts.join('\n'));
     differently_->setVisible(workbench_.canReadDifferently());
     const QSignalBlocker blocker(builder_);
     builder_->clear();

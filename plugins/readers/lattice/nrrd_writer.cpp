@@ -87,7 +87,8 @@ try {
     if (dataset.domain != DomainClass::RegularLattice)
         return Error{ErrorKind::WrongUsage, "NRRD files hold regular lattices, and '" + dataset.source.name + "' is " +
                                                 std::string(domainClassName(dataset.domain)) +
-                                                ". Give the file another ending, such as .xyz for PLOT3D."};
+                                                ". Give the file another ending: .xyz for curvilinear grids, .csv for "
+                                                "scattered points."};
     Result<FileWriter> file = FileWriter::create(path);
     if (!file)
         return file.error();

@@ -119,8 +119,9 @@ Status Plot3dWriter::write(const Dataset& dataset, const std::filesystem::path& 
                            const Progress& progress) const
 try {
     if (dataset.domain != DomainClass::RegularLattice && dataset.domain != DomainClass::Curvilinear)
-        return Error{ErrorKind::WrongUsage, "PLOT3D files hold points on a grid, and '" + dataset.source.name +
-                                                "' is not. Give the file another ending."};
+        return Error{ErrorKind::WrongUsage,
+                     "PLOT3D files hold points on a grid, and '" + dataset.source.name +
+                         "' is not. Give the file another ending, such as .csv for scattered points."};
     std::filesystem::path solutionPath = path;
     solutionPath.replace_extension(".q");
     Result<FileWriter> solution = FileWriter::create(solutionPath);

@@ -43,7 +43,9 @@ Dataset datasetOf(PointTable table, const std::filesystem::path& path)
     Dataset dataset;
     const std::string merged = mergeRemark(mergePoints(table.positions, table.values));
     if (table.skippedRows > 0)
-        dataset.remarks.push_back(std::to_string(table.skippedRows) + " incomplete rows were skipped.");
+        dataset.remarks.push_back(std::to_string(table.skippedRows) + (table.skippedRows == 1
+                                                                           ? " incomplete row was skipped."
+                                                                           : " incomplete rows were skipped."));
     if (!merged.empty())
         dataset.remarks.push_back(merged);
     const auto values = std::make_shared<const std::vector<double>>(std::move(table.values));

@@ -2,6 +2,7 @@
 #include "plugins/readers/points/point_table.h"
 
 #include "core/base/number_text.h"
+#include "plugins/readers/points/chemical_structure.h"
 #include "plugins/readers/points/delimited_text.h"
 #include "plugins/readers/points/point_columns.h"
 
@@ -192,6 +193,9 @@ Result<PointTable> readPointTable(std::string_view text, const PointTableRequest
         return Error{ErrorKind::BadInput, "it is in UTF-16. Save it as UTF-8."};
     if (text.find('\0') != std::string_view::npos)
         return Error{ErrorKind::BadInput, "it is not a text."};
+    if (isChemicalStructure(text))
+        return Error{ErrorKind::BadInput, "it is a chemical structure: elements and where their atoms are. A table of "
+                                          "points is wanted, with a value for each x, y and z."};
     return TableReading(text, request).run(progress);
 }
 

@@ -183,6 +183,14 @@ private slots:
         QVERIFY2(textOf(verdict).contains(finding), qPrintable(textOf(verdict)));
     }
 
+    void anotherDatasetIsNamed()
+    {
+        const auto model = build(points(60, false, 1));
+        const QString text = textOf(verify(*model, points(61, false, 1), {{0}}));
+        QVERIFY2(text.contains("another dataset: 60 scattered points of type double"), qPrintable(text));
+        QVERIFY2(text.contains("has 61 scattered points of type double."), qPrintable(text));
+    }
+
     void otherPositionsAreFound()
     {
         const Dataset dataset = points(100, false, 3);

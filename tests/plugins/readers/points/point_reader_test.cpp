@@ -104,6 +104,10 @@ private slots:
         QTest::newRow("open quote") << QByteArray("x,y,z,v\n1,2,3,\"4\n") << "line 2 has a double quote";
         QTest::newRow("huge") << QByteArray("x,y,z,v\n1e200,2,3,4\n") << "too large for a position";
         QTest::newRow("binary") << QByteArray("x,y\0,z,v\n", 9) << "is not a text";
+        QTest::newRow("chemical") << QByteArray("3\nwater 1 2 3 4\nO 0 0 0\nH 0 1 0\nH 1 0 0\n")
+                                  << "is a chemical structure";
+        QTest::newRow("chemical, no comment")
+            << QByteArray(" 60\r\n\r\n  Cl1  0.1 -2 3e0 0.5\r\n") << "is a chemical structure";
         QTest::newRow("UTF-16") << QByteArray("\xff\xfex\0,\0", 6) << "UTF-16";
     }
     void badTablesAreRefusedWithTheLine()
@@ -138,7 +142,7 @@ private slots:
         QCOMPARE(dataset->values.at(0), 10.0);
         QCOMPARE(dataset->values.at(1), 8.0);
         QCOMPARE(dataset->remarks,
-                 std::vector<std::string>{"4 points on the place of another one were merged with it; 1 places had "
+                 std::vector<std::string>{"4 points on the place of another one were merged with it; 1 place had "
                                           "different values and got their mean."});
     }
 
