@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/blocks/merged_model.h"
 
-#include "core/model/blocks/merged_stars.h"
-
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
@@ -29,8 +27,8 @@ using PiecePointer = std::shared_ptr<Piece>;
 class StarPipeline {
 public:
     StarPipeline(const RunFiles& runs, const MergedNumbers& numbers, PlannedModelWriter& writer,
-                 const Progress& progress)
-        : runs_(runs), numbers_(numbers), writer_(writer), progress_(progress), maker_(runs)
+                 const Progress& progress, std::uint64_t sliceTetrahedra)
+        : runs_(runs), numbers_(numbers), writer_(writer), progress_(progress), maker_(runs, sliceTetrahedra)
     {
     }
 
@@ -119,7 +117,7 @@ void StarPipeline::fail(const Error& error)
 }
 
 Result<PlannedCounts> merge(RunFiles& runs, const std::filesystem::path& workFolder, const PlannedModelOpener& open,
-                            const Progress& progress)
+                            const Progress& progress, std::uint64_t sliceTetrahedra)
 {
     if (const Status opened = runs.open(); !opened)
         return opened.error();
@@ -137,7 +135,7 @@ Result<PlannedCounts> merge(RunFiles& runs, const std::filesystem::path& workFol
     if (!writer)
         return writer.error();
     const Progress writing = progress.part(numberedShare, 1);
-    if (const Status merged = StarPipeline(runs, *numbers, **writer, writing).run(); !merged)
+    if (const Status merged = StarPipeline(runs, *numbers, **writer, writing, sliceTetrahedra).run(); !merged)
         return merged.error();
     if (progress.cancelled())
         return cancelledError("Merging the blocks");
@@ -149,10 +147,10 @@ Result<PlannedCounts> merge(RunFiles& runs, const std::filesystem::path& workFol
 } // namespace
 
 Result<PlannedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const PlannedModelOpener& open,
-                                const Progress& progress)
+                                const Progress& progress, std::uint64_t sliceTetrahedra)
 {
     try {
-        return merge(runs, workFolder, open, progress);
+        return merge(runs, workFolder, open, progress, sliceTetrahedra);
     } catch (const std::bad_alloc&) {
         return Error{ErrorKind::OutOfResource,
                      "Not enough memory to merge the blocks. Close other programs, or ask for "

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/model/blocks/run_files.h"
+#include "core/model/blocks/merged_stars.h"
 #include "core/model/planned_model_writer.h"
 
 #include <filesystem>
@@ -15,9 +15,9 @@ namespace tetra {
 using PlannedModelOpener = std::function<Result<std::unique_ptr<PlannedModelWriter>>(const PlannedCounts&)>;
 
 /// Merges the runs of all blocks into one model, on all threads that TBB may use; the result does not depend on their
-/// number. Memory: some buffers, the sites of one batch, and the tetrahedra of the largest group. Errors: the runs' and
-/// the model's files, memory, cancelled.
+/// number nor on the slices in which large groups are taken. Memory: some buffers, the sites of one batch, and a slice
+/// a thread. Errors: the runs' and the model's files, memory, cancelled.
 Result<PlannedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const PlannedModelOpener& open,
-                                const Progress& progress);
+                                const Progress& progress, std::uint64_t sliceTetrahedra = usualSliceTetrahedra);
 
 } // namespace tetra

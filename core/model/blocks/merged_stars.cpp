@@ -12,8 +12,6 @@ namespace tetra {
 namespace {
 
 constexpr std::uint64_t tetrahedraInChunk = 1 << 18;
-/// Larger groups are cut; each slice reads all parts that reach into it, so not too thin.
-constexpr std::uint64_t tetrahedraInSlice = 1 << 20;
 
 /// The chunk's tetrahedra as they stand in the runs, read with as few calls as their places allow.
 class ChunkReader {
@@ -131,7 +129,7 @@ Result<MergedChunk> ChunkMaker::next()
             return found.error();
         if (!*found)
             break;
-        if (group_.tetrahedronCount <= 2 * tetrahedraInSlice) {
+        if (group_.tetrahedronCount <= 2 * sliceTetrahedra_) {
             takeGroup(chunk);
         } else {
             if (chunk.points.empty())
@@ -165,7 +163,7 @@ Result<bool> ChunkMaker::findGroup()
         meshSize_ += part.tetrahedronCount;
         meshSize_ -= part.destroyedCount;
     }
-    const std::uint64_t slices = group_.tetrahedronCount / tetrahedraInSlice + 1;
+    const std::uint64_t slices = group_.tetrahedronCount / sliceTetrahedra_ + 1;
     sliceSites_ = static_cast<std::uint32_t>((group_.endPlace - place_) / slices + 1);
     inBatch_ = true;
     inGroup_ = true;
@@ -195,7 +193,7 @@ void ChunkMaker::takeSlice(MergedChunk& chunk)
             chunk.parts.push_back(part);
     }
     chunk.slice = true;
-    chunk.tetrahedronCount = tetrahedraInSlice;
+    chunk.tetrahedronCount = sliceTetrahedra_;
     takeSites(chunk, endPlace);
 }
 

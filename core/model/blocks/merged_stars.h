@@ -22,11 +22,17 @@ struct MergedChunk {
     std::uint64_t tetrahedronCount = 0; ///< of a slice about
 };
 
+/// Of a group that is cut; each slice reads all parts that reach into it, so not too thin.
+constexpr std::uint64_t usualSliceTetrahedra = 1 << 20;
+
 /// Cuts the merged batches of all runs into chunks of about the same number of tetrahedra. Groups are cut only if they
-/// have many more: where large parts of the data hardly differ, one group may hold a good part of a batch.
+/// have more than two slices: where large parts of the data hardly differ, one group may hold a good part of a batch.
 class ChunkMaker {
 public:
-    explicit ChunkMaker(const RunFiles& runs) : merge_(runs) {}
+    explicit ChunkMaker(const RunFiles& runs, std::uint64_t sliceTetrahedra = usualSliceTetrahedra)
+        : merge_(runs), sliceTetrahedra_(sliceTetrahedra)
+    {
+    }
 
     /// An empty chunk at the end.
     Result<MergedChunk> next();
@@ -45,6 +51,7 @@ private:
     void takeSites(MergedChunk& chunk, std::uint32_t endPlace);
 
     BlockMerge merge_;
+    std::uint64_t sliceTetrahedra_;
     bool inBatch_ = false;
     bool inGroup_ = false;
     Group group_;
