@@ -6,8 +6,29 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 
 namespace tetra {
+
+inline Error outOfMemoryInPlugin(const std::string& id)
+{
+    return {ErrorKind::OutOfResource, "The memory of this machine is not enough for '" + id +
+                                          "' here. Close other programs, or give it smaller data."};
+}
+
+/// What a plugin threw that the C++ library's texts explain. A machine that can start no more threads is not the
+/// plugin's fault.
+inline Error thrownByPlugin(const std::string& id, const std::exception& problem)
+{
+    const auto* const system = dynamic_cast<const std::system_error*>(&problem);
+    if (system != nullptr && system->code() == std::errc::resource_unavailable_try_again)
+        return {ErrorKind::OutOfResource, "This machine can start no more threads for '" + id +
+                                              "' now. Close other programs, or use fewer threads."};
+    if (system != nullptr && system->code() == std::errc::not_enough_memory)
+        return outOfMemoryInPlugin(id);
+    return {ErrorKind::BadInput, "The plugin '" + id + "' failed: " + problem.what() +
+                                     ". This is a mistake in the plugin; tell its author."};
+}
 
 /// Calls `work`, which gives a Result and belongs to the plugin `id`. Plugins should not throw; what one throws all the
 /// same becomes an error here.
@@ -16,11 +37,9 @@ template <class Work> auto callPlugin(const std::string& id, Work&& work) -> dec
     try {
         return work();
     } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource, "The memory of this machine is not enough for '" + id +
-                                                   "' here. Close other programs, or give it smaller data."};
+        return outOfMemoryInPlugin(id);
     } catch (const std::exception& problem) {
-        return Error{ErrorKind::BadInput, "The plugin '" + id + "' failed: " + problem.what() +
-                                              ". This is a mistake in the plugin; tell its author."};
+        return thrownByPlugin(id, problem);
     }
 }
 

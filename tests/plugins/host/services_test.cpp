@@ -164,6 +164,20 @@ private slots:
         const Status full = callPlugin("bad", []() -> Status { throw std::bad_alloc(); });
         QCOMPARE(full.error().kind, ErrorKind::OutOfResource);
     }
+
+    /// As std::thread and TBB throw them: the machine's limit is not a mistake of the plugin.
+    void limitsOfTheMachineAreNotBlamedOnThePlugin()
+    {
+        for (const std::errc limit : {std::errc::resource_unavailable_try_again, std::errc::not_enough_memory}) {
+            const Status failed =
+                callPlugin("good", [&]() -> Status { throw std::system_error(std::make_error_code(limit)); });
+            QCOMPARE(failed.error().kind, ErrorKind::OutOfResource);
+            QVERIFY(failed.error().text.find("mistake") == std::string::npos);
+        }
+        const Status other = callPlugin(
+            "bad", []() -> Status { throw std::system_error(std::make_error_code(std::errc::bad_address)); });
+        QCOMPARE(other.error().kind, ErrorKind::BadInput);
+    }
 };
 
 } // namespace tetra
