@@ -2,6 +2,7 @@
 #include "core/data/dataset.h"
 
 #include "core/base/checksum.h"
+#include "core/base/mapped_file.h"
 
 #include <span>
 
@@ -24,6 +25,15 @@ Eigen::AlignedBox3d Dataset::bounds() const
     for (const Eigen::Vector3d& position : *positions)
         box.extend(position);
     return box;
+}
+
+Status Dataset::checkIntact() const
+{
+    if (!mappedFile || !mappedFile->damaged())
+        return {};
+    return Error{ErrorKind::BadInput, "'" + mappedFile->path().string() +
+                                          "' was cut short or changed while it was open, so that what was made of it "
+                                          "would be wrong. Open it again; if that fails, get or make the file again."};
 }
 
 } // namespace tetra

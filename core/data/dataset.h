@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/result.h"
 #include "core/data/domain_class.h"
 #include "core/data/lattice.h"
 #include "core/data/scalar_field.h"
@@ -15,6 +16,8 @@
 #include <vector>
 
 namespace tetra {
+
+class MappedFile;
 
 /// Where a dataset came from: kept in every model built from it.
 struct Source {
@@ -41,6 +44,8 @@ struct Dataset {
     ScalarField values;                 ///< one sample per point, all finite
     Source source;
     std::vector<std::string> remarks{}; ///< what reading changed, in sentences for the user
+    /// The file whose bytes the values are; null if they are in memory.
+    std::shared_ptr<const MappedFile> mappedFile = nullptr;
 
     std::uint64_t pointCount() const noexcept { return values.count(); }
     Eigen::Vector3d position(std::uint64_t point) const
@@ -52,6 +57,9 @@ struct Dataset {
     }
     /// Of all points in physical space. O(1) for a regular lattice, else O(points).
     Eigen::AlignedBox3d bounds() const;
+    /// An error naming the mapped file if it was cut or changed: values read since may be zeros or others. Who made
+    /// something out of the values asks before it counts. One system call.
+    Status checkIntact() const;
 };
 
 } // namespace tetra

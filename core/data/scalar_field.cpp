@@ -13,6 +13,9 @@ namespace tetra {
 
 namespace {
 
+/// From one look at cancellation to the next: a slow disk reads as much in a second.
+constexpr std::size_t samplesInPiece = std::size_t(1) << 23;
+
 template <class T> struct Extremes {
     T minimum =
         std::numeric_limits<T>::has_infinity ? std::numeric_limits<T>::infinity() : std::numeric_limits<T>::max();
@@ -35,6 +38,11 @@ template <class T> Extremes<T> extend(Extremes<T> extremes, std::span<const T> s
     return extremes;
 }
 
+template <class T> Extremes<T> joined(const Extremes<T>& a, const Extremes<T>& b)
+{
+    return {std::min(a.minimum, b.minimum), std::max(a.maximum, b.maximum), a.notFinite + b.notFinite};
+}
+
 template <class T> Extremes<T> extremesOf(std::span<const T> samples)
 {
     using Part = tbb::blocked_range<std::size_t>;
@@ -43,10 +51,7 @@ template <class T> Extremes<T> extremesOf(std::span<const T> samples)
         [&](const Part& part, const Extremes<T>& before) {
             return extend(before, samples.subspan(part.begin(), part.size()));
         },
-        [](const Extremes<T>& a, const Extremes<T>& b) {
-            return Extremes<T>{std::min(a.minimum, b.minimum), std::max(a.maximum, b.maximum),
-                               a.notFinite + b.notFinite};
-        });
+        joined<T>);
 }
 
 } // namespace
@@ -54,11 +59,37 @@ template <class T> Extremes<T> extremesOf(std::span<const T> samples)
 ScalarField::ScalarField(SampleType type, std::uint64_t count, std::shared_ptr<const std::byte> samples)
     : type_(type), count_(count), samples_(std::move(samples))
 {
-    visitSampleType(type_, [this]<class T>() {
-        const Extremes<T> extremes = extremesOf(as<T>());
+    findRange({});
+}
+
+Result<ScalarField> ScalarField::scanned(SampleType type, std::uint64_t count, std::shared_ptr<const std::byte> samples,
+                                         const Progress& progress)
+{
+    ScalarField field;
+    field.type_ = type;
+    field.count_ = count;
+    field.samples_ = std::move(samples);
+    if (!field.findRange(progress))
+        return cancelledError("Reading");
+    return field;
+}
+
+bool ScalarField::findRange(const Progress& progress)
+{
+    return visitSampleType(type_, [&]<class T>() {
+        const std::span<const T> samples = as<T>();
+        Extremes<T> extremes;
+        for (std::size_t begin = 0; begin < samples.size(); begin += samplesInPiece) {
+            if (progress.cancelled())
+                return false;
+            const auto piece = samples.subspan(begin, std::min(samplesInPiece, samples.size() - begin));
+            extremes = joined(extremes, extremesOf(piece));
+            progress.report(static_cast<double>(begin + piece.size()) / static_cast<double>(count_), "Reading");
+        }
         notFinite_ = extremes.notFinite;
         if (notFinite_ < count_)
             range_ = {static_cast<double>(extremes.minimum), static_cast<double>(extremes.maximum)};
+        return true;
     });
 }
 

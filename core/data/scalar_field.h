@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "core/data/sample_type.h"
 
 #include <cassert>
@@ -26,6 +28,9 @@ public:
     /// `samples` holds at least `count` samples of `type` and keeps what it points into (an array, a mapped file)
     /// alive.
     ScalarField(SampleType type, std::uint64_t count, std::shared_ptr<const std::byte> samples);
+    /// The same for samples that may take long to go through, as those of a mapped file do. Errors: cancelled.
+    static Result<ScalarField> scanned(SampleType type, std::uint64_t count, std::shared_ptr<const std::byte> samples,
+                                       const Progress& progress);
 
     SampleType type() const noexcept { return type_; }
     std::uint64_t count() const noexcept { return count_; }
@@ -45,6 +50,9 @@ public:
     std::uint64_t notFiniteCount() const noexcept { return notFinite_; }
 
 private:
+    /// False when cancelled.
+    bool findRange(const Progress& progress);
+
     SampleType type_ = SampleType::UInt8;
     std::uint64_t count_ = 0;
     std::uint64_t notFinite_ = 0;

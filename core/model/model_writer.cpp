@@ -210,6 +210,8 @@ Status HistoryFileWriter::writeArrays(float finalError)
     header.siteCount = siteCount();
     header.tetrahedronCount = tetrahedronCount();
     header.finalError = finalError;
+    if (const Status intact = dataset_.checkIntact(); !intact)
+        return intact;
     return sections_.finish(header);
 }
 

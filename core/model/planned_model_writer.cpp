@@ -120,6 +120,8 @@ Status PlannedModelWriter::finish(float finalKey)
     header.siteCount = planned_.sites;
     header.tetrahedronCount = planned_.tetrahedra;
     header.finalError = finalKey;
+    if (const Status intact = dataset_.checkIntact(); !intact)
+        return intact;
     return sections_.finish(header);
 }
 

@@ -71,6 +71,8 @@ Result<Verdict> verifyAll(const Model& model, const Dataset& original, const std
     }
     if (const Status intact = model.checkIntact(); !intact)
         return intact.error();
+    if (const Status intact = original.checkIntact(); !intact)
+        return intact.error();
     return verdict;
 }
 

@@ -109,6 +109,9 @@ Result<EndedBuild> buildInto(const Builder& builder, const std::string& id, cons
     if (!report) {
         if (control.resume)
             folder->keep();
+        // What a builder makes of values that change under it may fail in any way.
+        if (const Status intact = dataset.checkIntact(); !intact && report.error().kind != ErrorKind::Cancelled)
+            return intact.error();
         return report.error();
     }
     if ((*writer)->siteCount() > 0)
@@ -164,6 +167,8 @@ Result<ModelBuild> buildModel(PluginHost& host, const Dataset& dataset, const st
 
     if (progress.cancelled())
         return cancelledError("The build");
+    if (const Status intact = dataset.checkIntact(); !intact)
+        return intact.error();
     const auto start = std::chrono::steady_clock::now();
     const auto ended = buildInto(*builder->plugin, builder->id, dataset, values, output, progress, control);
     if (!ended)

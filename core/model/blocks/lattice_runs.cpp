@@ -122,6 +122,9 @@ Status RunMaker::make(std::uint32_t block, LatticeRefiner& refiner, BlockRunReco
     if (!refined)
         return refined.error();
     reportPoints((1 - told) * points);
+    if (options_.samplesIntact)
+        if (const Status intact = options_.samplesIntact(); !intact)
+            return intact;
     return recorder.write(runs_.path(block), runs_.fingerprint(), block);
 }
 

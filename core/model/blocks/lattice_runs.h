@@ -23,8 +23,10 @@ struct LatticeRunsOptions {
     BlockDivision division{{2, 2, 2}, 0};
     LatticeBoxOptions box;    ///< for every block but for its place: lattice size, metric, value extent, stop
     bool reuseIntact = false; ///< runs that are there already are not made again
+    /// Asked before a run is written; an Error ends the work. Called from any thread.
+    std::function<Status()> samplesIntact;
     /// Asked after each block with what there is and what there will be as it seems, from a first sample of blocks on;
-    /// an Error ends the work. Called from one thread at a time.
+    /// an Error ends the work. Called from one thread at a time, and not while progress is told.
     std::function<Status(const RunTotals& soFar, const RunTotals& expected)> check;
 };
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <new>
 
 namespace tetra {
@@ -100,20 +101,46 @@ Result<Volume> openVolume(const fs::path& path, const ParameterValues& values)
     return openRaw(path, *file, values);
 }
 
+/// As contentHash(), for values that may take long to go through.
+Result<std::uint64_t> hashOf(const ScalarField& values, const Progress& progress)
+{
+    constexpr std::size_t pieceBytes = std::size_t(16) << 20;
+    const std::span<const std::byte> bytes = values.bytes();
+    Checksum sum;
+    for (std::size_t done = 0; done < bytes.size(); done += pieceBytes) {
+        if (progress.cancelled())
+            return cancelledError("Reading");
+        sum.add(bytes.subspan(done, std::min(pieceBytes, bytes.size() - done)));
+        progress.report(static_cast<double>(done) / static_cast<double>(bytes.size()), "Reading");
+    }
+    return sum.value();
+}
+
+bool isWithin(std::span<const std::byte> bytes, std::span<const std::byte> whole)
+{
+    return std::less_equal{}(whole.data(), bytes.data()) &&
+           std::less_equal{}(bytes.data() + bytes.size(), whole.data() + whole.size());
+}
+
 Result<Dataset> readDataset(const fs::path& path, const Volume& volume, const Progress& progress)
 {
+    const std::span<const std::byte> content = volume.file->bytes();
     const Result<ScalarField> values =
-        readSamples(volume.file->bytes().subspan(volume.headerBytes), volume.layout, progress.part(0, 0.9));
+        readSamples(content.subspan(volume.headerBytes), volume.layout, progress.part(0, 0.7), volume.file);
+    const Result<std::uint64_t> hash =
+        values ? hashOf(*values, progress.part(0.7, 1)) : Result<std::uint64_t>(values.error());
     if (volume.file->damaged())
         return inFile(volume.file->path(), {ErrorKind::BadInput, "it changed while it was read. Read it again."});
-    if (!values) {
-        const Error error = inFile(volume.file->path(), values.error());
+    if (!hash) {
+        const Error error = inFile(volume.file->path(), hash.error());
         return volume.file->path() == path ? error : withHeader(path, error);
     }
     Dataset dataset;
     dataset.lattice = volume.layout.lattice;
     dataset.values = *values;
-    dataset.source = {path.filename().string(), path, checksum(values->bytes())};
+    dataset.source = {path.filename().string(), path, *hash};
+    if (isWithin(values->bytes(), content))
+        dataset.mappedFile = volume.file;
     progress.report(1, "Reading");
     return dataset;
 }

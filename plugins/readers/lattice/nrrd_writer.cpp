@@ -100,6 +100,8 @@ try {
         encoding == "gzip" ? writeGzip(samples, *file, progress) : writeRaw(samples, *file, progress);
     if (!written)
         return written;
+    if (const Status intact = dataset.checkIntact(); !intact)
+        return intact;
     return file->commit();
 } catch (const std::bad_alloc&) {
     return Error{ErrorKind::OutOfResource, "Not enough memory to write the file. Close other programs."};

@@ -90,25 +90,45 @@ Status decode(std::span<const std::byte> data, const SampleLayout& layout, std::
     return unpacked;
 }
 
+/// Whether the bytes are the samples as they stand in memory.
+bool areInPlace(std::span<const std::byte> encoded, const SampleLayout& layout)
+{
+    const std::size_t size = sampleSize(layout.type);
+    return layout.encoding == SampleEncoding::Raw && (size == 1 || layout.order == std::endian::native) &&
+           reinterpret_cast<std::uintptr_t>(encoded.data()) % size == 0;
+}
+
+Result<ScalarField> decodedSamples(std::span<const std::byte> encoded, const SampleLayout& layout,
+                                   const Progress& progress)
+{
+    if (layout.encoding != SampleEncoding::Raw)
+        if (const Status enough = checkEnough(encoded, layout); !enough)
+            return enough.error();
+    Result<std::shared_ptr<std::byte>> samples = allocateSamples(layout.type, layout.lattice.pointCount());
+    if (!samples)
+        return samples.error();
+    if (const Status decoded = decode(encoded, layout, {samples->get(), layout.sampleBytes()}, progress); !decoded)
+        return decoded.error();
+    return ScalarField(layout.type, layout.lattice.pointCount(), *std::move(samples));
+}
+
 } // namespace
 
-Result<ScalarField> readSamples(std::span<const std::byte> data, const SampleLayout& layout, const Progress& progress)
+Result<ScalarField> readSamples(std::span<const std::byte> data, const SampleLayout& layout, const Progress& progress,
+                                const std::shared_ptr<const void>& owner)
 {
     Result<std::span<const std::byte>> encoded = skipLines(data, layout.skippedLines);
     if (encoded && layout.encoding == SampleEncoding::Raw)
         encoded = rawBytes(*encoded, layout);
     if (!encoded)
         return encoded.error();
-    if (layout.encoding != SampleEncoding::Raw)
-        if (const Status enough = checkEnough(*encoded, layout); !enough)
-            return enough.error();
-    Result<std::shared_ptr<std::byte>> samples = allocateSamples(layout.type, layout.lattice.pointCount());
-    if (!samples)
-        return samples.error();
-    if (const Status decoded = decode(*encoded, layout, {samples->get(), layout.sampleBytes()}, progress); !decoded)
-        return decoded.error();
-    ScalarField values(layout.type, layout.lattice.pointCount(), *std::move(samples));
-    if (const Status finite = checkFinite(layout.lattice, values); !finite)
+    const Result<ScalarField> values =
+        owner && areInPlace(*encoded, layout)
+            ? ScalarField::scanned(layout.type, layout.lattice.pointCount(), {owner, encoded->data()}, progress)
+            : decodedSamples(*encoded, layout, progress);
+    if (!values)
+        return values;
+    if (const Status finite = checkFinite(layout.lattice, *values); !finite)
         return finite.error();
     return values;
 }

@@ -46,6 +46,8 @@ try {
         text.clear();
         progress.report(static_cast<double>(point + 1) / static_cast<double>(dataset.pointCount()), "Writing");
     }
+    if (const Status intact = dataset.checkIntact(); !intact)
+        return intact;
     return file->commit();
 } catch (const std::bad_alloc&) {
     return Error{ErrorKind::OutOfResource, "Not enough memory to write the file. Close other programs."};

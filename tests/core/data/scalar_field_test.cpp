@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <stop_token>
+#include <string_view>
 #include <vector>
 
 using namespace tetra;
@@ -41,6 +43,7 @@ private slots:
     void latticeNumbersItsPoints();
     void latticeBounds();
     void absurdBuffersAreRefused();
+    void scanningTellsHowFarItIsAndStops();
 };
 
 void ScalarFieldTest::holdsTheLimitsOfEveryType_data()
@@ -173,6 +176,30 @@ void ScalarFieldTest::absurdBuffersAreRefused()
     const auto samples = allocateSamples(SampleType::Float64, 1000);
     QVERIFY(samples.ok());
     std::ranges::fill_n(samples->get(), 8000, std::byte(1));
+}
+
+void ScalarFieldTest::scanningTellsHowFarItIsAndStops()
+{
+    constexpr std::uint64_t count = (std::uint64_t(1) << 24) + 3; // several pieces
+    const auto samples = allocateSamples(SampleType::UInt8, count);
+    QVERIFY(samples.ok());
+    std::ranges::fill_n(samples->get(), count, std::byte(7));
+    samples->get()[0] = std::byte(2);
+    samples->get()[count - 1] = std::byte(200);
+    std::vector<double> fractions;
+    const Progress telling({}, [&](double fraction, std::string_view) { fractions.push_back(fraction); });
+    const auto whole = ScalarField::scanned(SampleType::UInt8, count, *samples, telling);
+    QVERIFY(whole.ok());
+    QCOMPARE(whole->range().minimum, 2.0);
+    QCOMPARE(whole->range().maximum, 200.0);
+    QVERIFY(fractions.size() > 1 && std::ranges::is_sorted(fractions));
+    QCOMPARE(fractions.back(), 1.0);
+
+    std::stop_source stop;
+    const Progress stopping(stop.get_token(), [&](double, std::string_view) { stop.request_stop(); });
+    const auto stopped = ScalarField::scanned(SampleType::UInt8, count, *samples, stopping);
+    QVERIFY(!stopped.ok());
+    QCOMPARE(stopped.error().kind, ErrorKind::Cancelled);
 }
 
 QTEST_GUILESS_MAIN(ScalarFieldTest)

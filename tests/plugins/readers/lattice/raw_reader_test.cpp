@@ -38,6 +38,9 @@ private slots:
     void readsEveryTypeAndOrder();
     void placesTheLattice();
     void skipsAHeader();
+    void staysInItsFileWhereItCan_data();
+    void staysInItsFileWhereItCan();
+    void knowsThatItsFileWasCut();
     void refuses_data();
     void refuses();
     void guesses_data();
@@ -108,6 +111,56 @@ void RawReaderTest::skipsAHeader()
         LatticeReader().read(path, {{"size", std::string("3x4x5")}, {"skip", std::int64_t(7)}}, {});
     QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
     QVERIFY(holdsTestSamples(dataset->values));
+}
+
+/// Volumes larger than the memory (B6): not copied unless that is needed.
+void RawReaderTest::staysInItsFileWhereItCan_data()
+{
+    QTest::addColumn<SampleType>("type");
+    QTest::addColumn<bool>("native");
+    QTest::addColumn<int>("skip");
+    QTest::addColumn<bool>("mapped");
+    QTest::newRow("bytes") << SampleType::UInt8 << false << 0 << true;
+    QTest::newRow("bytes behind a header") << SampleType::Int8 << true << 5 << true;
+    QTest::newRow("double") << SampleType::Float64 << true << 0 << true;
+    QTest::newRow("aligned") << SampleType::Float32 << true << 12 << true;
+    QTest::newRow("not aligned") << SampleType::Float32 << true << 6 << false;
+    QTest::newRow("double as if float") << SampleType::Float64 << true << 4 << false;
+    QTest::newRow("the other order") << SampleType::UInt16 << false << 0 << false;
+}
+void RawReaderTest::staysInItsFileWhereItCan()
+{
+    QFETCH(SampleType, type);
+    QFETCH(bool, native);
+    QFETCH(int, skip);
+    QFETCH(bool, mapped);
+    const bool little = native == (std::endian::native == std::endian::little);
+    const auto path = folder_.write(
+        "volume.raw", QByteArray(skip, 'x') + testSamples(type, little ? std::endian::little : std::endian::big));
+    const auto dataset = LatticeReader().read(path,
+                                              {{"size", std::string("3x4x5")},
+                                               {"type", std::string(sampleTypeName(type))},
+                                               {"byte-order", std::string(little ? "little" : "big")},
+                                               {"skip", std::int64_t(skip)}},
+                                              {});
+    QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+    QVERIFY(holdsTestSamples(dataset->values));
+    QCOMPARE(dataset->values.range().maximum, testPoints - 1.0);
+    QCOMPARE(dataset->source.hash, contentHash(dataset->values, nullptr));
+    QCOMPARE(dataset->mappedFile != nullptr, mapped);
+    QVERIFY(dataset->checkIntact());
+}
+
+void RawReaderTest::knowsThatItsFileWasCut()
+{
+    const auto path = folder_.write("cut.raw", testSamples(SampleType::UInt8));
+    const auto dataset = LatticeReader().read(path, {{"size", std::string("3x4x5")}}, {});
+    QVERIFY(dataset.ok());
+    std::filesystem::resize_file(path, 30);
+    const Status intact = dataset->checkIntact();
+    QVERIFY(!intact);
+    QCOMPARE(intact.error().kind, ErrorKind::BadInput);
+    QVERIFY(intact.error().text.find("cut.raw") != std::string::npos);
 }
 
 void RawReaderTest::refuses_data()
