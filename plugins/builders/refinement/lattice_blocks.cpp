@@ -6,8 +6,9 @@
 #include "core/base/work_folder.h"
 #include "core/model/blocks/lattice_runs.h"
 #include "core/model/blocks/merged_model.h"
+#include "plugins/builders/refinement/disk_need.h"
 
-#include <cmath>
+#include <string>
 
 namespace tetra {
 
@@ -34,44 +35,44 @@ std::uint64_t fingerprintOf(const Dataset& dataset, const LatticeBoxOptions& box
     return checksum(std::as_bytes(std::span(text)));
 }
 
-std::string gigabytes(std::uint64_t bytes)
-{
-    return formatNumber(std::ceil(static_cast<double>(bytes) / 1e8) / 10) + " GB";
-}
-
-/// Refuses the build as soon as it shows that the disk has no room for it.
+/// Tells what the build will take on the disk as soon as that shows, and refuses it if there is no room.
 class DiskCheck {
 public:
-    DiskCheck(std::filesystem::path folder, SampleType type) : folder_(std::move(folder)), type_(type) {}
+    DiskCheck(std::filesystem::path workFolder, SampleType type) : workFolder_(std::move(workFolder)), type_(type) {}
 
-    Status operator()(const RunTotals& soFar, const RunTotals& expected)
+    Status check(const RunTotals& soFar, const RunTotals& expected)
     {
-        const PlannedCounts counts{static_cast<std::uint32_t>(std::min<std::uint64_t>(expected.sites, 0xffffffff)),
-                                   expected.tetrahedra};
-        const std::uint64_t numbers = expected.sites * sizeof(std::uint32_t);
-        const std::uint64_t needed = expected.fileBytes + numbers + PlannedModelWriter::expectedBytes(counts, type_);
-        const std::uint64_t there = soFar.fileBytes;
-        const std::uint64_t free = freeDiskBytes(folder_);
-        if (free == 0 || needed <= there || needed - there <= free)
+        const DiskNeed need = diskNeed(expected, type_);
+        told_ = " (" + textOf(need) + ")";
+        const std::uint64_t free = freeDiskBytes(workFolder_);
+        if (free == 0) // not known
             return {};
-        return Error{ErrorKind::CannotWrite, "The build needs about " + gigabytes(needed) + " on the disk of '" +
-                                                 folder_.parent_path().string() + "', and " + gigabytes(free + there) +
-                                                 " are free. Free some space, choose another disk or ask for a larger "
-                                                 "error."};
+        return checkRoom(need, soFar.fileBytes, free, workFolder_.parent_path());
+    }
+
+    /// `progress`, whose activities tell the need, too.
+    Progress telling(const Progress& progress) const
+    {
+        return progress.withCallback([this, progress](double fraction, std::string_view activity) {
+            progress.report(fraction, std::string(activity) + told_);
+        });
     }
 
 private:
-    std::filesystem::path folder_;
+    std::filesystem::path workFolder_;
     SampleType type_;
+    std::string told_;
 };
 
-Result<PlannedCounts> makeAndMerge(const Dataset& dataset, const LatticeRunsOptions& options,
-                                   const LatticeBlocks& blocks, const BuildTarget& target, const Progress& progress)
+Result<PlannedCounts> makeAndMerge(const Dataset& dataset, LatticeRunsOptions options, const LatticeBlocks& blocks,
+                                   const BuildTarget& target, const Progress& progress)
 {
+    DiskCheck disk(target.workFolder, dataset.values.type());
+    options.check = [&](const RunTotals& soFar, const RunTotals& expected) { return disk.check(soFar, expected); };
+    const Progress refining = disk.telling(progress.part(0, refinedShare));
     RunFiles runs(target.workFolder, fingerprintOf(dataset, options.box, blocks), options.division.count());
     const Status made = visitSampleType(dataset.values.type(), [&]<class T>() {
-        return makeLatticeRuns(options, LatticeSamples(dataset.values.as<T>(), blocks.weights), runs,
-                               progress.part(0, refinedShare));
+        return makeLatticeRuns(options, LatticeSamples(dataset.values.as<T>(), blocks.weights), runs, refining);
     });
     if (!made)
         return made.error();
@@ -96,7 +97,7 @@ Result<BuildReport> buildLatticeInBlocks(const Dataset& dataset, const LatticeBl
     options.box.valueExtent = dataset.values.range().extent();
     options.box.stopError = blocks.stopError;
     options.reuseIntact = target.resume;
-    options.check = DiskCheck(target.workFolder, dataset.values.type());
+    options.samplesIntact = [&dataset] { return dataset.checkIntact(); };
     const Result<PlannedCounts> counts = makeAndMerge(dataset, options, blocks, target, progress);
     if (!counts)
         return counts.error();

@@ -2,6 +2,7 @@
 // Lattices refined in blocks are models like any others (R10, S3): proved on random ones, the same for any number of
 // threads, complete after an interruption, and refused where they cannot be.
 #include "core/base/checksum.h"
+#include "core/base/mapped_file.h"
 #include "core/base/work_folder.h"
 #include "core/data/analytic_fields.h"
 #include "core/model/model_writer.h"
@@ -179,6 +180,57 @@ private slots:
         QVERIFY(last > 0.99);
     }
 
+    /// The need of disk is told while there is time to stop.
+    void theActivityTellsWhatTheBuildWillTake()
+    {
+        std::string told;
+        double toldAt = 1;
+        const Progress progress({}, [&](double fraction, std::string_view activity) {
+            if (!told.empty() || activity.find("model about") == std::string_view::npos)
+                return;
+            told = activity;
+            toldAt = fraction;
+        });
+        QVERIFY(build(smoothDataset(31), "5", 0, false, 2, &progress).ok());
+        QVERIFY2(told.find("work files") != std::string::npos, told.c_str());
+        QVERIFY(toldAt < 0.5);
+    }
+
+    /// A dataset that stays in its file: what is read of one that was cut meanwhile must not become a model, nor a
+    /// block that a later build goes on with.
+    void aFileCutWhileItIsReadGivesNoModel_data()
+    {
+        QTest::addColumn<QString>("block");
+        QTest::addColumn<double>("when");
+        QTest::newRow("as a whole") << "none" << 0.3;
+        QTest::newRow("first blocks") << "5" << 0.1;
+        QTest::newRow("later blocks") << "5" << 0.5;
+        QTest::newRow("merging") << "5" << 0.9;
+    }
+    void aFileCutWhileItIsReadGivesNoModel()
+    {
+        QFETCH(QString, block);
+        QFETCH(double, when);
+        const Dataset whole = smoothDataset(26);
+        QVERIFY(build(whole, block.toStdString(), 0).ok());
+        const std::vector<char> right = contentOf(path());
+        std::filesystem::remove(path());
+
+        const Dataset mapped = mappedCopy(whole);
+        const Progress cutting({}, [&](double fraction, std::string_view) {
+            if (fraction >= when)
+                std::filesystem::resize_file(mapped.mappedFile->path(), 100);
+        });
+        const auto report = build(mapped, block.toStdString(), 0, true, 2, &cutting);
+        QVERIFY(!report.ok());
+        QCOMPARE(report.error().kind, ErrorKind::BadInput);
+        QVERIFY2(report.error().text.find("cut short or changed") != std::string::npos, report.error().text.c_str());
+        QVERIFY(!std::filesystem::exists(path()));
+
+        QVERIFY(build(mappedCopy(whole), block.toStdString(), 0, true).ok());
+        QVERIFY(contentOf(path()) == right);
+    }
+
     void anotherBuildOfTheSameModelIsRefused()
     {
         const auto other = WorkFolder::open(workFolder(), WorkFolder::Leftovers::Remove);
@@ -220,6 +272,20 @@ private slots:
 private:
     std::filesystem::path path() const { return folder_->filePath("model.tan").toStdString(); }
     std::filesystem::path workFolder() const { return folder_->filePath("model.tan.work").toStdString(); }
+
+    /// The same dataset, its values in a file.
+    Dataset mappedCopy(const Dataset& dataset) const
+    {
+        const std::filesystem::path file = folder_->filePath("samples.raw").toStdString();
+        const auto bytes = dataset.values.bytes();
+        std::ofstream(file, std::ios::binary)
+            .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+        Dataset copy = dataset;
+        copy.mappedFile = MappedFile::open(file).value();
+        copy.values = ScalarField(dataset.values.type(), dataset.values.count(),
+                                  {copy.mappedFile, copy.mappedFile->bytes().data()});
+        return copy;
+    }
 
     /// As the host does it; cancelled when the progress reaches `cancelAt`.
     Result<BuildReport> build(const Dataset& dataset, const std::string& block, double stop, bool resume = false,
