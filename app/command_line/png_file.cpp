@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/png_file.h"
 
-#include "core/base/file_writer.h"
+#include "app/command_line/whole_file.h"
 
 #include <QBuffer>
 #include <QByteArray>
@@ -20,12 +20,7 @@ Status writePng(const std::filesystem::path& path, const Picture& picture)
     if (!buffer.open(QIODevice::WriteOnly) || !image.save(&buffer, "PNG"))
         return Error{ErrorKind::OutOfResource,
                      "The picture cannot be coded as PNG: too large for this machine's memory?"};
-    auto file = FileWriter::create(path);
-    if (!file)
-        return file.error();
-    if (const Status written = file->write(std::as_bytes(std::span(bytes.constData(), bytes.size()))); !written)
-        return written;
-    return file->commit();
+    return writeWholeFile(path, std::as_bytes(std::span(bytes.constData(), bytes.size())));
 }
 
 } // namespace tetra

@@ -3,13 +3,15 @@
 
 #include "app/command_line/option_values.h"
 #include "app/command_line/subcommands.h"
+#include "app/command_line/whole_file.h"
 #include "app/reproduction/figures.h"
 #include "app/reproduction/report.h"
-#include "core/base/file_writer.h"
 
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
+
+#include <span>
 
 namespace tetra {
 namespace {
@@ -28,16 +30,6 @@ Result<std::set<int>> tablesOf(const Arguments& arguments)
     return tables;
 }
 
-Status writeText(const std::filesystem::path& path, const std::string& text)
-{
-    auto file = FileWriter::create(path);
-    if (!file)
-        return file.error();
-    if (const Status written = file->write(std::as_bytes(std::span(text))); !written)
-        return written;
-    return file->commit();
-}
-
 /// The report in each form, and the figures; gives the names of the files.
 Result<std::vector<std::filesystem::path>> writeAll(const Reproduction& reproduction,
                                                     const std::filesystem::path& folder)
@@ -49,7 +41,7 @@ Result<std::vector<std::filesystem::path>> writeAll(const Reproduction& reproduc
     for (const auto& [name, text] : {std::pair<std::string, std::string>{"tables.txt", textReport(reproduction)},
                                      {"tables.md", markdownReport(reproduction)},
                                      {"tables.json", json}}) {
-        if (const Status written = writeText(folder / name, text); !written)
+        if (const Status written = writeWholeFile(folder / name, std::as_bytes(std::span(text))); !written)
             return written.error();
         files->push_back(folder / name);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reproduction/drawing_file.h"
 
-#include "core/base/file_writer.h"
+#include "app/command_line/whole_file.h"
 
 #include <QBuffer>
 #include <QImage>
@@ -16,14 +16,9 @@ namespace {
 
 constexpr int pixelsPerUnit = 2;
 
-Status writeBytes(const std::filesystem::path& path, const QByteArray& bytes)
+std::span<const std::byte> contentOf(const QByteArray& bytes)
 {
-    auto file = FileWriter::create(path);
-    if (!file)
-        return file.error();
-    if (const Status written = file->write(std::as_bytes(std::span(bytes.constData(), bytes.size()))); !written)
-        return written;
-    return file->commit();
+    return std::as_bytes(std::span(bytes.constData(), bytes.size()));
 }
 
 } // namespace
@@ -42,7 +37,7 @@ Status writeDrawingAsPng(const std::filesystem::path& path, const QSizeF& size, 
     QBuffer buffer(&bytes);
     if (!buffer.open(QIODevice::WriteOnly) || !image.save(&buffer, "PNG"))
         return Error{ErrorKind::OutOfResource, "Not enough memory to draw '" + path.string() + "'."};
-    return writeBytes(path, bytes);
+    return writeWholeFile(path, contentOf(bytes));
 }
 
 Status writeDrawingAsSvg(const std::filesystem::path& path, const QSizeF& size, const Drawing& drawing)
@@ -57,7 +52,7 @@ Status writeDrawingAsSvg(const std::filesystem::path& path, const QSizeF& size, 
         QPainter painter(&generator);
         drawing(painter);
     }
-    return writeBytes(path, bytes);
+    return writeWholeFile(path, contentOf(bytes));
 }
 
 } // namespace tetra

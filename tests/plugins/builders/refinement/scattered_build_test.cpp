@@ -122,7 +122,7 @@ private slots:
         QFETCH(QString, file);
         const QString table = TAN_SOURCE_DIR "/../shared/data/scattered/" + file;
         if (!QFile::exists(table))
-            QSKIP("the dataset is not there");
+            QSKIP("skipped: no data");
         const auto dataset = PointReader().read(table.toStdString(), {}, {});
         const auto model = build(*dataset);
         QVERIFY(model != nullptr);

@@ -59,7 +59,7 @@ private slots:
         QFETCH(double, largest);
         const std::filesystem::path path = data / file.toStdString();
         if (!std::filesystem::exists(path))
-            QSKIP("The dataset is not there.");
+            QSKIP("skipped: no data");
         const auto dataset = Plot3dReader().read(path, {{"array", array.toStdString()}}, {});
         QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
         QVERIFY(std::abs(dataset->values.range().minimum - smallest) < 6e-4);
@@ -71,7 +71,7 @@ private slots:
     {
         if (!std::filesystem::exists(data / "bluntfin/bluntfinxyz.bin") ||
             !std::filesystem::exists(data / "post/postxyz.bin"))
-            QSKIP("The datasets are not there.");
+            QSKIP("skipped: no data");
         const auto fin = Plot3dReader().read(data / "bluntfin/bluntfinxyz.bin", {}, {});
         QVERIFY(fin.ok());
         QCOMPARE(fin->lattice.size, (std::array<std::uint32_t, 3>{40, 32, 32}));
@@ -88,7 +88,7 @@ private slots:
     void thePostHasNoUsableDensity()
     {
         if (!std::filesystem::exists(data / "post/postxyz.bin"))
-            QSKIP("The dataset is not there.");
+            QSKIP("skipped: no data");
         const auto dataset = Plot3dReader().read(data / "post/postxyz.bin", {{"array", std::string("density")}}, {});
         QVERIFY(!dataset.ok());
         QVERIFY(QString::fromStdString(dataset.error().text).contains("pressure"));

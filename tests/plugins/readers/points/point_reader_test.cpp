@@ -237,7 +237,7 @@ private slots:
         QFETCH(int, points);
         const QString path = TAN_SOURCE_DIR "/../shared/data/scattered/" + file;
         if (!QFile::exists(path))
-            QSKIP("the dataset is not there");
+            QSKIP("skipped: no data");
         const auto dataset = PointReader().read(path.toStdString(), {}, {});
         QVERIFY(dataset.ok());
         QCOMPARE(dataset->pointCount(), std::uint64_t(points));
