@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/model/queries/mesh_query.h"
+
+#include <span>
+
+namespace tetra {
+
+/// Keeps the tetrahedra that can contain a value of one of the ranges, ends included; vertices stay as they are.
+void keepValues(TetrahedralMesh& mesh, std::span<const ValueRange> ranges);
+
+/// Keeps what the window asks for. Cutting is exact in its combinatorics: a vertex on the border is within, equal edges
+/// are cut at the same place, and the quadrilaterals of neighbours get the same diagonal, so the result conforms. It
+/// adds vertices behind the others, with values interpolated along their edges, and never makes a tetrahedron without
+/// volume from one with volume, but for rounding. Errors: cancelled, out of memory.
+Status keepWindow(TetrahedralMesh& mesh, const Window& window, const Progress& progress = {});
+
+/// Removes vertices that no tetrahedron uses, keeping the order of the others, and renumbers. `sites` is the site of
+/// each vertex; vertices beyond its end get ExtractedMesh::noSite.
+void dropUnusedVertices(TetrahedralMesh& mesh, Buffer<std::uint32_t>& sites);
+
+} // namespace tetra

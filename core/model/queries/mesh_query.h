@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/buffer.h"
+#include "core/data/scalar_field.h"
+#include "core/mesh/tetrahedral_mesh.h"
+#include "core/model/extraction.h"
+#include "core/model/queries/error_field.h"
+
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace tetra {
+
+/// What becomes of the tetrahedra at the border of a window (S17).
+enum class WindowBorder {
+    Intersecting, ///< all that have a point in common with the window: it is covered, the border is ragged
+    Contained,    ///< only those that lie in it whole
+    Clipped,      ///< the mesh cut off at the window: conforming, filling exactly what of the domain lies in it
+};
+
+struct Window {
+    Box box;
+    WindowBorder border = WindowBorder::Intersecting;
+    bool operator==(const Window&) const = default;
+};
+
+/// How a mesh of varying accuracy is found.
+enum class VariableMethod {
+    Automatic, ///< the one of the two that is predicted to give the smaller mesh, where both can be used
+    ClosedSet, ///< the smallest closed set of the history's sites (DESIGN.md 1): always right, tight for graded fields
+    Insertion, ///< the sites of the focus inserted into the coarse mesh: tight for a sharp focus, lattices only
+};
+
+/// A question to a model, as a value (R14, R17, R25, B1). Everything can be combined: accuracy or field or budget
+/// choose a conforming mesh of the whole domain, then values and window choose from its tetrahedra.
+struct MeshQuery {
+    ErrorField error = 0.0;            ///< at most this at each sample, % of the value range
+    ErrorField warping = anyWarping;   ///< likewise, % of the diagonal: curvilinear data only
+    /// At most so many tetrahedra in the whole mesh: error and warping are multiplied by the least number, at least 1,
+    /// with which that is so.
+    std::optional<std::uint64_t> budget;
+    /// Only tetrahedra that can contain a value of one of these ranges, ends included. Empty: all.
+    std::vector<ValueRange> values;
+    std::optional<Window> window;
+    VariableMethod method = VariableMethod::Automatic;
+};
+
+bool operator==(const MeshQuery& first, const MeshQuery& second);
+
+/// What a query gives. Immutable once it is handed out, as std::shared_ptr<const ExtractedMesh>.
+struct ExtractedMesh {
+    static constexpr std::uint32_t noSite = 0xffffffff;
+
+    TetrahedralMesh mesh;
+    /// The model's site that each vertex is; noSite for a vertex that cutting at the window made or that is a point of
+    /// the lattice that never became a site.
+    Buffer<std::uint32_t> sites;
+    /// What was chosen before values and window.
+    std::uint32_t wholeSites = 0;
+    std::uint64_t wholeTetrahedra = 0;
+    /// Error and warping asked for times this is what the mesh is known to keep: 1, or more if the budget did not allow
+    /// it or the model has nothing finer.
+    double scale = 1;
+    VariableMethod method = VariableMethod::ClosedSet; ///< that was used; a uniform mesh is a closed set, too
+};
+
+} // namespace tetra
