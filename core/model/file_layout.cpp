@@ -59,6 +59,7 @@ private:
     Status checkCodecs() const;
     Status checkCounts() const;
     Status checkPositions() const;
+    Status checkSamples() const;
     Status checkCount(Expected expected, std::uint64_t count) const;
 
     Error bad(const std::string& text) const { return {ErrorKind::BadInput, name_ + " " + text}; }
@@ -81,7 +82,8 @@ Result<FileLayout> LayoutReader::read()
             return status.error();
     for (const auto check : {&LayoutReader::checkWhatItHolds, &LayoutReader::checkLattice, &LayoutReader::checkValues,
                              &LayoutReader::checkPlace, &LayoutReader::checkBounds, &LayoutReader::checkCodecs,
-                             &LayoutReader::checkCounts, &LayoutReader::checkPositions})
+                             &LayoutReader::checkCounts, &LayoutReader::checkPositions,
+                             &LayoutReader::checkSamples})
         if (const Status status = (this->*check)(); !status)
             return status.error();
     return std::move(layout_);
@@ -253,6 +255,14 @@ Status LayoutReader::checkPositions() const
                       layout_.header.siteCount);
 }
 
+Status LayoutReader::checkSamples() const
+{
+    const auto& size = layout_.header.latticeSize;
+    if (!isDomain(layout_.header, DomainClass::RegularLattice) || !layout_.has(SectionId::Samples))
+        return {};
+    return checkCount({SectionId::Samples, 0}, std::uint64_t(size[0]) * size[1] * size[2]);
+}
+
 Status LayoutReader::checkCount(Expected expected, std::uint64_t count) const
 {
     const std::string name(format::sectionName(static_cast<std::uint32_t>(expected.id)));
@@ -275,6 +285,11 @@ Status LayoutReader::checkCount(Expected expected, std::uint64_t count) const
 const format::Section& FileLayout::section(SectionId id) const
 {
     return *std::ranges::find(sections, static_cast<std::uint32_t>(id), &Section::id);
+}
+
+bool FileLayout::has(SectionId id) const
+{
+    return std::ranges::find(sections, static_cast<std::uint32_t>(id), &Section::id) != sections.end();
 }
 
 Result<FileLayout> readLayout(std::span<const std::byte> file, const std::filesystem::path& path)

@@ -20,6 +20,7 @@ struct FileLayout {
 
     /// One of the sections that the domain requires; readLayout() made sure that it is there.
     const format::Section& section(format::SectionId id) const;
+    bool has(format::SectionId id) const;
 };
 
 /// Reads nothing but the header and the table. Errors say what is wrong with the file at `path` and what to do.

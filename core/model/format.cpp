@@ -14,6 +14,7 @@ std::string_view sectionName(std::uint32_t id) noexcept
     case SectionId::MeshSizes: return "mesh sizes";
     case SectionId::SiteGroups: return "site groups";
     case SectionId::SitePositions: return "site positions";
+    case SectionId::Samples: return "samples";
     case SectionId::OtherSites: return "other sites";
     case SectionId::Destroyers: return "destroyers";
     case SectionId::OwnErrors: return "own errors";

@@ -18,7 +18,7 @@ static_assert(std::numeric_limits<float>::is_iec559 && std::numeric_limits<doubl
 
 constexpr std::array<char, 8> magic = {'\x89', 'T', 'A', 'N', '\r', '\n', '\x1a', '\n'};
 constexpr std::uint16_t majorVersion = 1;
-constexpr std::uint16_t minorVersion = 0;
+constexpr std::uint16_t minorVersion = 1;
 constexpr std::uint32_t byteOrderMark = 0x01020304;
 constexpr std::uint32_t byteOrderMarkReversed = 0x04030201;
 
@@ -40,6 +40,7 @@ enum class SectionId : std::uint32_t {
     MeshSizes = 20,
     SiteGroups = 21,
     SitePositions = 22,
+    Samples = 23,
     OtherSites = 32,
     Destroyers = 33,
     OwnErrors = 34,

@@ -47,6 +47,8 @@ public:
             ownWarpings_ = elementsOf<std::uint16_t>(*file_, layout, SectionId::OwnWarpings);
         if (description_.domain != DomainClass::RegularLattice)
             mapPositions(layout);
+        else if (layout.has(SectionId::Samples))
+            samples_ = elementsOf<std::byte>(*file_, layout, SectionId::Samples);
     }
 
     std::span<const std::byte> fileBytes() const noexcept override { return file_->bytes(); }

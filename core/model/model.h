@@ -93,6 +93,10 @@ public:
     /// The length that warpings are a percentage of (R7).
     double diagonal() const noexcept { return description_.bounds.diagonal().norm(); }
 
+    /// All samples of the dataset, of sampleType, in the lattice's order: the file of a regular lattice may hold them.
+    /// Empty if it does not.
+    std::span<const std::byte> samples() const noexcept { return samples_; }
+
     /// The whole file as it is mapped, for those who check it.
     virtual std::span<const std::byte> fileBytes() const noexcept = 0;
     /// True once the file was found to be cut short or changed since it was mapped.
@@ -118,6 +122,7 @@ protected:
     std::span<const std::uint16_t> ownWarpings_;
     std::span<const Eigen::Vector3f> floatPositions_;
     std::span<const Eigen::Vector3d> doublePositions_;
+    std::span<const std::byte> samples_;
 };
 
 } // namespace tetra

@@ -6,6 +6,7 @@
 #include "core/model/description_text.h"
 #include "core/model/file_layout.h"
 #include "core/model/history_arranger.h"
+#include "core/model/sample_section.h"
 #include "core/model/section_writer.h"
 #include "core/model/site_sections.h"
 #include "core/model/spooled_array.h"
@@ -24,9 +25,10 @@ using format::SectionId;
 /// Sections of every model; domains with positions of their own and with warping have more.
 constexpr std::uint32_t commonSections = 10;
 
-std::uint32_t sectionCount(DomainClass domain)
+/// Room in the table: that of a lattice is for the samples, which a model of few sites leaves out.
+std::uint32_t mostSections(DomainClass domain)
 {
-    return commonSections + (domain != DomainClass::RegularLattice ? 1 : 0) +
+    return commonSections + 1 +
            (domain == DomainClass::Curvilinear ? 1 : 0);
 }
 
@@ -42,7 +44,7 @@ class HistoryFileWriter final : public ModelWriter, private ArrangedBatchSink {
 public:
     HistoryFileWriter(FileWriter file, const Dataset& dataset, ModelDescription description,
                       std::filesystem::path spoolFolder)
-        : target_(file.target()), sections_(std::move(file), sectionCount(dataset.domain)), dataset_(dataset),
+        : target_(file.target()), sections_(std::move(file), mostSections(dataset.domain)), dataset_(dataset),
           description_(std::move(description)), spool_(std::move(spoolFolder)), arranger_(dataset.pointCount(), *this)
     {
     }
@@ -60,6 +62,7 @@ private:
     Status writeArrays(float finalError);
     void storeMeshSizes(const ArrangedBatch& batch);
     Status writeGeometry();
+    Status writeAllSamples();
     template <class T> Status writeArray(SectionId id, const SpooledArray<T>& array);
     Status writeDestroyers();
     Error inconsistent(const std::string& what) const;
@@ -203,7 +206,8 @@ Status HistoryFileWriter::writeArrays(float finalError)
          {writeArray(SectionId::SitePoints, points_), writeSiteValues(sections_, dataset_, points_),
           writeArray(SectionId::SiteRunningErrors, runningErrors_), writeArray(SectionId::StarOffsets, starOffsets_),
           writeArray(SectionId::MeshSizes, meshSizes_), writeArray(SectionId::SiteGroups, groupGoesOn_),
-          writeDestroyers(), writeArray(SectionId::OwnErrors, ownErrors_), writeGeometry()})
+          writeDestroyers(), writeArray(SectionId::OwnErrors, ownErrors_), writeGeometry(),
+          writeAllSamples()})
         if (!written)
             return written;
     format::Header header = headerOf(description_);
@@ -245,6 +249,19 @@ Status HistoryFileWriter::writeGeometry()
     if (!positions || description_.domain != DomainClass::Curvilinear)
         return positions;
     return writeArray(SectionId::OwnWarpings, ownWarpings_);
+}
+
+Status HistoryFileWriter::writeAllSamples()
+{
+    const SampleType type = dataset_.values.type();
+    if (!keepsSamples(dataset_.domain, type, dataset_.pointCount(), {siteCount(), tetrahedronCount()}))
+        return {};
+    if (const Status begun = sections_.begin(SectionId::Samples, sampleSize(type), 0); !begun)
+        return begun;
+    const Status written =
+        writeSamples(dataset_.values, [this](std::span<const std::byte> piece) { return sections_.add(piece); });
+    sections_.end();
+    return written;
 }
 
 Error HistoryFileWriter::inconsistent(const std::string& what) const

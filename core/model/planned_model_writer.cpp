@@ -3,6 +3,7 @@
 
 #include "core/model/description_text.h"
 #include "core/model/file_layout.h"
+#include "core/model/sample_section.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +13,6 @@
 namespace tetra {
 
 using format::SectionId;
-
-namespace {
-
-constexpr std::uint32_t siteBytes = 4 + 4 + 8 + 4 + 1; // all but the value
-constexpr std::uint32_t tetrahedronBytes = 12 + 4 + 2;
-
-} // namespace
 
 Result<std::unique_ptr<PlannedModelWriter>>
 PlannedModelWriter::create(const std::filesystem::path& path, const Dataset& dataset, ModelDescription description,
@@ -53,7 +47,7 @@ Status PlannedModelWriter::begin()
     if (!text)
         return text.error();
     const auto sampleBytes = static_cast<std::uint32_t>(sampleSize(dataset_.values.type()));
-    const PlannedSection sections[] = {{SectionId::Text, 1, text->size()},
+    std::vector<PlannedSection> sections = {{SectionId::Text, 1, text->size()},
                                        {SectionId::SitePoints, 4, planned_.sites},
                                        {SectionId::SiteValues, sampleBytes, planned_.sites},
                                        {SectionId::SiteRunningErrors, 4, planned_.sites},
@@ -63,6 +57,8 @@ Status PlannedModelWriter::begin()
                                        {SectionId::OtherSites, 12, planned_.tetrahedra},
                                        {SectionId::Destroyers, 4, planned_.tetrahedra},
                                        {SectionId::OwnErrors, 2, planned_.tetrahedra}};
+    if (samplesKept())
+        sections.push_back({SectionId::Samples, sampleBytes, dataset_.pointCount(), 0});
     if (const Status planned = sections_.plan(sections); !planned)
         return planned;
     return sections_.add(SectionId::Text, std::as_bytes(std::span(*text)));
@@ -116,6 +112,13 @@ Status PlannedModelWriter::finish(float finalKey)
     const std::uint64_t end = added_.tetrahedra;
     if (const Status written = sections_.add(SectionId::StarOffsets, std::as_bytes(std::span(&end, 1))); !written)
         return written;
+    if (samplesKept()) {
+        const Status written = writeSamples(dataset_.values, [this](std::span<const std::byte> piece) {
+            return sections_.add(SectionId::Samples, piece);
+        });
+        if (!written)
+            return written;
+    }
     format::Header header = headerOf(description_);
     header.siteCount = planned_.sites;
     header.tetrahedronCount = planned_.tetrahedra;
@@ -125,9 +128,19 @@ Status PlannedModelWriter::finish(float finalKey)
     return sections_.finish(header);
 }
 
-std::uint64_t PlannedModelWriter::expectedBytes(const PlannedCounts& counts, SampleType type) noexcept
+bool PlannedModelWriter::samplesKept() const noexcept
 {
-    return counts.sites * (siteBytes + sampleSize(type)) + counts.tetrahedra * tetrahedronBytes + 4096;
+    return keepsSamples(dataset_.domain, dataset_.values.type(), dataset_.pointCount(),
+                        {planned_.sites, planned_.tetrahedra});
+}
+
+std::uint64_t PlannedModelWriter::expectedBytes(const PlannedCounts& counts, SampleType type,
+                                                std::uint64_t points) noexcept
+{
+    constexpr std::uint64_t frontAndText = 4096;
+    const ModelCounts whole{counts.sites, counts.tetrahedra};
+    const bool samples = keepsSamples(DomainClass::RegularLattice, type, points, whole);
+    return arrayBytes(whole, type) + (samples ? points * sampleSize(type) : 0) + frontAndText;
 }
 
 Error PlannedModelWriter::notAsPlanned() const

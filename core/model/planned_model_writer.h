@@ -44,8 +44,8 @@ public:
     /// `finalKey` bounds the error of the mesh of all sites, in units of the values.
     Status finish(float finalKey);
 
-    /// Bytes of a model of this size, as well as is known beforehand.
-    static std::uint64_t expectedBytes(const PlannedCounts& counts, SampleType type) noexcept;
+    /// Bytes of a model of this size, of a lattice of so many points, as well as is known beforehand.
+    static std::uint64_t expectedBytes(const PlannedCounts& counts, SampleType type, std::uint64_t points) noexcept;
 
 private:
     PlannedModelWriter(FileWriter file, const Dataset& dataset, ModelDescription description,
@@ -53,6 +53,7 @@ private:
     Status begin();
     Status addOffsets(std::span<const std::uint32_t> starSizes);
     Status addValues(std::span<const std::uint32_t> points);
+    bool samplesKept() const noexcept;
     Error notAsPlanned() const;
 
     std::filesystem::path target_;

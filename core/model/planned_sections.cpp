@@ -23,7 +23,7 @@ Status PlannedSections::plan(std::span<const PlannedSection> sections)
     for (const PlannedSection& planned : sections) {
         Cursor cursor;
         cursor.section.id = static_cast<std::uint32_t>(planned.id);
-        cursor.section.flags = format::required;
+        cursor.section.flags = planned.flags;
         cursor.section.elementBytes = planned.elementBytes;
         cursor.section.offset = format::aligned(end);
         cursor.section.bytes = planned.elementBytes * planned.count;

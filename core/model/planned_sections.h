@@ -16,6 +16,7 @@ struct PlannedSection {
     format::SectionId id = format::SectionId::Text;
     std::uint32_t elementBytes = 1;
     std::uint64_t count = 0;
+    std::uint32_t flags = format::required; ///< 0 for a section that a reader may do without
 };
 
 /// Writes the sections of a `.tan` file all at once, each from its beginning to its end, straight to their final

@@ -13,16 +13,16 @@ using format::Section;
 
 Status SectionWriter::reserveFront()
 {
-    return padTo(sizeof(Header) + sectionCount_ * sizeof(Section));
+    return padTo(sizeof(Header) + mostSections_ * sizeof(Section));
 }
 
-Status SectionWriter::begin(format::SectionId id, std::size_t elementBytes)
+Status SectionWriter::begin(format::SectionId id, std::size_t elementBytes, std::uint32_t flags)
 {
     if (const Status padded = padTo(format::aligned(file_.size())); !padded)
         return padded;
     Section section;
     section.id = static_cast<std::uint32_t>(id);
-    section.flags = format::required;
+    section.flags = flags;
     section.elementBytes = static_cast<std::uint32_t>(elementBytes);
     section.offset = file_.size();
     sections_.push_back(section);
@@ -44,9 +44,9 @@ void SectionWriter::end()
 
 Status SectionWriter::finish(Header header)
 {
-    assert(sections_.size() == sectionCount_);
+    assert(sections_.size() <= mostSections_);
     const std::span<const std::byte> table = std::as_bytes(std::span(sections_));
-    header.sectionCount = sectionCount_;
+    header.sectionCount = static_cast<std::uint32_t>(sections_.size());
     header.fileBytes = file_.size();
     header.checksum = headerChecksum(header, table);
     if (const Status written = file_.overwrite(0, std::as_bytes(std::span(&header, 1))); !written)

@@ -14,11 +14,13 @@ namespace tetra {
 /// free for them.
 class SectionWriter {
 public:
-    SectionWriter(FileWriter file, std::uint32_t sectionCount) : file_(std::move(file)), sectionCount_(sectionCount) {}
+    /// `mostSections`: the table gets room for so many.
+    SectionWriter(FileWriter file, std::uint32_t mostSections) : file_(std::move(file)), mostSections_(mostSections) {}
 
     /// Leaves the place for header and table; comes first.
     Status reserveFront();
-    Status begin(format::SectionId id, std::size_t elementBytes);
+    /// `flags`: format::required, or 0 for a section that a reader may do without.
+    Status begin(format::SectionId id, std::size_t elementBytes, std::uint32_t flags = format::required);
     Status add(std::span<const std::byte> bytes);
     void end();
     /// Completes `header` with sizes and checksums, writes it with the table and commits the file.
@@ -28,7 +30,7 @@ private:
     Status padTo(std::uint64_t offset);
 
     FileWriter file_;
-    std::uint32_t sectionCount_;
+    std::uint32_t mostSections_;
     std::vector<format::Section> sections_;
     Checksum checksum_;
 };

@@ -103,6 +103,26 @@ void verifyValues(const Model& model, const Dataset& original, Findings& finding
     });
 }
 
+/// The samples that a file may hold, beside those of its sites.
+void verifyAllSamples(const Model& model, const Dataset& original, Findings& findings)
+{
+    if (model.samples().empty())
+        return;
+    const std::span<const std::byte> samples = original.values.bytes();
+    const std::size_t size = sampleSize(original.values.type());
+    // Rows: what is equal, as nearly all is, is compared quickly.
+    const std::size_t rowBytes = original.lattice.size[0] * size;
+    for (std::size_t at = 0; at < samples.size(); at += rowBytes) {
+        if (std::ranges::equal(model.samples().subspan(at, rowBytes), samples.subspan(at, rowBytes)))
+            continue;
+        findings.add(at, [&] {
+            const auto place = original.lattice.coordinates(at / size);
+            return "The samples that the file holds of row y = " + std::to_string(place[1]) +
+                   ", z = " + std::to_string(place[2]) + " are not those of the original.";
+        });
+    }
+}
+
 void verifyPositions(const Model& model, const Dataset& original, Findings& findings)
 {
     for (std::uint32_t site = 0; site < model.siteCount(); ++site) {
@@ -177,13 +197,15 @@ std::vector<LatticePoint> verifySites(const Model& model, const Dataset& origina
     places.reserve(model.siteCount());
     Findings wrongPlaces;
     Findings wrongValues;
+    Findings wrongSamples;
     Findings wrongPositions;
     Findings wrongErrors;
     verifyPlaces(model, original, places, wrongPlaces);
     verifyValues(model, original, wrongValues);
+    verifyAllSamples(model, original, wrongSamples);
     verifyPositions(model, original, wrongPositions);
     verifyRunningErrors(model, wrongErrors);
-    for (Findings* findings : {&wrongPlaces, &wrongValues, &wrongPositions, &wrongErrors})
+    for (Findings* findings : {&wrongPlaces, &wrongValues, &wrongSamples, &wrongPositions, &wrongErrors})
         findings->moveTo(failures);
     return places;
 }

@@ -27,7 +27,7 @@ DiskNeed diskNeed(const RunTotals& expected, SampleType type) noexcept
     constexpr std::uint64_t mostSites = std::numeric_limits<std::uint32_t>::max();
     const PlannedCounts counts{static_cast<std::uint32_t>(std::min(expected.sites, mostSites)), expected.tetrahedra};
     const std::uint64_t siteNumbers = expected.sites * sizeof(std::uint32_t);
-    return {PlannedModelWriter::expectedBytes(counts, type), expected.fileBytes + siteNumbers};
+    return {PlannedModelWriter::expectedBytes(counts, type, expected.points), expected.fileBytes + siteNumbers};
 }
 
 std::string textOf(const DiskNeed& need)
