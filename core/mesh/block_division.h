@@ -3,6 +3,7 @@
 
 #include "core/mesh/lattice_box.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -14,6 +15,20 @@ class BlockDivision {
 public:
     /// `edge`: the cells along an edge of a block; 0 for one block. `size`: the lattice's points, at least two an axis.
     BlockDivision(const std::array<std::uint32_t, 3>& size, std::uint32_t edge);
+
+    /// How many blocks lie along an axis.
+    std::uint32_t countAlong(std::size_t axis) const noexcept { return counts_[axis]; }
+    /// The block along an axis that has the cells from a point on; of the last point, those before it.
+    std::uint32_t blockAlong(std::size_t axis, std::uint32_t coordinate) const noexcept
+    {
+        return std::min(coordinate / edges_[axis], counts_[axis] - 1);
+    }
+    /// Whether a plane of points across an axis bounds blocks.
+    bool isBorder(std::size_t axis, std::uint32_t coordinate) const noexcept
+    {
+        return coordinate % edges_[axis] == 0 || coordinate == size_[axis] - 1;
+    }
+    const std::array<std::uint32_t, 3>& size() const noexcept { return size_; }
 
     std::uint32_t count() const noexcept { return counts_[0] * counts_[1] * counts_[2]; }
     LatticeBox box(std::uint32_t block) const;

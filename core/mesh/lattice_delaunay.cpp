@@ -2,9 +2,12 @@
 #include "core/mesh/lattice_delaunay.h"
 
 #include "core/base/simd.h"
+#include "core/mesh/lattice_walk.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace tetra {
 
@@ -106,9 +109,10 @@ struct SphereTest {
     std::int32_t x, y, z; ///< the point
 
     /// Sets lanes of `conflict` where the point lies strictly inside, and of `alive` where the tetrahedron is alive.
+    /// `powers`: the squared distances from the centres less those of the spheres, rounded; infinite for the dead.
     [[gnu::always_inline]] void operator()(const DelaunayTetrahedron* t0, const DelaunayTetrahedron* t1,
                                            const DelaunayTetrahedron* t2, const DelaunayTetrahedron* t3,
-                                           Long4& conflict, Long4& alive) const
+                                           Long4& conflict, Long4& alive, Double4* powers = nullptr) const
     {
         Double4 row0, row1, row2, row3;
         std::memcpy(&row0, &t0->sphere, sizeof row0);
@@ -131,8 +135,11 @@ struct SphereTest {
         const Double4 centreZ = __builtin_shufflevector(low01, low23, 2, 3, 6, 7);
         const Double4 determinant = __builtin_shufflevector(high01, high23, 2, 3, 6, 7);
         const Double4 square = weights[0] * qx * qx + weights[1] * qy * qy + weights[2] * qz * qz;
+        const Double4 product = centreX * qx + centreY * qy + centreZ * qz;
         alive = determinant != 0.0;
-        conflict = determinant * square < centreX * qx + centreY * qy + centreZ * qz;
+        conflict = determinant * square < product;
+        if (powers != nullptr)
+            *powers = alive ? square - product / determinant : Double4{} + std::numeric_limits<double>::infinity();
     }
 };
 
@@ -191,6 +198,51 @@ TETRA_SIMD_CLONES void LatticeDelaunay::findCavity(PackedPoint point, std::uint3
     }
     destroyed_.resize(destroyedCount());
     cavityFaces_.resize(faceCount());
+}
+
+TETRA_SIMD_CLONES std::uint32_t LatticeDelaunay::findConflict(PackedPoint point, std::uint32_t from) const
+{
+    const SphereTest test{lattice_, weights_, lattice_.x(point), lattice_.y(point), lattice_.z(point)};
+    Long4 conflict, alive;
+    Double4 powers;
+    std::uint32_t slot = from;
+    test(&at(slot), &at(slot), &at(slot), &at(slot), conflict, alive, &powers);
+    if ((conflict & alive)[0] != 0)
+        return slot;
+    double power = powers[0];
+    // Along a line to the point powers never rise, so that the neighbour of the least power leads on unless it is as
+    // far, as well as doubles tell: then exactly across a face that separates the two.
+    const double margin = 1e-9 * (std::abs(power) + 1);
+    for (std::uint64_t steps = 0; steps <= slotCount_; ++steps) {
+        const std::array<std::uint32_t, 4> neighbours = at(slot).neighbours;
+        test(&at(neighbours[0]), &at(neighbours[1]), &at(neighbours[2]), &at(neighbours[3]), conflict, alive, &powers);
+        const Long4 found = conflict & alive;
+        std::uint32_t best = 0;
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            if (found[i] != 0)
+                return neighbours[i];
+            best = powers[i] < powers[best] ? i : best;
+        }
+        if (!(powers[best] < power - margin))
+            best = faceTowards(point, slot);
+        if (best == 4 || neighbours[best] == none)
+            return none;
+        power = powers[best];
+        slot = neighbours[best];
+    }
+    return none;
+}
+
+/// The first face of a tetrahedron that has the point on its other side, or 4.
+std::uint32_t LatticeDelaunay::faceTowards(PackedPoint point, std::uint32_t slot) const
+{
+    const std::array<PackedPoint, 4>& vertices = at(slot).vertices;
+    for (std::uint32_t face = 0; face < 4; ++face) {
+        const auto& [a, b, c] = faceVertices[face];
+        if (!onInnerSide(lattice_, point, {vertices[face], vertices[a], vertices[b], vertices[c]}))
+            return face;
+    }
+    return 4;
 }
 
 TETRA_SIMD_CLONES void LatticeDelaunay::gatherStar(PackedPoint point)

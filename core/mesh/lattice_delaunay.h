@@ -4,6 +4,7 @@
 #include "core/base/buffer.h"
 #include "core/base/reserved_array.h"
 #include "core/base/result.h"
+#include "core/mesh/block_division.h"
 #include "core/mesh/lattice_box.h"
 #include "core/mesh/lattice_metric.h"
 #include "core/mesh/packed_lattice.h"
@@ -51,13 +52,29 @@ public:
     /// The corners of `box` cut into five; the first of their slots.
     std::uint32_t addBox(const LatticeBox& box, bool centreAtOrigin);
 
+    /// After prepare(), in place of addBox(): takes over a Delaunay mesh of each box of a division, tetrahedron i into
+    /// slot i, and finds their neighbours. False, and of no use, if it is no such mesh: not positive, not conforming, not
+    /// a cover, a tetrahedron that reaches into two boxes or a vertex strictly inside a circumsphere. About 5 million
+    /// tetrahedra a second. May throw std::bad_alloc.
+    [[nodiscard]] bool load(std::span<const std::array<PackedPoint, 4>> tetrahedra, const BlockDivision& division);
+    /// Goes back to a mesh that was: `tetrahedra` are all its slots, none dead; `changed` are those of its slots that
+    /// were overwritten since.
+    void restore(std::span<const DelaunayTetrahedron> tetrahedra, std::span<const std::uint32_t> changed);
+    std::span<const DelaunayTetrahedron> tetrahedra() const noexcept { return {tetrahedra_.data() + 1, slotCount_}; }
+
     /// Slots in use or once used: every valid slot is smaller.
     std::uint32_t slotCount() const noexcept { return slotCount_; }
     const DelaunayTetrahedron& operator[](std::uint32_t slot) const noexcept { return at(slot); }
 
-    /// Inserts a lattice point that is not a vertex yet; `containing` is a live tetrahedron that contains it. star()
+    /// Inserts a lattice point that is not a vertex yet; `containing` is a live tetrahedron that contains it, or
+    /// one that findConflict() gave. star()
     /// and destroyed() then tell what changed. False if the slots are exhausted (the mesh is then unusable).
     [[nodiscard]] bool insert(PackedPoint point, std::uint32_t containing);
+
+    /// A tetrahedron whose circumsphere has a lattice point that is not a vertex yet strictly inside, so that insert()
+    /// may start from it: found by going from the live one `from`, in the same box, always nearer to the point.
+    /// `none` if that leads nowhere, which no Delaunay mesh does to a point of its box.
+    std::uint32_t findConflict(PackedPoint point, std::uint32_t from) const;
 
     /// Gives a vertex a number that star().labels() tells.
     void label(PackedPoint point, std::uint32_t number) { star_.label(point, number); }
@@ -96,6 +113,9 @@ private:
         return (tetrahedra_.data() + 1)[static_cast<std::int32_t>(slot)];
     }
 
+    bool loadTetrahedra(std::span<const std::array<PackedPoint, 4>> tetrahedra, const BlockDivision& division);
+    bool isDelaunay() const;
+    std::uint32_t faceTowards(PackedPoint point, std::uint32_t slot) const;
     void findCavity(PackedPoint point, std::uint32_t containing);
     bool onHullPlane(PackedPoint point, const DelaunayTetrahedron& tetrahedron, std::uint32_t face) const;
     void gatherStar(PackedPoint point);

@@ -32,6 +32,9 @@ public:
     }
     bool weighted() const noexcept { return weights_ != nullptr; }
 
+    /// Calls `function` with the pointer to the first sample, of its own type, and gives what it gives.
+    template <class Function> decltype(auto) visit(Function&& function) const { return std::visit(function, samples_); }
+
     /// values[i] = the sample of points[i].
     void gather(const PackedLattice& lattice, std::span<const PackedPoint> points, double* values) const
     {

@@ -3,6 +3,7 @@
 // is refused with a text that helps.
 #include "core/model/model.h"
 #include "core/model/model_writer.h"
+#include "core/model/verification.h"
 
 #include "core/base/half.h"
 #include "tests/core/base/small_disk.h"
@@ -71,6 +72,29 @@ private slots:
         QVERIFY(model.checkIntact().ok());
         compareSites(model, history, dataset);
         compareTetrahedra(model, history);
+        QVERIFY(std::ranges::equal(model.samples(), dataset.values.bytes()));
+    }
+
+    /// FORMAT.md: only where they take at most an eighth of the rest.
+    void samplesAreKeptWhereTheyAreCheap()
+    {
+        const Dataset dataset = bumps(SampleType::Float64, {7, 6, 8});
+        const RecordedHistory& history = historyOf(dataset);
+        for (std::uint32_t sites = 9; sites < history.steps.size(); sites += 7) {
+            auto writer = ModelWriter::create(path(), dataset, {});
+            for (std::uint32_t site = 0; site < sites; ++site) {
+                const RecordedHistory::Step& step = history.steps[site];
+                QVERIFY((*writer)->add({step.point, step.keyBefore, step.star, step.destroyed}).ok());
+            }
+            QVERIFY((*writer)->finishEarly().ok());
+            const auto model = Model::open(path());
+            QVERIFY(model.ok());
+            const std::uint64_t rest =
+                (*model)->siteCount() * (21 + 8ull) + (*model)->tetrahedronCount() * 18;
+            QCOMPARE((*model)->samples().empty(), dataset.pointCount() * 8 > rest / 8);
+            const auto verdict = verify(**model, dataset, {});
+            QVERIFY2(verdict->ok(), verdict->ok() ? "" : verdict->failures[0].c_str());
+        }
     }
 
     /// The offsets of FORMAT.md, read by hand.
@@ -94,7 +118,8 @@ private slots:
         QCOMPARE(valueAt<std::uint64_t>(bytes, 176), dataset.source.hash);
         QCOMPARE(valueAt<float>(bytes, 184), history.finalError);
         const auto sectionCount = valueAt<std::uint32_t>(bytes, 20);
-        QCOMPARE(sectionCount, 10u);
+        QCOMPARE(sectionCount, 11u);
+        QCOMPARE(valueAt<std::uint16_t>(bytes, 10), std::uint16_t(1));
         std::uint64_t end = 256 + 64 * sectionCount;
         for (std::uint32_t number = 0; number < sectionCount; ++number) {
             const auto offset = valueAt<std::uint64_t>(bytes, 256 + 64 * number + 16);
@@ -256,7 +281,7 @@ void ModelFileTest::whatCannotBeReadIsRefused_data()
     row(
         "magic", [](FileParts& f) { f.header().magic[4] = '\n'; }, "is not a TAn model");
     row(
-        "later", [](FileParts& f) { f.header().majorVersion = 2; }, "version 2.0; this program reads up to version 1");
+        "later", [](FileParts& f) { f.header().majorVersion = 2; }, "version 2.1; this program reads up to version 1");
     row(
         "remedy", [](FileParts& f) { f.header().majorVersion = 300; }, "Install a later version of TAn");
     row(
@@ -315,11 +340,13 @@ void ModelFileTest::whatCannotBeReadIsRefused_data()
     row(
         "overlap", [](FileParts& f) { f.section(SectionId::Destroyers).offset -= 64; }, "begins where it cannot");
     row(
-        "far", [](FileParts& f) { f.section(SectionId::OwnErrors).offset += 64; }, "reaches beyond the end");
+        "far", [](FileParts& f) { f.section(SectionId::Samples).offset += 64; }, "reaches beyond the end");
     row(
         "wraps", [](FileParts& f) { f.section(SectionId::OwnErrors).bytes = ~0ull - 63; }, "reaches beyond the end");
     row(
-        "short last", [](FileParts& f) { f.section(SectionId::OwnErrors).bytes -= 2; }, "its last section ends");
+        "short last", [](FileParts& f) { f.section(SectionId::Samples).bytes -= 2; }, "its last section ends");
+    row(
+        "samples", [](FileParts& f) { f.section(SectionId::Samples).elementBytes = 2; }, "section 'samples' has");
     row(
         "element", [](FileParts& f) { f.section(SectionId::MeshSizes).elementBytes = 2; }, "'mesh sizes' has");
 }

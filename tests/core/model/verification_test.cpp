@@ -192,6 +192,9 @@ void VerificationTest::findsWhatIsWrong_data()
         "moved value", [](FileParts& f) { f.elements<std::uint8_t>(SectionId::SiteValues)[20] += 1; },
         "The value of site 20 is ");
     row(
+        "other sample", [](FileParts& f) { f.elements<std::uint8_t>(SectionId::Samples)[71] ^= 4; },
+        "of row y = 2, z = 3 are not those of the original");
+    row(
         "lost tetrahedron",
         [](FileParts& f) {
             f.elements<std::uint32_t>(SectionId::Destroyers)[livingTetrahedron(f)] = f.header().siteCount - 1;

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/lattice_samples.h"
+#include "core/mesh/local_delaunay.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tetra {
+
+/// How large the error may be at each point of a lattice, in units of the values.
+class ErrorLimits {
+public:
+    virtual ~ErrorLimits() = default;
+    virtual double at(const std::array<std::uint32_t, 3>& point) const = 0;
+
+    double least = 0; ///< nowhere less ...
+    double most = 0;  ///< ... and this everywhere but from `first` to `last`
+    std::array<std::int32_t, 3> first{0, 0, 0};
+    std::array<std::int32_t, 3> last{-1, -1, -1};
+
+    /// Where it is known already that no error is beyond its limit: a tetrahedron that did not change and lies between
+    /// the two is not looked at.
+    void settle(const std::array<std::int32_t, 3>& from, const std::array<std::int32_t, 3>& to)
+    {
+        settledFirst = from;
+        settledLast = to;
+    }
+    std::array<std::int32_t, 3> settledFirst{0, 0, 0};
+    std::array<std::int32_t, 3> settledLast{-1, -1, -1};
+};
+
+/// A sample that a mesh is too far from, the worst of its tetrahedron.
+struct WorstSample {
+    double excess = 0; ///< the error divided by its limit, more than 1
+    double error = 0;
+    PackedPoint point = 0;
+    std::uint32_t slot = 0;
+    std::array<PackedPoint, 4> tetrahedron{}; ///< what the slot held
+};
+
+/// The worse first, then the first in the lattice.
+inline bool isWorse(const WorstSample& one, const WorstSample& other)
+{
+    if (one.excess != other.excess)
+        return one.excess > other.excess;
+    if (one.error != other.error)
+        return one.error > other.error;
+    return one.point < other.point;
+}
+
+/// The samples to look at in a tetrahedron.
+enum class ScannedPart {
+    All,
+    Limited, ///< only where the limits are not the largest
+};
+
+/// Looks at the samples in tetrahedra (closed, so that those on faces are looked at more than once), but for vertices,
+/// and appends the worst of each tetrahedron that has one beyond the limits. Exact about what lies where; errors are one
+/// division of exact integers for samples of up to 16 bits (S8), and rounded in doubles else.
+void scanSamples(const LocalDelaunay& mesh, std::span<const std::uint32_t> slots, const LatticeSamples& samples,
+                 const ErrorLimits& limits, ScannedPart part, std::vector<WorstSample>& worst);
+
+/// Likewise for all that did not change since LocalDelaunay::acceptChanges().
+void scanUnchanged(const LocalDelaunay& mesh, const LatticeSamples& samples, const ErrorLimits& limits,
+                   ScannedPart part, std::vector<WorstSample>& worst);
+
+} // namespace tetra
