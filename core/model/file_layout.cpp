@@ -60,6 +60,7 @@ private:
     Status checkCounts() const;
     Status checkPositions() const;
     Status checkSamples() const;
+    std::uint32_t positionBytes() const;
     Status checkCount(Expected expected, std::uint64_t count) const;
 
     Error bad(const std::string& text) const { return {ErrorKind::BadInput, name_ + " " + text}; }
@@ -249,18 +250,27 @@ Status LayoutReader::checkPositions() const
 {
     if (isDomain(layout_.header, DomainClass::RegularLattice))
         return {};
+    return checkCount({SectionId::SitePositions, positionBytes()}, layout_.header.siteCount);
+}
+
+std::uint32_t LayoutReader::positionBytes() const
+{
     const auto section = std::ranges::find(layout_.sections, std::uint32_t(SectionId::SitePositions), &Section::id);
     const bool doubles = section != layout_.sections.end() && section->elementBytes == positionBytesInDoubles;
-    return checkCount({SectionId::SitePositions, doubles ? positionBytesInDoubles : positionBytesInFloats},
-                      layout_.header.siteCount);
+    return doubles ? positionBytesInDoubles : positionBytesInFloats;
 }
 
 Status LayoutReader::checkSamples() const
 {
     const auto& size = layout_.header.latticeSize;
-    if (!isDomain(layout_.header, DomainClass::RegularLattice) || !layout_.has(SectionId::Samples))
+    const std::uint64_t points = std::uint64_t(size[0]) * size[1] * size[2];
+    const bool lifted = isDomain(layout_.header, DomainClass::Curvilinear);
+    if (!layout_.has(SectionId::Samples) || !(lifted || isDomain(layout_.header, DomainClass::RegularLattice)))
         return {};
-    return checkCount({SectionId::Samples, 0}, std::uint64_t(size[0]) * size[1] * size[2]);
+    if (lifted)
+        if (const Status counted = checkCount({SectionId::SamplePositions, positionBytes()}, points); !counted)
+            return counted;
+    return checkCount({SectionId::Samples, 0}, points);
 }
 
 Status LayoutReader::checkCount(Expected expected, std::uint64_t count) const

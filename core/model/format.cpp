@@ -15,6 +15,7 @@ std::string_view sectionName(std::uint32_t id) noexcept
     case SectionId::SiteGroups: return "site groups";
     case SectionId::SitePositions: return "site positions";
     case SectionId::Samples: return "samples";
+    case SectionId::SamplePositions: return "sample positions";
     case SectionId::OtherSites: return "other sites";
     case SectionId::Destroyers: return "destroyers";
     case SectionId::OwnErrors: return "own errors";

@@ -41,6 +41,7 @@ enum class SectionId : std::uint32_t {
     SiteGroups = 21,
     SitePositions = 22,
     Samples = 23,
+    SamplePositions = 24,
     OtherSites = 32,
     Destroyers = 33,
     OwnErrors = 34,

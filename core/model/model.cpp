@@ -47,8 +47,8 @@ public:
             ownWarpings_ = elementsOf<std::uint16_t>(*file_, layout, SectionId::OwnWarpings);
         if (description_.domain != DomainClass::RegularLattice)
             mapPositions(layout);
-        else if (layout.has(SectionId::Samples))
-            samples_ = elementsOf<std::byte>(*file_, layout, SectionId::Samples);
+        if (description_.domain != DomainClass::Scattered && layout.has(SectionId::Samples))
+            mapSamples(layout);
     }
 
     std::span<const std::byte> fileBytes() const noexcept override { return file_->bytes(); }
@@ -62,6 +62,15 @@ private:
             floatPositions_ = elementsOf<Eigen::Vector3f>(*file_, layout, SectionId::SitePositions);
         else
             doublePositions_ = elementsOf<Eigen::Vector3d>(*file_, layout, SectionId::SitePositions);
+    }
+
+    void mapSamples(const FileLayout& layout)
+    {
+        samples_ = elementsOf<std::byte>(*file_, layout, SectionId::Samples);
+        if (!floatPositions_.empty())
+            floatSamplePositions_ = elementsOf<Eigen::Vector3f>(*file_, layout, SectionId::SamplePositions);
+        else if (!doublePositions_.empty())
+            doubleSamplePositions_ = elementsOf<Eigen::Vector3d>(*file_, layout, SectionId::SamplePositions);
     }
 
     std::shared_ptr<const MappedFile> file_;

@@ -93,9 +93,12 @@ public:
     /// The length that warpings are a percentage of (R7).
     double diagonal() const noexcept { return description_.bounds.diagonal().norm(); }
 
-    /// All samples of the dataset, of sampleType, in the lattice's order: the file of a regular lattice may hold them.
-    /// Empty if it does not.
+    /// All samples of the dataset, of sampleType, in the lattice's order: the file of lattice data, regular or curvilinear,
+    /// may hold them. Empty if it does not.
     std::span<const std::byte> samples() const noexcept { return samples_; }
+    /// With the samples of curvilinear data where they lie, in floats or doubles as the sites' positions.
+    std::span<const Eigen::Vector3f> floatSamplePositions() const noexcept { return floatSamplePositions_; }
+    std::span<const Eigen::Vector3d> doubleSamplePositions() const noexcept { return doubleSamplePositions_; }
 
     /// The whole file as it is mapped, for those who check it.
     virtual std::span<const std::byte> fileBytes() const noexcept = 0;
@@ -123,6 +126,8 @@ protected:
     std::span<const Eigen::Vector3f> floatPositions_;
     std::span<const Eigen::Vector3d> doublePositions_;
     std::span<const std::byte> samples_;
+    std::span<const Eigen::Vector3f> floatSamplePositions_;
+    std::span<const Eigen::Vector3d> doubleSamplePositions_;
 };
 
 } // namespace tetra

@@ -25,11 +25,10 @@ using format::SectionId;
 /// Sections of every model; domains with positions of their own and with warping have more.
 constexpr std::uint32_t commonSections = 10;
 
-/// Room in the table: that of a lattice is for the samples, which a model of few sites leaves out.
+/// Room in the table: also for the samples, which a model of few sites leaves out.
 std::uint32_t mostSections(DomainClass domain)
 {
-    return commonSections + 1 +
-           (domain == DomainClass::Curvilinear ? 1 : 0);
+    return commonSections + 1 + (domain == DomainClass::Curvilinear ? 3 : 0);
 }
 
 /// A first mesh needs as many sites: the corners of a lattice, or those of one tetrahedron.
@@ -254,8 +253,12 @@ Status HistoryFileWriter::writeGeometry()
 Status HistoryFileWriter::writeAllSamples()
 {
     const SampleType type = dataset_.values.type();
-    if (!keepsSamples(dataset_.domain, type, dataset_.pointCount(), {siteCount(), tetrahedronCount()}))
+    if (!keepsSamples(dataset_.domain, type, positionBytes(dataset_), dataset_.pointCount(),
+                      {siteCount(), tetrahedronCount()}))
         return {};
+    if (dataset_.positions)
+        if (const Status written = writeSamplePositions(sections_, dataset_); !written)
+            return written;
     if (const Status begun = sections_.begin(SectionId::Samples, sampleSize(type), 0); !begun)
         return begun;
     const Status written =

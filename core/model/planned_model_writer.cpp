@@ -130,7 +130,7 @@ Status PlannedModelWriter::finish(float finalKey)
 
 bool PlannedModelWriter::samplesKept() const noexcept
 {
-    return keepsSamples(dataset_.domain, dataset_.values.type(), dataset_.pointCount(),
+    return keepsSamples(dataset_.domain, dataset_.values.type(), 0, dataset_.pointCount(),
                         {planned_.sites, planned_.tetrahedra});
 }
 
@@ -139,7 +139,7 @@ std::uint64_t PlannedModelWriter::expectedBytes(const PlannedCounts& counts, Sam
 {
     constexpr std::uint64_t frontAndText = 4096;
     const ModelCounts whole{counts.sites, counts.tetrahedra};
-    const bool samples = keepsSamples(DomainClass::RegularLattice, type, points, whole);
+    const bool samples = keepsSamples(DomainClass::RegularLattice, type, 0, points, whole);
     return arrayBytes(whole, type) + (samples ? points * sampleSize(type) : 0) + frontAndText;
 }
 

@@ -19,10 +19,11 @@ std::uint64_t arrayBytes(const ModelCounts& counts, SampleType type) noexcept
     return counts.sites * (siteBytes + sampleSize(type)) + counts.tetrahedra * tetrahedronBytes;
 }
 
-bool keepsSamples(DomainClass domain, SampleType type, std::uint64_t points, const ModelCounts& counts) noexcept
+bool keepsSamples(DomainClass domain, SampleType type, std::size_t positionBytes, std::uint64_t points,
+                  const ModelCounts& counts) noexcept
 {
-    return domain == DomainClass::RegularLattice &&
-           points * sampleSize(type) <= arrayBytes(counts, type) / shareOfArrays;
+    return domain != DomainClass::Scattered &&
+           points * (sampleSize(type) + positionBytes) <= arrayBytes(counts, type) / shareOfArrays;
 }
 
 Status writeSamples(const ScalarField& samples, const std::function<Status(std::span<const std::byte>)>& write)

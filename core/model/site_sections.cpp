@@ -3,6 +3,7 @@
 
 #include "core/data/grid_handedness.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,13 @@ Status writeSiteValues(SectionWriter& sections, const Dataset& dataset, const Sp
     });
 }
 
+std::size_t positionBytes(const Dataset& dataset)
+{
+    if (dataset.domain == DomainClass::RegularLattice)
+        return 0;
+    return fitFloats(*dataset.positions) ? sizeof(Eigen::Vector3f) : sizeof(Eigen::Vector3d);
+}
+
 Status writeSitePositions(SectionWriter& sections, const Dataset& dataset, const SpooledArray<std::uint32_t>& points)
 {
     const std::vector<Eigen::Vector3d>& positions = *dataset.positions;
@@ -48,6 +56,29 @@ Status writeSitePositions(SectionWriter& sections, const Dataset& dataset, const
             return positions[point].cast<float>();
         });
     return writeForEach<Eigen::Vector3d>(sections, id, points, [&](std::uint32_t point) { return positions[point]; });
+}
+
+Status writeSamplePositions(SectionWriter& sections, const Dataset& dataset)
+{
+    constexpr std::size_t atOnce = 1 << 15;
+    const std::span<const Eigen::Vector3d> positions = *dataset.positions;
+    const bool floats = positionBytes(dataset) == sizeof(Eigen::Vector3f);
+    if (const Status begun = sections.begin(format::SectionId::SamplePositions, positionBytes(dataset), 0); !begun)
+        return begun;
+    std::vector<Eigen::Vector3f> rounded;
+    for (std::size_t first = 0; first < positions.size(); first += atOnce) {
+        const auto piece = positions.subspan(first, std::min(atOnce, positions.size() - first));
+        rounded.clear();
+        if (floats)
+            for (const Eigen::Vector3d& position : piece)
+                rounded.push_back(position.cast<float>());
+        const Status written =
+            sections.add(floats ? std::as_bytes(std::span<const Eigen::Vector3f>(rounded)) : std::as_bytes(piece));
+        if (!written)
+            return written;
+    }
+    sections.end();
+    return {};
 }
 
 } // namespace tetra

@@ -123,6 +123,22 @@ void verifyAllSamples(const Model& model, const Dataset& original, Findings& fin
     }
 }
 
+/// Likewise where they lie.
+void verifySamplePositions(const Model& model, const Dataset& original, Findings& findings)
+{
+    const std::size_t count = model.samples().empty() || !original.positions ? 0 : original.positions->size();
+    for (std::size_t point = 0; point < count; ++point) {
+        const Eigen::Vector3d held = model.floatSamplePositions().empty()
+                                         ? model.doubleSamplePositions()[point]
+                                         : model.floatSamplePositions()[point].cast<double>().eval();
+        if (held != (*original.positions)[point])
+            findings.add(point, [&] {
+                return "The position that the file holds of point " + std::to_string(point) +
+                       " is not that of the original.";
+            });
+    }
+}
+
 void verifyPositions(const Model& model, const Dataset& original, Findings& findings)
 {
     for (std::uint32_t site = 0; site < model.siteCount(); ++site) {
@@ -203,6 +219,7 @@ std::vector<LatticePoint> verifySites(const Model& model, const Dataset& origina
     verifyPlaces(model, original, places, wrongPlaces);
     verifyValues(model, original, wrongValues);
     verifyAllSamples(model, original, wrongSamples);
+    verifySamplePositions(model, original, wrongSamples);
     verifyPositions(model, original, wrongPositions);
     verifyRunningErrors(model, wrongErrors);
     for (Findings* findings : {&wrongPlaces, &wrongValues, &wrongSamples, &wrongPositions, &wrongErrors})
