@@ -3,16 +3,15 @@
 
 #include "core/base/simd.h"
 
-#include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <type_traits>
 
 namespace tetra {
 
 namespace {
 
-/// From so many samples of a row on, the part of it that is in the tetrahedron is found first.
-constexpr int manySamples = 4;
 /// Errors a little below the limit are looked at closely: products with it are rounded.
 constexpr double nearly = 1 - 1e-14;
 
@@ -49,6 +48,23 @@ using Offset = std::array<double, 3>;
     return planes;
 }
 
+/// Eight neighbouring samples as doubles.
+template <class T> [[gnu::always_inline]] inline void loadRow(const T* samples, Double8& row)
+{
+    typedef T Samples __attribute__((vector_size(8 * sizeof(T))));
+    Samples loaded;
+    std::memcpy(&loaded, samples, sizeof loaded);
+    if constexpr (std::is_integral_v<T> && sizeof(T) <= 2)
+        row = __builtin_convertvector(__builtin_convertvector(loaded, Int8), Double8);
+    else
+        row = __builtin_convertvector(loaded, Double8);
+}
+
+constexpr std::int32_t lanes = 8;
+/// From element 8 - n on: n lanes of ones, then zeros.
+constexpr std::array<std::int64_t, 2 * lanes> ones = {-1, -1, -1, -1, -1, -1, -1, -1};
+using Place = std::array<std::int32_t, 3>;
+
 template <class T> class Scan {
 public:
     Scan(const LocalDelaunay& mesh, const T* samples, const ErrorLimits& limits, std::vector<WorstSample>& worst)
@@ -59,49 +75,44 @@ public:
     [[gnu::always_inline]] void run(std::span<const std::uint32_t> slots, ScannedPart part)
     {
         constexpr std::size_t ahead = 8;
+        const bool wide = lattice_.size()[0] >= static_cast<std::uint32_t>(lanes);
         for (std::size_t i = 0; i < slots.size(); ++i) {
             if (i + ahead < slots.size())
                 mesh_.mesh().prefetch(slots[i + ahead]);
             const DelaunayTetrahedron& tetrahedron = mesh_.mesh()[slots[i]];
-            if (tetrahedron.determinant() > 0)
-                look(slots[i], tetrahedron, part);
+            if (!(tetrahedron.determinant() > 0) || !findBounds(tetrahedron, part))
+                continue;
+            makePlanes(tetrahedron);
+            if (wide)
+                look(slots[i], tetrahedron);
+            else
+                findWorst(slots[i], tetrahedron);
         }
     }
 
 private:
-    [[gnu::always_inline]] void look(std::uint32_t slot, const DelaunayTetrahedron& tetrahedron, ScannedPart part)
+    /// The points to look at; false if there are none.
+    [[gnu::always_inline]] bool findBounds(const DelaunayTetrahedron& tetrahedron, ScannedPart part)
     {
         Int4 packed, x, y, z;
         std::memcpy(&packed, &tetrahedron.vertices, sizeof packed);
         lattice_.unpack(packed, x, y, z);
-        std::array<std::int32_t, 3> first{}, last{};
-        bounds(x, first[0], last[0]);
-        bounds(y, first[1], last[1]);
-        bounds(z, first[2], last[2]);
-        bool meets = true;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            meets &= first[axis] <= limits_.last[axis] && last[axis] >= limits_.first[axis];
-        if (part == ScannedPart::Limited) {
-            bool settled = true;
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                settled &= first[axis] >= limits_.settledFirst[axis] && last[axis] <= limits_.settledLast[axis];
-            if (!meets || settled)
-                return;
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                first[axis] = std::max(first[axis], limits_.first[axis]);
-                last[axis] = std::min(last[axis], limits_.last[axis]);
-            }
+        bounds(x, first_[0], last_[0]);
+        bounds(y, first_[1], last_[1]);
+        bounds(z, first_[2], last_[2]);
+        meets_ = true;
+        bool settled = true;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            meets_ &= first_[axis] <= limits_.last[axis] && last_[axis] >= limits_.first[axis];
+            settled &= first_[axis] >= limits_.settledFirst[axis] && last_[axis] <= limits_.settledLast[axis];
         }
-        tetrahedron_ = &tetrahedron;
-        slot_ = slot;
-        ready_ = false;
-        found_ = {};
-        threshold_ = (meets ? limits_.least : limits_.most) * nearly * tetrahedron.determinant();
-        for (std::int32_t row = first[2]; row <= last[2]; ++row)
-            for (std::int32_t line = first[1]; line <= last[1]; ++line)
-                lookAtRow(line, row, first[0], last[0]);
-        if (found_.excess > 0)
-            worst_.push_back(found_);
+        if (part == ScannedPart::All)
+            return true;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            first_[axis] = std::max(first_[axis], limits_.first[axis]);
+            last_[axis] = std::min(last_[axis], limits_.last[axis]);
+        }
+        return meets_ && !settled;
     }
 
     [[gnu::always_inline]] static void bounds(const Int4& c, std::int32_t& least, std::int32_t& largest)
@@ -110,107 +121,276 @@ private:
         largest = std::max(std::max(c[0], c[1]), std::max(c[2], c[3]));
     }
 
-    /// Samples that are vertices are passed over before anything is computed: in dense parts hardly any are left.
-    [[gnu::always_inline]] void lookAtRow(std::int32_t y, std::int32_t z, std::int32_t first, std::int32_t last)
+    [[gnu::always_inline]] void makePlanes(const DelaunayTetrahedron& tetrahedron)
     {
-        const std::uint64_t* const vertices =
-            mesh_.vertices().row(static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(z));
-        for (std::int32_t word = first >> 6; word <= last >> 6; ++word) {
-            const std::int32_t base = word * 64;
-            std::uint64_t bits = ~vertices[word];
-            if (first > base)
-                bits &= ~0ull << (first - base);
-            if (last < base + 63)
-                bits &= ~0ull >> (63 - (last - base));
-            if (bits != 0)
-                lookAtSamples(bits, base, y, z);
-        }
-    }
-
-    [[gnu::always_inline]] void lookAtSamples(std::uint64_t bits, std::int32_t base, std::int32_t y, std::int32_t z)
-    {
-        if (!ready_)
-            makeReady();
-        const double offsetY = y - originY_, offsetZ = z - originZ_;
-        Double4 slope, slopeY, slopeZ, constant;
-        std::memcpy(&slope, &planes_.slopeX, sizeof slope);
-        std::memcpy(&slopeY, &planes_.slopeY, sizeof slopeY);
-        std::memcpy(&slopeZ, &planes_.slopeZ, sizeof slopeZ);
-        std::memcpy(&constant, &planes_.constant, sizeof constant);
-        constant += slopeY * offsetY + slopeZ * offsetZ;
-        const double field = planes_.fieldY * offsetY + planes_.fieldZ * offsetZ;
-        const T* const row = samples_ + (std::size_t(z) * lattice_.size()[1] + std::size_t(y)) * lattice_.size()[0];
-        if (std::popcount(bits) >= manySamples) {
-            bits &= inside(slope, constant, base);
-        }  else {
-            for (std::uint64_t left = bits; left != 0; left &= left - 1) {
-                const int bit = std::countr_zero(left);
-                const Double4 volumes = slope * static_cast<double>(base + bit - originX_) + constant;
-                const Long4 outside = volumes < 0.0;
-                if ((outside[0] | outside[1] | outside[2] | outside[3]) != 0)
-                    bits &= ~(1ull << bit);
-            }
-        }
-        for (; bits != 0; bits &= bits - 1) {
-            const std::int32_t x = base + std::countr_zero(bits);
-            const double numerator = planes_.determinant * (static_cast<double>(row[x]) - planes_.value) -
-                                     planes_.fieldX * static_cast<double>(x - originX_) - field;
-            if (std::abs(numerator) > threshold_)
-                compare(std::abs(numerator) / planes_.determinant, x, y, z);
-        }
-    }
-
-    /// The samples of a word of a row that lie in the tetrahedron. Quotients of integers of less than 26 bits are on the
-    /// right side of an integer however they are rounded.
-    [[gnu::always_inline]] std::uint64_t inside(const Double4& slope, const Double4& constant, std::int32_t base) const
-    {
-        const Double4 bound = -constant / slope;
-        double least = base - originX_, largest = least + 63;
-        for (int face = 0; face < 4; ++face) {
-            if (slope[face] > 0)
-                least = std::max(least, std::ceil(bound[face]));
-            else if (slope[face] < 0)
-                largest = std::min(largest, std::floor(bound[face]));
-            else if (constant[face] < 0)
-                return 0;
-        }
-        if (least > largest)
-            return 0;
-        const int from = static_cast<int>(least) - (base - originX_), to = static_cast<int>(largest) - (base - originX_);
-        return (~0ull << from) & (~0ull >> (63 - to));
-    }
-
-    [[gnu::noinline]] void compare(double error, std::int32_t x, std::int32_t y, std::int32_t z)
-    {
-        const std::array<std::uint32_t, 3> place = {static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
-                                                    static_cast<std::uint32_t>(z)};
-        const double limit = limits_.at(place);
-        if (!(error > limit))
-            return;
-        const WorstSample sample{error / limit, error, lattice_.pack(place[0], place[1], place[2]), slot_,
-                                 tetrahedron_->vertices};
-        if (!(found_.excess > 0) || isWorse(sample, found_))
-            found_ = sample;
-    }
-
-    [[gnu::always_inline]] void makeReady()
-    {
-        const std::array<PackedPoint, 4>& vertices = tetrahedron_->vertices;
-        originX_ = lattice_.x(vertices[0]);
-        originY_ = lattice_.y(vertices[0]);
-        originZ_ = lattice_.z(vertices[0]);
-        std::array<Offset, 3> edges{};
+        const std::array<PackedPoint, 4>& vertices = tetrahedron.vertices;
         std::array<double, 4> values{};
         for (std::size_t i = 0; i < 4; ++i) {
+            corners_[i] = {lattice_.x(vertices[i]), lattice_.y(vertices[i]), lattice_.z(vertices[i])};
             values[i] = static_cast<double>(samples_[lattice_.index(vertices[i])]);
             if (i > 0)
-                edges[i - 1] = {static_cast<double>(lattice_.x(vertices[i]) - originX_),
-                                static_cast<double>(lattice_.y(vertices[i]) - originY_),
-                                static_cast<double>(lattice_.z(vertices[i]) - originZ_)};
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    edges_[i - 1][axis] = static_cast<double>(corners_[i][axis] - corners_[0][axis]);
         }
-        planes_ = planesOf(edges, values, tetrahedron_->determinant());
-        ready_ = true;
+        planes_ = planesOf(edges_, values, tetrahedron.determinant());
     }
+
+    /// The rows that are looked at together.
+    struct Rows {
+        std::array<std::int32_t, lanes> first, last; ///< x, empty if the last comes first
+        std::array<double, lanes> field;             ///< at x of the first corner, times the determinant
+    };
+
+    /// For each of eight lanes, the largest distance of a sample from the field (times the determinant) and its number
+    /// in the lattice, the first of equals.
+    struct Farthest {
+        Double8 distance;
+        Double8 place;
+    };
+
+    /// The worst samples inside and outside the part of the lattice where the limits are smaller. For limits that are the
+    /// same all over each, that is all; else a sample that may be beyond its limit.
+    [[gnu::always_inline]] void look(std::uint32_t slot, const DelaunayTetrahedron& tetrahedron)
+    {
+        const double least = limits_.least * nearly * planes_.determinant;
+        const double most = limits_.most * nearly * planes_.determinant;
+        std::array<double, 4> perSlope{};
+        for (std::size_t face = 0; face < 4; ++face)
+            perSlope[face] = 1 / planes_.slopeX[face];
+        Farthest inside{Double8{} + least, Double8{} - 1.0}, outside{Double8{} + most, Double8{} - 1.0};
+        for (std::int32_t z = first_[2]; z <= last_[2]; ++z) {
+            std::int32_t firstY = first_[1], lastY = last_[1];
+            if (lastY - firstY >= lanes)
+                sliceBounds(z, firstY, lastY);
+            for (std::int32_t block = firstY; block <= lastY; block += lanes) {
+                Rows rows;
+                findRows(perSlope, block, z, rows);
+                const std::int32_t end = std::min(lanes, lastY - block + 1);
+                for (std::int32_t i = 0; i < end; ++i)
+                    if (rows.first[i] <= rows.last[i])
+                        lookAtRow(rows.first[i], rows.last[i], block + i, z, rows.field[i], inside, outside);
+            }
+        }
+        const double largestInside = largestOf(inside.distance), largestOutside = largestOf(outside.distance);
+        if (largestInside == least && largestOutside == most)
+            return;
+        if (meets_ && !limits_.twoValued)
+            return findWorst(slot, tetrahedron);
+        WorstSample found;
+        keepWorse(inside, largestInside, least, limits_.least, found);
+        keepWorse(outside, largestOutside, most, limits_.most, found);
+        append(found, slot, tetrahedron);
+    }
+
+    [[gnu::always_inline]] void lookAtRow(std::int32_t first, std::int32_t last, std::int32_t y, std::int32_t z,
+                                          double field, Farthest& inside, Farthest& outside) const
+    {
+        const std::size_t row = (std::size_t(z) * lattice_.size()[1] + std::size_t(y)) * lattice_.size()[0];
+        const std::int32_t from = limits_.first[0], to = limits_.last[0];
+        const bool within = meets_ && y >= limits_.first[1] && y <= limits_.last[1] && z >= limits_.first[2] &&
+                            z <= limits_.last[2];
+        if (!within || last < from || first > to)
+            return lookAtRun(row, first, last, field, outside);
+        if (first < from)
+            lookAtRun(row, first, from - 1, field, outside);
+        lookAtRun(row, std::max(first, from), std::min(last, to), field, inside);
+        if (last > to)
+            lookAtRun(row, to + 1, last, field, outside);
+    }
+
+    [[gnu::always_inline]] static double largestOf(const Double8& numbers)
+    {
+        double largest = numbers[0];
+        for (std::int32_t i = 1; i < lanes; ++i)
+            largest = std::max(largest, numbers[i]);
+        return largest;
+    }
+
+    void keepWorse(const Farthest& farthest, double largest, double threshold, double limit, WorstSample& found) const
+    {
+        const double error = largest / planes_.determinant;
+        if (!(largest > threshold) || !(error > limit))
+            return;
+        double place = std::numeric_limits<double>::infinity();
+        for (std::int32_t i = 0; i < lanes; ++i)
+            if (farthest.distance[i] == largest)
+                place = std::min(place, farthest.place[i]);
+        const auto number = static_cast<std::uint64_t>(place);
+        const auto& size = lattice_.size();
+        const auto row = number / size[0];
+        const WorstSample sample{error / limit, error,
+                                 lattice_.pack(static_cast<std::uint32_t>(number % size[0]),
+                                               static_cast<std::uint32_t>(row % size[1]),
+                                               static_cast<std::uint32_t>(row / size[1])),
+                                 0,
+                                 {}};
+        if (!(found.error > 0) || isWorse(sample, found))
+            found = sample;
+    }
+
+    void append(WorstSample& found, std::uint32_t slot, const DelaunayTetrahedron& tetrahedron)
+    {
+        if (!(found.error > 0))
+            return;
+        found.slot = slot;
+        found.tetrahedron = tetrahedron.vertices;
+        worst_.push_back(found);
+    }
+
+    /// Which x the tetrahedron has in each of eight rows. Exact: quotients of such integers are integers or further from
+    /// one than rounding takes them.
+    [[gnu::always_inline]] void findRows(const std::array<double, 4>& perSlope, std::int32_t y, std::int32_t z,
+                                         Rows& rows) const
+    {
+        const Double8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
+        const double offsetZ = z - corners_[0][2];
+        const Double8 offsetY = lane + static_cast<double>(y - corners_[0][1]);
+        // Counted from the first x, so that none is negative and cutting off is rounding down.
+        const double shift = first_[0] - corners_[0][0];
+        Double8 least = Double8{}, largest = Double8{} + static_cast<double>(last_[0] - first_[0]);
+        for (std::size_t face = 0; face < 4; ++face) {
+            const Double8 row =
+                planes_.slopeY[face] * offsetY + (planes_.constant[face] + planes_.slopeZ[face] * offsetZ);
+            if (planes_.slopeX[face] == 0) {
+                largest = row < 0.0 ? Double8{} - 1.0 : largest;
+                continue;
+            }
+            const Double8 bound = row * -perSlope[face] - shift;
+            if (planes_.slopeX[face] > 0)
+                least = bound > least ? bound : least;
+            else
+                largest = bound < largest ? bound : largest;
+        }
+        largest = largest < -1.0 ? Double8{} - 1.0 : largest;
+        const double tooFar = last_[0] - first_[0] + 2.0;
+        least = least > tooFar ? Double8{} + tooFar : least;
+        const Int8 first = __builtin_convertvector(least + (1 - roundingRoom), Int8) + first_[0];
+        const Int8 last = __builtin_convertvector(largest + (1 + roundingRoom), Int8) + (first_[0] - 1);
+        const Double8 field = planes_.fieldY * offsetY + (planes_.determinant * planes_.value + planes_.fieldZ * offsetZ -
+                                                          planes_.fieldX * static_cast<double>(corners_[0][0]));
+        std::memcpy(&rows.first, &first, sizeof first);
+        std::memcpy(&rows.last, &last, sizeof last);
+        std::memcpy(&rows.field, &field, sizeof field);
+    }
+
+    /// Takes in part of a row, whose first sample is number `row`.
+    [[gnu::always_inline]] void lookAtRun(std::size_t row, std::int32_t first, std::int32_t last, double field,
+                                          Farthest& farthest) const
+    {
+        const Double8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
+        const std::int32_t lastStart = static_cast<std::int32_t>(lattice_.size()[0]) - lanes;
+        const double slope = planes_.fieldX;
+        for (std::int32_t x = first; x <= last; x += lanes) {
+            const std::int32_t from = std::min(x, lastStart);
+            Double8 values;
+            loadRow(samples_ + row + from, values);
+            const Double8 numerator =
+                planes_.determinant * values - slope * lane - (field + slope * static_cast<double>(from));
+            // Lanes that are not in the run become 0.
+            Long8 upToLast, beforeFirst;
+            std::memcpy(&upToLast, &ones[lanes - std::min(lanes, last - from + 1)], sizeof upToLast);
+            std::memcpy(&beforeFirst, &ones[lanes - (x - from)], sizeof beforeFirst);
+            const Double8 distance = reinterpret_cast<Double8>(reinterpret_cast<Long8>(numerator) &
+                                                               (Long8{} + 0x7fffffffffffffff) & upToLast & ~beforeFirst);
+            const Double8 place = static_cast<double>(row + static_cast<std::size_t>(from)) + lane;
+            farthest.place = distance > farthest.distance ? place : farthest.place;
+            farthest.distance = distance > farthest.distance ? distance : farthest.distance;
+        }
+    }
+
+    /// Which y the tetrahedron has in a plane across z, never too few.
+    void sliceBounds(std::int32_t z, std::int32_t& first, std::int32_t& last) const
+    {
+        double least = last + 1, largest = first - 1;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const double height = z - corners_[i][2];
+            if (height == 0) {
+                least = std::min(least, double(corners_[i][1]));
+                largest = std::max(largest, double(corners_[i][1]));
+            }
+            for (std::size_t k = 0; k < i; ++k) {
+                const double other = z - corners_[k][2];
+                if (!(height * other < 0))
+                    continue;
+                const double y =
+                    corners_[i][1] + (corners_[k][1] - corners_[i][1]) * (height / (height - other));
+                least = std::min(least, y);
+                largest = std::max(largest, y);
+            }
+        }
+        first = std::max(first, static_cast<std::int32_t>(std::ceil(least - roundingRoom)));
+        last = std::min(last, static_cast<std::int32_t>(std::floor(largest + roundingRoom)));
+    }
+
+    /// Which x it has in a row, never too few.
+    [[gnu::always_inline]] void rowBounds(const std::array<double, 4>& row, const std::array<double, 4>& perSlope,
+                                          std::int32_t& first, std::int32_t& last) const
+    {
+        double least = first - corners_[0][0], largest = last - corners_[0][0];
+        for (std::size_t face = 0; face < 4; ++face) {
+            const double bound = -row[face] * perSlope[face];
+            if (planes_.slopeX[face] > 0)
+                least = std::max(least, bound);
+            else if (planes_.slopeX[face] < 0)
+                largest = std::min(largest, bound);
+            else if (row[face] < 0)
+                largest = least - 1;
+        }
+        first = corners_[0][0] + static_cast<std::int32_t>(std::ceil(least - roundingRoom));
+        last = corners_[0][0] + static_cast<std::int32_t>(std::floor(largest + roundingRoom));
+    }
+
+    /// One sample after the other; few tetrahedra come to this.
+    [[gnu::noinline]] void findWorst(std::uint32_t slot, const DelaunayTetrahedron& tetrahedron)
+    {
+        WorstSample found;
+        std::array<double, 4> perSlope{};
+        for (std::size_t face = 0; face < 4; ++face)
+            perSlope[face] = 1 / planes_.slopeX[face];
+        for (std::int32_t z = first_[2]; z <= last_[2]; ++z) {
+            std::int32_t firstY = first_[1], lastY = last_[1];
+            sliceBounds(z, firstY, lastY);
+            for (std::int32_t y = firstY; y <= lastY; ++y) {
+                const double offsetY = y - corners_[0][1], offsetZ = z - corners_[0][2];
+                std::array<double, 4> row{};
+                for (std::size_t face = 0; face < 4; ++face)
+                    row[face] = planes_.constant[face] + planes_.slopeY[face] * offsetY + planes_.slopeZ[face] * offsetZ;
+                const double field = planes_.fieldY * offsetY + planes_.fieldZ * offsetZ;
+                const T* const samples =
+                    samples_ + (std::size_t(z) * lattice_.size()[1] + std::size_t(y)) * lattice_.size()[0];
+                std::int32_t firstX = first_[0], lastX = last_[0];
+                rowBounds(row, perSlope, firstX, lastX);
+                for (std::int32_t x = firstX; x <= lastX; ++x) {
+                    const double offsetX = x - corners_[0][0];
+                    bool inside = true;
+                    for (std::size_t face = 0; face < 4; ++face)
+                        inside &= row[face] + planes_.slopeX[face] * offsetX >= 0;
+                    if (!inside)
+                        continue;
+                    const double numerator = planes_.determinant * (static_cast<double>(samples[x]) - planes_.value) -
+                                             planes_.fieldX * offsetX - field;
+                    compare(std::abs(numerator) / planes_.determinant, {x, y, z}, found);
+                }
+            }
+        }
+        append(found, slot, tetrahedron);
+    }
+
+    void compare(double error, const Place& place, WorstSample& found) const
+    {
+        if (!(error > limits_.least))
+            return;
+        const std::array<std::uint32_t, 3> point = {static_cast<std::uint32_t>(place[0]),
+                                                    static_cast<std::uint32_t>(place[1]),
+                                                    static_cast<std::uint32_t>(place[2])};
+        const double limit = limits_.at(point);
+        const WorstSample sample{error / limit, error, lattice_.pack(point[0], point[1], point[2]), 0, {}};
+        if (error > limit && (!(found.error > 0) || isWorse(sample, found)))
+            found = sample;
+    }
+
+    /// What bounds are off by at most.
+    static constexpr double roundingRoom = 1e-9;
 
     const LocalDelaunay& mesh_;
     const PackedLattice lattice_;
@@ -218,13 +398,11 @@ private:
     const ErrorLimits& limits_;
     std::vector<WorstSample>& worst_;
 
-    const DelaunayTetrahedron* tetrahedron_ = nullptr;
-    std::uint32_t slot_ = 0;
-    bool ready_ = false;
+    std::array<std::int32_t, 3> first_{}, last_{};
+    bool meets_ = false; ///< the part of the lattice where limits are not the largest
+    std::array<Place, 4> corners_{};
+    std::array<Offset, 3> edges_{};
     Planes planes_{};
-    std::int32_t originX_ = 0, originY_ = 0, originZ_ = 0;
-    double threshold_ = 0;
-    WorstSample found_;
 };
 
 template <class T>
@@ -280,16 +458,6 @@ TETRA_SIMD_CLONES void scan(const LocalDelaunay& mesh, const double* samples, co
 }
 
 } // namespace
-
-void scanUnchanged(const LocalDelaunay& mesh, const LatticeSamples& samples, const ErrorLimits& limits,
-                   ScannedPart part, std::vector<WorstSample>& worst)
-{
-    std::vector<std::uint32_t> slots;
-    for (std::uint32_t slot = 0; slot < mesh.mesh().slotCount(); ++slot)
-        if (!mesh.hasChanged(slot))
-            slots.push_back(slot);
-    scanSamples(mesh, slots, samples, limits, part, worst);
-}
 
 void scanSamples(const LocalDelaunay& mesh, std::span<const std::uint32_t> slots, const LatticeSamples& samples,
                  const ErrorLimits& limits, ScannedPart part, std::vector<WorstSample>& worst)

@@ -21,6 +21,7 @@ public:
     double most = 0;  ///< ... and this everywhere but from `first` to `last`
     std::array<std::int32_t, 3> first{0, 0, 0};
     std::array<std::int32_t, 3> last{-1, -1, -1};
+    bool twoValued = false; ///< it is `least` everywhere between the two
 
     /// Where it is known already that no error is beyond its limit: a tetrahedron that did not change and lies between
     /// the two is not looked at.
@@ -63,9 +64,5 @@ enum class ScannedPart {
 /// division of exact integers for samples of up to 16 bits (S8), and rounded in doubles else.
 void scanSamples(const LocalDelaunay& mesh, std::span<const std::uint32_t> slots, const LatticeSamples& samples,
                  const ErrorLimits& limits, ScannedPart part, std::vector<WorstSample>& worst);
-
-/// Likewise for all that did not change since LocalDelaunay::acceptChanges().
-void scanUnchanged(const LocalDelaunay& mesh, const LatticeSamples& samples, const ErrorLimits& limits,
-                   ScannedPart part, std::vector<WorstSample>& worst);
 
 } // namespace tetra

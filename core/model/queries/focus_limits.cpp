@@ -29,6 +29,7 @@ FocusLimits::FocusLimits(const SpaceRamp& ramp, const Lattice& lattice, double v
     least = clean.inner / 100 * extent_;
     most = clean.outer / 100 * extent_;
     quick_ = std::holds_alternative<Box>(clean.region) && clean.falloff == 0;
+    twoValued = quick_;
     findRange();
 }
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/queries/sharp_focus.h"
 
+#include "core/base/half.h"
 #include "core/mesh/sample_scan.h"
+#include "core/model/queries/fine_stars.h"
 #include "core/model/queries/focus_limits.h"
 #include "core/model/queries/focus_division.h"
 #include "core/model/queries/site_grid.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <numeric>
 #include <optional>
@@ -24,12 +27,6 @@ constexpr std::size_t repairsAtOnce = 256;
 constexpr std::size_t surplusShare = 10;
 
 using Site = SiteGrid::Site;
-
-/// Whether the second is to be repaired first: for heaps.
-bool comesLater(const WorstSample& one, const WorstSample& other)
-{
-    return isWorse(other, one);
-}
 
 LatticeSamples samplesOf(const Model& model)
 {
@@ -56,6 +53,7 @@ private:
         std::uint32_t coarse = 0; ///< sites of the mesh outside
         std::uint32_t fine = 0;   ///< and of the mesh within
         bool known = true;        ///< whether the mesh outside keeps its bound without looking
+        bool fineKnown = true;    ///< likewise that within
     };
 
     Range rangeOf(const FocusLimits& limits) const;
@@ -66,8 +64,13 @@ private:
     bool canGoOn(const SpaceRamp& error, const FocusLimits& limits, const Range& range);
     Status insertMissing(const Progress& progress);
     Status repair(const FocusLimits& limits, const Progress& progress);
-    void look(const FocusLimits& limits, bool known);
+    void lookAtChanges(const FocusLimits& limits, bool mayBeKnown);
+    void lookAtOthers(const FocusLimits& limits, bool outsideIsKnown);
+    Status knowStars(const Range& range);
+    void readBounds(std::uint32_t sites);
+    bool isKnown(std::uint32_t slot) const;
     void write(ExtractedMesh& mesh) const;
+    Error damaged(const std::string& what) const;
     Error notDelaunay() const;
     Error tooLarge() const;
 
@@ -79,6 +82,10 @@ private:
     LocalDelaunay mesh_;
     std::uint32_t coarseSites_ = 0; ///< of the mesh that is loaded
     TetrahedralMesh coarse_;        ///< its positions and values
+    Buffer<float> coarseBounds_;    ///< on the errors of its tetrahedra
+    std::optional<FineStars> fine_; ///< of the mesh within
+    Buffer<float> bounds_;          ///< on the error in each slot, infinite if not known
+    std::vector<std::uint32_t> slots_;
 
     std::optional<SpaceRamp> present_; ///< what the mesh keeps now
     std::optional<FocusLimits> presentLimits_;
@@ -87,6 +94,7 @@ private:
     std::vector<Site> sortRoom_;
     std::vector<PackedPoint> points_;
     std::vector<WorstSample> worst_;
+    std::vector<WorstSample> others_;
 };
 
 SharpFocus::Work::Range SharpFocus::Work::rangeOf(const FocusLimits& limits) const
@@ -97,9 +105,11 @@ SharpFocus::Work::Range SharpFocus::Work::rangeOf(const FocusLimits& limits) con
             errors, [limit](float error) { return std::isinf(error) || !(static_cast<double>(error) <= limit); });
         return static_cast<std::uint32_t>(reached - errors.begin());
     };
-    const std::uint32_t coarse = first(limits.most);
-    return {coarse, first(limits.least),
-            coarse < model_.siteCount() || static_cast<double>(model_.finalError()) <= limits.most};
+    const auto keeps = [&](std::uint32_t sites, double limit) {
+        return sites < model_.siteCount() || static_cast<double>(model_.finalError()) <= limit;
+    };
+    const std::uint32_t coarse = first(limits.most), fine = first(limits.least);
+    return {coarse, fine, keeps(coarse, limits.most), keeps(fine, limits.least)};
 }
 
 Status SharpFocus::Work::makeIndex()
@@ -108,9 +118,7 @@ Status SharpFocus::Work::makeIndex()
         return {};
     sites_ = SiteGrid::make(lattice_, model_.points());
     if (!sites_)
-        return Error{ErrorKind::BadInput, "'" + model_.path().string() +
-                                              "' is damaged: a site is no point of its lattice. Copy it again from "
-                                              "where it came from, or build it again."};
+        return damaged("a site is no point of its lattice");
     return model_.checkIntact();
 }
 
@@ -197,6 +205,7 @@ Status SharpFocus::Work::load(std::uint32_t sites, const Progress& progress)
     }
     if (!mesh_.load(coarse_.tetrahedra, points))
         return notDelaunay();
+    readBounds(sites);
     Buffer<std::array<std::uint32_t, 4>>().swap(coarse_.tetrahedra);
     coarseSites_ = sites;
     return {};
@@ -241,38 +250,93 @@ Status SharpFocus::Work::insertMissing(const Progress& progress)
     return {};
 }
 
-/// Looks at what changed since the last look.
-void SharpFocus::Work::look(const FocusLimits& limits, bool known)
+/// The file's bounds on the errors of the coarse mesh's tetrahedra, in the order in which extraction gives these.
+void SharpFocus::Work::readBounds(std::uint32_t sites)
+{
+    const double extent = model_.description().range.extent();
+    coarseBounds_.assign(coarse_.tetrahedra.size(), std::numeric_limits<float>::infinity());
+    std::size_t slot = 0;
+    const std::uint64_t end = std::min(model_.starOffsets()[sites], model_.tetrahedronCount());
+    for (std::uint64_t t = 0; t < end && slot < coarseBounds_.size(); ++t)
+        if (model_.destroyers()[t] >= sites)
+            coarseBounds_[slot++] =
+                static_cast<float>(static_cast<double>(halfToFloat(model_.ownErrors()[t])) * extent * (1 + 1e-6));
+}
+
+Status SharpFocus::Work::knowStars(const Range& range)
+{
+    // Beyond what the model has the bound is not known.
+    const std::uint32_t sites = range.fineKnown ? range.fine : 0;
+    if (fine_ && fine_->firstCreator() == range.coarse && fine_->siteCount() == sites)
+        return {};
+    fine_ = FineStars::make(model_, range.coarse, sites);
+    if (!fine_)
+        return damaged("its star offsets make no sense");
+    return {};
+}
+
+/// Whether the tetrahedron is one of the uniform fine mesh.
+bool SharpFocus::Work::isKnown(std::uint32_t slot) const
+{
+    std::array<std::uint32_t, 4> sites = mesh_.numbers(slot);
+    for (std::uint32_t& site : sites)
+        site = site < coarseSites_ ? site : addedSites_[site - coarseSites_];
+    return fine_->holds(sites);
+}
+
+/// Looks at what changed since the last look, unless its error is known to be small enough.
+void SharpFocus::Work::lookAtChanges(const FocusLimits& limits, bool mayBeKnown)
 {
     worst_.clear();
-    scanSamples(mesh_, mesh_.changed(), samples_, limits, ScannedPart::All, worst_);
-    scanUnchanged(mesh_, samples_, limits, known ? ScannedPart::Limited : ScannedPart::All, worst_);
+    slots_.clear();
+    bounds_.resize(mesh_.mesh().slotCount());
+    for (const std::uint32_t slot : mesh_.changed()) {
+        if (mesh_.mesh()[slot].determinant() == 0) {
+            bounds_[slot] = 0;
+            continue;
+        }
+        const bool known = mayBeKnown && isKnown(slot);
+        bounds_[slot] = known ? static_cast<float>(limits.least) : std::numeric_limits<float>::infinity();
+        if (!known)
+            slots_.push_back(slot);
+    }
+    scanSamples(mesh_, slots_, samples_, limits, ScannedPart::All, worst_);
     mesh_.acceptChanges();
 }
 
+/// Looks at what is inside now and did not change.
+void SharpFocus::Work::lookAtOthers(const FocusLimits& limits, bool outsideIsKnown)
+{
+    slots_.clear();
+    const auto least = static_cast<float>(limits.least);
+    bounds_.resize(mesh_.mesh().slotCount(), 0);
+    for (const std::uint32_t slot : mesh_.changed())
+        bounds_[slot] = 0;
+    for (std::uint32_t slot = 0; slot < bounds_.size(); ++slot)
+        if (bounds_[slot] > least)
+            slots_.push_back(slot);
+    scanSamples(mesh_, slots_, samples_, limits, outsideIsKnown ? ScannedPart::Limited : ScannedPart::All, others_);
+}
+
+/// In rounds: the worst sample of each tetrahedron that is not good enough, the worst first, unless one before it has
+/// changed its tetrahedron; then what changed is looked at.
 Status SharpFocus::Work::repair(const FocusLimits& limits, const Progress& progress)
 {
-    std::make_heap(worst_.begin(), worst_.end(), comesLater);
-    std::vector<WorstSample> found;
-    for (std::size_t done = 0; !worst_.empty();) {
-        std::pop_heap(worst_.begin(), worst_.end(), comesLater);
-        const WorstSample worst = worst_.back();
-        worst_.pop_back();
-        const DelaunayTetrahedron& now = mesh_.mesh()[worst.slot];
-        if (!(now.determinant() > 0) || now.vertices != worst.tetrahedron)
-            continue;
-        if (done++ % repairsAtOnce == 0 && progress.cancelled())
-            return cancelledError("Extracting the mesh");
-        if (!mesh_.add({&worst.point, 1}))
-            return tooLarge();
-        addedSites_.push_back(sites_->siteAt(lattice_, worst.point).value_or(ExtractedMesh::noSite));
-        found.clear();
-        scanSamples(mesh_, mesh_.changed(), samples_, limits, ScannedPart::All, found);
-        mesh_.acceptChanges();
-        for (const WorstSample& one : found) {
-            worst_.push_back(one);
-            std::push_heap(worst_.begin(), worst_.end(), comesLater);
+    while (!worst_.empty()) {
+        std::ranges::sort(worst_, isWorse);
+        for (std::size_t i = 0; i < worst_.size(); ++i) {
+            if (i % repairsAtOnce == 0 && progress.cancelled())
+                return cancelledError("Extracting the mesh");
+            const WorstSample& worst = worst_[i];
+            const DelaunayTetrahedron& now = mesh_.mesh()[worst.slot];
+            // Of blocks, several have the sample if it is on their borders.
+            if (!(now.determinant() > 0) || now.vertices != worst.tetrahedron)
+                continue;
+            if (!mesh_.add({&worst.point, 1}))
+                return tooLarge();
+            addedSites_.push_back(sites_->siteAt(lattice_, worst.point).value_or(ExtractedMesh::noSite));
         }
+        lookAtChanges(limits, false);
     }
     return {};
 }
@@ -325,12 +389,18 @@ Result<ExtractedMesh> SharpFocus::Work::extract(const SpaceRamp& error, bool fre
             mesh_.restore();
         else if (const Status loaded = load(range.coarse, progress); !loaded)
             return loaded.error();
+        bounds_.assign(coarseBounds_.begin(), coarseBounds_.end());
         addedSites_.clear();
         findMissing(limits, range);
     }
+    if (const Status known = knowStars(range); !known)
+        return known.error();
     if (const Status inserted = insertMissing(progress); !inserted)
         return inserted.error();
-    look(limits, range.known);
+    others_.clear();
+    lookAtOthers(limits, range.known);
+    lookAtChanges(limits, true);
+    worst_.insert(worst_.end(), others_.begin(), others_.end());
     if (const Status repaired = repair(limits, progress); !repaired)
         return repaired.error();
     write(reuse);
@@ -339,6 +409,12 @@ Result<ExtractedMesh> SharpFocus::Work::extract(const SpaceRamp& error, bool fre
     present_ = error;
     presentLimits_ = std::move(limits);
     return reuse;
+}
+
+Error SharpFocus::Work::damaged(const std::string& what) const
+{
+    return {ErrorKind::BadInput, "'" + model_.path().string() + "' is damaged: " + what +
+                                     ". Copy it again from where it came from, or build it again."};
 }
 
 Error SharpFocus::Work::notDelaunay() const
