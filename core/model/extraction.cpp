@@ -223,17 +223,22 @@ double keyAsked(const Model& model, const Accuracy& accuracy)
 
 MeshSize meshSizeAt(const Model& model, const Accuracy& accuracy)
 {
-    const double extent = model.description().range.extent();
-    const double weight = model.description().warpingWeight;
     const double asked = keyAsked(model, accuracy);
     const std::span<const float> errors = model.runningErrors();
     // The mesh of the first N sites has the error that was there before site N entered. Infinity is no mesh yet.
     const auto reached = std::ranges::partition_point(
         errors, [asked](float error) { return std::isinf(error) || !(static_cast<double>(error) <= asked); });
-    const auto sites = static_cast<std::uint32_t>(reached - errors.begin());
+    return meshSizeOf(model, static_cast<std::uint32_t>(reached - errors.begin()));
+}
+
+MeshSize meshSizeOf(const Model& model, std::uint32_t sites)
+{
     if (sites == 0) // only in a damaged file: the initial sites have no error
         return {};
-    const double key = reached == errors.end() ? std::min(model.finalError(), errors.back()) : *reached;
+    const double extent = model.description().range.extent();
+    const double weight = model.description().warpingWeight;
+    const std::span<const float> errors = model.runningErrors();
+    const double key = sites == errors.size() ? std::min(model.finalError(), errors.back()) : errors[sites];
     return {sites, model.meshSizes()[sites - 1], extent > 0 ? 100 * key / extent : 0,
             weight > 0 ? 100 * key / (weight * model.diagonal()) : 0};
 }

@@ -93,7 +93,7 @@ Status BudgetGrowth::finishLevel(double level, const Progress& progress)
                 addGroup(parent);
             refineStar(site);
         } else if (!queue_.empty() && queue_.front().scale >= level && !hopelesslyLarge()) {
-            std::ranges::pop_heap(queue_);
+            std::pop_heap(queue_.begin(), queue_.end());
             const std::uint32_t destroyer = queue_.back().destroyer;
             queue_.pop_back();
             addGroup(destroyer);
@@ -115,7 +115,7 @@ void BudgetGrowth::refineStar(std::uint32_t site)
         const double scale = std::max(1 + std::numeric_limits<double>::epsilon(), judge_.scaleFor(t, site, destroyer));
         if (dies) {
             queue_.push_back({scale, destroyer});
-            std::ranges::push_heap(queue_);
+            std::push_heap(queue_.begin(), queue_.end());
         } else {
             set_.scale = std::max(set_.scale, scale);
         }

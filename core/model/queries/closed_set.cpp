@@ -3,6 +3,7 @@
 
 #include "core/model/queries/group_walk.h"
 #include "core/model/queries/stars.h"
+#include "core/model/site_places.h"
 
 #include <algorithm>
 #include <limits>
@@ -59,7 +60,7 @@ Result<ClosedSet> Growth::run(const Progress& progress)
         refineStar(site);
     }
     if (!coverable_)
-        return inconsistentHistory(model_, "its running errors do not bound the tetrahedra's own ones");
+        return inconsistentModel(model_, "its running errors do not bound the tetrahedra's own ones");
     return std::move(set_);
 }
 

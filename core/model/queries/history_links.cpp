@@ -2,6 +2,7 @@
 #include "core/model/queries/history_links.h"
 
 #include "core/model/queries/stars.h"
+#include "core/model/site_places.h"
 
 #include <algorithm>
 #include <numeric>
@@ -29,7 +30,7 @@ Status visitLinks(const Model& model, std::uint32_t sites, Buffer<std::uint32_t>
             if (destroyer >= sites || lastParents[destroyer] == creator)
                 continue;
             if (destroyer <= creator)
-                return inconsistentHistory(model, "a tetrahedron dies before it is made");
+                return inconsistentModel(model, "a tetrahedron dies before it is made");
             lastParents[destroyer] = creator;
             link(destroyer, creator);
         }
@@ -64,7 +65,7 @@ Status HistoryLinks::cover(const Model& model, std::uint32_t sites, const Progre
     if (const Status filled = visitLinks(model, sites, lastParents, progress.part(0.5, 1), fill); !filled)
         return filled;
     if (!same || !std::ranges::is_sorted(offsets_) || offsets_[sites] != count)
-        return inconsistentHistory(model, "its destroyers changed while they were read");
+        return inconsistentModel(model, "its destroyers changed while they were read");
     offsets_.pop_back();
     siteCount_ = sites;
     return {};

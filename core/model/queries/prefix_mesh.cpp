@@ -4,6 +4,7 @@
 #include "core/model/extraction.h"
 #include "core/model/queries/number_selection.h"
 #include "core/model/queries/stars.h"
+#include "core/model/site_places.h"
 
 #include <algorithm>
 #include <numeric>
@@ -47,7 +48,7 @@ Status PrefixMesh::moveTo(const Model& model, std::uint32_t sites, const SitePla
             coarsen(model, sites, out);
         sites_ = 0;
         if (!consistent_ || out.mesh.tetrahedra.size() != model.meshSizes()[sites - 1])
-            return inconsistentHistory(model, "its tetrahedra do not fit its mesh sizes");
+            return inconsistentModel(model, "its tetrahedra do not fit its mesh sizes");
     }
     const auto kept = static_cast<std::uint32_t>(std::min<std::size_t>(out.sites.size(), sites));
     out.sites.resize(sites);

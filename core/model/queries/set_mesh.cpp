@@ -2,6 +2,7 @@
 #include "core/model/queries/set_mesh.h"
 
 #include "core/model/queries/stars.h"
+#include "core/model/site_places.h"
 
 #include <algorithm>
 #include <numeric>
@@ -61,7 +62,7 @@ Status SetScan::run(const Progress& progress)
         scanStar(out_.sites[vertex]);
     }
     if (!right_ || found_ != tetrahedra.size())
-        return inconsistentHistory(model_, "its tetrahedra do not fit its mesh sizes");
+        return inconsistentModel(model_, "its tetrahedra do not fit its mesh sizes");
     return {};
 }
 
@@ -88,7 +89,7 @@ Status extractSet(const Model& model, const ClosedSet& set, const SitePlaces& pl
                   ExtractedMesh& out)
 {
     if (set.tetrahedra > model.tetrahedronCount())
-        return inconsistentHistory(model, "its mesh sizes make no sense");
+        return inconsistentModel(model, "its mesh sizes make no sense");
     SetScan scan(model, set, out);
     scan.numberVertices();
     if (const Status scanned = scan.run(progress); !scanned)
@@ -97,7 +98,7 @@ Status extractSet(const Model& model, const ClosedSet& set, const SitePlaces& pl
         return std::ranges::find(t, ExtractedMesh::noSite) != t.end();
     };
     if (std::ranges::any_of(out.mesh.tetrahedra, noVertex))
-        return inconsistentHistory(model, "a tetrahedron has a site that its creator does not need");
+        return inconsistentModel(model, "a tetrahedron has a site that its creator does not need");
     if (model.description().leftHanded)
         for (std::array<std::uint32_t, 4>& tetrahedron : out.mesh.tetrahedra)
             std::swap(tetrahedron[2], tetrahedron[3]);

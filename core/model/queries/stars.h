@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
 #include "core/model/model.h"
 
 #include <cstdint>
 #include <ranges>
-#include <string>
 
 namespace tetra {
 
@@ -19,13 +17,6 @@ inline auto starOf(const Model& model, std::uint32_t site)
     if (begin > end || end > model.tetrahedronCount())
         begin = end;
     return std::views::iota(begin, end);
-}
-
-/// The error of a file whose indices cannot be followed.
-inline Error inconsistentHistory(const Model& model, const std::string& what)
-{
-    return Error{ErrorKind::BadInput, "'" + model.path().string() + "' is damaged: " + what +
-                                          ". Build it again from its dataset, or fetch another copy."};
 }
 
 } // namespace tetra
