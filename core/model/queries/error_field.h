@@ -54,8 +54,8 @@ struct ValueRamp {
 };
 
 /// How large the error of a mesh may be at a place where the data have a value (R25, B2): an expression in numbers,
-/// ramps in space and ramps over values. In % of the value range, or of the diagonal if it is a warping that is bounded.
-/// An immutable value, cheap to copy; safe to read from any number of threads.
+/// ramps in space and ramps over values. In % of the value range, or of the diagonal if it is a warping that is
+/// bounded. An immutable value, cheap to copy; safe to read from any number of threads.
 class ErrorField {
 public:
     /// The same everywhere.
@@ -65,7 +65,8 @@ public:
 
     /// `inner` at the isovalues, `outer` from `falloff` (in units of the values, positive) away.
     static ErrorField nearValues(std::span<const double> isovalues, double inner, double outer, double falloff);
-    /// `inner` where the opacity, given by knots (value, opacity in [0, 1]), is 1, `outer` where it is 0, linear between.
+    /// `inner` where the opacity, given by knots (value, opacity in [0, 1]), is 1, `outer` where it is 0, linear
+    /// between.
     static ErrorField byOpacity(std::span<const std::array<double, 2>> opacity, double inner, double outer);
 
     friend ErrorField operator+(const ErrorField& first, const ErrorField& second);
@@ -73,7 +74,8 @@ public:
     friend ErrorField smallerOf(const ErrorField& first, const ErrorField& second);
     friend ErrorField largerOf(const ErrorField& first, const ErrorField& second);
 
-    /// The number, if it is the same everywhere by its form.
+    /// Whether it is the same everywhere by its form; then bounds() gives the number, twice. What is made of numbers
+    /// alone is one.
     bool isConstant() const noexcept;
     /// Whether it does not depend on the value, or not on the place.
     bool dependsOnValue() const noexcept;
