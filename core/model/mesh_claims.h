@@ -14,7 +14,7 @@ class MeshClaims {
 public:
     /// The same at all samples, in units of the values and of length.
     MeshClaims(double error, double warping);
-    /// What the query's fields allow there, times `scale`. The dataset outlives it.
+    /// What the query's fields allow there, at this scale (keptPercent()). The dataset outlives it.
     MeshClaims(const MeshQuery& query, double scale, const Dataset& original);
 
     bool areUniform() const noexcept { return original_ == nullptr; }
@@ -24,7 +24,7 @@ public:
     double warping(std::uint64_t sample) const;
 
 private:
-    double at(const ErrorField& field, std::uint64_t sample) const;
+    double asked(const ErrorField& field, std::uint64_t sample) const;
 
     double error_ = 0;
     double warping_ = 0;
