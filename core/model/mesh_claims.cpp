@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/mesh_claims.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace tetra {
@@ -34,6 +35,13 @@ double MeshClaims::warping(std::uint64_t sample) const
     const double percent = asked(warpingField_, sample);
     return percent >= anyWarping ? std::numeric_limits<double>::infinity()
                                  : keptPercent(percent, scale_) / 100 * diagonal_;
+}
+
+Accuracy keptEverywhere(const MeshQuery& query, double scale)
+{
+    constexpr double all = 100;
+    return {.error = std::min(all, keptPercent(query.error.bounds().maximum, scale)),
+            .warping = std::min(anyWarping, keptPercent(query.warping.bounds().maximum, scale))};
 }
 
 } // namespace tetra

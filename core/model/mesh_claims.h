@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/data/dataset.h"
+#include "core/model/extraction.h"
 #include "core/model/queries/mesh_query.h"
 
 #include <cstdint>
@@ -35,5 +36,8 @@ private:
     double extent_ = 0;
     double diagonal_ = 0;
 };
+
+/// The least accuracy that a mesh of this scale keeps at all samples.
+Accuracy keptEverywhere(const MeshQuery& query, double scale);
 
 } // namespace tetra
