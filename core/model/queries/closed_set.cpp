@@ -22,7 +22,8 @@ constexpr double moreThanAsked = 1 + std::numeric_limits<double>::epsilon();
 class Growth {
 public:
     Growth(const Model& model, const HistoryLinks& links, const FieldJudge& judge, std::uint32_t prefix)
-        : model_(model), links_(links), judge_(judge), set_{SiteSet(model.siteCount(), prefix), prefix, prefix > 0 ? model.meshSizes()[prefix - 1] : 0, 1}
+        : model_(model), links_(links), judge_(judge), set_{SiteSet(model.siteCount(), prefix), prefix,
+                                                            prefix > 0 ? model.meshSizes()[prefix - 1] : 0, 1}
     {
     }
 

@@ -12,20 +12,20 @@
 
 namespace tetra {
 
-/// A closed set of sites (B1): with a site it holds the site's whole group and the creators of all that they destroy. Its
-/// mesh, the tetrahedra made by one of its sites and destroyed by none, conforms and covers the domain.
+/// A closed set of sites (B1): with a site it holds the site's whole group and the creators of all that they destroy.
+/// Its mesh, the tetrahedra made by one of its sites and destroyed by none, conforms and covers the domain.
 struct ClosedSet {
     SiteSet sites;
-    std::uint32_t prefix = 0; ///< all sites before this one belong to it
+    std::uint32_t prefix = 0;     ///< all sites before this one belong to it
     std::uint64_t tetrahedra = 0; ///< of its mesh, as the file says
     /// Number that errors and warpings asked for must be multiplied by to allow all of its mesh: 1, or more where the
     /// model has nothing finer or the budget ended it.
     double scale = 1;
 };
 
-/// The smallest closed set that holds the first `prefix` sites (which end a group) and whose mesh the judge allows, as far
-/// as the model has finer tetrahedra: each one that is too coarse must be destroyed, and only its destroyer does that.
-/// O(the set and what it creates). `links` cover the judge's finest prefix. Errors: cancelled, a damaged file.
+/// The smallest closed set that holds the first `prefix` sites (which end a group) and whose mesh the judge allows, as
+/// far as the model has finer tetrahedra: each one that is too coarse must be destroyed, and only its destroyer does
+/// that. O(the set and what it creates). `links` cover the judge's finest prefix. Errors: cancelled, a damaged file.
 Result<ClosedSet> smallestClosedSet(const Model& model, const HistoryLinks& links, const FieldJudge& judge,
                                     std::uint32_t prefix, const Progress& progress);
 

@@ -12,9 +12,8 @@ namespace tetra {
 namespace {
 
 /// Calls `link(site, parent)` for every site and each of its parents, parents ascending.
-template <class Link>
-Status visitLinks(const Model& model, std::uint32_t sites, Buffer<std::uint32_t>& lastParents,
-                  const Progress& progress, const Link& link)
+template <class Link> Status visitLinks(const Model& model, std::uint32_t sites, Buffer<std::uint32_t>& lastParents,
+                                        const Progress& progress, const Link& link)
 {
     constexpr std::uint32_t sitesAtOnce = 1 << 16;
     lastParents.assign(sites, Model::never);

@@ -12,8 +12,8 @@
 namespace tetra {
 
 /// What each site needs to be there before it: the creators of the tetrahedra that it destroys, each once, ascending.
-/// Derived from the destroyers in one pass, not stored in the file; about five a site, 1.5 bytes for each tetrahedron of
-/// the history.
+/// Derived from the destroyers in one pass, not stored in the file; about five a site, 1.5 bytes for each tetrahedron
+/// of the history.
 class HistoryLinks {
 public:
     /// Makes them for the first `sites` sites, if they are not there already. Errors: a damaged file, out of memory,

@@ -99,12 +99,12 @@ Status MeshExtractor::Work::extractWhole(const MeshQuery& query, const Progress&
     const bool warps = model_->description().warpingWeight > 0;
     if (query.error.isConstant() && (query.warping.isConstant() || !warps))
         return extractUniform(query, progress);
-    const SpaceRamp* const ramp =
-        query.method == VariableMethod::ClosedSet ? nullptr : sharpRampOf(*model_, query);
+    const SpaceRamp* const ramp = query.method == VariableMethod::ClosedSet ? nullptr : sharpRampOf(*model_, query);
     if (query.method == VariableMethod::Insertion && ramp == nullptr)
-        return Error{ErrorKind::WrongUsage,
-                     "Insertion is for one box, sphere or half-space of smaller error in a regular lattice, without a "
-                     "budget, and needs the model's file to hold all samples. Use a closed set, or the automatic choice."};
+        return Error{
+            ErrorKind::WrongUsage,
+            "Insertion is for one box, sphere or half-space of smaller error in a regular lattice, without a "
+            "budget, and needs the model's file to hold all samples. Use a closed set, or the automatic choice."};
     if (ramp != nullptr && (query.method == VariableMethod::Insertion || insertionIsBetter(*ramp, query)))
         return extractFocus(*ramp, progress);
     return extractClosedSet(query, progress);

@@ -21,9 +21,9 @@ Status checkWindow(const Box& box)
     constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
     for (int axis = 0; axis < 3; ++axis)
         if (!(box.least[axis] <= box.largest[axis]))
-            return wrong("The window's smallest " + std::string(axes[axis]) + " must not be larger than its largest: " +
-                         formatNumber(box.least[axis]) + " and " + formatNumber(box.largest[axis]) +
-                         " are no such pair of numbers.");
+            return wrong("The window's smallest " + std::string(axes[axis]) +
+                         " must not be larger than its largest: " + formatNumber(box.least[axis]) + " and " +
+                         formatNumber(box.largest[axis]) + " are no such pair of numbers.");
     return {};
 }
 

@@ -23,10 +23,7 @@ public:
 
 private:
     void scanStar(std::uint32_t site);
-    std::uint32_t vertexOf(std::uint32_t site) const
-    {
-        return site < set_.prefix ? site : later_[site - set_.prefix];
-    }
+    std::uint32_t vertexOf(std::uint32_t site) const { return site < set_.prefix ? site : later_[site - set_.prefix]; }
 
     const Model& model_;
     const ClosedSet& set_;

@@ -9,8 +9,8 @@
 
 namespace tetra {
 
-/// Takes the mesh of a closed set out of the file: vertices are its sites, ascending, tetrahedra come by creator. The buffers
-/// of `out` are used again. `places` of all its sites. Errors: a damaged file, cancelled.
+/// Takes the mesh of a closed set out of the file: vertices are its sites, ascending, tetrahedra come by creator. The
+/// buffers of `out` are used again. `places` of all its sites. Errors: a damaged file, cancelled.
 Status extractSet(const Model& model, const ClosedSet& set, const SitePlaces& places, const Progress& progress,
                   ExtractedMesh& out);
 
