@@ -110,7 +110,7 @@ Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::share
     if (found.mesh.tetrahedra.size() != found.wholeTetrahedra)
         outcome.text += " of " + std::to_string(found.wholeTetrahedra);
     if (found.scale > 1)
-        outcome.text += ", " + rounded(found.scale) + " times the error asked for";
+        outcome.text += ", with errors of up to " + rounded(kept.error) + " %";
     return outcome;
 }
 

@@ -4,6 +4,7 @@
 #include "core/model/queries/error_field_text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tetra {
 namespace {

@@ -4,9 +4,12 @@
 #include "app/command_line/option_values.h"
 #include "core/base/number_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <string>
 
 namespace tetra {
 namespace {

@@ -5,6 +5,7 @@
 #include "core/model/queries/error_field.h"
 
 #include <string_view>
+#include <vector>
 
 namespace tetra {
 
