@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/model/queries/history_part.h"
 #include "core/model/queries/sharp_focus.h"
 
 namespace tetra {
@@ -18,11 +17,6 @@ std::uint64_t SharpFocus::sitesInside(const SpaceRamp&)
     return 0;
 }
 Result<ExtractedMesh> SharpFocus::extract(const SpaceRamp&, bool, const Progress&, ExtractedMesh)
-{
-    return Error{ErrorKind::WrongUsage, "pending"};
-}
-Result<HistoryPart> extractHistory(const Model&, const Accuracy&, const Accuracy&, std::span<const ValueRange>,
-                                   const std::optional<Window>&, const Progress&)
 {
     return Error{ErrorKind::WrongUsage, "pending"};
 }

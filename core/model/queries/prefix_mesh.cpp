@@ -40,7 +40,6 @@ Status PrefixMesh::moveTo(const Model& model, std::uint32_t sites, const SitePla
     } else if (sites != before) {
         if (!livesKnown_)
             noteLives(model, out);
-        selected_.clear();
         sites_ = before;
         if (sites > before)
             refine(model, sites, out);
@@ -53,8 +52,10 @@ Status PrefixMesh::moveTo(const Model& model, std::uint32_t sites, const SitePla
     const auto kept = static_cast<std::uint32_t>(std::min<std::size_t>(out.sites.size(), sites));
     out.sites.resize(sites);
     std::iota(out.sites.begin() + kept, out.sites.end(), kept);
-    out.mesh.positions.assign(places.positions.begin(), places.positions.begin() + sites);
-    out.mesh.values.assign(places.values.begin(), places.values.begin() + sites);
+    out.mesh.positions.resize(sites);
+    out.mesh.values.resize(sites);
+    std::copy(places.positions.begin() + kept, places.positions.begin() + sites, out.mesh.positions.begin() + kept);
+    std::copy(places.values.begin() + kept, places.values.begin() + sites, out.mesh.values.begin() + kept);
     out.wholeSites = sites;
     out.wholeTetrahedra = out.mesh.tetrahedra.size();
     out.method = VariableMethod::ClosedSet;
@@ -94,23 +95,20 @@ void PrefixMesh::noteLives(const Model& model, const ExtractedMesh& out)
 
 void PrefixMesh::refine(const Model& model, std::uint32_t sites, ExtractedMesh& out)
 {
-    select(deaths_, 0, sites - 1, selected_);
-    arriving_.clear();
-    arrivingBirths_.clear();
-    arrivingDeaths_.clear();
+    select(deaths_, 0, sites - 1, going_);
+    if (!startReplacing(model, sites, out))
+        return;
     for (std::uint32_t site = sites_; site < sites; ++site)
         for (const std::uint64_t t : starOf(model, site))
-            if (model.destroyers()[t] >= sites)
-                add(model, t, site);
-    replace(out);
+            add(model, t, site, model.destroyers()[t] >= sites, out);
+    closeGaps(out);
 }
 
 void PrefixMesh::coarsen(const Model& model, std::uint32_t sites, ExtractedMesh& out)
 {
-    select(births_, sites, Model::never, selected_);
-    arriving_.clear();
-    arrivingBirths_.clear();
-    arrivingDeaths_.clear();
+    select(births_, sites, Model::never, going_);
+    if (!startReplacing(model, sites, out))
+        return;
     const std::span<const std::uint64_t> offsets = model.starOffsets();
     const std::uint64_t end = std::min(offsets[sites], model.tetrahedronCount());
     std::uint32_t creator = 0;
@@ -121,63 +119,71 @@ void PrefixMesh::coarsen(const Model& model, std::uint32_t sites, ExtractedMesh&
             const std::uint64_t t = first + place;
             while (creator + 1 < sites && offsets[creator + std::size_t(1)] <= t)
                 ++creator;
-            add(model, t, creator);
+            add(model, t, creator, true, out);
         }
     }
-    replace(out);
+    closeGaps(out);
 }
 
-void PrefixMesh::add(const Model& model, std::uint64_t tetrahedron, std::uint32_t creator)
+/// Finds places for what arrives, as many as the file says: those that become free, then new ones at the end, then one
+/// that nobody will read. False if the file cannot be right.
+bool PrefixMesh::startReplacing(const Model& model, std::uint32_t sites, ExtractedMesh& out)
+{
+    const std::size_t before = out.mesh.tetrahedra.size();
+    arriving_ = std::uint64_t(model.meshSizes()[sites - 1]) + going_.size() - before;
+    consistent_ = arriving_ <= model.tetrahedronCount();
+    if (!consistent_)
+        return false;
+    const std::size_t more = arriving_ > going_.size() ? arriving_ - going_.size() : 0;
+    places_ = going_;
+    places_.resize(going_.size() + more + 1);
+    std::iota(places_.begin() + static_cast<std::ptrdiff_t>(going_.size()), places_.end(),
+              static_cast<std::uint32_t>(before));
+    filled_ = 0;
+    out.mesh.tetrahedra.resize(before + more + 1);
+    births_.resize(before + more + 1);
+    deaths_.resize(before + more + 1);
+    return true;
+}
+
+/// Puts a tetrahedron of the history into the next place; the next one goes over it if it is not alive, which follows
+/// no pattern that a processor could predict.
+void PrefixMesh::add(const Model& model, std::uint64_t tetrahedron, std::uint32_t creator, bool alive,
+                     ExtractedMesh& out)
 {
     const std::array<std::uint32_t, 3> others = model.otherSites()[tetrahedron];
-    consistent_ &= others[0] < creator && others[1] < creator && others[2] < creator;
-    std::array<std::uint32_t, 4> sites = {creator, others[0], others[1], others[2]};
-    if (model.description().leftHanded)
-        std::swap(sites[2], sites[3]);
-    arriving_.push_back(sites);
-    arrivingBirths_.push_back(creator);
-    arrivingDeaths_.push_back(model.destroyers()[tetrahedron]);
+    const std::uint32_t place = places_[std::min<std::uint64_t>(filled_, arriving_)];
+    const int turned = model.description().leftHanded ? 1 : 0;
+    out.mesh.tetrahedra[place] = {creator, others[0], others[1 + turned], others[2 - turned]};
+    births_[place] = creator;
+    deaths_[place] = model.destroyers()[tetrahedron];
+    consistent_ &= (others[0] < creator) & (others[1] < creator) & (others[2] < creator);
+    filled_ += alive ? 1 : 0;
 }
 
-/// Puts what arrives in the place of what goes; places that are left are filled from the end.
-void PrefixMesh::replace(ExtractedMesh& out)
+/// Places that are free still are taken by the last tetrahedra of the mesh.
+void PrefixMesh::closeGaps(ExtractedMesh& out)
 {
-    Buffer<std::array<std::uint32_t, 4>>& tetrahedra = out.mesh.tetrahedra;
-    const std::size_t both = std::min(selected_.size(), arriving_.size());
-    const auto put = [this, &tetrahedra](std::size_t place, std::size_t arrival) {
-        tetrahedra[place] = arriving_[arrival];
-        births_[place] = arrivingBirths_[arrival];
-        deaths_[place] = arrivingDeaths_[arrival];
-    };
-    for (std::size_t i = 0; i < both; ++i)
-        put(selected_[i], i);
-    const std::size_t before = tetrahedra.size();
-    const std::size_t after = before + arriving_.size() - selected_.size();
-    if (after > before) {
-        for (auto* const array : {&births_, &deaths_})
-            array->resize(after);
-        tetrahedra.resize(after);
-        for (std::size_t i = both; i < arriving_.size(); ++i)
-            put(before + i - both, i);
+    consistent_ &= filled_ == arriving_;
+    if (!consistent_)
         return;
-    }
-    std::size_t last = before;
-    std::size_t lastGoing = selected_.size();
-    for (std::size_t i = both; i < lastGoing; ++i) {
-        while (lastGoing > i && selected_[lastGoing - 1] == last - 1) {
+    Buffer<std::array<std::uint32_t, 4>>& tetrahedra = out.mesh.tetrahedra;
+    std::size_t end = tetrahedra.size() - 1;
+    std::size_t last = going_.size();
+    while (filled_ < last) {
+        --end;
+        if (going_[last - 1] == end) {
             --last;
-            --lastGoing;
+            continue;
         }
-        if (lastGoing == i)
-            break;
-        --last;
-        tetrahedra[selected_[i]] = tetrahedra[last];
-        births_[selected_[i]] = births_[last];
-        deaths_[selected_[i]] = deaths_[last];
+        const std::size_t place = going_[filled_++];
+        tetrahedra[place] = tetrahedra[end];
+        births_[place] = births_[end];
+        deaths_[place] = deaths_[end];
     }
-    tetrahedra.resize(after);
-    births_.resize(after);
-    deaths_.resize(after);
+    tetrahedra.resize(end);
+    births_.resize(end);
+    deaths_.resize(end);
 }
 
 } // namespace tetra
