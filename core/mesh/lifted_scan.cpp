@@ -116,9 +116,8 @@ private:
             return;
         const double error = std::abs(residual[3]);
         const double warping = residual.head<3>().matrix().norm();
-        const double excess =
-            std::max(excessOf(error, limits_.errors[index], grid_.leastError()),
-                     excessOf(warping, limits_.warpings[index], grid_.leastWarping()));
+        const double excess = std::max(excessOf(error, limits_.errors[index], grid_.leastError()),
+                                       excessOf(warping, limits_.warpings[index], grid_.leastWarping()));
         WorstSample sample = worst;
         sample.excess = excess;
         sample.error = error;

@@ -93,8 +93,8 @@ public:
     /// The length that warpings are a percentage of (R7).
     double diagonal() const noexcept { return description_.bounds.diagonal().norm(); }
 
-    /// All samples of the dataset, of sampleType, in the lattice's order: the file of lattice data, regular or curvilinear,
-    /// may hold them. Empty if it does not.
+    /// All samples of the dataset, of sampleType, in the lattice's order: the file of lattice data, regular or
+    /// curvilinear, may hold them. Empty if it does not.
     std::span<const std::byte> samples() const noexcept { return samples_; }
     /// With the samples of curvilinear data where they lie, in floats or doubles as the sites' positions.
     std::span<const Eigen::Vector3f> floatSamplePositions() const noexcept { return floatSamplePositions_; }

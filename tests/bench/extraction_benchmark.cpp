@@ -5,6 +5,7 @@
 // resident.
 
 #include "tests/bench/bench_report.h"
+#include "tests/bench/query_cases.h"
 
 #include "core/base/memory.h"
 #include "core/data/analytic_fields.h"
@@ -113,7 +114,9 @@ void dropFromMemory(const std::filesystem::path& path)
     ::close(descriptor);
 }
 
-BenchCase measureFirstMesh(const std::filesystem::path& path, const QString& name, double error, bool cold, int repeats)
+/// Opening, and the best mesh of at most so many tetrahedra.
+BenchCase measureFirstMesh(const std::filesystem::path& path, const QString& name, std::uint64_t tetrahedra, bool cold,
+                           int repeats)
 {
     std::vector<double> seconds;
     std::vector<double> resident;
@@ -123,15 +126,18 @@ BenchCase measureFirstMesh(const std::filesystem::path& path, const QString& nam
             dropFromMemory(path);
         const auto before = static_cast<double>(residentBytes());
         std::shared_ptr<const Model> model;
-        TetrahedralMesh mesh;
+        std::shared_ptr<const ExtractedMesh> mesh;
         seconds.push_back(secondsOf([&] {
             model = Model::open(path).value();
-            mesh = extractPrefix(*model, meshSizeAt(*model, {error}).sites).value();
+            MeshQuery query;
+            query.budget = tetrahedra;
+            mesh = MeshExtractor(model).extract(query).value();
         }));
         resident.push_back(static_cast<double>(residentBytes()) - before);
-        one.more = {{"tetrahedra", qint64(mesh.tetrahedra.size())}, {"file_bytes", double(model->fileSize())}};
+        one.more = {{"tetrahedra", qint64(mesh->mesh.tetrahedra.size())}, {"file_bytes", double(model->fileSize())}};
     }
-    one.name = name + QString(", opening and first mesh at %1 %, %2").arg(error).arg(cold ? "cold" : "warm");
+    one.name =
+        name + QString(", opening and a first mesh of %1 tetrahedra, %2").arg(tetrahedra).arg(cold ? "cold" : "warm");
     one.seconds = median(seconds);
     one.yardstick = "one second";
     one.yardstickSeconds = 1;
@@ -144,11 +150,14 @@ std::vector<BenchCase> measureModel(const std::filesystem::path& path, const QSt
     std::vector<BenchCase> cases;
     // Resident memory first, before buffers of this process could be used again.
     for (const bool cold : {true, false})
-        for (const double error : {4.0, 1.0})
-            cases.push_back(measureFirstMesh(path, name, error, cold, repeats));
+        for (const std::uint64_t tetrahedra : {100000, 1000000})
+            cases.push_back(measureFirstMesh(path, name, tetrahedra, cold, repeats));
     const std::shared_ptr<const Model> model = Model::open(path).value();
     for (const double error : {1.0, 0.0})
         cases.push_back(measureExtraction(*model, name, error, repeats));
+    for (const auto& some : {accuracyChangeCases(model, name, repeats), focusBoxCases(model, name, repeats),
+                             fieldCases(model, name, repeats)})
+        cases.insert(cases.end(), some.begin(), some.end());
     return cases;
 }
 
@@ -165,11 +174,17 @@ int main(int argc, char** argv)
     parser.addOption({"json", "Print one JSON object."});
     parser.addOption({"repeats", "Runs of each case, at least 5; the median is reported.", "N", "9"});
     parser.addOption({"size", "Points along an axis.", "N", "128"});
+    parser.addOption({"model", "Measure this model in place of those of C60; may be repeated.", "FILE"});
     parser.process(application);
     const int repeats = std::max(5, parser.value("repeats").toInt());
     const QTemporaryDir folder;
     std::vector<BenchCase> cases;
+    for (const QString& file : parser.values("model"))
+        for (BenchCase& one : measureModel(file.toStdString(), file, repeats))
+            cases.push_back(std::move(one));
     for (const SampleType type : {SampleType::UInt8, SampleType::Float32}) {
+        if (parser.isSet("model"))
+            break;
         const std::filesystem::path path = folder.filePath("model.tan").toStdString();
         if (!buildModel(path, parser.value("size").toUInt(), type)) {
             std::fprintf(stderr, "Building the model failed.\n");

@@ -197,8 +197,8 @@ Status LiftedFocus::Work::insertSites(const Progress& progress)
                 return cancelledError("Extracting the mesh");
             progress.report(static_cast<double>(site) / model_.siteCount(), "Refining the focus");
         }
-        const std::uint32_t point = std::min<std::uint32_t>(model_.points()[site],
-                                                            static_cast<std::uint32_t>(keys_.size() - 1));
+        const std::uint32_t point =
+            std::min<std::uint32_t>(model_.points()[site], static_cast<std::uint32_t>(keys_.size() - 1));
         if (!(static_cast<double>(model_.runningErrors()[site]) > keys_[point]) || mesh_.isVertex(pointOf(point)))
             continue;
         if (const Status added = add(pointOf(point), site); !added)

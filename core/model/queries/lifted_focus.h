@@ -25,8 +25,8 @@ public:
     LiftedFocus(LiftedFocus&&) noexcept;
     LiftedFocus& operator=(LiftedFocus&&) noexcept;
 
-    /// The mesh for query.error and query.warping; nothing else of the query counts. `reuse`: a result whose buffers may
-    /// be used again.
+    /// The mesh for query.error and query.warping; nothing else of the query counts. `reuse`: a result whose buffers
+    /// may be used again.
     Result<ExtractedMesh> extract(const MeshQuery& query, const Progress& progress = {}, ExtractedMesh reuse = {});
 
 private:

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/queries/field_judge.h"
+
+#include "core/base/half.h"
+#include "core/mesh/exact_orientation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tetra {
+
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+double percentOf(std::uint16_t half)
+{
+    return 100 * static_cast<double>(halfToFloat(half));
+}
+
+bool weighted(const Model& model)
+{
+    return std::ranges::any_of(model.description().parameters,
+                               [](const auto& one) { return one.first == "weights" && !one.second.empty(); });
+}
+
+std::array<double, 3> asArray(const Eigen::Vector3d& place)
+{
+    return {place.x(), place.y(), place.z()};
+}
+
+} // namespace
+
+/// The box outside of which the field has its largest number, whatever the value; none if it is not known.
+std::optional<Eigen::AlignedBox3d> finerBox(const ErrorField& field)
+{
+    const SpaceRamp* const ramp = field.asSpaceRamp();
+    if (ramp == nullptr || !(ramp->inner <= ramp->outer))
+        return field.isConstant() ? std::optional(Eigen::AlignedBox3d()) : std::nullopt;
+    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(ramp->falloff);
+    if (const auto* const box = std::get_if<Box>(&ramp->region))
+        return Eigen::AlignedBox3d(box->least - reach, box->largest + reach);
+    if (const auto* const sphere = std::get_if<Sphere>(&ramp->region)) {
+        const Eigen::Vector3d radius = reach.array() + sphere->radius;
+        return Eigen::AlignedBox3d(sphere->centre - radius, sphere->centre + radius);
+    }
+    return std::nullopt;
+}
+
+/// The largest half that is at most so many percent.
+std::uint16_t halfWithin(double percent)
+{
+    constexpr std::uint16_t largest = 0x7bff;
+    std::uint16_t half = halfRoundedUp(static_cast<float>(std::min(percent / 100, 6e4)));
+    half = std::min(half, largest);
+    while (half > 0 && percentOf(half) > percent)
+        --half;
+    return half;
+}
+
+FieldJudge::FieldJudge(const Model& model, const MeshQuery& query, const SitePlaces& places)
+    : model_(model), query_(query), places_(places), warps_(!model.ownWarpings().empty()),
+      byValue_(query.error.dependsOnValue() || (warps_ && query.warping.dependsOnValue())),
+      valuesBounded_(!weighted(model))
+{
+    const ValueRange error = query.error.bounds();
+    const ValueRange warping = query.warping.bounds();
+    leastError_ = error.minimum;
+    largestError_ = error.maximum;
+    leastWarping_ = warping.minimum;
+    largestWarping_ = warping.maximum;
+    const Eigen::AlignedBox3d& bounds = model.description().bounds;
+    rounding_ = std::max(bounds.min().cwiseAbs().maxCoeff(), bounds.max().cwiseAbs().maxCoeff()) *
+                static_cast<double>(std::numeric_limits<float>::epsilon());
+    allowedAnywhere_ = halfWithin(leastError_);
+    finer_ = finerBox(query.error);
+    if (warps_ && finer_) {
+        const std::optional<Eigen::AlignedBox3d> byWarping = finerBox(query.warping);
+        finer_ = byWarping ? std::optional(finer_->merged(*byWarping)) : std::nullopt;
+    }
+    if (finer_ && finer_->contains(bounds))
+        finer_.reset();
+}
+
+FieldJudge::Own FieldJudge::ownOf(std::uint64_t tetrahedron, std::uint32_t destroyer) const
+{
+    const double extent = model_.description().range.extent();
+    const double weight = model_.description().warpingWeight;
+    const double key = destroyer < model_.siteCount() ? model_.runningErrors()[destroyer] : model_.finalError();
+    Own own{percentOf(model_.ownErrors()[tetrahedron]), 0};
+    own.error = extent > 0 ? std::min(own.error, 100 * key / extent) : 0;
+    if (warps_)
+        own.warping = std::min(percentOf(model_.ownWarpings()[tetrahedron]), 100 * key / (weight * model_.diagonal()));
+    return own;
+}
+
+/// A quick look at the boxes around the tetrahedron and around what is fine.
+bool FieldJudge::isOutside(const std::array<std::uint32_t, 4>& sites, double margin) const
+{
+    if (!finer_)
+        return false;
+    Eigen::Array3f least = places_.positions[sites[0]];
+    Eigen::Array3f most = least;
+    for (const std::uint32_t site : std::span(sites).subspan<1>()) {
+        const Eigen::Array3f place = places_.positions[site];
+        least = least.min(place);
+        most = most.max(place);
+    }
+    return (least.cast<double>() - margin > finer_->max().array()).any() ||
+           (most.cast<double>() + margin < finer_->min().array()).any();
+}
+
+FieldJudge::Asked FieldJudge::askedOf(std::uint64_t tetrahedron, std::uint32_t creator, const Own& own) const
+{
+    const std::array<std::uint32_t, 3> others = model_.otherSites()[tetrahedron];
+    const std::array<std::uint32_t, 4> sites = {creator, std::min(others[0], creator), std::min(others[1], creator),
+                                                std::min(others[2], creator)};
+    const double margin = rounding_ + own.warping / 100 * model_.diagonal();
+    if (isOutside(sites, margin))
+        return {largestError_, largestWarping_};
+    std::array<Eigen::Vector3d, 4> corners;
+    std::ranges::transform(sites, corners.begin(),
+                           [this](std::uint32_t site) { return places_.positions[site].cast<double>().eval(); });
+    ValueRange values = model_.description().range;
+    if (byValue_ && valuesBounded_) {
+        const double doubt = own.error / 100 * values.extent();
+        const auto [least, largest] = std::ranges::minmax(
+            {places_.values[sites[0]], places_.values[sites[1]], places_.values[sites[2]], places_.values[sites[3]]});
+        values = {static_cast<double>(least) - doubt, static_cast<double>(largest) + doubt};
+    }
+    return {query_.error.leastIn(corners, margin, values),
+            warps_ ? query_.warping.leastIn(corners, margin, values) : unlimited};
+}
+
+/// Inverted in physical space, exactly, and only for a while.
+bool FieldJudge::mustGo(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const
+{
+    if (!warps_ || destroyer >= model_.siteCount())
+        return false;
+    const std::array<std::uint32_t, 3> others = model_.otherSites()[tetrahedron];
+    const auto place = [this, creator](std::uint32_t site) {
+        return asArray(model_.position(std::min(site, creator)));
+    };
+    const int sign =
+        orientationSign(asArray(model_.position(creator)), place(others[0]), place(others[1]), place(others[2]));
+    return model_.description().leftHanded ? sign > 0 : sign < 0;
+}
+
+bool FieldJudge::tooCoarse(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const
+{
+    const Own own = ownOf(tetrahedron, destroyer);
+    if (own.error > largestError_ || own.warping > largestWarping_)
+        return true;
+    if (own.error > leastError_ || own.warping > leastWarping_) {
+        const Asked asked = askedOf(tetrahedron, creator, own);
+        if (own.error > asked.error || own.warping > asked.warping)
+            return true;
+    }
+    return mustGo(tetrahedron, creator, destroyer);
+}
+
+double FieldJudge::scaleFor(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const
+{
+    if (mustGo(tetrahedron, creator, destroyer))
+        return unlimited;
+    const Own own = ownOf(tetrahedron, destroyer);
+    if (own.error == 0 && own.warping == 0)
+        return 0;
+    const Asked asked = askedOf(tetrahedron, creator, own);
+    return std::max(own.error / std::max(asked.error, leastScaledPercent),
+                    own.warping / std::max(asked.warping, leastScaledPercent));
+}
+
+} // namespace tetra
