@@ -3,7 +3,7 @@
 
 #include "core/mesh/circumsphere.h"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>

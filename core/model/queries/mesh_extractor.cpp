@@ -35,14 +35,6 @@ double extentOf(const Region& region)
     return std::numeric_limits<double>::infinity();
 }
 
-/// The ramp of a query that insertion can answer, if it is one.
-const SpaceRamp* sharpRampOf(const Model& model, const MeshQuery& query)
-{
-    const SpaceRamp* const ramp = query.error.asSpaceRamp();
-    const bool possible = ramp != nullptr && ramp->inner < ramp->outer && !query.budget && SharpFocus::fits(model);
-    return possible ? ramp : nullptr;
-}
-
 } // namespace
 
 class MeshExtractor::Work {
@@ -102,15 +94,15 @@ Status MeshExtractor::Work::extractWhole(const MeshQuery& query, const Progress&
     const bool warps = model_->description().warpingWeight > 0;
     if (query.error.isConstant() && (query.warping.isConstant() || !warps))
         return extractUniform(query, progress);
-    const SpaceRamp* const ramp = query.method == VariableMethod::ClosedSet ? nullptr : sharpRampOf(*model_, query);
-    if (query.method == VariableMethod::Insertion && ramp == nullptr)
-        return Error{
-            ErrorKind::WrongUsage,
-            "Insertion is for one box, sphere or half-space of smaller error in a regular lattice, without a "
-            "budget, and needs the model's file to hold all samples. Use a closed set, or the automatic choice."};
-    if (ramp != nullptr && (query.method == VariableMethod::Insertion || insertionIsBetter(*ramp, query)))
-        return extractFocus(*ramp, progress);
-    return extractClosedSet(query, progress);
+    if (query.method == VariableMethod::Insertion && !canInsert(query))
+        return Error{ErrorKind::WrongUsage,
+                     "Insertion is for one box, sphere or half-space of smaller error in a regular lattice or any field "
+                     "in a curvilinear grid, without a budget and weights, and needs the model's file to hold all "
+                     "samples. Use a closed set, or the automatic choice."};
+    const bool asked = query.method == VariableMethod::Insertion;
+    const bool allowed = query.method != VariableMethod::ClosedSet && canInsert(query);
+    return asked || (allowed && insertionIsBetter(query)) ? extractByInsertion(query, progress)
+                                                          : extractClosedSet(query, progress);
 }
 
 Status MeshExtractor::Work::extractUniform(const MeshQuery& query, const Progress& progress)
@@ -151,27 +143,46 @@ Status MeshExtractor::Work::extractClosedSet(const MeshQuery& query, const Progr
     return extractSet(*model_, *set, places_, progress.part(0.8, 1), *whole_);
 }
 
-Status MeshExtractor::Work::extractFocus(const SpaceRamp& ramp, const Progress& progress)
+bool MeshExtractor::Work::canInsert(const MeshQuery& query) const
 {
-    prefix_.forget();
+    if (query.budget)
+        return false;
+    if (LiftedFocus::fits(*model_))
+        return true;
+    const SpaceRamp* const ramp = query.error.asSpaceRamp();
+    return ramp != nullptr && ramp->inner < ramp->outer && SharpFocus::fits(*model_);
+}
+
+/// Closed sets are small for graded fields, and quick for large foci. In computational space, where much of a grid
+/// can lie in a small place, they are large for any sharp focus.
+bool MeshExtractor::Work::insertionIsBetter(const MeshQuery& query)
+{
+    const SpaceRamp* const ramp = query.error.asSpaceRamp();
+    if (ramp == nullptr || !(ramp->inner < ramp->outer) || ramp->falloff > sharpFalloff * extentOf(ramp->region))
+        return false;
+    if (model_->description().domain == DomainClass::Curvilinear)
+        return true;
     if (!focus_)
         focus_.emplace(*model_);
+    const double fine = meshSizeAt(*model_, {query.error.bounds().minimum}).sites;
+    return static_cast<double>(focus_->sitesInside(*ramp)) <= sharpShare * fine;
+}
+
+Status MeshExtractor::Work::extractByInsertion(const MeshQuery& query, const Progress& progress)
+{
+    prefix_.forget();
     makeWritable(false);
-    auto found = focus_->extract(ramp, false, progress, std::move(*whole_));
+    const bool lifted = model_->description().domain == DomainClass::Curvilinear;
+    if (lifted && !liftedFocus_)
+        liftedFocus_.emplace(*model_);
+    if (!lifted && !focus_)
+        focus_.emplace(*model_);
+    auto found = lifted ? liftedFocus_->extract(query, progress, std::move(*whole_))
+                        : focus_->extract(*query.error.asSpaceRamp(), false, progress, std::move(*whole_));
     if (!found)
         return found.error();
     *whole_ = std::move(*found);
     return {};
-}
-
-bool MeshExtractor::Work::insertionIsBetter(const SpaceRamp& ramp, const MeshQuery& query)
-{
-    if (ramp.falloff > sharpFalloff * extentOf(ramp.region))
-        return false;
-    if (!focus_)
-        focus_.emplace(*model_);
-    const double fine = meshSizeAt(*model_, {query.error.bounds().minimum}).sites;
-    return static_cast<double>(focus_->sitesInside(ramp)) <= sharpShare * fine;
 }
 
 Status MeshExtractor::Work::coverSites(std::uint32_t sites)
