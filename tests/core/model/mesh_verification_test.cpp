@@ -276,6 +276,29 @@ private slots:
         QVERIFY(kept > 50 && broken > 20);
     }
 
+    /// Cells that even all points leave inverted are counted, and borne wherever they stand; others are failures (S5).
+    void incurablyInvertedCellsAreBorne()
+    {
+        Dataset dataset = bentBumps(SampleType::Float32, {5, 4, 4});
+        auto positions = std::make_shared<std::vector<Eigen::Vector3d>>(*dataset.positions);
+        (*positions)[2 + 5 * (1 + 4 * 2)] += Eigen::Vector3d(0, 0, -4); // through its neighbours
+        dataset.positions = positions;
+        dataset.source.hash = contentHash(dataset.values, dataset.positions);
+        const auto model = modelOf(path(), dataset);
+        const Case finest = uniform(*model, {0, 0});
+        const auto verdict = verifyMesh(*model, dataset, finest.query, finest.mesh);
+        QVERIFY2(verdict.ok() && verdict->ok(), qPrintable(textOf(verdict)));
+        QVERIFY(verdict->inverted > 0);
+        int failed = 0;
+        for (const double asked : {20.0, 10.0, 5.0, 2.0, 1.0, 0.5}) {
+            const Case coarse = uniform(*model, {asked, anyWarping});
+            const auto found = verifyMesh(*model, dataset, coarse.query, coarse.mesh);
+            QVERIFY(found.ok());
+            failed += textOf(found).contains("is inverted in physical space") ? 1 : 0;
+        }
+        QVERIFY(failed > 0);
+    }
+
     void theScaleCounts()
     {
         const Dataset dataset = datasetOf("floats");
