@@ -103,7 +103,7 @@ std::vector<Option> focusOptions()
             {.name = "focus-warping",
              .placeholder = "PERCENT",
              .explanation = "Likewise the largest warping; --warping holds elsewhere.",
-             .byDefault = "the same number as the focus error"},
+             .byDefault = "the same number as the focus error, or the warping elsewhere if that is smaller"},
             {.name = "falloff",
              .placeholder = "LENGTH",
              .explanation = "The distance from the focus over which the error grows from the one to the other.",

@@ -2,10 +2,8 @@
 /// `tan extract` and `tan verify` of the meshes that it writes: every option, every wrong use, and the file as VTK
 /// reads it.
 #include "tests/app/program.h"
-#include "tests/app/sample_files.h"
-#include "tests/core/mesh/files/vtk_reader.h"
+#include "tests/app/read_mesh.h"
 
-#include <QDir>
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
@@ -16,48 +14,6 @@
 #include <set>
 
 namespace tetra {
-namespace {
-
-/// A mesh as VTK reads it.
-struct ReadMesh {
-    explicit ReadMesh(const VtkReader& reader)
-        : points(reader.array<float>("points")), values(reader.array<float>("point.value")),
-          cells(reader.array<std::uint32_t>("cells"))
-    {
-    }
-    std::size_t cellCount() const { return cells.size() / 4; }
-    double coordinate(std::size_t cell, std::size_t corner, std::size_t axis) const
-    {
-        return static_cast<double>(points[3 * cells[4 * cell + corner] + axis]);
-    }
-    double value(std::size_t cell, std::size_t corner) const
-    {
-        return static_cast<double>(values[cells[4 * cell + corner]]);
-    }
-    double volume(std::size_t cell) const
-    {
-        std::array<std::array<double, 3>, 3> e{};
-        for (std::size_t edge = 0; edge < 3; ++edge)
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                e[edge][axis] = coordinate(cell, edge + 1, axis) - coordinate(cell, 0, axis);
-        return (e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) + e[0][1] * (e[1][2] * e[2][0] - e[1][0] * e[2][2]) +
-                e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0])) /
-               6;
-    }
-    double volume() const
-    {
-        double sum = 0;
-        for (std::size_t cell = 0; cell < cellCount(); ++cell)
-            sum += volume(cell);
-        return sum;
-    }
-
-    std::vector<float> points;
-    std::vector<float> values;
-    std::vector<std::uint32_t> cells;
-};
-
-} // namespace
 
 class ExtractTest : public QObject {
     Q_OBJECT
@@ -335,6 +291,36 @@ private slots:
         QCOMPARE(tetrahedra(level), tetrahedra(extracted(options)));
     }
 
+    void everyKindOfModelIsProved_data()
+    {
+        QTest::addColumn<QStringList>("sample");
+        QTest::addColumn<QStringList>("build");
+        QTest::addColumn<QString>("focus");
+        QTest::newRow("weights") << QStringList{"c60", "-o", "data.nrrd"} << QStringList{"--weight", "point:8,8,8,6"}
+                                 << "sphere:5,8,8,3";
+        QTest::newRow("blocks") << QStringList{"c60", "-o", "data.nrrd"} << QStringList{"--block", "5"}
+                                << "sphere:5,8,8,3";
+        QTest::newRow("floats") << QStringList{"hydrogen", "--type", "float", "-o", "data.nrrd"} << QStringList{}
+                                << "sphere:5,8,8,3";
+        QTest::newRow("scattered") << QStringList{"scattered", "-o", "data.csv"} << QStringList{} << "sphere:0,0,0,0.4";
+        QTest::newRow("collapsed axis") << QStringList{"blunt-body", "-o", "data.xyz"} << QStringList{}
+                                        << "box:-9,-9,-9,0,9,9";
+    }
+    void everyKindOfModelIsProved()
+    {
+        QFETCH(QStringList, sample);
+        QFETCH(QStringList, build);
+        QFETCH(QString, focus);
+        const QString data = sample.back();
+        QCOMPARE(tan(QStringList{"sample", "--size", "14"} + sample).exitCode, 0);
+        QCOMPARE(tan(QStringList{"build", data, "-o", "model.tan"} + build).exitCode, 0);
+        for (const QStringList& options :
+             {QStringList{"--error", "6", "--focus", focus, "--focus-error", "1"}, QStringList{"--budget", "3000"}}) {
+            const Run run = tan(QStringList{"verify", "model.tan", "--against", data} + options);
+            QVERIFY2(run.exitCode == 0, run.output + run.messages);
+        }
+    }
+
     void verifyProvesLevelsBesideIt()
     {
         const Run run =
@@ -345,92 +331,6 @@ private slots:
                       "box:-99,-99,-99,0,99,99"})
                      .exitCode,
                  0);
-    }
-
-    void wrongUseIsRefused_data()
-    {
-        QTest::addColumn<QStringList>("options");
-        QTest::addColumn<QString>("part");
-        QTest::addColumn<bool>("alsoVerify");
-        const QStringList focus = {"--focus", "sphere:8,8,8,3", "--focus-error", "0.5"};
-        const auto row = [](const char* name, const QStringList& options, const char* part, bool alsoVerify = true) {
-            QTest::newRow(name) << options << QString(part) << alsoVerify;
-        };
-        row("error too large", {"--error", "101"}, "'--error'");
-        row("error no number", {"--error", "few"}, "'--error'");
-        row("focus without error", {"--focus", "sphere:8,8,8,3"}, "--focus-error");
-        row("focus error without focus", {"--focus-error", "1"}, "'--focus'");
-        row("focus warping without focus", {"--focus-warping", "1", "--error", "1"}, "'--focus'");
-        row("falloff without focus", {"--falloff", "1"}, "'--focus'");
-        row("focus error no number", {"--focus", "sphere:8,8,8,3", "--focus-error", "-1"}, "'--focus-error'");
-        row("focus coarser than the rest", {"--error", "0.1", "--focus", "sphere:8,8,8,3", "--focus-error", "0.5"},
-            "Exchange '--focus-error' and '--error'");
-        row("warping in the focus larger", focus + QStringList{"--warping", "1", "--focus-warping", "2"},
-            "Exchange '--focus-warping' and '--warping'");
-        row("negative falloff", focus + QStringList{"--falloff", "-1"}, "'--falloff'");
-        for (const char* region : {"ball:1,2,3,4", "sphere:1,2,3", "sphere:1,2,3,0", "sphere:1,2,3,-1",
-                                   "sphere:1,2,3,nan", "sphere:1,2,3,4,5", "box:1,2,3,4,5", "box:1,2,3,4,5,6,7",
-                                   "box:1,2,3,4,5,inf", "box:1;2;3;4;5;6", "box", ""})
-            row(qPrintable(QString("focus ") + region), {"--focus", region, "--focus-error", "0.5"}, "sphere:x,y,z,r");
-        row("field that is none", {"--field", "cube(1)"}, "'--field'");
-        row("field and error", {"--field", "1", "--error", "1"}, "'--error' does not go with it");
-        row("field and focus", QStringList{"--field", "1"} + focus, "'--focus' does not go with it");
-        row("field and falloff", {"--field", "1", "--falloff", "2"}, "'--falloff' does not go with it");
-        row("no budget", {"--budget", "0"}, "'--budget'");
-        row("broken budget", {"--budget", "12.5"}, "'--budget'");
-        row("budget too small", {"--budget", "1"}, "budget");
-        row("unknown method", focus + QStringList{"--method", "magic"}, "automatic, closed-set, insertion");
-        row("method without a focus", {"--error", "1", "--method", "closed-set"}, "'--method'");
-        row("insertion of what is not sharp", {"--field", "isovalues(120; 0.5, 8, 20)", "--method", "insertion"},
-            "nsertion");
-        row("border without a window", {"--border", "clipped"}, "'--window'", false);
-        row("unknown border", {"--window", "0,0,0,5,5,5", "--border", "torn"}, "intersecting, contained, clipped",
-            false);
-        row("window of five numbers", {"--window", "0,0,0,5,5"}, "'--window'", false);
-        row("window outside", {"--window", "100,100,100,105,105,105"}, "between (0, 0, 0) and (15, 15, 15)", false);
-        row("values of one number", {"--values", "100"}, "'--values'", false);
-        row("values turned round", {"--values", "100,90"}, "'--values'", false);
-        row("values outside", {"--values", "900,901"}, "with values from", false);
-        row("range of one", {"--range", "1"}, "'--range'", false);
-        row("range of three", {"--range", "1,2,3"}, "'--range'", false);
-        row("range too large", {"--range", "1,200"}, "'--range'", false);
-        row("range and error", {"--range", "1,2", "--error", "1"}, "'--error' does not go with it", false);
-        row("range and focus", QStringList{"--range", "1,2"} + focus, "'--focus' does not go with it", false);
-        row("range and budget", {"--range", "1,2", "--budget", "100"}, "'--budget' does not go with it", false);
-        row("range and method", {"--range", "1,2", "--method", "automatic"}, "'--method' does not go with it", false);
-        row("range cut off", {"--range", "1,2", "--window", "0,0,0,5,5,5", "--border", "clipped"},
-            "'--border clipped' does not go", false);
-    }
-    void wrongUseIsRefused()
-    {
-        QFETCH(QStringList, options);
-        QFETCH(QString, part);
-        QFETCH(bool, alsoVerify);
-        const Run run = tan(QStringList{"extract", "c60.tan", "-o", "wrong.vtu"} + options);
-        QVERIFY2(run.exitCode == 2, QByteArray::number(run.exitCode) + ": " + run.messages);
-        QVERIFY2(QString::fromUtf8(run.messages).contains(part), run.messages);
-        QVERIFY(run.output.isEmpty());
-        QVERIFY(!QFile::exists(path("wrong.vtu")));
-        if (!alsoVerify)
-            return;
-        const Run verify = tan(QStringList{"verify", "c60.tan", "--against", "c60.nrrd"} + options);
-        QVERIFY2(verify.exitCode == 2, QByteArray::number(verify.exitCode) + ": " + verify.messages);
-        QVERIFY2(QString::fromUtf8(verify.messages).contains(part), verify.messages);
-    }
-
-    void wrongFilesAreRefused()
-    {
-        const Run ending = tan({"extract", "c60.tan", "-o", "mesh.obj"});
-        QCOMPARE(ending.exitCode, 2);
-        QVERIFY2(ending.messages.contains(".vtu, .vtk and .ply"), ending.messages);
-        QVERIFY(QFile::copy(path("c60.tan"), path("model.vtu")));
-        const Run same = tan({"extract", "model.vtu", "-o", "model.vtu"});
-        QCOMPARE(same.exitCode, 2);
-        QVERIFY2(same.messages.contains("is the input"), same.messages);
-        QCOMPARE(tan({"extract", "c60.nrrd", "-o", "mesh.vtu"}).exitCode, 3);
-        QCOMPARE(tan({"extract", "none.tan", "-o", "mesh.vtu"}).exitCode, 3);
-        QCOMPARE(tan({"extract", "c60.tan", "-o", "none/mesh.vtu"}).exitCode, 4);
-        QCOMPARE(tan({"extract", "c60.tan"}).exitCode, 2);
     }
 };
 

@@ -2,86 +2,19 @@
 /// B3: meshes of any kind are proved right, and what is wrong with a damaged one is found.
 #include "core/model/verify_mesh.h"
 
-#include "core/mesh/scattered_refinement.h"
-#include "core/model/model_writer.h"
 #include "core/model/queries/mesh_extractor.h"
-#include "tests/core/model/model_fixture.h"
+#include "tests/core/model/mesh_cases.h"
 
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <optional>
-#include <random>
 
 using namespace tetra;
 
 namespace {
-
-/// Random points, of a smooth field.
-Dataset scatteredPoints(std::size_t count)
-{
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> coordinate(-1, 1);
-    auto positions = std::make_shared<std::vector<Eigen::Vector3d>>();
-    auto values = std::make_shared<std::vector<double>>();
-    for (std::size_t point = 0; point < count; ++point) {
-        const Eigen::Vector3d& place =
-            positions->emplace_back(coordinate(random), coordinate(random), coordinate(random));
-        values->push_back(std::sin(3 * place[0]) * place[1] + place[2]);
-    }
-    Dataset dataset;
-    dataset.domain = DomainClass::Scattered;
-    dataset.lattice.size = {static_cast<std::uint32_t>(count), 1, 1};
-    dataset.positions = positions;
-    dataset.values =
-        ScalarField(SampleType::Float64, count, {values, reinterpret_cast<const std::byte*>(values->data())});
-    dataset.source = {"points", {}, contentHash(dataset.values, dataset.positions)};
-    return dataset;
-}
-
-Dataset datasetOf(const QString& kind)
-{
-    if (kind == "scattered")
-        return scatteredPoints(150);
-    if (kind.startsWith("bent"))
-        return bentBumps(SampleType::Float32, {5, 4, 5}, kind.contains("double"), kind.contains("mirrored"));
-    return bumps(kind == "integers" ? SampleType::UInt8 : SampleType::Float32, {6, 5, 4});
-}
-
-std::shared_ptr<const Model> modelOf(const std::filesystem::path& path, const Dataset& dataset)
-{
-    if (dataset.domain != DomainClass::Scattered) {
-        writeModel(path, dataset);
-    } else {
-        ModelDescription description;
-        description.builder = "refinement";
-        auto writer = ModelWriter::create(path, dataset, description);
-        if (!writer || !refineScattered({*dataset.positions, dataset.values.as<double>(), {}}, 0, **writer))
-            std::abort();
-    }
-    return Model::open(path).value();
-}
-
-/// The mesh of an accuracy, and a query that it answers.
-struct Case {
-    MeshQuery query;
-    ExtractedMesh mesh;
-};
-
-Case uniform(const Model& model, const Accuracy& accuracy)
-{
-    Case made;
-    made.query.error = accuracy.error;
-    made.query.warping = accuracy.warping;
-    const MeshSize size = meshSizeAt(model, accuracy);
-    made.mesh.mesh = extractPrefix(model, size.sites).value();
-    made.mesh.sites.resize(size.sites);
-    std::iota(made.mesh.sites.begin(), made.mesh.sites.end(), 0U);
-    return made;
-}
 
 QString textOf(const Result<LevelVerdict>& verdict)
 {
@@ -341,6 +274,29 @@ private slots:
             }
         }
         QVERIFY(kept > 50 && broken > 20);
+    }
+
+    /// Cells that even all points leave inverted are counted, and borne wherever they stand; others are failures (S5).
+    void incurablyInvertedCellsAreBorne()
+    {
+        Dataset dataset = bentBumps(SampleType::Float32, {5, 4, 4});
+        auto positions = std::make_shared<std::vector<Eigen::Vector3d>>(*dataset.positions);
+        (*positions)[2 + 5 * (1 + 4 * 2)] += Eigen::Vector3d(0, 0, -4); // through its neighbours
+        dataset.positions = positions;
+        dataset.source.hash = contentHash(dataset.values, dataset.positions);
+        const auto model = modelOf(path(), dataset);
+        const Case finest = uniform(*model, {0, 0});
+        const auto verdict = verifyMesh(*model, dataset, finest.query, finest.mesh);
+        QVERIFY2(verdict.ok() && verdict->ok(), qPrintable(textOf(verdict)));
+        QVERIFY(verdict->inverted > 0);
+        int failed = 0;
+        for (const double asked : {20.0, 10.0, 5.0, 2.0, 1.0, 0.5}) {
+            const Case coarse = uniform(*model, {asked, anyWarping});
+            const auto found = verifyMesh(*model, dataset, coarse.query, coarse.mesh);
+            QVERIFY(found.ok());
+            failed += textOf(found).contains("is inverted in physical space") ? 1 : 0;
+        }
+        QVERIFY(failed > 0);
     }
 
     void theScaleCounts()
