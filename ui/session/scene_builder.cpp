@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/scene_builder.h"
 
-#include "core/model/extraction.h"
+#include "core/model/queries/mesh_extractor.h"
 
 #include <chrono>
+#include <mutex>
 #include <new>
+#include <optional>
 
 namespace tetra {
 namespace {
@@ -27,62 +29,84 @@ Error outOfMemory()
 
 } // namespace
 
-/// What the worker keeps between two requests. Touched by the worker only.
+/// What the worker keeps between two requests. Touched by the worker only, but for the mesh.
 struct SceneBuilder::Workshop {
-    std::shared_ptr<const Model> model;
+    std::optional<MeshExtractor> extractor;
     const Renderer* renderer = nullptr;
-    std::uint32_t sites = 0;
-    std::shared_ptr<TetrahedralMesh> mesh;
+    std::optional<MeshQuery> query; ///< that the mesh answers
     std::unique_ptr<RendererSession> session;
+    std::mutex mutex; ///< guards the next one
+    std::shared_ptr<const ExtractedMesh> mesh;
 
+    void setMesh(std::shared_ptr<const ExtractedMesh> next);
+    bool has(const SceneRequest& request) const;
     Status extract(const SceneRequest& request, const Progress& progress);
     Result<BuiltScene> make(const SceneRequest& request, const Progress& progress);
+    void clear();
 };
 
+void SceneBuilder::Workshop::setMesh(std::shared_ptr<const ExtractedMesh> next)
+{
+    const std::lock_guard lock(mutex);
+    mesh = std::move(next);
+}
+
+bool SceneBuilder::Workshop::has(const SceneRequest& request) const
+{
+    return mesh && extractor && extractor->model() == request.model && query == request.query;
+}
+
+/// Lets go of the last mesh first, so that the extractor can use its memory again.
 Status SceneBuilder::Workshop::extract(const SceneRequest& request, const Progress& progress)
 {
     session.reset();
-    TetrahedralMesh reuse;
-    if (mesh && mesh.use_count() == 1)
-        reuse = std::move(*mesh);
-    mesh.reset();
-    auto extracted = extractPrefix(*request.model, request.sites, progress, std::move(reuse));
+    setMesh(nullptr);
+    if (!extractor || extractor->model() != request.model)
+        extractor.emplace(request.model);
+    auto extracted = extractor->extract(request.query, progress);
     if (!extracted)
         return extracted.error();
     if (Status intact = request.model->checkIntact(); !intact)
         return intact;
-    mesh = std::make_shared<TetrahedralMesh>(std::move(*extracted));
-    model = request.model;
-    sites = request.sites;
+    setMesh(*std::move(extracted));
+    query = request.query;
     return {};
 }
 
 Result<BuiltScene> SceneBuilder::Workshop::make(const SceneRequest& request, const Progress& progress)
 try {
-    BuiltScene built{request.model, nullptr, request.sites, 0, 0, 0, 0};
+    BuiltScene built;
+    built.model = request.model;
     const auto start = std::chrono::steady_clock::now();
-    if (!mesh || model != request.model || sites != request.sites) {
+    if (!has(request)) {
         if (const Status extracted = extract(request, progress.part(0, 0.5)); !extracted)
             return extracted.error();
         built.extractionSeconds = secondsSince(start);
     }
     if (!session || renderer != request.renderer) {
-        session = request.renderer->open(mesh, request.model->description().bounds);
+        session = request.renderer->open({mesh, &mesh->mesh}, request.model->description().bounds);
         renderer = request.renderer;
     }
     auto scene = session->prepare(request.values, request.camera, progress.part(0.5, 1));
     if (!scene)
         return scene.error();
     built.scene = *std::move(scene);
-    built.tetrahedra = mesh->tetrahedra.size();
+    built.mesh = {request.query,    mesh->mesh.positions.size(), mesh->mesh.tetrahedra.size(),
+                  mesh->wholeSites, mesh->wholeTetrahedra,       mesh->scale};
     for (const Surface& surface : built.scene->surfaces)
         built.triangles += surface.mesh->triangles.size();
     built.sceneSeconds = secondsSince(start) - built.extractionSeconds;
     return built;
 } catch (const std::bad_alloc&) {
-    session.reset();
-    mesh.reset();
+    clear();
     return outOfMemory();
+}
+
+void SceneBuilder::Workshop::clear()
+{
+    session.reset();
+    setMesh(nullptr);
+    extractor.reset();
 }
 
 SceneBuilder::SceneBuilder(QObject* parent) : QObject(parent), workshop_(std::make_shared<Workshop>()) {}
@@ -101,11 +125,17 @@ void SceneBuilder::request(SceneRequest request)
         patience);
 }
 
+std::shared_ptr<const ExtractedMesh> SceneBuilder::mesh() const
+{
+    const std::lock_guard lock(workshop_->mutex);
+    return workshop_->mesh;
+}
+
 void SceneBuilder::clear()
 {
     cleared_ = newest_;
     // The worker gives back the mesh, in its own time.
-    job_.submit([workshop = workshop_](const std::stop_token&) { *workshop = {}; });
+    job_.submit([workshop = workshop_](const std::stop_token&) { workshop->clear(); });
     setBusy(false);
 }
 

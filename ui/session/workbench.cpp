@@ -37,11 +37,13 @@ Workbench::Workbench(PluginHost& host, QObject* parent) : QObject(parent), host_
     const ViewState* view = &session_.view();
     connect(&session_, &Session::modelChanged, this, &Workbench::requestScene);
     connect(&session_, &Session::modelGrown, this, &Workbench::requestScene);
-    connect(view, &ViewState::errorChanged, this, &Workbench::requestScene);
+    connect(view, &ViewState::queryChanged, this, &Workbench::requestScene);
     connect(view, &ViewState::isovalueInserted, this, &Workbench::requestScene);
     connect(view, &ViewState::isovalueRemoved, this, &Workbench::requestScene);
     connect(view, &ViewState::isovalueChanged, this, &Workbench::requestScene);
     connect(&sceneBuilder_, &SceneBuilder::failed, this, &Workbench::tell);
+    connect(&sceneBuilder_, &SceneBuilder::sceneReady, &session_,
+            [this](const BuiltScene& scene) { session_.setShown(scene.mesh); });
     looking_.setInterval(timeBetweenLooks);
     connect(&looking_, &QTimer::timeout, this, &Workbench::lookAtBuild);
     connect(&building_, &LongTask::finished, &looking_, &QTimer::stop);
@@ -244,7 +246,7 @@ void Workbench::requestScene()
 {
     if (!session_.model() || renderer_ == nullptr)
         return;
-    SceneRequest request{session_.model(), renderer_, session_.meshSize().sites, {}, {}};
+    SceneRequest request{session_.model(), renderer_, meshQuery(session_.view().query(), *session_.model()), {}, {}};
     const auto parameters = renderer_->parameters(session_.range());
     if (const Parameter* isovalues = isovalueParameter(parameters))
         request.values[isovalues->id] = session_.view().isovalues();
