@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/ply_file.h"
 
-#include "core/base/file_writer.h"
+#include "core/mesh/files/mesh_output.h"
+#include "core/mesh/files/ply_head.h"
 
-#include <bit>
-#include <cstring>
-#include <limits>
 #include <string>
 
 namespace tetra {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "records are written as they lie in memory");
+constexpr std::size_t vertexBytes = 7 * sizeof(float);
+constexpr std::size_t faceBytes = 1 + 3 * sizeof(std::int32_t);
 
 struct Counts {
     std::size_t vertices = 0;
@@ -30,76 +29,57 @@ Counts countAll(std::span<const ValuedSurface> surfaces)
 
 std::string header(const Counts& counts)
 {
-    return "ply\nformat binary_little_endian 1.0\ncomment isosurfaces by TAn\nelement vertex " +
-           std::to_string(counts.vertices) +
-           "\nproperty float x\nproperty float y\nproperty float z\n"
-           "property float nx\nproperty float ny\nproperty float nz\nproperty float value\nelement face " +
-           std::to_string(counts.triangles) + "\nproperty list uchar int vertex_indices\nend_header\n";
+    PlyHead head;
+    head.comment("isosurfaces by TAn").element("vertex", counts.vertices);
+    for (const std::string_view name : {"x", "y", "z", "nx", "ny", "nz", "value"})
+        head.property("float", name);
+    return head.element("face", counts.triangles).vertexList().text();
 }
 
-Status writeVertices(FileWriter& file, const ValuedSurface& surface)
+Status writeVertices(MeshOutput& out, const ValuedSurface& surface)
 {
-    for (std::size_t index = 0; index < surface.mesh.positions.size(); ++index) {
-        const Eigen::Vector3f& position = surface.mesh.positions[index];
-        const Eigen::Vector3f& normal = surface.mesh.normals[index];
-        const float record[7] = {position.x(),
-                                 position.y(),
-                                 position.z(),
-                                 normal.x(),
-                                 normal.y(),
-                                 normal.z(),
-                                 static_cast<float>(surface.value)};
-        if (const Status written = file.write(std::as_bytes(std::span(record))); !written)
-            return written;
-    }
-    return {};
+    return out.records(surface.mesh.positions.size(), vertexBytes, [&](std::uint64_t index, std::byte* where) {
+        for (const float coordinate : surface.mesh.positions[index])
+            putNumber(where, coordinate);
+        for (const float coordinate : surface.mesh.normals[index])
+            putNumber(where, coordinate);
+        putNumber(where, static_cast<float>(surface.value));
+    });
 }
 
-Status writeFaces(FileWriter& file, const TriangleMesh& mesh, std::uint32_t firstVertex)
+Status writeFaces(MeshOutput& out, const TriangleMesh& mesh, std::uint32_t firstVertex)
 {
-    for (const auto& triangle : mesh.triangles) {
-        std::byte record[13] = {std::byte{3}};
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const std::uint32_t vertex = triangle[corner] + firstVertex;
-            std::memcpy(record + 1 + 4 * corner, &vertex, 4);
-        }
-        if (const Status written = file.write(record); !written)
-            return written;
-    }
-    return {};
+    return out.records(mesh.triangles.size(), faceBytes, [&](std::uint64_t index, std::byte* where) {
+        putNumber(where, std::uint8_t(3));
+        for (const std::uint32_t vertex : mesh.triangles[index])
+            putNumber(where, vertex + firstVertex);
+    });
 }
 
 } // namespace
 
 Status writePly(const std::filesystem::path& path, std::span<const ValuedSurface> surfaces, const Progress& progress)
 {
-    constexpr std::string_view activity = "Writing the surfaces";
     const Counts counts = countAll(surfaces);
-    if (counts.vertices > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+    if (counts.vertices > mostPlyVertices)
         return Error{ErrorKind::OutOfResource, "The surfaces have more vertices than a PLY file can number. Ask for a "
                                                "larger error, or for one isovalue at a time."};
-    auto file = FileWriter::create(path);
-    if (!file)
-        return file.error();
-    const std::string head = header(counts);
-    if (const Status written = file->write(std::as_bytes(std::span(head))); !written)
+    auto out = MeshOutput::create(path, counts.vertices * vertexBytes + counts.triangles * faceBytes,
+                                  "Writing the surfaces", progress);
+    if (!out)
+        return out.error();
+    if (const Status written = out->text(header(counts)); !written)
         return written;
-    for (const ValuedSurface& surface : surfaces) {
-        if (progress.cancelled())
-            return cancelledError(activity);
-        if (const Status written = writeVertices(*file, surface); !written)
+    for (const ValuedSurface& surface : surfaces)
+        if (const Status written = writeVertices(*out, surface); !written)
             return written;
-    }
     std::uint32_t firstVertex = 0;
     for (const ValuedSurface& surface : surfaces) {
-        if (progress.cancelled())
-            return cancelledError(activity);
-        if (const Status written = writeFaces(*file, surface.mesh, firstVertex); !written)
+        if (const Status written = writeFaces(*out, surface.mesh, firstVertex); !written)
             return written;
         firstVertex += static_cast<std::uint32_t>(surface.mesh.positions.size());
     }
-    progress.report(1, activity);
-    return file->commit();
+    return out->commit();
 }
 
 } // namespace tetra

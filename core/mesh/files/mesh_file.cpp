@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/files/mesh_file.h"
+
+#include "core/mesh/files/mesh_formats.h"
+
+#include <algorithm>
+#include <new>
+#include <string_view>
+
+namespace tetra {
+
+namespace {
+
+struct Format {
+    std::string_view ending;
+    Status (*write)(const std::filesystem::path& path, const MeshContent& content, const Progress& progress);
+};
+constexpr std::array<Format, 3> formats = {{{".vtu", writeVtu}, {".vtk", writeVtk}, {".ply", writePlyMesh}}};
+
+const Format* formatOf(const std::filesystem::path& path)
+{
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    const auto found = std::ranges::find(formats, ending, &Format::ending);
+    return found == formats.end() ? nullptr : &*found;
+}
+
+Status checkArrays(const std::vector<NamedArray>& arrays, std::size_t count, std::string_view of)
+{
+    for (const NamedArray& array : arrays)
+        if (array.name.empty() || valueCount(array) != count)
+            return Error{ErrorKind::WrongUsage, "The array '" + array.name + "' has " +
+                                                    std::to_string(valueCount(array)) + " values for " +
+                                                    std::to_string(count) + " " + std::string(of) +
+                                                    ": an array needs a name, and one value for each."};
+    return {};
+}
+
+} // namespace
+
+std::uint64_t bytesOf(const MeshContent& content, std::size_t bytesOfCell)
+{
+    std::uint64_t bytes = content.positions.size_bytes() + content.tetrahedra.size() * bytesOfCell;
+    for (const auto* arrays : {&content.pointArrays, &content.cellArrays})
+        for (const NamedArray& array : *arrays)
+            bytes += valueCount(array) * valueBytes(array);
+    return bytes;
+}
+
+Status checkMeshFileName(const std::filesystem::path& path)
+{
+    if (formatOf(path) != nullptr)
+        return {};
+    return Error{ErrorKind::WrongUsage, "'" + path.string() +
+                                            "' ends in none of .vtu, .vtk and .ply, the formats in which meshes are "
+                                            "written. Choose one of these endings."};
+}
+
+Status writeMeshFile(const std::filesystem::path& path, const MeshContent& content, const Progress& progress)
+{
+    if (const Status known = checkMeshFileName(path); !known)
+        return known;
+    if (const Status fit = checkArrays(content.pointArrays, content.positions.size(), "vertices"); !fit)
+        return fit;
+    if (const Status fit = checkArrays(content.cellArrays, content.tetrahedra.size(), "tetrahedra"); !fit)
+        return fit;
+    try {
+        return formatOf(path)->write(path, content, progress);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorKind::OutOfResource, "Not enough memory to write '" + path.string() + "'."};
+    }
+}
+
+} // namespace tetra
