@@ -44,6 +44,8 @@ Workbench::Workbench(PluginHost& host, QObject* parent) : QObject(parent), host_
     connect(&sceneBuilder_, &SceneBuilder::failed, this, &Workbench::tell);
     connect(&sceneBuilder_, &SceneBuilder::sceneReady, &session_,
             [this](const BuiltScene& scene) { session_.setShown(scene.mesh); });
+    connect(&sceneBuilder_, &SceneBuilder::sceneReady, this, &Workbench::saveMeshWhenShown);
+    connect(&sceneBuilder_, &SceneBuilder::failed, this, [this] { meshTarget_.clear(); });
     looking_.setInterval(timeBetweenLooks);
     connect(&looking_, &QTimer::timeout, this, &Workbench::lookAtBuild);
     connect(&building_, &LongTask::finished, &looking_, &QTimer::stop);
@@ -226,6 +228,7 @@ void Workbench::showBuilt(const std::filesystem::path& target)
 
 void Workbench::closeModel()
 {
+    meshTarget_.clear();
     sceneBuilder_.clear();
     session_.close();
 }
@@ -236,6 +239,29 @@ void Workbench::savePicture(const PictureOrder& order)
         return [this, order, saved = writePicture(order, progress)] {
             if (saved)
                 emit pictureSaved(pathText(order.target));
+            else
+                tell(saved.error());
+        };
+    });
+}
+
+void Workbench::saveMesh(const std::filesystem::path& target)
+{
+    meshTarget_ = target;
+    saveMeshWhenShown();
+}
+
+void Workbench::saveMeshWhenShown()
+{
+    const MeshOrder order{session_.model(), sceneBuilder_.mesh(), session_.shown() ? session_.shown()->query : MeshQuery(),
+                          meshTarget_};
+    if (meshTarget_.empty() || !session_.showsQuery() || !order.mesh)
+        return;
+    meshTarget_.clear();
+    savingMesh_.start([this, order](const Progress& progress) -> std::function<void()> {
+        return [this, target = order.target, saved = writeMesh(order, progress)] {
+            if (saved)
+                emit meshSaved(pathText(target));
             else
                 tell(saved.error());
         };
