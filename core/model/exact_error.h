@@ -33,15 +33,16 @@ template <class Sample> struct ExactError {
     }
 
     /// The largest number that is at most `claimed`, in units of the values.
-    static Number claimedBound(float claimed, double /*extent*/, std::int64_t sixVolumes)
+    static Number claimedBound(double claimed, double /*extent*/, std::int64_t sixVolumes)
     {
+        constexpr int digits = std::numeric_limits<double>::digits;
         if (!(claimed > 0))
             return 0;
         if (std::isinf(claimed))
             return largest();
         int exponent = 0;
-        const float fraction = std::frexp(claimed, &exponent);
-        return scaled(static_cast<Wide>(std::ldexp(fraction, 24)) * sixVolumes, exponent - 24);
+        const double fraction = std::frexp(claimed, &exponent);
+        return scaled(static_cast<Wide>(std::ldexp(fraction, digits)) * sixVolumes, exponent - digits);
     }
 
     /// The largest number that is at most `half` as a fraction of the value range.
@@ -95,9 +96,9 @@ template <class Sample> struct RoundedError {
                    (static_cast<double>(corners[i]) - static_cast<double>(sample));
         return std::abs(sum);
     }
-    static Number claimedBound(float claimed, double extent, std::int64_t /*sixVolumes*/)
+    static Number claimedBound(double claimed, double extent, std::int64_t /*sixVolumes*/)
     {
-        return static_cast<double>(claimed) + allowance * extent;
+        return claimed + allowance * extent;
     }
     static Number ownBound(std::uint16_t half, double extent, std::int64_t /*sixVolumes*/)
     {

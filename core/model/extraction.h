@@ -30,6 +30,9 @@ struct MeshSize {
 /// Asked for more than the model has, it gives the whole model.
 MeshSize meshSizeAt(const Model& model, const Accuracy& accuracy);
 
+/// The same for the mesh of the first `sites` sites, which end a batch.
+MeshSize meshSizeOf(const Model& model, std::uint32_t sites);
+
 /// Extracts the mesh of the first `sites` sites (R14, R15): vertex v of the mesh is site v. The last of them must end
 /// its group (Model::groupGoesOn()), as it does for every meshSizeAt(). Reads the prefix of the file that those sites
 /// created and nothing else; O(tetrahedra that they created). The buffers of `reuse`, if any, are used again. Errors: a

@@ -10,47 +10,65 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tetra {
 
-/// The cells of one level, picked from the history by its definition: created by one of the first sites, destroyed by
-/// none of them. For verification; the arrays of the model are known to be usable.
+/// The cells of one mesh, by the numbers of its vertices. For verification; the arrays are known to be usable.
 class LevelCells {
 public:
-    LevelCells(const Model& model, const std::vector<LatticePoint>& places, std::uint32_t sites) : places_(places)
+    using Cell = std::array<std::uint32_t, 4>;
+
+    /// Of the level of the first sites, picked from the history by its definition: created by one of them, destroyed by
+    /// none. Vertices are sites.
+    LevelCells(const Model& model, const std::vector<LatticePoint>& places, std::uint32_t sites)
+        : points_(model.points()), places_(places)
     {
         for (std::uint32_t creator = 0; creator < sites; ++creator)
             for (std::uint64_t t = model.starOffsets()[creator]; t < model.starOffsets()[creator + 1]; ++t) {
                 if (model.destroyers()[t] < sites)
                     continue;
                 const std::array<std::uint32_t, 3>& others = model.otherSites()[t];
-                sites_.push_back({creator, others[0], others[1], others[2]});
+                cells_.push_back({creator, others[0], others[1], others[2]});
                 historyNumbers_.push_back(t);
             }
     }
+    /// Of any mesh whose vertices are points of the dataset: the point of each, and, of lattices, where it lies.
+    LevelCells(std::span<const std::uint32_t> points, const std::vector<LatticePoint>& places, std::vector<Cell> cells)
+        : points_(points), places_(places), cells_(std::move(cells))
+    {
+    }
 
-    std::size_t size() const noexcept { return sites_.size(); }
-    const std::array<std::uint32_t, 4>& sites(std::size_t cell) const { return sites_[cell]; }
-    std::uint64_t historyNumber(std::size_t cell) const { return historyNumbers_[cell]; }
-    const LatticePoint& place(std::uint32_t site) const { return places_[site]; }
+    std::size_t size() const noexcept { return cells_.size(); }
+    const Cell& vertices(std::size_t cell) const { return cells_[cell]; }
+    std::uint32_t point(std::uint32_t vertex) const { return points_[vertex]; }
+    const LatticePoint& place(std::uint32_t vertex) const { return places_[vertex]; }
     CellCorners corners(std::size_t cell) const
     {
-        const std::array<std::uint32_t, 4>& s = sites_[cell];
-        return {places_[s[0]], places_[s[1]], places_[s[2]], places_[s[3]]};
+        const Cell& c = cells_[cell];
+        return {places_[c[0]], places_[c[1]], places_[c[2]], places_[c[3]]};
+    }
+    /// The tetrahedron of the history that a cell of a level is; other meshes have none.
+    std::optional<std::uint64_t> historyNumber(std::size_t cell) const
+    {
+        return historyNumbers_.empty() ? std::nullopt : std::optional(historyNumbers_[cell]);
     }
 
 private:
+    std::span<const std::uint32_t> points_;
     const std::vector<LatticePoint>& places_;
-    std::vector<std::array<std::uint32_t, 4>> sites_;
+    std::vector<Cell> cells_;
     std::vector<std::uint64_t> historyNumbers_;
 };
 
 /// What a domain says of its cells' faces.
 struct FaceRule {
-    std::function<bool(const std::array<std::uint32_t, 3>& sites)> onBoundary;
-    std::function<std::string(std::uint32_t site)> place; ///< for messages
+    std::function<bool(const std::array<std::uint32_t, 3>& vertices)> onBoundary;
+    std::function<std::string(std::uint32_t vertex)> place; ///< for messages
 };
 
 /// Every face belongs to two cells, one on each side, or to one and lies on the domain's boundary. Sorts the faces in

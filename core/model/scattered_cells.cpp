@@ -63,11 +63,10 @@ template <class Real> struct Interpolation {
 
 } // namespace
 
-PlacedCell placedCell(const Model& model, std::span<const Eigen::Vector3d> positions,
-                      const std::array<std::uint32_t, 4>& sites)
+PlacedCell placedCell(std::span<const Eigen::Vector3d> positions, const std::array<std::uint32_t, 4>& points)
 {
     PlacedCell cell;
-    std::ranges::transform(sites, cell.begin(), [&](std::uint32_t site) { return positions[model.points()[site]]; });
+    std::ranges::transform(points, cell.begin(), [&](std::uint32_t point) { return positions[point]; });
     return cell;
 }
 

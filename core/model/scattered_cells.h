@@ -14,8 +14,14 @@ namespace tetra {
 /// The corners of a cell, by position.
 using PlacedCell = std::array<Eigen::Vector3d, 4>;
 
-PlacedCell placedCell(const Model& model, std::span<const Eigen::Vector3d> positions,
-                      const std::array<std::uint32_t, 4>& sites);
+/// `points` of the cell's corners.
+PlacedCell placedCell(std::span<const Eigen::Vector3d> positions, const std::array<std::uint32_t, 4>& points);
+/// A cell of a mesh.
+inline PlacedCell placedCell(std::span<const Eigen::Vector3d> positions, const LevelCells& cells, std::size_t number)
+{
+    const LevelCells::Cell& c = cells.vertices(number);
+    return placedCell(positions, {cells.point(c[0]), cells.point(c[1]), cells.point(c[2]), cells.point(c[3])});
+}
 
 /// Exact signs of a cell's volume, and of whether a place lies in a positive cell, its boundary included or not.
 int volumeSign(const PlacedCell& cell);

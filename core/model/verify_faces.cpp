@@ -18,14 +18,14 @@ constexpr std::uint64_t facesAtOnce = 8 << 20;
 
 /// A face as one of its cells sees it.
 struct Face {
-    std::array<std::uint32_t, 3> sites; ///< in increasing order
-    bool odd;                           ///< whether sorting them turned the face over
+    std::array<std::uint32_t, 3> vertices; ///< in increasing order
+    bool odd;                              ///< whether sorting them turned the face over
     std::uint32_t cell;
 
     /// Cells break ties, so that messages do not depend on the sorting.
     std::strong_ordering operator<=>(const Face& other) const
     {
-        if (const auto order = sites <=> other.sites; order != 0)
+        if (const auto order = vertices <=> other.vertices; order != 0)
             return order;
         return cell <=> other.cell;
     }
@@ -38,8 +38,8 @@ Face faceOf(const std::array<std::uint32_t, 4>& s, int opposite, std::uint32_t c
     const auto& c = corners[static_cast<std::size_t>(opposite)];
     Face face{{s[c[0]], s[c[1]], s[c[2]]}, false, cell};
     for (const auto& [first, second] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{0, 1}})
-        if (face.sites[first] > face.sites[second]) {
-            std::swap(face.sites[first], face.sites[second]);
+        if (face.vertices[first] > face.vertices[second]) {
+            std::swap(face.vertices[first], face.vertices[second]);
             face.odd = !face.odd;
         }
     return face;
@@ -58,7 +58,7 @@ public:
 
 private:
     std::vector<std::uint32_t> batches() const;
-    void gather(std::uint32_t firstSite, std::uint32_t endSite);
+    void gather(std::uint32_t firstVertex, std::uint32_t endVertex);
     void checkBatch();
     void checkFace(std::span<const Face> sameFace);
 
@@ -68,25 +68,25 @@ private:
     Findings findings_;
 };
 
-/// Ranges of the smallest site of a face that hold about facesAtOnce faces each; the bounds, the last one beyond all.
+/// Ranges of the smallest vertex of a face that hold about facesAtOnce faces each; the bounds, the last one beyond all.
 std::vector<std::uint32_t> FaceCheck::batches() const
 {
     std::vector<std::uint32_t> facesOfSmallest;
     for (std::size_t cell = 0; cell < cells_.size(); ++cell)
         for (int opposite = 0; opposite < 4; ++opposite) {
-            const std::uint32_t smallest = faceOf(cells_.sites(cell), opposite, 0).sites[0];
+            const std::uint32_t smallest = faceOf(cells_.vertices(cell), opposite, 0).vertices[0];
             if (smallest >= facesOfSmallest.size())
                 facesOfSmallest.resize(smallest + 1);
             ++facesOfSmallest[smallest];
         }
     std::vector<std::uint32_t> bounds = {0};
     std::uint64_t faces = 0;
-    for (std::uint32_t site = 0; site < facesOfSmallest.size(); ++site) {
-        if (faces > 0 && faces + facesOfSmallest[site] > facesAtOnce) {
-            bounds.push_back(site);
+    for (std::uint32_t vertex = 0; vertex < facesOfSmallest.size(); ++vertex) {
+        if (faces > 0 && faces + facesOfSmallest[vertex] > facesAtOnce) {
+            bounds.push_back(vertex);
             faces = 0;
         }
-        faces += facesOfSmallest[site];
+        faces += facesOfSmallest[vertex];
     }
     bounds.push_back(static_cast<std::uint32_t>(facesOfSmallest.size()));
     return bounds;
@@ -107,13 +107,13 @@ Status FaceCheck::run(const Progress& progress)
     return {};
 }
 
-void FaceCheck::gather(std::uint32_t firstSite, std::uint32_t endSite)
+void FaceCheck::gather(std::uint32_t firstVertex, std::uint32_t endVertex)
 {
     faces_.clear();
     for (std::size_t cell = 0; cell < cells_.size(); ++cell)
         for (int opposite = 0; opposite < 4; ++opposite) {
-            const Face face = faceOf(cells_.sites(cell), opposite, static_cast<std::uint32_t>(cell));
-            if (face.sites[0] >= firstSite && face.sites[0] < endSite)
+            const Face face = faceOf(cells_.vertices(cell), opposite, static_cast<std::uint32_t>(cell));
+            if (face.vertices[0] >= firstVertex && face.vertices[0] < endVertex)
                 faces_.push_back(face);
         }
 }
@@ -122,7 +122,7 @@ void FaceCheck::checkBatch()
 {
     for (auto begin = faces_.begin(); begin != faces_.end();) {
         const auto end =
-            std::find_if(begin, faces_.end(), [begin](const Face& face) { return face.sites != begin->sites; });
+            std::find_if(begin, faces_.end(), [begin](const Face& face) { return face.vertices != begin->vertices; });
         checkFace({begin, end});
         begin = end;
     }
@@ -136,11 +136,11 @@ void FaceCheck::checkFace(std::span<const Face> sameFace)
         wrong = " belongs to " + std::to_string(sameFace.size()) + " cells.";
     else if (sameFace.size() == 2 && face.odd == sameFace.back().odd)
         wrong = " has two cells on the same side.";
-    else if (sameFace.size() == 1 && !rule_.onBoundary(face.sites))
+    else if (sameFace.size() == 1 && !rule_.onBoundary(face.vertices))
         wrong = " belongs to one cell only and does not lie on the boundary of the domain.";
     else
         return;
-    const auto place = [&](int corner) { return rule_.place(face.sites[static_cast<std::size_t>(corner)]); };
+    const auto place = [&](int corner) { return rule_.place(face.vertices[static_cast<std::size_t>(corner)]); };
     findings_.add(face.cell, [&] { return "The face " + place(0) + " " + place(1) + " " + place(2) + wrong; });
 }
 

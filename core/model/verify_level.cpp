@@ -1,32 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/model/cell_samples.h"
-#include "core/model/exact_error.h"
-#include "core/model/findings.h"
-#include "core/model/level_cells.h"
-#include "core/model/shared_progress.h"
+#include "core/model/verify_cells.h"
 #include "core/model/verify_parts.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
-#include <atomic>
-#include <cmath>
 #include <limits>
-#include <type_traits>
 
 namespace tetra {
 
 namespace {
-
-constexpr std::size_t cellsAtOnce = 1024;
-
-/// What is known of a sample after all cells were visited.
-enum SampleState {
-    Covered = 1,        ///< some cell holds it
-    WithinOwnError = 2, ///< some cell that holds it grants its error
-};
 
 /// The largest running key of a mesh that keeps both thresholds (S4).
 double keyAsked(const Model& model, const Dataset& original, const Accuracy& asked)
@@ -40,160 +21,6 @@ double keyAsked(const Model& model, const Dataset& original, const Accuracy& ask
     return key;
 }
 
-/// Compares every original sample with the interpolation in every cell that holds it. `Errors` is ExactError, or
-/// RoundedError where builders round, too: if there are weights, and for curvilinear data.
-template <class Sample, class Errors> class SampleCheck {
-public:
-    SampleCheck(const Model& model, const Dataset& original, const Weights& weights, const LevelCells& cells,
-                float claimed)
-        : model_(model), lattice_(original.lattice), samples_(original.values.as<Sample>()), weights_(weights),
-          cells_(cells), claimed_(claimed), extent_(original.values.range().extent()), states_(lattice_.pointCount())
-    {
-    }
-
-    Status run(const Progress& progress);
-    void moveTo(LevelVerdict& verdict);
-
-private:
-    void checkCell(std::size_t number);
-    typename Errors::Number weighted(typename Errors::Number error, std::uint64_t sample) const
-    {
-        if constexpr (std::is_same_v<typename Errors::Number, double>)
-            return weights_.empty() ? error : error * static_cast<double>(weights_[sample]);
-        else
-            return error;
-    }
-    void mark(std::uint64_t sample, int state)
-    {
-        const auto known = states_[sample].load(std::memory_order_relaxed);
-        if ((known | state) != known)
-            states_[sample].fetch_or(static_cast<std::uint8_t>(state), std::memory_order_relaxed);
-    }
-    std::string describe(const LatticePoint& place, double error, std::size_t cell) const;
-    double percent(double error) const { return extent_ > 0 ? 100 * error / extent_ : 0; }
-
-    const Model& model_;
-    const Lattice& lattice_;
-    std::span<const Sample> samples_;
-    const Weights& weights_; ///< only with RoundedError
-    const LevelCells& cells_;
-    float claimed_;
-    double extent_;
-    std::vector<std::atomic<std::uint8_t>> states_;
-    tbb::enumerable_thread_specific<double> largest_{0.0};
-    Findings tooLarge_;
-};
-
-template <class Sample, class Errors> Status SampleCheck<Sample, Errors>::run(const Progress& progress)
-{
-    SharedProgress shared(progress, cells_.size(), "Verifying the error at every sample");
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells_.size(), cellsAtOnce), [&](const auto& range) {
-        for (std::size_t number = range.begin(); number != range.end(); ++number) {
-            if (shared.cancelled())
-                return;
-            checkCell(number);
-        }
-        shared.done(range.size());
-    });
-    if (progress.cancelled())
-        return cancelledError("Verifying the model");
-    return {};
-}
-
-template <class Sample, class Errors> void SampleCheck<Sample, Errors>::checkCell(std::size_t number)
-{
-    const CellCorners corners = cells_.corners(number);
-    const std::int64_t volume = sixVolumes(corners);
-    if (volume <= 0)
-        return; // found already, and a flat cell interpolates nothing
-    std::array<Sample, 4> values;
-    for (int i = 0; i < 4; ++i)
-        values[i] = samples_[model_.points()[cells_.sites(number)[i]]];
-    const auto claimedBound = Errors::claimedBound(claimed_, extent_, volume);
-    const auto ownBound = Errors::ownBound(model_.ownErrors()[cells_.historyNumber(number)], extent_, volume);
-    typename Errors::Number worst = 0;
-    LatticePoint worstPlace = corners[0];
-    forEachSample(lattice_, corners, [&](const LatticePoint& place, std::uint64_t sample, const auto& weights) {
-        const auto error = weighted(Errors::at(weights, values, samples_[sample], volume), sample);
-        mark(sample, error <= ownBound ? Covered | WithinOwnError : Covered);
-        if (error > worst) {
-            worst = error;
-            worstPlace = place;
-        }
-    });
-    const double worstError = Errors::inUnitsOfValues(worst, volume);
-    largest_.local() = std::max(largest_.local(), worstError);
-    if (worst > claimedBound)
-        tooLarge_.add(number, [&] { return describe(worstPlace, worstError, number); });
-}
-
-template <class Sample, class Errors>
-std::string SampleCheck<Sample, Errors>::describe(const LatticePoint& place, double error, std::size_t cell) const
-{
-    return "The error at sample " + textOf(place) + " is " + textOf(percent(error)) +
-           " % of the range, more than the claimed " + textOf(percent(static_cast<double>(claimed_))) +
-           " %, in the cell with corners " + textOf(cells_.corners(cell)) + ".";
-}
-
-template <class Sample, class Errors> void SampleCheck<Sample, Errors>::moveTo(LevelVerdict& verdict)
-{
-    Findings notCovered;
-    Findings beyondOwn;
-    const auto placeOf = [this](std::uint64_t sample) {
-        const auto c = lattice_.coordinates(sample);
-        return textOf(LatticePoint{c[0], c[1], c[2]});
-    };
-    for (std::uint64_t sample = 0; sample < states_.size(); ++sample) {
-        const std::uint8_t state = states_[sample].load(std::memory_order_relaxed);
-        if ((state & Covered) == 0)
-            notCovered.add(sample, [&] { return "Sample " + placeOf(sample) + " lies in no cell."; });
-        else if ((state & WithinOwnError) == 0)
-            beyondOwn.add(sample, [&] {
-                return "The error at sample " + placeOf(sample) +
-                       " is larger than the own error of every cell that holds it.";
-            });
-    }
-    verdict.covers = verdict.covers && notCovered.none();
-    verdict.largestError = percent(largest_.combine([](double a, double b) { return std::max(a, b); }));
-    for (Findings* findings : {&notCovered, &tooLarge_, &beyondOwn})
-        findings->moveTo(verdict.failures);
-}
-
-/// Flat and inverted cells, and whether the volumes add up to the domain's.
-void verifyVolumes(const LevelCells& cells, const Lattice& lattice, LevelVerdict& verdict)
-{
-    Findings wrong;
-    std::int64_t sum = 0;
-    for (std::size_t number = 0; number < cells.size(); ++number) {
-        const std::int64_t volume = sixVolumes(cells.corners(number));
-        sum += volume;
-        if (volume <= 0)
-            wrong.add(number, [&] {
-                return std::string(volume == 0 ? "Flat" : "Inverted") + " cell with corners " +
-                       textOf(cells.corners(number)) + ".";
-            });
-    }
-    const auto domain = 6 * static_cast<std::int64_t>(lattice.cellCount());
-    verdict.inverted = wrong.count();
-    verdict.covers = sum == domain;
-    wrong.moveTo(verdict.failures);
-    if (!verdict.covers)
-        verdict.failures.push_back("The cells fill " + std::to_string(sum) +
-                                   " sixths of a lattice cell, and the domain has " + std::to_string(domain) + ".");
-}
-
-FaceRule faceRule(const LevelCells& cells, const Lattice& lattice)
-{
-    const auto onBoundary = [&cells, &lattice](const std::array<std::uint32_t, 3>& sites) {
-        for (int axis = 0; axis < 3; ++axis)
-            for (const std::int64_t side : {std::int64_t(0), std::int64_t(lattice.size[axis]) - 1})
-                if (std::ranges::all_of(sites, [&](std::uint32_t site) { return cells.place(site)[axis] == side; }))
-                    return true;
-        return false;
-    };
-    return {onBoundary, [&cells](std::uint32_t site) { return textOf(cells.place(site)); }};
-}
-
 } // namespace
 
 std::uint32_t firstPassage(const Model& model, double asked)
@@ -204,40 +31,24 @@ std::uint32_t firstPassage(const Model& model, double asked)
     return sites;
 }
 
+double claimedKey(const Model& model, std::uint32_t sites)
+{
+    return static_cast<double>(sites < model.siteCount() ? model.runningErrors()[sites] : model.finalError());
+}
+
 Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, const std::vector<LatticePoint>& places,
                                  const Weights& weights, const Accuracy& asked, const Progress& progress)
 {
-    const bool lifted = original.domain == DomainClass::Curvilinear;
-    const double samplesEnd = lifted ? 0.7 : 1; // how far it is after each part
-    const double facesEnd = samplesEnd / 2;
     LevelVerdict verdict;
     verdict.asked = asked;
     verdict.sites = firstPassage(model, keyAsked(model, original, asked));
-    const float claimed = verdict.sites < model.siteCount() ? model.runningErrors()[verdict.sites] : model.finalError();
+    const double claimed = claimedKey(model, verdict.sites);
+    const double warpingWeight = model.description().warpingWeight;
     const LevelCells cells(model, places, verdict.sites);
-    verdict.tetrahedra = cells.size();
-    verifyVolumes(cells, original.lattice, verdict);
-    const Status faces = verifyFaces(cells, faceRule(cells, original.lattice), verdict, progress.part(0, facesEnd));
-    if (!faces)
-        return faces.error();
-    const Status samples = visitSampleType(original.values.type(), [&]<class Sample>() {
-        const auto run = [&]<class Errors>() {
-            SampleCheck<Sample, Errors> check(model, original, weights, cells, claimed);
-            const Status done = check.run(progress.part(facesEnd, samplesEnd));
-            check.moveTo(verdict);
-            return done;
-        };
-        const bool rounds = !weights.empty() || lifted;
-        return !rounds ? run.template operator()<ExactError<Sample>>()
-                       : run.template operator()<RoundedError<Sample>>();
-    });
-    if (!samples)
-        return samples.error();
-    if (!lifted)
-        return verdict;
-    if (const Status done =
-            verifyLifted(model, original, weights, cells, claimed, verdict, progress.part(samplesEnd, 1));
-        !done)
+    const MeshClaims claims(claimed, warpingWeight > 0 ? claimed / warpingWeight : 0);
+    const bool isFinest = verdict.sites == model.siteCount();
+    const MeshToVerify mesh{model, original, weights, cells, claims, [isFinest](std::size_t) { return isFinest; }};
+    if (const Status done = verifyLatticeCells(mesh, verdict, progress); !done)
         return done.error();
     return verdict;
 }

@@ -3,9 +3,8 @@
 #include "core/model/cell_samples.h"
 #include "core/model/exact_volume.h"
 #include "core/model/findings.h"
-#include "core/model/level_cells.h"
 #include "core/model/shared_progress.h"
-#include "core/model/verify_parts.h"
+#include "core/model/verify_cells.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -14,6 +13,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 namespace tetra {
 
@@ -21,14 +21,13 @@ namespace {
 
 constexpr std::size_t cellsAtOnce = 256;
 
-/// What of a level holds in physical space: that its cells are not inverted, and how far they are from the grid.
+/// What of a mesh holds in physical space: that its cells are not inverted, and how far they are from the grid.
 class LiftedCheck {
 public:
-    LiftedCheck(const Model& model, const Dataset& original, const Weights& weights, const LevelCells& cells,
-                float claimed)
-        : model_(model), original_(original), weights_(weights), cells_(cells),
-          diagonal_(original.bounds().diagonal().norm()), allowance_(1e-12 * diagonal_ + 0x1p-44 * farthest(original)),
-          claimed_(static_cast<double>(claimed) / model.description().warpingWeight), withinOwn_(original.pointCount())
+    explicit LiftedCheck(const MeshToVerify& mesh)
+        : model_(mesh.model), original_(mesh.original), weights_(mesh.weights), cells_(mesh.cells),
+          claims_(mesh.claims), mayBeInverted_(mesh.mayBeInverted), diagonal_(original_.bounds().diagonal().norm()),
+          allowance_(1e-12 * diagonal_ + 0x1p-44 * farthest(original_)), withinOwn_(original_.pointCount())
     {
     }
 
@@ -44,18 +43,27 @@ private:
     }
     void checkCell(std::size_t number);
     void checkVolume(std::size_t number, const std::array<Eigen::Vector3d, 4>& places);
+    /// What the history grants the cell; anything if it is of no history.
+    double ownBound(std::size_t number) const
+    {
+        const auto inHistory = cells_.historyNumber(number);
+        return inHistory ? static_cast<double>(halfToFloat(model_.ownWarpings()[*inHistory])) * diagonal_ + allowance_
+                         : std::numeric_limits<double>::infinity();
+    }
     double percent(double warping) const { return 100 * warping / diagonal_; }
 
     const Model& model_;
     const Dataset& original_;
     const Weights& weights_;
     const LevelCells& cells_;
+    const MeshClaims& claims_;
+    const std::function<bool(std::size_t)>& mayBeInverted_;
     double diagonal_;
-    double allowance_; ///< by which a claim may be exceeded
-    double claimed_;
+    double allowance_;                         ///< by which a claim may be exceeded
     std::vector<std::atomic<bool>> withinOwn_; ///< for each sample whether one of its cells' own warpings bounds it
     tbb::enumerable_thread_specific<double> largest_{0.0};
     std::atomic<std::uint64_t> degenerate_ = 0;
+    std::atomic<std::uint64_t> borne_ = 0; ///< inverted, and no point is left to cure it
     Findings inverted_;
     Findings tooLarge_;
 };
@@ -82,6 +90,8 @@ void LiftedCheck::checkVolume(std::size_t number, const std::array<Eigen::Vector
     const int hand = model_.description().leftHanded ? -1 : 1;
     if (sign == 0)
         ++degenerate_;
+    else if (sign != hand && mayBeInverted_(number))
+        ++borne_;
     else if (sign != hand)
         inverted_.add(number, [&] {
             return "Cell with corners " + textOf(cells_.corners(number)) + " is inverted in physical space.";
@@ -96,33 +106,34 @@ void LiftedCheck::checkCell(std::size_t number)
         return; // found already
     std::array<Eigen::Vector3d, 4> places;
     for (std::size_t corner = 0; corner < 4; ++corner)
-        places[corner] = original_.position(model_.points()[cells_.sites(number)[corner]]);
+        places[corner] = original_.position(cells_.point(cells_.vertices(number)[corner]));
     checkVolume(number, places);
-    const double own =
-        static_cast<double>(halfToFloat(model_.ownWarpings()[cells_.historyNumber(number)])) * diagonal_ + allowance_;
+    const double own = ownBound(number);
     double worst = 0;
-    LatticePoint worstPlace = corners[0];
-    forEachSample(
-        original_.lattice, corners, [&](const LatticePoint& place, std::uint64_t sample, const auto& weights) {
-            const Eigen::Vector3d original = original_.position(sample);
-            Eigen::Vector3d offset(0, 0, 0);
-            for (std::size_t corner = 0; corner < 4; ++corner)
-                offset +=
-                    static_cast<double>(weights[corner]) / static_cast<double>(volume) * (places[corner] - original);
-            const double warping = offset.norm() * (weights_.empty() ? 1 : static_cast<double>(weights_[sample]));
-            if (warping <= own)
-                withinOwn_[sample].store(true, std::memory_order_relaxed);
-            if (warping > worst) {
-                worst = warping;
-                worstPlace = place;
-            }
-        });
+    double worstBeyond = 0; ///< of those larger than what is claimed
+    std::uint64_t sampleBeyond = 0;
+    forEachSample(original_.lattice, corners, [&](const LatticePoint&, std::uint64_t sample, const auto& weights) {
+        const Eigen::Vector3d original = original_.position(sample);
+        Eigen::Vector3d offset(0, 0, 0);
+        for (std::size_t corner = 0; corner < 4; ++corner)
+            offset += static_cast<double>(weights[corner]) / static_cast<double>(volume) * (places[corner] - original);
+        const double warping = offset.norm() * (weights_.empty() ? 1 : static_cast<double>(weights_[sample]));
+        if (warping <= own)
+            withinOwn_[sample].store(true, std::memory_order_relaxed);
+        worst = std::max(worst, warping);
+        if (warping > worstBeyond && warping > claims_.warping(sample) + allowance_) {
+            worstBeyond = warping;
+            sampleBeyond = sample;
+        }
+    });
     largest_.local() = std::max(largest_.local(), worst);
-    if (worst > claimed_ + allowance_)
+    if (worstBeyond > 0)
         tooLarge_.add(number, [&] {
-            return "The warping at sample " + textOf(worstPlace) + " is " + textOf(percent(worst)) +
-                   " % of the diagonal, more than the claimed " + textOf(percent(claimed_)) +
-                   " %, in the cell with corners " + textOf(corners) + ".";
+            const auto c = original_.lattice.coordinates(sampleBeyond);
+            return "The warping at sample " + textOf(LatticePoint{c[0], c[1], c[2]}) + " is " +
+                   textOf(percent(worstBeyond)) + " % of the diagonal, more than the claimed " +
+                   textOf(percent(claims_.warping(sampleBeyond))) + " %, in the cell with corners " + textOf(corners) +
+                   ".";
         });
 }
 
@@ -137,21 +148,17 @@ void LiftedCheck::moveTo(LevelVerdict& verdict)
                        " is larger than the own warping of every cell that holds it.";
             });
     verdict.largestWarping = percent(largest_.combine([](double a, double b) { return std::max(a, b); }));
-    verdict.inverted += inverted_.count();
+    verdict.inverted += inverted_.count() + borne_;
     verdict.degenerate = degenerate_;
-    // What all sites leave inverted, no further point can cure (S5): it is counted, and borne.
-    if (verdict.sites < model_.siteCount())
-        inverted_.moveTo(verdict.failures);
-    for (Findings* findings : {&tooLarge_, &beyondOwn})
+    for (Findings* findings : {&inverted_, &tooLarge_, &beyondOwn})
         findings->moveTo(verdict.failures);
 }
 
 } // namespace
 
-Status verifyLifted(const Model& model, const Dataset& original, const Weights& weights, const LevelCells& cells,
-                    float claimed, LevelVerdict& verdict, const Progress& progress)
+Status verifyLifted(const MeshToVerify& mesh, LevelVerdict& verdict, const Progress& progress)
 {
-    LiftedCheck check(model, original, weights, cells, claimed);
+    LiftedCheck check(mesh);
     const Status done = check.run(progress);
     check.moveTo(verdict);
     return done;

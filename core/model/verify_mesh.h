@@ -13,7 +13,8 @@ namespace tetra {
 /// conforming, exact cover of the domain without flat or inverted cells, its vertices are points of the dataset with
 /// the dataset's values, and at each original sample its error and its warping are at most query.error and
 /// query.warping there, times mesh.scale. `largestError` is the largest one found. Shares no code with extraction. The
-/// query has no values and no window. An Error only if checking itself was impossible.
+/// query has no values and no window. What it needs of the model are its sites, their running errors and, of scattered
+/// data, that its first mesh fills the domain, which verify() proves. An Error only if checking itself was impossible.
 Result<LevelVerdict> verifyMesh(const Model& model, const Dataset& original, const MeshQuery& query,
                                 const ExtractedMesh& mesh, const Progress& progress = {});
 

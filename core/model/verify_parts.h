@@ -13,8 +13,6 @@
 
 namespace tetra {
 
-class LevelCells;
-
 /// The parts of verify(). Each appends to `failures` what it found, and gives an Error only if it was cancelled.
 
 /// Checksums, padding, reserved fields: every byte of the file has the value that it was written with.
@@ -26,6 +24,8 @@ std::uint32_t initialSiteCount(const Model& model);
 /// The sites of the first mesh whose error is at most `asked`, in units of the values, found by looking at one after
 /// the other (S1).
 std::uint32_t firstPassage(const Model& model, double asked);
+/// What the model claims of the mesh of its first sites.
+double claimedKey(const Model& model, std::uint32_t sites);
 
 /// That the model is one of this dataset: lattice, type, range, hash. False if not even the lattice or the type fit, so
 /// that nothing can be compared.
@@ -58,10 +58,6 @@ Result<Weights> weightsOf(const Model& model, const Dataset& original, std::vect
 /// One level, proved from the file's arrays and the original samples alone.
 Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, const std::vector<LatticePoint>& places,
                                  const Weights& weights, const Accuracy& asked, const Progress& progress);
-
-/// What of a level of curvilinear data holds in physical space: inverted cells, and the warping at every sample (R4).
-Status verifyLifted(const Model& model, const Dataset& original, const Weights& weights, const LevelCells& cells,
-                    float claimed, LevelVerdict& verdict, const Progress& progress);
 
 /// For messages: "(3, 0, 17)".
 std::string textOf(const LatticePoint& point);

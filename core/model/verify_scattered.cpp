@@ -32,8 +32,8 @@ enum PointState {
 class PointCheck {
 public:
     PointCheck(const Model& model, const ScatteredOriginal& original, const Weights& weights, const LevelCells& cells,
-               double claimed)
-        : model_(model), original_(original), weights_(weights), cells_(cells), claimed_(claimed),
+               const MeshClaims& claims)
+        : model_(model), original_(original), weights_(weights), cells_(cells), claims_(claims),
           states_(original.positions.size())
     {
     }
@@ -43,13 +43,20 @@ public:
 
 private:
     void checkCell(std::size_t number);
+    /// What the history grants the cell; anything if it is of no history.
+    double ownBound(std::size_t number) const
+    {
+        const auto inHistory = cells_.historyNumber(number);
+        return inHistory ? static_cast<double>(halfToFloat(model_.ownErrors()[*inHistory])) * original_.extent
+                         : std::numeric_limits<double>::infinity();
+    }
     double percent(double error) const { return original_.extent > 0 ? 100 * error / original_.extent : 0; }
 
     const Model& model_;
     const ScatteredOriginal& original_;
     const Weights& weights_;
     const LevelCells& cells_;
-    double claimed_;
+    const MeshClaims& claims_;
     std::vector<std::atomic<std::uint8_t>> states_;
     tbb::enumerable_thread_specific<double> largest_{0.0};
     Findings tooLarge_;
@@ -73,31 +80,31 @@ Status PointCheck::run(const Progress& progress)
 
 void PointCheck::checkCell(std::size_t number)
 {
-    const PlacedCell cell = placedCell(model_, original_.positions, cells_.sites(number));
+    const PlacedCell cell = placedCell(original_.positions, cells_, number);
     if (volumeSign(cell) <= 0)
         return; // found already, and a flat cell interpolates nothing
     std::array<double, 4> values{};
-    std::ranges::transform(cells_.sites(number), values.begin(),
-                           [&](std::uint32_t site) { return original_.values[model_.points()[site]]; });
+    std::ranges::transform(cells_.vertices(number), values.begin(),
+                           [&](std::uint32_t vertex) { return original_.values[cells_.point(vertex)]; });
     const double tolerance = allowance * original_.extent;
-    const double own =
-        static_cast<double>(halfToFloat(model_.ownErrors()[cells_.historyNumber(number)])) * original_.extent;
+    const double own = ownBound(number);
     original_.tree.visitNear(cell, [&](std::uint32_t point) {
         const Eigen::Vector3d& place = original_.positions[point];
         if (!holds(cell, place))
             return;
+        const double claimed = claims_.error(point);
         const double weight = weights_.empty() ? 1 : static_cast<double>(weights_[point]);
         const CellError quick = quickError(cell, values, place, original_.values[point]);
-        const bool clear = (quick.error + quick.doubt) * weight <= std::min(own, claimed_);
+        const bool clear = (quick.error + quick.doubt) * weight <= std::min(own, claimed);
         const double error =
             weight * (clear ? quick.error : preciseError(cell, values, place, original_.values[point]));
         largest_.local() = std::max(largest_.local(), error);
         states_[point].fetch_or(error <= own + tolerance ? Covered | WithinOwnError : Covered,
                                 std::memory_order_relaxed);
-        if (error > claimed_ + tolerance)
+        if (error > claimed + tolerance)
             tooLarge_.add(point, [&] {
                 return "The error at point " + std::to_string(point) + " " + textOf(place) + " is " +
-                       textOf(percent(error)) + " % of the range, more than the claimed " + textOf(percent(claimed_)) +
+                       textOf(percent(error)) + " % of the range, more than the claimed " + textOf(percent(claimed)) +
                        " %, in the cell with corners " + textOf(cell) + ".";
             });
     });
@@ -123,12 +130,11 @@ void PointCheck::moveTo(LevelVerdict& verdict)
         findings->moveTo(verdict.failures);
 }
 
-void verifyVolumes(const Model& model, const ScatteredOriginal& original, const LevelCells& cells,
-                   LevelVerdict& verdict)
+void verifyVolumes(const ScatteredOriginal& original, const LevelCells& cells, LevelVerdict& verdict)
 {
     Findings wrong;
     tbb::parallel_for(std::size_t(0), cells.size(), [&](std::size_t number) {
-        const PlacedCell cell = placedCell(model, original.positions, cells.sites(number));
+        const PlacedCell cell = placedCell(original.positions, cells, number);
         if (const int sign = volumeSign(cell); sign <= 0)
             wrong.add(number, [&] {
                 return std::string(sign == 0 ? "Flat" : "Inverted") + " cell with corners " + textOf(cell) + ".";
@@ -140,17 +146,16 @@ void verifyVolumes(const Model& model, const ScatteredOriginal& original, const 
 
 /// How many cells hold a place inside the domain. Conforming positive cells whose boundary is the domain's cover every
 /// place equally often, so one tells of all.
-void verifyCoveredOnce(const Model& model, const ScatteredOriginal& original, const LevelCells& cells,
-                       LevelVerdict& verdict)
+void verifyCoveredOnce(const ScatteredOriginal& original, const LevelCells& cells, LevelVerdict& verdict)
 {
     for (std::size_t number = 0; number < cells.size(); ++number) {
-        const PlacedCell cell = placedCell(model, original.positions, cells.sites(number));
+        const PlacedCell cell = placedCell(original.positions, cells, number);
         const Eigen::Vector3d middle = (cell[0] + cell[1] + cell[2] + cell[3]) / 4;
         if (volumeSign(cell) <= 0 || !holdsInside(cell, middle))
             continue; // too thin for a double inside it
         std::size_t count = 0;
         for (std::size_t other = 0; other < cells.size(); ++other) {
-            const PlacedCell around = placedCell(model, original.positions, cells.sites(other));
+            const PlacedCell around = placedCell(original.positions, cells, other);
             count += volumeSign(around) > 0 && holds(around, middle);
         }
         if (count != 1)
@@ -162,15 +167,15 @@ void verifyCoveredOnce(const Model& model, const ScatteredOriginal& original, co
     verdict.failures.emplace_back("No cell has an inside.");
 }
 
-/// Whether all initial sites lie on one side of a face.
+/// Whether all initial sites lie on one side of a face, which is given by its points.
 bool onHull(const Model& model, const ScatteredOriginal& original, std::uint32_t initialSites,
             const std::array<std::uint32_t, 3>& face)
 {
-    const auto place = [&](std::uint32_t site) { return original.positions[model.points()[site]]; };
-    const Eigen::Vector3d a = place(face[0]), b = place(face[1]), c = place(face[2]);
+    const Eigen::Vector3d a = original.positions[face[0]], b = original.positions[face[1]],
+                          c = original.positions[face[2]];
     int side = 0;
     for (std::uint32_t site = 0; site < initialSites; ++site) {
-        const int sign = volumeSign(a, b, c, place(site));
+        const int sign = volumeSign(a, b, c, original.positions[model.points()[site]]);
         if (sign * side < 0)
             return false;
         side = side == 0 ? sign : side;
@@ -179,27 +184,17 @@ bool onHull(const Model& model, const ScatteredOriginal& original, std::uint32_t
 }
 
 /// The mesh of the first sites.
-Result<LevelVerdict> verifyMesh(const Model& model, const ScatteredOriginal& original,
-                                const std::vector<LatticePoint>& places, const Weights& weights, std::uint32_t sites,
-                                double claimed, const Progress& progress)
+Result<LevelVerdict> verifyPrefix(const Model& model, const ScatteredOriginal& original,
+                                  const std::vector<LatticePoint>& places, const Weights& weights, std::uint32_t sites,
+                                  double claimed, const Progress& progress)
 {
     LevelVerdict verdict;
     verdict.sites = sites;
-    verdict.covers = true;
     const LevelCells cells(model, places, sites);
-    verdict.tetrahedra = cells.size();
-    verifyVolumes(model, original, cells, verdict);
-    const std::uint32_t initialSites = initialSiteCount(model);
-    const FaceRule rule{
-        [&](const std::array<std::uint32_t, 3>& face) { return onHull(model, original, initialSites, face); },
-        [&](std::uint32_t site) { return textOf(original.positions[model.points()[site]]); }};
-    if (const Status faces = verifyFaces(cells, rule, verdict, progress.part(0, 0.4)); !faces)
-        return faces.error();
-    verifyCoveredOnce(model, original, cells, verdict);
-    PointCheck check(model, original, weights, cells, claimed);
-    if (const Status done = check.run(progress.part(0.4, 1)); !done)
+    if (const Status done =
+            verifyScatteredCells(model, original, weights, cells, MeshClaims(claimed, 0), verdict, progress);
+        !done)
         return done.error();
-    check.moveTo(verdict);
     return verdict;
 }
 
@@ -211,6 +206,29 @@ ScatteredOriginal::ScatteredOriginal(const Dataset& dataset)
 {
     for (std::uint64_t point = 0; point < values.size(); ++point)
         values[point] = dataset.values.at(point);
+}
+
+Status verifyScatteredCells(const Model& model, const ScatteredOriginal& original, const Weights& weights,
+                            const LevelCells& cells, const MeshClaims& claims, LevelVerdict& verdict,
+                            const Progress& progress)
+{
+    verdict.covers = true;
+    verdict.tetrahedra = cells.size();
+    verifyVolumes(original, cells, verdict);
+    const std::uint32_t initialSites = initialSiteCount(model);
+    const FaceRule rule{[&](const std::array<std::uint32_t, 3>& face) {
+                            return onHull(model, original, initialSites,
+                                          {cells.point(face[0]), cells.point(face[1]), cells.point(face[2])});
+                        },
+                        [&](std::uint32_t vertex) { return textOf(original.positions[cells.point(vertex)]); }};
+    if (const Status faces = verifyFaces(cells, rule, verdict, progress.part(0, 0.4)); !faces)
+        return faces;
+    verifyCoveredOnce(original, cells, verdict);
+    PointCheck check(model, original, weights, cells, claims);
+    if (const Status done = check.run(progress.part(0.4, 1)); !done)
+        return done;
+    check.moveTo(verdict);
+    return {};
 }
 
 Status verifyScatteredHistory(const Model& model, const ScatteredOriginal& original,
@@ -232,7 +250,9 @@ Status verifyScatteredHistory(const Model& model, const ScatteredOriginal& origi
             return;
         for (std::uint64_t number = model.starOffsets()[creator]; number < model.starOffsets()[creator + 1]; ++number) {
             const auto& others = model.otherSites()[number];
-            const PlacedCell cell = placedCell(model, original.positions, {creator, others[0], others[1], others[2]});
+            const auto point = [&](std::uint32_t site) { return model.points()[site]; };
+            const PlacedCell cell =
+                placedCell(original.positions, {point(creator), point(others[0]), point(others[1]), point(others[2])});
             if (const int sign = volumeSign(cell); sign <= 0)
                 volumes.add(number, [&] {
                     return "Tetrahedron " + std::to_string(number) + " with corners " + textOf(cell) + " is " +
@@ -245,8 +265,8 @@ Status verifyScatteredHistory(const Model& model, const ScatteredOriginal& origi
         return cancelledError("Verifying the model");
     positions.moveTo(failures);
     volumes.moveTo(failures);
-    const auto first = verifyMesh(model, original, places, weights, initialSiteCount(model),
-                                  std::numeric_limits<double>::infinity(), progress.part(0.5, 1));
+    const auto first = verifyPrefix(model, original, places, weights, initialSiteCount(model),
+                                    std::numeric_limits<double>::infinity(), progress.part(0.5, 1));
     if (!first)
         return first.error();
     for (const std::string& failure : first->failures)
@@ -259,9 +279,8 @@ Result<LevelVerdict> verifyScatteredLevel(const Model& model, const ScatteredOri
                                           const Accuracy& asked, const Progress& progress)
 {
     const std::uint32_t sites = firstPassage(model, asked.error / 100 * original.extent);
-    const float claimed = sites < model.siteCount() ? model.runningErrors()[sites] : model.finalError();
     Result<LevelVerdict> verdict =
-        verifyMesh(model, original, places, weights, sites, static_cast<double>(claimed), progress);
+        verifyPrefix(model, original, places, weights, sites, claimedKey(model, sites), progress);
     if (verdict)
         verdict->asked = asked;
     return verdict;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/model/level_cells.h"
+#include "core/model/mesh_claims.h"
 #include "core/model/point_tree.h"
 #include "core/model/verify_parts.h"
 
@@ -32,5 +34,11 @@ Status verifyScatteredHistory(const Model& model, const ScatteredOriginal& origi
 Result<LevelVerdict> verifyScatteredLevel(const Model& model, const ScatteredOriginal& original,
                                           const std::vector<LatticePoint>& places, const Weights& weights,
                                           const Accuracy& asked, const Progress& progress);
+
+/// Cells of scattered data: they conform, fill the domain, have volume, and keep what is claimed at every point. Takes
+/// the first mesh to fill the domain, see verifyScatteredHistory(). Appends to `verdict`.
+Status verifyScatteredCells(const Model& model, const ScatteredOriginal& original, const Weights& weights,
+                            const LevelCells& cells, const MeshClaims& claims, LevelVerdict& verdict,
+                            const Progress& progress);
 
 } // namespace tetra

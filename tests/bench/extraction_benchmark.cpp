@@ -5,6 +5,7 @@
 // resident.
 
 #include "tests/bench/bench_report.h"
+#include "tests/bench/query_cases.h"
 
 #include "core/base/memory.h"
 #include "core/data/analytic_fields.h"
@@ -149,6 +150,9 @@ std::vector<BenchCase> measureModel(const std::filesystem::path& path, const QSt
     const std::shared_ptr<const Model> model = Model::open(path).value();
     for (const double error : {1.0, 0.0})
         cases.push_back(measureExtraction(*model, name, error, repeats));
+    for (const auto& some : {accuracyChangeCases(model, name, repeats), focusBoxCases(model, name, repeats),
+                             fieldCases(model, name, repeats)})
+        cases.insert(cases.end(), some.begin(), some.end());
     return cases;
 }
 
@@ -165,11 +169,17 @@ int main(int argc, char** argv)
     parser.addOption({"json", "Print one JSON object."});
     parser.addOption({"repeats", "Runs of each case, at least 5; the median is reported.", "N", "9"});
     parser.addOption({"size", "Points along an axis.", "N", "128"});
+    parser.addOption({"model", "Measure this model in place of those of C60; may be repeated.", "FILE"});
     parser.process(application);
     const int repeats = std::max(5, parser.value("repeats").toInt());
     const QTemporaryDir folder;
     std::vector<BenchCase> cases;
+    for (const QString& file : parser.values("model"))
+        for (BenchCase& one : measureModel(file.toStdString(), file, repeats))
+            cases.push_back(std::move(one));
     for (const SampleType type : {SampleType::UInt8, SampleType::Float32}) {
+        if (parser.isSet("model"))
+            break;
         const std::filesystem::path path = folder.filePath("model.tan").toStdString();
         if (!buildModel(path, parser.value("size").toUInt(), type)) {
             std::fprintf(stderr, "Building the model failed.\n");

@@ -20,9 +20,9 @@ struct HistoryPart {
     MeshSize fine;
 };
 
-/// All tetrahedra that are alive at some accuracy between the two, ends included, which may come in any order; of these,
-/// only those that can contain a value of `values` (empty: all), and that have a point in common with the window or lie
-/// in it (a window that cuts is refused: what is cut has no life). Errors as of extractPrefix().
+/// All tetrahedra that are alive at some accuracy between the two, ends included, which may come in any order; of
+/// these, only those that can contain a value of `values` (empty: all), and that have a point in common with the window
+/// or lie in it (a window that cuts is refused: what is cut has no life). Errors as of extractPrefix().
 Result<HistoryPart> extractHistory(const Model& model, const Accuracy& one, const Accuracy& other,
                                    std::span<const ValueRange> values, const std::optional<Window>& window,
                                    const Progress& progress = {});

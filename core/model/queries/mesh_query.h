@@ -35,13 +35,22 @@ enum class VariableMethod {
     Insertion, ///< the sites of the focus inserted into the coarse mesh: tight for a sharp focus, lattices only
 };
 
+/// Where less than this is asked, a budget or a model that has nothing finer counts from here: 0 times anything is 0.
+inline constexpr double leastScaledPercent = 0.001;
+
+/// What a mesh of this scale (ExtractedMesh::scale) keeps where `asked` was asked for, in the same percent.
+constexpr double keptPercent(double asked, double scale)
+{
+    return scale > 1 ? scale * (asked > leastScaledPercent ? asked : leastScaledPercent) : asked;
+}
+
 /// A question to a model, as a value (R14, R17, R25, B1). Everything can be combined: accuracy or field or budget
 /// choose a conforming mesh of the whole domain, then values and window choose from its tetrahedra.
 struct MeshQuery {
-    ErrorField error = 0.0;            ///< at most this at each sample, % of the value range
-    ErrorField warping = anyWarping;   ///< likewise, % of the diagonal: curvilinear data only
+    ErrorField error = 0.0;          ///< at most this at each sample, % of the value range
+    ErrorField warping = anyWarping; ///< likewise, % of the diagonal: curvilinear data only
     /// At most so many tetrahedra in the whole mesh: error and warping are multiplied by the least number, at least 1,
-    /// with which that is so.
+    /// with which that is so (keptPercent()).
     std::optional<std::uint64_t> budget;
     /// Only tetrahedra that can contain a value of one of these ranges, ends included. Empty: all.
     std::vector<ValueRange> values;
@@ -62,8 +71,8 @@ struct ExtractedMesh {
     /// What was chosen before values and window.
     std::uint32_t wholeSites = 0;
     std::uint64_t wholeTetrahedra = 0;
-    /// Error and warping asked for times this is what the mesh is known to keep: 1, or more if the budget did not allow
-    /// it or the model has nothing finer.
+    /// The mesh is known to keep keptPercent(asked, scale) everywhere: 1, or more if the budget did not allow it or the
+    /// model has nothing finer.
     double scale = 1;
     VariableMethod method = VariableMethod::ClosedSet; ///< that was used; a uniform mesh is a closed set, too
 };

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/queries/closed_set.h"
+
+#include "core/model/queries/group_walk.h"
+#include "core/model/queries/stars.h"
+#include "core/model/site_places.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace tetra {
+
+namespace {
+
+/// Sites between two looks at whether the work was cancelled.
+constexpr std::uint32_t sitesAtOnce = 1 << 12;
+/// The least scale that says that something was not reached.
+constexpr double moreThanAsked = 1 + std::numeric_limits<double>::epsilon();
+
+/// The set while it grows. What was added but not looked at yet waits.
+class Growth {
+public:
+    Growth(const Model& model, const HistoryLinks& links, const FieldJudge& judge, std::uint32_t prefix)
+        : model_(model), links_(links), judge_(judge), set_{SiteSet(model.siteCount(), prefix), prefix,
+                                                            prefix > 0 ? model.meshSizes()[prefix - 1] : 0, 1}
+    {
+    }
+
+    Result<ClosedSet> run(const Progress& progress);
+
+private:
+    void refineStar(std::uint32_t site);
+    void addGroup(std::uint32_t site);
+
+    const Model& model_;
+    const HistoryLinks& links_;
+    const FieldJudge& judge_;
+    ClosedSet set_;
+    std::vector<std::uint32_t> waiting_;
+    bool coverable_ = true; ///< every site that was needed has its links
+};
+
+Result<ClosedSet> Growth::run(const Progress& progress)
+{
+    for (std::uint32_t site = 0; site < set_.prefix; ++site) {
+        if (site % sitesAtOnce == 0 && progress.cancelled())
+            return cancelledError("Choosing the sites");
+        refineStar(site);
+    }
+    for (std::uint64_t seen = 0; !waiting_.empty(); ++seen) {
+        if (seen % sitesAtOnce == 0) {
+            if (progress.cancelled())
+                return cancelledError("Choosing the sites");
+            progress.report(0, "Choosing the sites");
+        }
+        const std::uint32_t site = waiting_.back();
+        waiting_.pop_back();
+        for (const std::uint32_t parent : links_.parents(site))
+            addGroup(parent);
+        refineStar(site);
+    }
+    if (!coverable_)
+        return inconsistentModel(model_, "its running errors do not bound the tetrahedra's own ones");
+    return std::move(set_);
+}
+
+void Growth::refineStar(std::uint32_t site)
+{
+    for (const std::uint64_t t : starOf(model_, site)) {
+        const std::uint32_t destroyer = model_.destroyers()[t];
+        if (destroyer >= model_.siteCount()) {
+            if (judge_.tooCoarse(t, site, destroyer))
+                set_.scale = std::max({set_.scale, moreThanAsked, judge_.scaleFor(t, site, destroyer)});
+        } else if (!set_.sites.contains(destroyer) && judge_.tooCoarse(t, site, destroyer)) {
+            addGroup(destroyer);
+        }
+    }
+}
+
+void Growth::addGroup(std::uint32_t site)
+{
+    if (set_.sites.contains(site))
+        return;
+    const GroupOfSites group = groupOf(model_, site);
+    coverable_ &= group.end <= links_.siteCount();
+    if (!coverable_)
+        return;
+    set_.tetrahedra += growthBy(model_, group);
+    for (std::uint32_t member = group.first; member < group.end; ++member) {
+        set_.sites.insert(member);
+        waiting_.push_back(member);
+    }
+}
+
+} // namespace
+
+Result<ClosedSet> smallestClosedSet(const Model& model, const HistoryLinks& links, const FieldJudge& judge,
+                                    std::uint32_t prefix, const Progress& progress)
+{
+    return Growth(model, links, judge, prefix).run(progress);
+}
+
+} // namespace tetra

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/queries/field_judge.h"
+
+#include "core/base/half.h"
+#include "core/mesh/exact_orientation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tetra {
+
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+double percentOf(std::uint16_t half)
+{
+    return 100 * static_cast<double>(halfToFloat(half));
+}
+
+bool weighted(const Model& model)
+{
+    return std::ranges::any_of(model.description().parameters,
+                               [](const auto& one) { return one.first == "weights" && !one.second.empty(); });
+}
+
+std::array<double, 3> asArray(const Eigen::Vector3d& place)
+{
+    return {place.x(), place.y(), place.z()};
+}
+
+} // namespace
+
+FieldJudge::FieldJudge(const Model& model, const MeshQuery& query, const SitePlaces& places)
+    : model_(model), query_(query), places_(places), warps_(!model.ownWarpings().empty()),
+      byValue_(query.error.dependsOnValue() || (warps_ && query.warping.dependsOnValue())),
+      valuesBounded_(!weighted(model))
+{
+    const ValueRange error = query.error.bounds();
+    const ValueRange warping = query.warping.bounds();
+    leastError_ = error.minimum;
+    largestError_ = error.maximum;
+    leastWarping_ = warping.minimum;
+    largestWarping_ = warping.maximum;
+    const Eigen::AlignedBox3d& bounds = model.description().bounds;
+    rounding_ = std::max(bounds.min().cwiseAbs().maxCoeff(), bounds.max().cwiseAbs().maxCoeff()) *
+                static_cast<double>(std::numeric_limits<float>::epsilon());
+}
+
+FieldJudge::Own FieldJudge::ownOf(std::uint64_t tetrahedron, std::uint32_t destroyer) const
+{
+    const double extent = model_.description().range.extent();
+    const double weight = model_.description().warpingWeight;
+    const double key = destroyer < model_.siteCount() ? model_.runningErrors()[destroyer] : model_.finalError();
+    Own own{percentOf(model_.ownErrors()[tetrahedron]), 0};
+    own.error = extent > 0 ? std::min(own.error, 100 * key / extent) : 0;
+    if (warps_)
+        own.warping = std::min(percentOf(model_.ownWarpings()[tetrahedron]), 100 * key / (weight * model_.diagonal()));
+    return own;
+}
+
+FieldJudge::Asked FieldJudge::askedOf(std::uint64_t tetrahedron, std::uint32_t creator, const Own& own) const
+{
+    const std::array<std::uint32_t, 3> others = model_.otherSites()[tetrahedron];
+    const std::uint32_t last = creator;
+    const std::array<std::uint32_t, 4> sites = {creator, std::min(others[0], last), std::min(others[1], last),
+                                                std::min(others[2], last)};
+    std::array<Eigen::Vector3d, 4> corners;
+    for (int i = 0; i < 4; ++i)
+        corners[i] = places_.positions[sites[i]].cast<double>();
+    ValueRange values = model_.description().range;
+    if (byValue_ && valuesBounded_) {
+        const double margin = own.error / 100 * values.extent();
+        const auto [least, largest] = std::ranges::minmax(
+            {places_.values[sites[0]], places_.values[sites[1]], places_.values[sites[2]], places_.values[sites[3]]});
+        values = {static_cast<double>(least) - margin, static_cast<double>(largest) + margin};
+    }
+    const double margin = rounding_ + own.warping / 100 * model_.diagonal();
+    return {query_.error.leastIn(corners, margin, values),
+            warps_ ? query_.warping.leastIn(corners, margin, values) : unlimited};
+}
+
+/// Inverted in physical space, exactly, and only for a while.
+bool FieldJudge::mustGo(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const
+{
+    if (!warps_ || destroyer >= model_.siteCount())
+        return false;
+    const std::array<std::uint32_t, 3> others = model_.otherSites()[tetrahedron];
+    const auto place = [this, creator](std::uint32_t site) {
+        return asArray(model_.position(std::min(site, creator)));
+    };
+    const int sign =
+        orientationSign(asArray(model_.position(creator)), place(others[0]), place(others[1]), place(others[2]));
+    return model_.description().leftHanded ? sign > 0 : sign < 0;
+}
+
+bool FieldJudge::tooCoarse(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const
+{
+    const Own own = ownOf(tetrahedron, destroyer);
+    if (own.error > largestError_ || own.warping > largestWarping_)
+        return true;
+    if (own.error > leastError_ || own.warping > leastWarping_) {
+        const Asked asked = askedOf(tetrahedron, creator, own);
+        if (own.error > asked.error || own.warping > asked.warping)
+            return true;
+    }
+    return mustGo(tetrahedron, creator, destroyer);
+}
+
+double FieldJudge::scaleFor(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const
+{
+    if (mustGo(tetrahedron, creator, destroyer))
+        return unlimited;
+    const Own own = ownOf(tetrahedron, destroyer);
+    if (own.error == 0 && own.warping == 0)
+        return 0;
+    const Asked asked = askedOf(tetrahedron, creator, own);
+    return std::max(own.error / std::max(asked.error, leastScaledPercent),
+                    own.warping / std::max(asked.warping, leastScaledPercent));
+}
+
+} // namespace tetra

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/buffer.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/model/model.h"
+#include "core/model/queries/mesh_query.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace tetra {
+
+/// Where the first sites of a model lie and what values they have, as a mesh holds them.
+struct SitePlaces {
+    Buffer<Eigen::Vector3f> positions;
+    Buffer<float> values;
+};
+
+/// Says of tetrahedra of a history whether a query allows them: by their own error and warping (own bounds of the file
+/// and, often closer, the running key when they died), against what the fields ask for anywhere in them. Sound: in a
+/// closed set every sample that is no site counts for a tetrahedron that contains it, so a mesh of allowed tetrahedra
+/// keeps the field at each sample. One thread; the model and the places outlive it.
+class FieldJudge {
+public:
+    /// `places` of all sites that are going to be corners.
+    FieldJudge(const Model& model, const MeshQuery& query, const SitePlaces& places);
+
+    /// Whether the tetrahedron is coarser than allowed somewhere. Its sites come before its creator.
+    bool tooCoarse(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const;
+    /// The number that errors and warpings asked for must be multiplied by to allow it: 0 if it has no error, infinity
+    /// if it is inverted and must go (curvilinear data; one that the whole model has is allowed, S5).
+    double scaleFor(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const;
+
+    /// The uniform query that the fields are nowhere finer than.
+    Accuracy finest() const noexcept { return {leastError_, leastWarping_}; }
+    /// The uniform query that the fields are nowhere coarser than.
+    Accuracy coarsest() const noexcept { return {largestError_, largestWarping_}; }
+
+private:
+    struct Own {
+        double error;   ///< % of the value range
+        double warping; ///< % of the diagonal
+    };
+    struct Asked {
+        double error;
+        double warping;
+    };
+    Own ownOf(std::uint64_t tetrahedron, std::uint32_t destroyer) const;
+    Asked askedOf(std::uint64_t tetrahedron, std::uint32_t creator, const Own& own) const;
+    bool mustGo(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const;
+
+    const Model& model_;
+    const MeshQuery& query_;
+    const SitePlaces& places_;
+    bool warps_;
+    bool byValue_;
+    bool valuesBounded_; ///< own errors bound the samples' values: not if they are weighted
+    double leastError_;
+    double largestError_;
+    double leastWarping_;
+    double largestWarping_;
+    double rounding_; ///< of the positions, a length
+};
+
+} // namespace tetra

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/queries/mesh_extractor.h"
+
+#include "core/model/queries/closed_set.h"
+#include "core/model/queries/field_judge.h"
+#include "core/model/queries/history_links.h"
+#include "core/model/queries/mesh_filters.h"
+#include "core/model/queries/prefix_mesh.h"
+#include "core/model/queries/query_check.h"
+#include "core/model/queries/set_mesh.h"
+#include "core/model/queries/sharp_focus.h"
+#include "core/model/queries/uniform_budget.h"
+#include "core/model/site_places.h"
+
+#include <algorithm>
+#include <new>
+#include <optional>
+
+namespace tetra {
+
+namespace {
+
+/// A focus that holds more than this share of the fine mesh's sites is quicker and hardly larger as a closed set.
+constexpr double sharpShare = 0.25;
+/// A fall-off wider than this share of the focus is no sharp border any more.
+constexpr double sharpFalloff = 0.25;
+
+double extentOf(const Region& region)
+{
+    if (const auto* const box = std::get_if<Box>(&region))
+        return (box->largest - box->least).minCoeff();
+    if (const auto* const sphere = std::get_if<Sphere>(&region))
+        return 2 * sphere->radius;
+    return std::numeric_limits<double>::infinity();
+}
+
+/// The ramp of a query that insertion can answer, if it is one.
+const SpaceRamp* sharpRampOf(const Model& model, const MeshQuery& query)
+{
+    const SpaceRamp* const ramp = query.error.asSpaceRamp();
+    const bool possible = ramp != nullptr && ramp->inner < ramp->outer && !query.budget && SharpFocus::fits(model);
+    return possible ? ramp : nullptr;
+}
+
+} // namespace
+
+class MeshExtractor::Work {
+public:
+    explicit Work(std::shared_ptr<const Model> model) : model_(std::move(model)) {}
+
+    const std::shared_ptr<const Model>& model() const noexcept { return model_; }
+    Result<std::shared_ptr<const ExtractedMesh>> extract(const MeshQuery& query, const Progress& progress);
+
+private:
+    Status extractWhole(const MeshQuery& query, const Progress& progress);
+    Status extractUniform(const MeshQuery& query, const Progress& progress);
+    Status extractClosedSet(const MeshQuery& query, const Progress& progress);
+    Status extractFocus(const SpaceRamp& ramp, const Progress& progress);
+    bool insertionIsBetter(const SpaceRamp& ramp, const MeshQuery& query);
+    Status coverSites(std::uint32_t sites);
+    void makeWritable(bool keepContent);
+
+    std::shared_ptr<const Model> model_;
+    SitePlaces places_;
+    HistoryLinks links_;
+    PrefixMesh prefix_;
+    std::optional<SharpFocus> focus_;
+    std::shared_ptr<ExtractedMesh> whole_; ///< the last mesh before values and window; null after an error
+};
+
+Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::Work::extract(const MeshQuery& query,
+                                                                          const Progress& progress)
+{
+    if (const Status sensible = checkQuery(*model_, query); !sensible)
+        return sensible.error();
+    const bool filters = !query.values.empty() || query.window.has_value();
+    Status found = extractWhole(query, progress.part(0, filters ? 0.7 : 1));
+    if (found)
+        found = model_->checkIntact();
+    if (!found) {
+        whole_.reset();
+        prefix_.forget();
+        return found.error();
+    }
+    if (!filters)
+        return std::shared_ptr<const ExtractedMesh>(whole_);
+    auto part = std::make_shared<ExtractedMesh>(*whole_);
+    if (!query.values.empty())
+        keepValues(part->mesh, query.values);
+    if (query.window)
+        if (const Status kept = keepWindow(part->mesh, *query.window, progress.part(0.7, 1)); !kept)
+            return kept.error();
+    dropUnusedVertices(part->mesh, part->sites);
+    return std::shared_ptr<const ExtractedMesh>(std::move(part));
+}
+
+Status MeshExtractor::Work::extractWhole(const MeshQuery& query, const Progress& progress)
+{
+    const bool warps = model_->description().warpingWeight > 0;
+    if (query.error.isConstant() && (query.warping.isConstant() || !warps))
+        return extractUniform(query, progress);
+    const SpaceRamp* const ramp = query.method == VariableMethod::ClosedSet ? nullptr : sharpRampOf(*model_, query);
+    if (query.method == VariableMethod::Insertion && ramp == nullptr)
+        return Error{
+            ErrorKind::WrongUsage,
+            "Insertion is for one box, sphere or half-space of smaller error in a regular lattice, without a "
+            "budget, and needs the model's file to hold all samples. Use a closed set, or the automatic choice."};
+    if (ramp != nullptr && (query.method == VariableMethod::Insertion || insertionIsBetter(*ramp, query)))
+        return extractFocus(*ramp, progress);
+    return extractClosedSet(query, progress);
+}
+
+Status MeshExtractor::Work::extractUniform(const MeshQuery& query, const Progress& progress)
+{
+    const Accuracy asked = {query.error.bounds().minimum, query.warping.bounds().minimum};
+    MeshSize size = meshSizeAt(*model_, asked);
+    if (query.budget) {
+        const auto within = meshSizeWithin(*model_, asked, *query.budget);
+        if (!within)
+            return within.error();
+        size = *within;
+    }
+    if (const Status covered = coverSites(size.sites); !covered)
+        return covered;
+    makeWritable(true);
+    if (const Status moved = prefix_.moveTo(*model_, size.sites, places_, progress, *whole_); !moved)
+        return moved;
+    whole_->scale = scaleReached(size, asked);
+    return {};
+}
+
+Status MeshExtractor::Work::extractClosedSet(const MeshQuery& query, const Progress& progress)
+{
+    prefix_.forget();
+    const FieldJudge judge(*model_, query, places_);
+    const std::uint32_t finest = meshSizeAt(*model_, judge.finest()).sites;
+    if (const Status linked = links_.cover(*model_, finest, progress.part(0, 0.3)); !linked)
+        return linked;
+    if (const Status covered = coverSites(finest); !covered)
+        return covered;
+    const auto set = query.budget
+                         ? closedSetWithin(*model_, links_, judge, *query.budget, progress.part(0.3, 0.8))
+                         : smallestClosedSet(*model_, links_, judge, meshSizeAt(*model_, judge.coarsest()).sites,
+                                             progress.part(0.3, 0.8));
+    if (!set)
+        return set.error();
+    makeWritable(false);
+    return extractSet(*model_, *set, places_, progress.part(0.8, 1), *whole_);
+}
+
+Status MeshExtractor::Work::extractFocus(const SpaceRamp& ramp, const Progress& progress)
+{
+    prefix_.forget();
+    if (!focus_)
+        focus_.emplace(*model_);
+    makeWritable(false);
+    auto found = focus_->extract(ramp, false, progress, std::move(*whole_));
+    if (!found)
+        return found.error();
+    *whole_ = std::move(*found);
+    return {};
+}
+
+bool MeshExtractor::Work::insertionIsBetter(const SpaceRamp& ramp, const MeshQuery& query)
+{
+    if (ramp.falloff > sharpFalloff * extentOf(ramp.region))
+        return false;
+    if (!focus_)
+        focus_.emplace(*model_);
+    const double fine = meshSizeAt(*model_, {query.error.bounds().minimum}).sites;
+    return static_cast<double>(focus_->sitesInside(ramp)) <= sharpShare * fine;
+}
+
+Status MeshExtractor::Work::coverSites(std::uint32_t sites)
+{
+    if (sites <= places_.positions.size())
+        return {};
+    if (const Status placed = placeSites(*model_, sites, places_.positions); !placed) {
+        places_.positions.clear();
+        return placed;
+    }
+    copyValues(*model_, sites, places_.values);
+    return {};
+}
+
+/// The last mesh may be in others' hands.
+void MeshExtractor::Work::makeWritable(bool keepContent)
+{
+    if (whole_ && whole_.use_count() == 1)
+        return;
+    if (keepContent && whole_)
+        whole_ = std::make_shared<ExtractedMesh>(*whole_);
+    else
+        whole_ = std::make_shared<ExtractedMesh>();
+}
+
+MeshExtractor::MeshExtractor(std::shared_ptr<const Model> model) : work_(std::make_unique<Work>(std::move(model))) {}
+MeshExtractor::~MeshExtractor() = default;
+MeshExtractor::MeshExtractor(MeshExtractor&&) noexcept = default;
+MeshExtractor& MeshExtractor::operator=(MeshExtractor&&) noexcept = default;
+
+const std::shared_ptr<const Model>& MeshExtractor::model() const noexcept
+{
+    return work_->model();
+}
+
+Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::extract(const MeshQuery& query, const Progress& progress)
+try {
+    return work_->extract(query, progress);
+} catch (const std::bad_alloc&) {
+    work_ = std::make_unique<Work>(work_->model());
+    return Error{ErrorKind::OutOfResource,
+                 "There is not enough memory for this mesh. Ask for a larger error, a smaller focus or a budget."};
+}
+
+} // namespace tetra

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/queries/set_mesh.h"
+
+#include "core/model/queries/stars.h"
+#include "core/model/site_places.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace tetra {
+
+namespace {
+
+constexpr std::uint32_t sitesAtOnce = 1 << 14;
+
+/// Copies the tetrahedra of the stars that none of the sites destroys.
+class SetScan {
+public:
+    SetScan(const Model& model, const ClosedSet& set, ExtractedMesh& out) : model_(model), set_(set), out_(out) {}
+
+    void numberVertices();
+    Status run(const Progress& progress);
+
+private:
+    void scanStar(std::uint32_t site);
+    std::uint32_t vertexOf(std::uint32_t site) const { return site < set_.prefix ? site : later_[site - set_.prefix]; }
+
+    const Model& model_;
+    const ClosedSet& set_;
+    ExtractedMesh& out_;
+    Buffer<std::uint32_t> later_; ///< the vertices of the sites behind the prefix
+    std::uint64_t found_ = 0;
+    bool right_ = true;
+};
+
+void SetScan::numberVertices()
+{
+    out_.sites.resize(set_.sites.count());
+    std::iota(out_.sites.begin(), out_.sites.begin() + set_.prefix, 0);
+    std::uint32_t vertex = set_.prefix;
+    set_.sites.visitFrom(set_.prefix, [this, &vertex](std::uint32_t site) { out_.sites[vertex++] = site; });
+    const std::uint32_t end = vertex > set_.prefix ? out_.sites.back() + 1 : set_.prefix;
+    later_.assign(end - set_.prefix, ExtractedMesh::noSite);
+    for (std::uint32_t later = set_.prefix; later < vertex; ++later)
+        later_[out_.sites[later] - set_.prefix] = later;
+}
+
+Status SetScan::run(const Progress& progress)
+{
+    Buffer<std::array<std::uint32_t, 4>>& tetrahedra = out_.mesh.tetrahedra;
+    tetrahedra.resize(set_.tetrahedra);
+    for (std::size_t vertex = 0; vertex < out_.sites.size(); ++vertex) {
+        if (vertex % sitesAtOnce == 0) {
+            if (progress.cancelled())
+                return cancelledError("Extracting the mesh");
+            progress.report(static_cast<double>(vertex) / static_cast<double>(out_.sites.size()),
+                            "Extracting the mesh");
+        }
+        scanStar(out_.sites[vertex]);
+    }
+    if (!right_ || found_ != tetrahedra.size())
+        return inconsistentModel(model_, "its tetrahedra do not fit its mesh sizes");
+    return {};
+}
+
+void SetScan::scanStar(std::uint32_t site)
+{
+    Buffer<std::array<std::uint32_t, 4>>& tetrahedra = out_.mesh.tetrahedra;
+    const std::uint32_t creator = vertexOf(site);
+    for (const std::uint64_t t : starOf(model_, site)) {
+        const std::uint32_t destroyer = model_.destroyers()[t];
+        if (destroyer < model_.siteCount() && set_.sites.contains(destroyer))
+            continue;
+        const std::array<std::uint32_t, 3> others = model_.otherSites()[t];
+        const bool earlier = others[0] < site && others[1] < site && others[2] < site;
+        right_ &= earlier && found_ < tetrahedra.size();
+        if (!right_)
+            return;
+        tetrahedra[found_++] = {creator, vertexOf(others[0]), vertexOf(others[1]), vertexOf(others[2])};
+    }
+}
+
+} // namespace
+
+Status extractSet(const Model& model, const ClosedSet& set, const SitePlaces& places, const Progress& progress,
+                  ExtractedMesh& out)
+{
+    if (set.tetrahedra > model.tetrahedronCount())
+        return inconsistentModel(model, "its mesh sizes make no sense");
+    SetScan scan(model, set, out);
+    scan.numberVertices();
+    if (const Status scanned = scan.run(progress); !scanned)
+        return scanned;
+    const auto noVertex = [](const std::array<std::uint32_t, 4>& t) {
+        return std::ranges::find(t, ExtractedMesh::noSite) != t.end();
+    };
+    if (std::ranges::any_of(out.mesh.tetrahedra, noVertex))
+        return inconsistentModel(model, "a tetrahedron has a site that its creator does not need");
+    if (model.description().leftHanded)
+        for (std::array<std::uint32_t, 4>& tetrahedron : out.mesh.tetrahedra)
+            std::swap(tetrahedron[2], tetrahedron[3]);
+    out.mesh.positions.resize(out.sites.size());
+    out.mesh.values.resize(out.sites.size());
+    std::ranges::transform(out.sites, out.mesh.positions.begin(),
+                           [&places](std::uint32_t site) { return places.positions[site]; });
+    std::ranges::transform(out.sites, out.mesh.values.begin(),
+                           [&places](std::uint32_t site) { return places.values[site]; });
+    out.wholeSites = set.sites.count();
+    out.wholeTetrahedra = out.mesh.tetrahedra.size();
+    out.scale = set.scale;
+    out.method = VariableMethod::ClosedSet;
+    return {};
+}
+
+} // namespace tetra

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/verify_mesh.h"
+
+#include "core/model/mesh_vertices.h"
+#include "core/model/verify_cells.h"
+#include "core/model/verify_scattered.h"
+
+#include <algorithm>
+#include <new>
+
+namespace tetra {
+
+namespace {
+
+using Cell = LevelCells::Cell;
+
+/// Whether arrays and indices fit each other, so that they can be followed.
+bool isWellFormed(const ExtractedMesh& mesh, std::vector<std::string>& failures)
+{
+    const std::size_t vertices = mesh.mesh.positions.size();
+    if (vertices == 0 || mesh.mesh.tetrahedra.empty()) {
+        failures.emplace_back("The mesh is empty.");
+        return false;
+    }
+    if (mesh.mesh.values.size() != vertices || mesh.sites.size() != vertices) {
+        failures.push_back("The mesh has " + std::to_string(vertices) + " vertices, " +
+                           std::to_string(mesh.mesh.values.size()) + " values and " +
+                           std::to_string(mesh.sites.size()) + " numbers of sites.");
+        return false;
+    }
+    const auto outside = std::ranges::find_if(mesh.mesh.tetrahedra, [&](const Cell& cell) {
+        return std::ranges::any_of(cell, [&](std::uint32_t vertex) { return vertex >= vertices; });
+    });
+    if (outside == mesh.mesh.tetrahedra.end())
+        return true;
+    failures.push_back("Tetrahedron " + std::to_string(outside - mesh.mesh.tetrahedra.begin()) +
+                       " has a corner beyond the last vertex.");
+    return false;
+}
+
+/// The cells, positive in the space that the mesh was made in.
+std::vector<Cell> cellsOf(const Model& model, const ExtractedMesh& mesh)
+{
+    std::vector<Cell> cells(mesh.mesh.tetrahedra.begin(), mesh.mesh.tetrahedra.end());
+    if (model.description().leftHanded)
+        for (Cell& cell : cells)
+            std::swap(cell[2], cell[3]);
+    return cells;
+}
+
+/// Whether a cell is one of the mesh of all sites.
+bool isOfFinestMesh(const Model& model, const ExtractedMesh& mesh, const Cell& cell)
+{
+    Cell sites{};
+    std::ranges::transform(cell, sites.begin(), [&](std::uint32_t vertex) { return mesh.sites[vertex]; });
+    std::ranges::sort(sites);
+    const std::uint32_t creator = sites[3];
+    if (creator >= model.siteCount()) // that of a vertex without a site is larger than all
+        return false;
+    const std::uint64_t end = std::min(model.starOffsets()[creator + 1], model.tetrahedronCount());
+    for (std::uint64_t t = model.starOffsets()[creator]; t < end; ++t) {
+        auto others = model.otherSites()[t];
+        std::ranges::sort(others);
+        if (model.destroyers()[t] == Model::never && std::equal(others.begin(), others.end(), sites.begin()))
+            return true;
+    }
+    return false;
+}
+
+std::vector<LatticePoint> placesOf(const Dataset& original, const std::vector<std::uint32_t>& points)
+{
+    std::vector<LatticePoint> places;
+    places.reserve(points.size());
+    for (const std::uint32_t point : points) {
+        const auto c = original.lattice.coordinates(point);
+        places.push_back({c[0], c[1], c[2]});
+    }
+    return places;
+}
+
+Result<LevelVerdict> verifyWhole(const Model& model, const Dataset& original, const MeshQuery& query,
+                                 const ExtractedMesh& mesh, const Progress& progress)
+{
+    LevelVerdict verdict;
+    verdict.asked = {.error = query.error.bounds().minimum, .warping = query.warping.bounds().minimum};
+    verdict.sites = static_cast<std::uint32_t>(mesh.mesh.positions.size());
+    verdict.tetrahedra = mesh.mesh.tetrahedra.size();
+    if (!verifySource(model, original, verdict.failures) || verifySites(model, original, verdict.failures).empty() ||
+        !isWellFormed(mesh, verdict.failures))
+        return verdict;
+    const Result<Weights> weights = weightsOf(model, original, verdict.failures, progress.withCallback({}));
+    if (!weights)
+        return weights.error();
+    const std::vector<std::uint32_t> points = pointsOfVertices(model, original, mesh, verdict.failures);
+    if (points.empty())
+        return verdict;
+    const std::vector<LatticePoint> places = placesOf(original, points);
+    const LevelCells cells(points, places, cellsOf(model, mesh));
+    const MeshClaims claims(query, mesh.scale, original);
+    const auto mayBeInverted = [&](std::size_t cell) { return isOfFinestMesh(model, mesh, cells.vertices(cell)); };
+    const Status done =
+        original.domain == DomainClass::Scattered
+            ? verifyScatteredCells(model, ScatteredOriginal(original), *weights, cells, claims, verdict, progress)
+            : verifyLatticeCells({model, original, *weights, cells, claims, mayBeInverted}, verdict, progress);
+    if (!done)
+        return done.error();
+    if (const Status intact = model.checkIntact(); !intact)
+        return intact.error();
+    if (const Status intact = original.checkIntact(); !intact)
+        return intact.error();
+    return verdict;
+}
+
+} // namespace
+
+Result<LevelVerdict> verifyMesh(const Model& model, const Dataset& original, const MeshQuery& query,
+                                const ExtractedMesh& mesh, const Progress& progress)
+{
+    if (!query.values.empty() || query.window)
+        return Error{ErrorKind::WrongUsage, "Only a mesh of the whole domain can be verified: ask for it without a "
+                                            "range of values and without a window."};
+    try {
+        return verifyWhole(model, original, query, mesh, progress);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorKind::OutOfResource,
+                     "Not enough memory to verify the mesh. Close other programs, or ask for a coarser one."};
+    }
+}
+
+} // namespace tetra

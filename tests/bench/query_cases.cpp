@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/bench/query_cases.h"
+
+#include "core/model/queries/mesh_filters.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace tetra {
+
+namespace {
+
+constexpr double fine = 0.5;
+constexpr double coarse = 4;
+constexpr double moved = 0.02; ///< of the domain's edge
+
+std::shared_ptr<const ExtractedMesh> extracted(MeshExtractor& extractor, const MeshQuery& query)
+{
+    auto mesh = extractor.extract(query);
+    if (!mesh) {
+        std::fprintf(stderr, "%s\n", mesh.error().text.c_str());
+        std::exit(4);
+    }
+    return *std::move(mesh);
+}
+
+/// A query for which curvilinear data must keep their warping, too.
+MeshQuery bothWithin(const ErrorField& field)
+{
+    MeshQuery query;
+    query.error = field;
+    query.warping = field;
+    return query;
+}
+
+double freshSeconds(const std::shared_ptr<const Model>& model, double error, int repeats)
+{
+    const std::uint32_t sites = meshSizeAt(*model, {error, error}).sites;
+    std::vector<double> seconds;
+    for (int i = 0; i < repeats; ++i)
+        seconds.push_back(secondsOf([&] { (void)extractPrefix(*model, sites).value(); }));
+    return median(seconds);
+}
+
+SpaceRamp boxAt(const Model& model, double volume, double where)
+{
+    const Eigen::AlignedBox3d& bounds = model.description().bounds;
+    const Eigen::Vector3d half = bounds.sizes() * std::cbrt(volume) / 2;
+    const Eigen::Vector3d centre = bounds.center() + bounds.sizes() * where;
+    return {Box{centre - half, centre + half}, fine, coarse, 0};
+}
+
+std::size_t meeting(const TetrahedralMesh& mesh, const Box& box)
+{
+    TetrahedralMesh copy = mesh;
+    if (!keepWindow(copy, {box, WindowBorder::Intersecting}))
+        std::exit(4);
+    return copy.tetrahedra.size();
+}
+
+BenchCase focusCase(const std::shared_ptr<const Model>& model, const QString& name, double volume,
+                    VariableMethod method, double fineSeconds, double ideal, int repeats)
+{
+    MeshExtractor extractor(model);
+    MeshQuery query = bothWithin(boxAt(*model, volume, 0));
+    query.method = method;
+    auto mesh = extracted(extractor, query);
+    std::vector<double> fresh;
+    std::vector<double> following;
+    for (int i = 0; i < repeats; ++i) {
+        query.error = boxAt(*model, volume, i % 2 == 0 ? 0.3 : 0);
+        query.warping = query.error;
+        mesh.reset();
+        extracted(extractor, query); // elsewhere: what follows has nothing to go on from
+        query.error = boxAt(*model, volume, 0);
+        query.warping = query.error;
+        fresh.push_back(secondsOf([&] { mesh = extracted(extractor, query); }));
+        query.error = boxAt(*model, volume, i % 2 == 0 ? moved : -moved);
+        query.warping = query.error;
+        mesh.reset();
+        following.push_back(secondsOf([&] { mesh = extracted(extractor, query); }));
+    }
+    query.error = boxAt(*model, volume, 0);
+    query.warping = query.error;
+    MeshExtractor another(model);
+    mesh = extracted(another, query);
+    BenchCase one;
+    one.name = name + QString(", box of %1 %, %2")
+                          .arg(100 * volume)
+                          .arg(mesh->method == VariableMethod::Insertion ? "insertion" : "closed set");
+    one.seconds = median(fresh);
+    one.yardstick = "uniform fine mesh, afresh";
+    one.yardstickSeconds = fineSeconds;
+    one.more = {{"sites", qint64(mesh->wholeSites)},
+                {"tetrahedra", qint64(mesh->wholeTetrahedra)},
+                {"overhead", static_cast<double>(mesh->wholeTetrahedra) / ideal},
+                {"moved_seconds", median(following)},
+                {"moved_ratio", median(following) / fineSeconds}};
+    return one;
+}
+
+} // namespace
+
+std::vector<BenchCase> accuracyChangeCases(const std::shared_ptr<const Model>& model, const QString& name, int repeats)
+{
+    std::vector<BenchCase> cases;
+    for (const double error : {1.0, 0.5}) {
+        const double full = freshSeconds(model, error, repeats);
+        MeshExtractor extractor(model);
+        extracted(extractor, bothWithin(error));
+        std::vector<double> finer;
+        std::vector<double> coarser;
+        for (int i = 0; i < repeats; ++i) {
+            finer.push_back(secondsOf([&] { extracted(extractor, bothWithin(0.9 * error)); }));
+            coarser.push_back(secondsOf([&] { extracted(extractor, bothWithin(error)); }));
+        }
+        for (const bool isFiner : {true, false}) {
+            BenchCase one;
+            one.name =
+                name +
+                QString(", from %1 to %2 %").arg(isFiner ? error : 0.9 * error).arg(isFiner ? 0.9 * error : error);
+            one.seconds = median(isFiner ? finer : coarser);
+            one.yardstick = "extracting it afresh";
+            one.yardstickSeconds = isFiner ? freshSeconds(model, 0.9 * error, repeats) : full;
+            cases.push_back(one);
+        }
+    }
+    return cases;
+}
+
+std::vector<BenchCase> focusBoxCases(const std::shared_ptr<const Model>& model, const QString& name, int repeats)
+{
+    std::vector<BenchCase> cases;
+    const double fineSeconds = freshSeconds(model, fine, repeats);
+    MeshExtractor extractor(model);
+    const auto fineMesh = extracted(extractor, bothWithin(fine));
+    MeshExtractor other(model);
+    const auto coarseMesh = extracted(other, bothWithin(coarse));
+    for (const double volume : {0.01, 0.05, 0.125, 0.25}) {
+        const auto box = std::get<Box>(boxAt(*model, volume, 0).region);
+        const double ideal = static_cast<double>(meeting(fineMesh->mesh, box)) +
+                             static_cast<double>(coarseMesh->mesh.tetrahedra.size() - meeting(coarseMesh->mesh, box));
+        for (const VariableMethod method : {VariableMethod::ClosedSet, VariableMethod::Automatic}) {
+            cases.push_back(focusCase(model, name, volume, method, fineSeconds, ideal, repeats));
+            cases.back().name += method == VariableMethod::Automatic ? " (automatic)" : "";
+        }
+    }
+    return cases;
+}
+
+std::vector<BenchCase> fieldCases(const std::shared_ptr<const Model>& model, const QString& name, int repeats)
+{
+    const Eigen::AlignedBox3d& bounds = model->description().bounds;
+    const ValueRange range = model->description().range;
+    const double middle = (range.minimum + range.maximum) / 2;
+    const ErrorField graded = SpaceRamp{Sphere{bounds.center(), 0}, fine, 2 * coarse, bounds.diagonal().norm() / 2};
+    const ErrorField surface = ErrorField::nearValues(std::array{middle}, fine, 2 * coarse, range.extent() / 8);
+    std::vector<std::pair<QString, MeshQuery>> queries = {{"graded", bothWithin(graded)},
+                                                          {"isovalue", bothWithin(surface)},
+                                                          {"both", bothWithin(smallerOf(graded, surface))},
+                                                          {"graded, 200,000 tetrahedra", bothWithin(graded)}};
+    queries.back().second.budget = 200000;
+    const double fineSeconds = freshSeconds(model, fine, repeats);
+    std::vector<BenchCase> cases;
+    for (const auto& [text, query] : queries) {
+        MeshExtractor extractor(model);
+        std::vector<double> seconds;
+        std::shared_ptr<const ExtractedMesh> mesh = extracted(extractor, query);
+        for (int i = 0; i < repeats; ++i) {
+            mesh.reset();
+            seconds.push_back(secondsOf([&] { mesh = extracted(extractor, query); }));
+        }
+        BenchCase one;
+        one.name = name + ", " + text;
+        one.seconds = median(seconds);
+        one.yardstick = "uniform fine mesh, afresh";
+        one.yardstickSeconds = fineSeconds;
+        one.more = {{"sites", qint64(mesh->wholeSites)},
+                    {"tetrahedra", qint64(mesh->wholeTetrahedra)},
+                    {"scale", mesh->scale},
+                    {"sites_per_second", mesh->wholeSites / one.seconds}};
+        cases.push_back(one);
+    }
+    return cases;
+}
+
+} // namespace tetra
