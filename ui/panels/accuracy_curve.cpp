@@ -20,7 +20,7 @@ constexpr std::array<double, 6> labelledErrors{20, 4, 1, 0.2, 0.05, 0};
 constexpr std::array<double, 6> minorErrors{10, 2, 0.5, 0.1, 0.02, 0.01};
 constexpr double markRadius = 4.5;
 constexpr double grabDistance = 5; ///< pixels from the line of the budget
-constexpr int tallest = 220; ///< more shows nothing more
+constexpr int tallest = 220;       ///< more shows nothing more
 
 /// "10", "1k", "100k", "1M": the axis has no room for more.
 QString shortCount(double count)

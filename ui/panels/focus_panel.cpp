@@ -119,9 +119,8 @@ QLayout* FocusPanel::makeShapes()
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         button->setCheckable(true);
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        connect(button, &QToolButton::clicked, this, [this, i] {
-            edit([i](FocusState& changed) { changed.shape = static_cast<FocusState::Shape>(i); });
-        });
+        connect(button, &QToolButton::clicked, this,
+                [this, i] { edit([i](FocusState& changed) { changed.shape = static_cast<FocusState::Shape>(i); }); });
         row->addWidget(button);
         shapes_[i] = button;
     }
@@ -141,9 +140,8 @@ QLayout* FocusPanel::makePlace()
     connect(centre_, &VectorInput::edited, this, [this](const Eigen::Vector3d& centre) {
         edit([&centre](FocusState& changed) { changed.centre = centre; });
     });
-    connect(size_, &VectorInput::edited, this, [this](const Eigen::Vector3d& size) {
-        edit([&size](FocusState& changed) { changed.size = size; });
-    });
+    connect(size_, &VectorInput::edited, this,
+            [this](const Eigen::Vector3d& size) { edit([&size](FocusState& changed) { changed.size = size; }); });
     connect(radius_, &ValueSlider::edited, this,
             [this](double radius) { edit([radius](FocusState& changed) { changed.radius = radius; }); });
     return grid;
@@ -217,8 +215,8 @@ void FocusPanel::showModel()
         radius_->setRange(0, model->diagonal() / 2);
         falloff_->setRange(0, model->diagonal() / 2);
     }
-    const int width = std::max({radius_->box()->sizeHint().width(), errorBox_->sizeHint().width(),
-                                falloff_->box()->sizeHint().width()});
+    const int width = std::max(
+        {radius_->box()->sizeHint().width(), errorBox_->sizeHint().width(), falloff_->box()->sizeHint().width()});
     for (QWidget* box : std::initializer_list<QWidget*>{radius_->box(), errorBox_, falloff_->box()})
         box->setFixedWidth(width);
     showFocus();

@@ -17,8 +17,8 @@ class AccuracySlider;
 class ValueSlider;
 class VectorInput;
 
-/// The region where the mesh has an accuracy of its own (R25): shape, place, size, error and fall-off. What the tools in
-/// the picture do by hand, by numbers.
+/// The region where the mesh has an accuracy of its own (R25): shape, place, size, error and fall-off. What the tools
+/// in the picture do by hand, by numbers.
 class FocusPanel : public QWidget {
     Q_OBJECT
 public:

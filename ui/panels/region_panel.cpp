@@ -94,8 +94,9 @@ QLayout* RegionPanel::makeWindow()
     border_->setObjectName("region.border");
     border_->addItems({tr("Cut off"), tr("All that touch the window"), tr("Only those inside")});
     border_->setAccessibleName(tr("Tetrahedra at the border"));
-    border_->setToolTip(tr("What becomes of the tetrahedra at the border of the window: cut off, it ends exactly there; "
-                           "whole, it is ragged"));
+    border_->setToolTip(
+        tr("What becomes of the tetrahedra at the border of the window: cut off, it ends exactly there; "
+           "whole, it is ragged"));
     border_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     auto* label = new QLabel(tr("&Border"));
     label->setBuddy(border_);
@@ -151,8 +152,9 @@ void RegionPanel::showModel()
         const Eigen::AlignedBox3d& bounds = model->description().bounds;
         from_->setRange(bounds.min(), bounds.max());
         to_->setRange(bounds.min(), bounds.max());
-        const QString ends = tr("In the units of the data: %1 to %2")
-                                 .arg(QLocale().toString(range.minimum, 'g', 6), QLocale().toString(range.maximum, 'g', 6));
+        const QString ends =
+            tr("In the units of the data: %1 to %2")
+                .arg(QLocale().toString(range.minimum, 'g', 6), QLocale().toString(range.maximum, 'g', 6));
         least_->setTexts(tr("Smallest value"), ends);
         largest_->setTexts(tr("Largest value"), ends);
         for (ValueSlider* slider : {least_, largest_}) {

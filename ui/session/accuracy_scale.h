@@ -42,7 +42,8 @@ struct CurvePoint {
     std::uint64_t tetrahedra = 0;
 };
 
-/// The size of the mesh against the error, from coarse to fine over the whole scale; the last point is at zero. O(points * log sites).
+/// The size of the mesh against the error, from coarse to fine over the whole scale; the last point is at zero.
+/// O(points * log sites).
 std::vector<CurvePoint> sizeAgainstError(const Model& model, int points = 240);
 
 /// The most accurate preset from 1 % upwards whose mesh is still quick to extract and to draw.

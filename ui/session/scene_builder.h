@@ -14,7 +14,8 @@
 
 namespace tetra {
 
-/// What is to be seen: what a model answers to a query, looked at in a renderer's way. The renderer outlives the builder.
+/// What is to be seen: what a model answers to a query, looked at in a renderer's way. The renderer outlives the
+/// builder.
 struct SceneRequest {
     std::shared_ptr<const Model> model;
     const Renderer* renderer = nullptr;

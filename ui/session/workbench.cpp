@@ -253,8 +253,8 @@ void Workbench::saveMesh(const std::filesystem::path& target)
 
 void Workbench::saveMeshWhenShown()
 {
-    const MeshOrder order{session_.model(), sceneBuilder_.mesh(), session_.shown() ? session_.shown()->query : MeshQuery(),
-                          meshTarget_};
+    const MeshOrder order{session_.model(), sceneBuilder_.mesh(),
+                          session_.shown() ? session_.shown()->query : MeshQuery(), meshTarget_};
     if (meshTarget_.empty() || !session_.showsQuery() || !order.mesh)
         return;
     meshTarget_.clear();

@@ -40,9 +40,9 @@ LineSet outlineOf(const MovableRegion& region, const Colour& colour, float width
 
 /// How a drag is held.
 struct DragRule {
-    bool restrained = false;    ///< the centre along the axis that fits best; a face together with the opposite one
-    std::optional<int> axis;    ///< the centre along this axis: 0, 1 or 2
-    double least = 0;           ///< no edge and no radius becomes smaller
+    bool restrained = false; ///< the centre along the axis that fits best; a face together with the opposite one
+    std::optional<int> axis; ///< the centre along this axis: 0, 1 or 2
+    double least = 0;        ///< no edge and no radius becomes smaller
 };
 
 /// A region on its way with a handle that follows the pointer. A value: the drag goes from where it began, so that

@@ -10,15 +10,16 @@
 #include <QPainter>
 
 #include <array>
+#include <utility>
 
 namespace tetra {
 namespace {
 
-constexpr double reach = 11;       ///< of a handle, in pixels around it
+constexpr double reach = 11; ///< of a handle, in pixels around it
 constexpr float outlineWidth = 1.5F;
-constexpr double stepPart = 0.01;      ///< of the diagonal, for an arrow key
-constexpr double fineStep = 0.2;       ///< of that, with Ctrl
-constexpr double leastPart = 2e-3;     ///< of the diagonal, for an edge or a radius
+constexpr double stepPart = 0.01;                                  ///< of the diagonal, for an arrow key
+constexpr double fineStep = 0.2;                                   ///< of that, with Ctrl
+constexpr double leastPart = 2e-3;                                 ///< of the diagonal, for an edge or a radius
 constexpr std::array kinds{RegionKind::Window, RegionKind::Focus}; ///< as they are painted
 
 } // namespace
@@ -85,6 +86,7 @@ bool RegionTools::eventFilter(QObject* watched, QEvent* event)
     case QEvent::MouseButtonDblClick: return placeUnderPointer(*static_cast<QMouseEvent*>(event));
     case QEvent::KeyPress: return keyPress(*static_cast<QKeyEvent*>(event));
     case QEvent::KeyRelease: return keyRelease(*static_cast<QKeyEvent*>(event));
+    case QEvent::Wheel: return drag_.has_value();
     case QEvent::Leave: hover(std::nullopt); break;
     case QEvent::FocusOut: session_.endGesture(); break;
     case QEvent::Resize: setGeometry(viewport_.rect()); break;
@@ -95,6 +97,7 @@ bool RegionTools::eventFilter(QObject* watched, QEvent* event)
 
 bool RegionTools::press(const QMouseEvent& event)
 {
+    cancelled_ = false;
     if (drag_)
         return true; // another button changes nothing
     const auto grip = event.button() == Qt::LeftButton ? gripAt(event.position()) : std::nullopt;
@@ -114,7 +117,7 @@ bool RegionTools::move(const QMouseEvent& event)
     if (!drag_) {
         if (event.buttons() == Qt::NoButton)
             hover(gripAt(event.position()));
-        return false;
+        return cancelled_;
     }
     pointer_ = event.position();
     drag(event.modifiers());
@@ -123,11 +126,11 @@ bool RegionTools::move(const QMouseEvent& event)
 
 bool RegionTools::release(const QMouseEvent& event)
 {
-    if (!drag_)
-        return false;
-    if (event.button() == Qt::LeftButton)
+    if (event.button() == Qt::LeftButton && drag_) {
         endDrag();
-    return true;
+        return true;
+    }
+    return drag_ || std::exchange(cancelled_, false);
 }
 
 /// A focus goes to the place on a surface that was clicked.
@@ -165,6 +168,7 @@ void RegionTools::cancelDrag()
 {
     place(drag_->start);
     endDrag();
+    cancelled_ = true;
 }
 
 bool RegionTools::keyPress(const QKeyEvent& event)
@@ -248,8 +252,11 @@ void RegionTools::followQuery()
         select(RegionKind::Focus);
     focusWasOn_ = focus;
     windowWasOn_ = window;
-    if (!query().has(selected_))
+    if (!query().has(selected_)) {
+        if (drag_)
+            endDrag();
         select(RegionKind::None);
+    }
     showOutlines();
     update();
 }

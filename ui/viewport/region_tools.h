@@ -68,6 +68,7 @@ private:
     bool windowWasOn_ = false;
     std::optional<Grip> hovered_;
     std::optional<RegionDrag> drag_; ///< of the selected region
+    bool cancelled_ = false;         ///< a drag was, and its button is still down
     DragRule rule_;
     QPointF pointer_; ///< of the drag, last
 };

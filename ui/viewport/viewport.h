@@ -58,7 +58,7 @@ private:
 
     std::shared_ptr<const Scene> scene_;
     std::vector<LineSet> outlines_;
-    View view_; ///< its scene has the outlines, too
+    View view_;                ///< its scene has the outlines, too
     Canvas* canvas_ = nullptr; ///< a child widget
     QPointF lastPosition_;
     QTimer resting_;

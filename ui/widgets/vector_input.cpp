@@ -24,7 +24,8 @@ VectorInput::VectorInput(const QString& name, const QString& label, const QStrin
         auto* box = new ValueBox;
         boxes_[static_cast<std::size_t>(axis)] = box;
         box->setObjectName(QString("%1.%2").arg(name, axisNames[static_cast<std::size_t>(axis)]));
-        box->setAccessibleName(QString("%1 %2").arg(QString(label).remove('&'), axisNames[static_cast<std::size_t>(axis)]));
+        box->setAccessibleName(
+            QString("%1 %2").arg(QString(label).remove('&'), axisNames[static_cast<std::size_t>(axis)]));
         box->setToolTip(toolTip);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
         box->setMinimumWidth(1); // as wide as the panel allows

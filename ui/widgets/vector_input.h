@@ -15,8 +15,8 @@ namespace tetra {
 class Session;
 class ValueBox;
 
-/// Three numbers, one for each axis, as a row of a grid with a label before them. Its boxes are named NAME.x, .y and .z;
-/// they are the grid's, as the label is.
+/// Three numbers, one for each axis, as a row of a grid with a label before them. Its boxes are named NAME.x, .y and
+/// .z; they are the grid's, as the label is.
 class VectorInput : public QObject {
     Q_OBJECT
 public:

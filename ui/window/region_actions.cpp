@@ -34,8 +34,7 @@ RegionActions::RegionActions(Session& session, Viewport& viewport, QMenu& menu, 
     follow();
 }
 
-QAction* RegionActions::add(QMenu& menu, const char* name, const QString& text, const char* key,
-                            const QString& toolTip)
+QAction* RegionActions::add(QMenu& menu, const char* name, const QString& text, const char* key, const QString& toolTip)
 {
     QAction* action = menu.addAction(text);
     action->setObjectName(QString("action.") + name);
