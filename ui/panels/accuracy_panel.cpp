@@ -29,6 +29,13 @@ QLabel* numberLabel(const char* name)
     return label;
 }
 
+/// Whether there is more to say than the error that was asked for.
+bool saysMore(const ShownMesh& mesh)
+{
+    return mesh.query.budget || mesh.query.window || !mesh.query.values.empty() || !mesh.query.error.isConstant() ||
+           mesh.scale > 1.001;
+}
+
 QString shareText(double part, double whole)
 {
     return whole > 0 ? AccuracyPanel::tr("%1 of all").arg(percentText(100 * part / whole)) : QString();
@@ -38,7 +45,7 @@ QString shareText(double part, double whole)
 
 AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), curve_(new AccuracyCurve), slider_(new AccuracySlider),
-      byError_(new QRadioButton(tr("&Error"))), box_(new AccuracyBox), byBudget_(new QRadioButton(tr("Bu&dget"))),
+      byError_(new QRadioButton(tr("Err&or"))), box_(new AccuracyBox), byBudget_(new QRadioButton(tr("Bu&dget"))),
       budget_(new BudgetBox), inUnits_(new QLabel), sites_(numberLabel("accuracy.sites")),
       siteShare_(numberLabel("accuracy.siteShare")), tetrahedra_(numberLabel("accuracy.tetrahedra")),
       tetrahedronShare_(numberLabel("accuracy.tetrahedronShare")), outcome_(new QLabel), limit_(new QLabel)
@@ -236,8 +243,9 @@ void AccuracyPanel::showSize()
         tetrahedronShare_->setText(shareText(static_cast<double>(tetrahedra),
                                              static_cast<double>(meshSizeAt(*model, bothWithin(0)).tetrahedra)));
     }
-    if (shown)
+    if (shown && saysMore(*shown))
         outcome_->setText(meshText(*shown, *model));
+    outcome_->setVisible(!outcome_->text().isEmpty());
 }
 
 } // namespace tetra

@@ -37,7 +37,6 @@ QLabel* dimLabel(const char* name)
     return label;
 }
 
-/// What of a layout is a row with a label; NAME.box is as wide as those of other rows.
 void addRow(QGridLayout& grid, int row, QLabel* label, QWidget* input)
 {
     grid.addWidget(label, row, labelColumn);
@@ -48,7 +47,7 @@ void addRow(QGridLayout& grid, int row, QLabel* label, QWidget* input)
 } // namespace
 
 FocusPanel::FocusPanel(Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), settings_(new QWidget), radiusLabel_(new QLabel(tr("&Radius"))),
+    : QWidget(parent), session_(session), settings_(new QWidget), radiusLabel_(new QLabel(tr("Rad&ius"))),
       radius_(new ValueSlider("focus.radius", session)), error_(new AccuracySlider), errorBox_(new AccuracyBox),
       falloff_(new ValueSlider("focus.falloff", session)), outside_(dimLabel("focus.outside")),
       expectation_(dimLabel("focus.expectation")), hint_(dimLabel("focus.hint"))
@@ -58,8 +57,7 @@ FocusPanel::FocusPanel(Session& session, QWidget* parent)
                       "picture; a double click on a surface brings the focus there."));
     auto* settings = new QVBoxLayout(settings_);
     settings->setContentsMargins({});
-    settings->addLayout(makePlace());
-    settings->addLayout(makeErrors());
+    settings->addLayout(makeInputs());
     settings->addWidget(outside_);
     settings->addWidget(expectation_);
     settings->addLayout(makeButtons());
@@ -79,6 +77,7 @@ FocusPanel::FocusPanel(Session& session, QWidget* parent)
     outer->setContentsMargins({});
     outer->addWidget(scroll);
 
+    connectInputs();
     connect(&session_, &Session::modelChanged, this, &FocusPanel::showModel);
     connect(&session_, &Session::modelGrown, this, &FocusPanel::showFocus);
     connect(&session_.view(), &ViewState::queryChanged, this, &FocusPanel::showFocus);
@@ -127,7 +126,7 @@ QLayout* FocusPanel::makeShapes()
     return row;
 }
 
-QLayout* FocusPanel::makePlace()
+QLayout* FocusPanel::makeInputs()
 {
     auto* grid = new QGridLayout;
     addAxisNames(*grid, 0);
@@ -136,19 +135,8 @@ QLayout* FocusPanel::makePlace()
     size_ = new VectorInput("focus.size", tr("&Size"), tr("Edges of the box, in the lengths of the data"), session_,
                             *grid, 2, this);
     radius_->setTexts(tr("Radius of the sphere"), tr("Radius of the sphere, in the lengths of the data"));
-    addRow(*grid, 3, radiusLabel_, radius_);
-    connect(centre_, &VectorInput::edited, this, [this](const Eigen::Vector3d& centre) {
-        edit([&centre](FocusState& changed) { changed.centre = centre; });
-    });
-    connect(size_, &VectorInput::edited, this,
-            [this](const Eigen::Vector3d& size) { edit([&size](FocusState& changed) { changed.size = size; }); });
-    connect(radius_, &ValueSlider::edited, this,
-            [this](double radius) { edit([radius](FocusState& changed) { changed.radius = radius; }); });
-    return grid;
-}
-
-QLayout* FocusPanel::makeErrors()
-{
+    falloff_->setTexts(tr("Fall-off"), tr("The length over which the error grows from that in the focus to that "
+                                          "outside, in the lengths of the data; 0 is a sharp border"));
     error_->setObjectName("focus.error.slider");
     errorBox_->setObjectName("focus.error.box");
     for (QWidget* input : std::initializer_list<QWidget*>{error_, errorBox_}) {
@@ -156,32 +144,42 @@ QLayout* FocusPanel::makeErrors()
         input->setToolTip(tr("Error in the focus, in percent of the value range"));
         new GestureWatcher(input, session_);
     }
-    falloff_->setTexts(tr("Fall-off"), tr("The length over which the error grows from that in the focus to that "
-                                          "outside, in the lengths of the data; 0 is a sharp border"));
-    auto* both = new QWidget;
-    auto* row = new QHBoxLayout(both);
+    auto* errors = new QWidget;
+    auto* row = new QHBoxLayout(errors);
     row->setContentsMargins({});
     row->addWidget(error_, 1);
     row->addWidget(errorBox_);
-    both->setFocusProxy(errorBox_);
-    auto* grid = new QGridLayout;
-    addRow(*grid, 0, new QLabel(tr("Err&or")), both);
-    addRow(*grid, 1, new QLabel(tr("Fall-o&ff")), falloff_);
+    errors->setFocusProxy(errorBox_);
+    addRow(*grid, 3, radiusLabel_, radius_);
+    addRow(*grid, 4, new QLabel(tr("Error i&nside")), errors);
+    addRow(*grid, 5, new QLabel(tr("Fa&ll-off")), falloff_);
+    return grid;
+}
+
+void FocusPanel::connectInputs()
+{
+    connect(centre_, &VectorInput::edited, this, [this](const Eigen::Vector3d& centre) {
+        edit([&centre](FocusState& changed) { changed.centre = centre; });
+    });
+    connect(size_, &VectorInput::edited, this, [this](const Eigen::Vector3d& size) {
+        edit([&size](FocusState& changed) { changed.size = size; });
+    });
+    connect(radius_, &ValueSlider::edited, this,
+            [this](double radius) { edit([radius](FocusState& changed) { changed.radius = radius; }); });
     const auto choose = [this](double percent) { edit([percent](FocusState& changed) { changed.error = percent; }); };
     connect(error_, &AccuracySlider::chosen, this, choose);
     connect(errorBox_, &AccuracyBox::chosen, this, choose);
     connect(falloff_, &ValueSlider::edited, this,
             [this](double length) { edit([length](FocusState& changed) { changed.falloff = length; }); });
-    return grid;
 }
 
 QLayout* FocusPanel::makeButtons()
 {
-    auto* centre = new QPushButton(tr("To Centre of &View"));
+    auto* centre = new QPushButton(tr("&To Centre of View"));
     centre->setObjectName("focus.toView");
     centre->setToolTip(tr("Move the focus to what the camera looks at (C)"));
     connect(centre, &QPushButton::clicked, this, &FocusPanel::centreWanted);
-    auto* reset = new QPushButton(tr("Rese&t"));
+    auto* reset = new QPushButton(tr("Reset"));
     reset->setObjectName("focus.reset");
     reset->setToolTip(tr("Place, size, error and fall-off as they were at first"));
     connect(reset, &QPushButton::clicked, this, [this] {

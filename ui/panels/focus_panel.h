@@ -33,8 +33,8 @@ protected:
 
 private:
     QLayout* makeShapes();
-    QLayout* makePlace();
-    QLayout* makeErrors();
+    QLayout* makeInputs();
+    void connectInputs();
     QLayout* makeButtons();
     const FocusState& focus() const { return session_.view().query().focus; }
     template <class Change> void edit(Change change);

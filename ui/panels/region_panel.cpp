@@ -24,7 +24,7 @@ constexpr std::array borders{WindowBorder::Clipped, WindowBorder::Intersecting, 
 
 RegionPanel::RegionPanel(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), window_(new QCheckBox(tr("Only a &window"))), windowSettings_(new QWidget),
-      border_(new QComboBox), values_(new QCheckBox(tr("Only some &values"))), valueSettings_(new QWidget),
+      border_(new QComboBox), values_(new QCheckBox(tr("Onl&y some values"))), valueSettings_(new QWidget),
       least_(new ValueSlider("region.least", session)), largest_(new ValueSlider("region.largest", session)),
       hint_(new QLabel)
 {
@@ -89,7 +89,7 @@ QLayout* RegionPanel::makeWindow()
     grid->setContentsMargins({});
     addAxisNames(*grid, 0);
     const QString toolTip = tr("Where the window ends, in the coordinates of the data");
-    from_ = new VectorInput("region.from", tr("&From"), toolTip, session_, *grid, 1, this);
+    from_ = new VectorInput("region.from", tr("Fro&m"), toolTip, session_, *grid, 1, this);
     to_ = new VectorInput("region.to", tr("&To"), toolTip, session_, *grid, 2, this);
     border_->setObjectName("region.border");
     border_->addItems({tr("Cut off"), tr("All that touch the window"), tr("Only those inside")});
@@ -102,7 +102,7 @@ QLayout* RegionPanel::makeWindow()
     label->setBuddy(border_);
     grid->addWidget(label, 3, 0);
     grid->addWidget(border_, 3, 1, 1, 3);
-    auto* reset = new QPushButton(tr("W&hole Domain"));
+    auto* reset = new QPushButton(tr("Whole Domai&n"));
     reset->setObjectName("region.reset");
     reset->setToolTip(tr("Make the window as large as the domain"));
     grid->addWidget(reset, 4, 1, 1, 3);
@@ -128,7 +128,7 @@ QLayout* RegionPanel::makeValues()
     auto* grid = new QGridLayout;
     grid->setContentsMargins({});
     grid->setColumnStretch(1, 1);
-    const std::array<std::pair<ValueSlider*, QString>, 2> rows{{{least_, tr("F&rom")}, {largest_, tr("T&o")}}};
+    const std::array<std::pair<ValueSlider*, QString>, 2> rows{{{least_, tr("&Smallest")}, {largest_, tr("&Largest")}}};
     for (int row = 0; row < 2; ++row) {
         const auto& [slider, text] = rows[static_cast<std::size_t>(row)];
         auto* label = new QLabel(text);

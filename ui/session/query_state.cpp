@@ -128,8 +128,8 @@ QueryState startingQuery(const Model& model, double error)
     query.error = error;
     query.focus.centre = bounds.center();
     query.focus.size = bounds.sizes() / 4;
-    query.focus.radius = model.diagonal() / 8;
-    query.focus.falloff = model.diagonal() / 20;
+    query.focus.radius = model.diagonal() / 10;
+    query.focus.falloff = model.diagonal() / 40;
     // The finest preset that is not more than a quarter: a difference that is seen.
     query.focus.error = 0;
     for (const double preset : accuracyPresets)

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double handleRadius = 5; ///< pixels
 constexpr double hoveredRadius = 7;
-constexpr double hiddenOpacity = 0.35;
+constexpr double hiddenOpacity = 0.5;
 
 void drawLine(QPainter& painter, const PictureProjection& projection, const Eigen::Vector3d& one,
               const Eigen::Vector3d& other)

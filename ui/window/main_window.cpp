@@ -36,7 +36,7 @@ namespace {
 
 constexpr QSize firstSize(1280, 800);
 constexpr int dockWidth = 330;
-constexpr int accuracyHeight = 410;
+constexpr int accuracyHeight = 440;
 constexpr const char* geometryKey = "window/geometry";
 constexpr const char* layoutKey = "window/layout";
 /// Of what saveState() writes; layouts of other versions are not restored.
