@@ -106,23 +106,26 @@ std::vector<BenchCase> accuracyChangeCases(const std::shared_ptr<const Model>& m
 {
     std::vector<BenchCase> cases;
     for (const double error : {1.0, 0.5}) {
-        const double full = freshSeconds(model, error, repeats);
-        MeshExtractor extractor(model);
-        extracted(extractor, bothWithin(error));
-        std::vector<double> finer;
-        std::vector<double> coarser;
-        for (int i = 0; i < repeats; ++i) {
-            finer.push_back(secondsOf([&] { extracted(extractor, bothWithin(0.9 * error)); }));
-            coarser.push_back(secondsOf([&] { extracted(extractor, bothWithin(error)); }));
-        }
-        for (const bool isFiner : {true, false}) {
+        const std::array<double, 2> ends = {error, 0.9 * error};
+        MeshExtractor moving(model);
+        extracted(moving, bothWithin(error));
+        std::array<std::vector<double>, 2> moves;
+        std::array<std::vector<double>, 2> fresh;
+        std::array<std::uint32_t, 2> sites{};
+        for (int i = 0; i < repeats; ++i)
+            for (const int end : {1, 0}) {
+                moves[end].push_back(
+                    secondsOf([&] { sites[end] = extracted(moving, bothWithin(ends[end]))->wholeSites; }));
+                MeshExtractor another(model);
+                fresh[end].push_back(secondsOf([&] { extracted(another, bothWithin(ends[end])); }));
+            }
+        for (const int end : {1, 0}) {
             BenchCase one;
-            one.name =
-                name +
-                QString(", from %1 to %2 %").arg(isFiner ? error : 0.9 * error).arg(isFiner ? 0.9 * error : error);
-            one.seconds = median(isFiner ? finer : coarser);
+            one.name = name + QString(", from %1 to %2 %").arg(ends[1 - end]).arg(ends[end]);
+            one.seconds = median(moves[end]);
             one.yardstick = "extracting it afresh";
-            one.yardstickSeconds = isFiner ? freshSeconds(model, 0.9 * error, repeats) : full;
+            one.yardstickSeconds = median(fresh[end]);
+            one.more = {{"sites_before", qint64(sites[1 - end])}, {"sites", qint64(sites[end])}};
             cases.push_back(one);
         }
     }

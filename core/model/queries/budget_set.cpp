@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/queries/closed_set.h"
+#include "core/model/queries/coarse_candidates.h"
 #include "core/model/queries/group_walk.h"
 #include "core/model/queries/stars.h"
 
@@ -50,7 +51,8 @@ private:
     ClosedSet set_;
     std::vector<Coarse> queue_;          ///< a heap
     std::vector<std::uint32_t> waiting_; ///< added, not looked at yet
-    std::vector<std::uint32_t> level_;   ///< added since the last finished level, the first site of each group
+    Buffer<std::uint64_t> candidates_;
+    std::vector<std::uint32_t> level_; ///< added since the last finished level, the first site of each group
 };
 
 Result<ClosedSet> BudgetGrowth::run(const Progress& progress)
@@ -105,15 +107,12 @@ Status BudgetGrowth::finishLevel(double level, const Progress& progress)
 
 void BudgetGrowth::refineStar(std::uint32_t site)
 {
-    for (const std::uint64_t t : starOf(model_, site)) {
+    for (const std::uint64_t t : coarseCandidates(model_, set_.sites, judge_, site, candidates_)) {
         const std::uint32_t destroyer = model_.destroyers()[t];
-        const bool dies = destroyer < links_.siteCount();
-        if (dies && set_.sites.contains(destroyer))
-            continue;
         if (!judge_.tooCoarse(t, site, destroyer))
             continue;
         const double scale = std::max(1 + std::numeric_limits<double>::epsilon(), judge_.scaleFor(t, site, destroyer));
-        if (dies) {
+        if (destroyer < links_.siteCount()) {
             queue_.push_back({scale, destroyer});
             std::push_heap(queue_.begin(), queue_.end());
         } else {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/queries/closed_set.h"
 
+#include "core/model/queries/coarse_candidates.h"
 #include "core/model/queries/group_walk.h"
 #include "core/model/queries/stars.h"
 #include "core/model/site_places.h"
@@ -38,6 +39,7 @@ private:
     const FieldJudge& judge_;
     ClosedSet set_;
     std::vector<std::uint32_t> waiting_;
+    Buffer<std::uint64_t> candidates_;
     bool coverable_ = true; ///< every site that was needed has its links
 };
 
@@ -67,14 +69,14 @@ Result<ClosedSet> Growth::run(const Progress& progress)
 
 void Growth::refineStar(std::uint32_t site)
 {
-    for (const std::uint64_t t : starOf(model_, site)) {
+    for (const std::uint64_t t : coarseCandidates(model_, set_.sites, judge_, site, candidates_)) {
         const std::uint32_t destroyer = model_.destroyers()[t];
-        if (destroyer >= model_.siteCount()) {
-            if (judge_.tooCoarse(t, site, destroyer))
-                set_.scale = std::max({set_.scale, moreThanAsked, judge_.scaleFor(t, site, destroyer)});
-        } else if (!set_.sites.contains(destroyer) && judge_.tooCoarse(t, site, destroyer)) {
+        if (set_.sites.contains(std::min(destroyer, model_.siteCount())) || !judge_.tooCoarse(t, site, destroyer))
+            continue;
+        if (destroyer < model_.siteCount())
             addGroup(destroyer);
-        }
+        else
+            set_.scale = std::max({set_.scale, moreThanAsked, judge_.scaleFor(t, site, destroyer)});
     }
 }
 

@@ -32,6 +32,33 @@ std::array<double, 3> asArray(const Eigen::Vector3d& place)
 
 } // namespace
 
+/// The box outside of which the field has its largest number, whatever the value; none if it is not known.
+std::optional<Eigen::AlignedBox3d> finerBox(const ErrorField& field)
+{
+    const SpaceRamp* const ramp = field.asSpaceRamp();
+    if (ramp == nullptr || !(ramp->inner <= ramp->outer))
+        return field.isConstant() ? std::optional(Eigen::AlignedBox3d()) : std::nullopt;
+    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(ramp->falloff);
+    if (const auto* const box = std::get_if<Box>(&ramp->region))
+        return Eigen::AlignedBox3d(box->least - reach, box->largest + reach);
+    if (const auto* const sphere = std::get_if<Sphere>(&ramp->region)) {
+        const Eigen::Vector3d radius = reach.array() + sphere->radius;
+        return Eigen::AlignedBox3d(sphere->centre - radius, sphere->centre + radius);
+    }
+    return std::nullopt;
+}
+
+/// The largest half that is at most so many percent.
+std::uint16_t halfWithin(double percent)
+{
+    constexpr std::uint16_t largest = 0x7bff;
+    std::uint16_t half = halfRoundedUp(static_cast<float>(std::min(percent / 100, 6e4)));
+    half = std::min(half, largest);
+    while (half > 0 && percentOf(half) > percent)
+        --half;
+    return half;
+}
+
 FieldJudge::FieldJudge(const Model& model, const MeshQuery& query, const SitePlaces& places)
     : model_(model), query_(query), places_(places), warps_(!model.ownWarpings().empty()),
       byValue_(query.error.dependsOnValue() || (warps_ && query.warping.dependsOnValue())),
@@ -46,6 +73,12 @@ FieldJudge::FieldJudge(const Model& model, const MeshQuery& query, const SitePla
     const Eigen::AlignedBox3d& bounds = model.description().bounds;
     rounding_ = std::max(bounds.min().cwiseAbs().maxCoeff(), bounds.max().cwiseAbs().maxCoeff()) *
                 static_cast<double>(std::numeric_limits<float>::epsilon());
+    allowedAnywhere_ = halfWithin(leastError_);
+    finer_ = finerBox(query.error);
+    if (warps_ && finer_) {
+        const std::optional<Eigen::AlignedBox3d> byWarping = finerBox(query.warping);
+        finer_ = byWarping ? std::optional(finer_->merged(*byWarping)) : std::nullopt;
+    }
 }
 
 FieldJudge::Own FieldJudge::ownOf(std::uint64_t tetrahedron, std::uint32_t destroyer) const
@@ -60,23 +93,40 @@ FieldJudge::Own FieldJudge::ownOf(std::uint64_t tetrahedron, std::uint32_t destr
     return own;
 }
 
+/// A quick look at the boxes around the tetrahedron and around what is fine.
+bool FieldJudge::isOutside(const std::array<std::uint32_t, 4>& sites, double margin) const
+{
+    if (!finer_)
+        return false;
+    Eigen::Array3f least = places_.positions[sites[0]];
+    Eigen::Array3f most = least;
+    for (const std::uint32_t site : std::span(sites).subspan<1>()) {
+        const Eigen::Array3f place = places_.positions[site];
+        least = least.min(place);
+        most = most.max(place);
+    }
+    return (least.cast<double>() - margin > finer_->max().array()).any() ||
+           (most.cast<double>() + margin < finer_->min().array()).any();
+}
+
 FieldJudge::Asked FieldJudge::askedOf(std::uint64_t tetrahedron, std::uint32_t creator, const Own& own) const
 {
     const std::array<std::uint32_t, 3> others = model_.otherSites()[tetrahedron];
-    const std::uint32_t last = creator;
-    const std::array<std::uint32_t, 4> sites = {creator, std::min(others[0], last), std::min(others[1], last),
-                                                std::min(others[2], last)};
+    const std::array<std::uint32_t, 4> sites = {creator, std::min(others[0], creator), std::min(others[1], creator),
+                                                std::min(others[2], creator)};
+    const double margin = rounding_ + own.warping / 100 * model_.diagonal();
+    if (isOutside(sites, margin))
+        return {largestError_, largestWarping_};
     std::array<Eigen::Vector3d, 4> corners;
-    for (int i = 0; i < 4; ++i)
-        corners[i] = places_.positions[sites[i]].cast<double>();
+    std::ranges::transform(sites, corners.begin(),
+                           [this](std::uint32_t site) { return places_.positions[site].cast<double>().eval(); });
     ValueRange values = model_.description().range;
     if (byValue_ && valuesBounded_) {
-        const double margin = own.error / 100 * values.extent();
+        const double doubt = own.error / 100 * values.extent();
         const auto [least, largest] = std::ranges::minmax(
             {places_.values[sites[0]], places_.values[sites[1]], places_.values[sites[2]], places_.values[sites[3]]});
-        values = {static_cast<double>(least) - margin, static_cast<double>(largest) + margin};
+        values = {static_cast<double>(least) - doubt, static_cast<double>(largest) + doubt};
     }
-    const double margin = rounding_ + own.warping / 100 * model_.diagonal();
     return {query_.error.leastIn(corners, margin, values),
             warps_ ? query_.warping.leastIn(corners, margin, values) : unlimited};
 }

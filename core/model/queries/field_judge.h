@@ -11,7 +11,7 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
+#include <optional>
 
 namespace tetra {
 
@@ -30,6 +30,11 @@ public:
     /// `places` of all sites that are going to be corners.
     FieldJudge(const Model& model, const MeshQuery& query, const SitePlaces& places);
 
+    /// False if the tetrahedron is allowed everywhere, which most are: one comparison, for all of a star.
+    bool mayBeTooCoarse(std::uint64_t tetrahedron) const
+    {
+        return warps_ || model_.ownErrors()[tetrahedron] > allowedAnywhere_;
+    }
     /// Whether the tetrahedron is coarser than allowed somewhere. Its sites come before its creator.
     bool tooCoarse(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const;
     /// The number that errors and warpings asked for must be multiplied by to allow it: 0 if it has no error, infinity
@@ -52,6 +57,7 @@ private:
     };
     Own ownOf(std::uint64_t tetrahedron, std::uint32_t destroyer) const;
     Asked askedOf(std::uint64_t tetrahedron, std::uint32_t creator, const Own& own) const;
+    bool isOutside(const std::array<std::uint32_t, 4>& sites, double margin) const;
     bool mustGo(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const;
 
     const Model& model_;
@@ -64,7 +70,9 @@ private:
     double largestError_;
     double leastWarping_;
     double largestWarping_;
-    double rounding_; ///< of the positions, a length
+    double rounding_;                          ///< of the positions, a length
+    std::uint16_t allowedAnywhere_;            ///< own errors as in the file, up to this one
+    std::optional<Eigen::AlignedBox3d> finer_; ///< where the fields are not at their coarsest, if that is bounded
 };
 
 } // namespace tetra

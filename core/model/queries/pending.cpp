@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/model/queries/mesh_filters.h"
 #include "core/model/queries/sharp_focus.h"
 
 namespace tetra {
@@ -21,11 +20,5 @@ Result<ExtractedMesh> SharpFocus::extract(const SpaceRamp&, bool, const Progress
 {
     return Error{ErrorKind::WrongUsage, "pending"};
 }
-void keepValues(TetrahedralMesh&, std::span<const ValueRange>) {}
-Status keepWindow(TetrahedralMesh&, const Window&, const Progress&)
-{
-    return {};
-}
-void dropUnusedVertices(TetrahedralMesh&, Buffer<std::uint32_t>&) {}
 
 } // namespace tetra

@@ -40,7 +40,6 @@ Status PrefixMesh::moveTo(const Model& model, std::uint32_t sites, const SitePla
     } else if (sites != before) {
         if (!livesKnown_)
             noteLives(model, out);
-        selected_.clear();
         sites_ = before;
         if (sites > before)
             refine(model, sites, out);
@@ -53,8 +52,10 @@ Status PrefixMesh::moveTo(const Model& model, std::uint32_t sites, const SitePla
     const auto kept = static_cast<std::uint32_t>(std::min<std::size_t>(out.sites.size(), sites));
     out.sites.resize(sites);
     std::iota(out.sites.begin() + kept, out.sites.end(), kept);
-    out.mesh.positions.assign(places.positions.begin(), places.positions.begin() + sites);
-    out.mesh.values.assign(places.values.begin(), places.values.begin() + sites);
+    out.mesh.positions.resize(sites);
+    out.mesh.values.resize(sites);
+    std::copy(places.positions.begin() + kept, places.positions.begin() + sites, out.mesh.positions.begin() + kept);
+    std::copy(places.values.begin() + kept, places.values.begin() + sites, out.mesh.values.begin() + kept);
     out.wholeSites = sites;
     out.wholeTetrahedra = out.mesh.tetrahedra.size();
     out.method = VariableMethod::ClosedSet;
@@ -94,23 +95,21 @@ void PrefixMesh::noteLives(const Model& model, const ExtractedMesh& out)
 
 void PrefixMesh::refine(const Model& model, std::uint32_t sites, ExtractedMesh& out)
 {
-    select(deaths_, 0, sites - 1, selected_);
-    arriving_.clear();
-    arrivingBirths_.clear();
-    arrivingDeaths_.clear();
+    select(deaths_, 0, sites - 1, going_);
+    startReplacing(out, model.meshSizes()[sites - 1] + going_.size() - out.mesh.tetrahedra.size(),
+                   model.tetrahedronCount());
     for (std::uint32_t site = sites_; site < sites; ++site)
         for (const std::uint64_t t : starOf(model, site))
             if (model.destroyers()[t] >= sites)
-                add(model, t, site);
-    replace(out);
+                add(model, t, site, out);
+    closeGaps(out);
 }
 
 void PrefixMesh::coarsen(const Model& model, std::uint32_t sites, ExtractedMesh& out)
 {
-    select(births_, sites, Model::never, selected_);
-    arriving_.clear();
-    arrivingBirths_.clear();
-    arrivingDeaths_.clear();
+    select(births_, sites, Model::never, going_);
+    startReplacing(out, model.meshSizes()[sites - 1] + going_.size() - out.mesh.tetrahedra.size(),
+                   model.tetrahedronCount());
     const std::span<const std::uint64_t> offsets = model.starOffsets();
     const std::uint64_t end = std::min(offsets[sites], model.tetrahedronCount());
     std::uint32_t creator = 0;
@@ -121,63 +120,59 @@ void PrefixMesh::coarsen(const Model& model, std::uint32_t sites, ExtractedMesh&
             const std::uint64_t t = first + place;
             while (creator + 1 < sites && offsets[creator + std::size_t(1)] <= t)
                 ++creator;
-            add(model, t, creator);
+            add(model, t, creator, out);
         }
     }
-    replace(out);
+    closeGaps(out);
 }
 
-void PrefixMesh::add(const Model& model, std::uint64_t tetrahedron, std::uint32_t creator)
+/// Makes room for what arrives, as many as the file says; there cannot be more than `all`.
+void PrefixMesh::startReplacing(ExtractedMesh& out, std::uint64_t arriving, std::uint64_t all)
 {
-    const std::array<std::uint32_t, 3> others = model.otherSites()[tetrahedron];
-    consistent_ &= others[0] < creator && others[1] < creator && others[2] < creator;
-    std::array<std::uint32_t, 4> sites = {creator, others[0], others[1], others[2]};
-    if (model.description().leftHanded)
-        std::swap(sites[2], sites[3]);
-    arriving_.push_back(sites);
-    arrivingBirths_.push_back(creator);
-    arrivingDeaths_.push_back(model.destroyers()[tetrahedron]);
+    filled_ = 0;
+    end_ = out.mesh.tetrahedra.size();
+    consistent_ &= arriving <= all;
+    if (!consistent_)
+        return;
+    const std::uint64_t most = end_ + (arriving > going_.size() ? arriving - going_.size() : 0);
+    out.mesh.tetrahedra.resize(most);
+    births_.resize(most);
+    deaths_.resize(most);
 }
 
-/// Puts what arrives in the place of what goes; places that are left are filled from the end.
-void PrefixMesh::replace(ExtractedMesh& out)
+/// Puts a tetrahedron of the history into the next free place.
+void PrefixMesh::add(const Model& model, std::uint64_t tetrahedron, std::uint32_t creator, ExtractedMesh& out)
+{
+    const std::size_t place = filled_ < going_.size() ? going_[filled_++] : end_++;
+    const std::array<std::uint32_t, 3> others = model.otherSites()[tetrahedron];
+    consistent_ &= others[0] < creator && others[1] < creator && others[2] < creator && place < deaths_.size();
+    if (place >= deaths_.size())
+        return;
+    const bool turned = model.description().leftHanded;
+    out.mesh.tetrahedra[place] = {creator, others[0], others[turned ? 2 : 1], others[turned ? 1 : 2]};
+    births_[place] = creator;
+    deaths_[place] = model.destroyers()[tetrahedron];
+}
+
+/// Places that are free still are taken by the last tetrahedra of the mesh.
+void PrefixMesh::closeGaps(ExtractedMesh& out)
 {
     Buffer<std::array<std::uint32_t, 4>>& tetrahedra = out.mesh.tetrahedra;
-    const std::size_t both = std::min(selected_.size(), arriving_.size());
-    const auto put = [this, &tetrahedra](std::size_t place, std::size_t arrival) {
-        tetrahedra[place] = arriving_[arrival];
-        births_[place] = arrivingBirths_[arrival];
-        deaths_[place] = arrivingDeaths_[arrival];
-    };
-    for (std::size_t i = 0; i < both; ++i)
-        put(selected_[i], i);
-    const std::size_t before = tetrahedra.size();
-    const std::size_t after = before + arriving_.size() - selected_.size();
-    if (after > before) {
-        for (auto* const array : {&births_, &deaths_})
-            array->resize(after);
-        tetrahedra.resize(after);
-        for (std::size_t i = both; i < arriving_.size(); ++i)
-            put(before + i - both, i);
-        return;
-    }
-    std::size_t last = before;
-    std::size_t lastGoing = selected_.size();
-    for (std::size_t i = both; i < lastGoing; ++i) {
-        while (lastGoing > i && selected_[lastGoing - 1] == last - 1) {
+    std::size_t last = going_.size();
+    while (filled_ < last) {
+        --end_;
+        if (going_[last - 1] == end_) {
             --last;
-            --lastGoing;
+            continue;
         }
-        if (lastGoing == i)
-            break;
-        --last;
-        tetrahedra[selected_[i]] = tetrahedra[last];
-        births_[selected_[i]] = births_[last];
-        deaths_[selected_[i]] = deaths_[last];
+        const std::size_t place = going_[filled_++];
+        tetrahedra[place] = tetrahedra[end_];
+        births_[place] = births_[end_];
+        deaths_[place] = deaths_[end_];
     }
-    tetrahedra.resize(after);
-    births_.resize(after);
-    deaths_.resize(after);
+    tetrahedra.resize(end_);
+    births_.resize(end_);
+    deaths_.resize(end_);
 }
 
 } // namespace tetra

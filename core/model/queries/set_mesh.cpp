@@ -29,6 +29,7 @@ private:
     const ClosedSet& set_;
     ExtractedMesh& out_;
     Buffer<std::uint32_t> later_; ///< the vertices of the sites behind the prefix
+    Buffer<std::uint64_t> alive_;
     std::uint64_t found_ = 0;
     bool right_ = true;
 };
@@ -63,20 +64,27 @@ Status SetScan::run(const Progress& progress)
     return {};
 }
 
+/// First which ones, without a branch on what no processor could predict; then their vertices.
 void SetScan::scanStar(std::uint32_t site)
 {
+    const auto star = starOf(model_, site);
+    if (alive_.size() <= star.size())
+        alive_.resize(2 * star.size() + 1);
+    std::size_t count = 0;
+    for (const std::uint64_t t : star) {
+        alive_[count] = t;
+        count += set_.sites.contains(std::min(model_.destroyers()[t], model_.siteCount())) ? 0 : 1;
+    }
     Buffer<std::array<std::uint32_t, 4>>& tetrahedra = out_.mesh.tetrahedra;
+    right_ &= count <= tetrahedra.size() - found_;
+    if (!right_)
+        return;
     const std::uint32_t creator = vertexOf(site);
-    for (const std::uint64_t t : starOf(model_, site)) {
-        const std::uint32_t destroyer = model_.destroyers()[t];
-        if (destroyer < model_.siteCount() && set_.sites.contains(destroyer))
-            continue;
+    for (const std::uint64_t t : std::span(alive_).first(count)) {
         const std::array<std::uint32_t, 3> others = model_.otherSites()[t];
-        const bool earlier = others[0] < site && others[1] < site && others[2] < site;
-        right_ &= earlier && found_ < tetrahedra.size();
-        if (!right_)
-            return;
-        tetrahedra[found_++] = {creator, vertexOf(others[0]), vertexOf(others[1]), vertexOf(others[2])};
+        right_ &= others[0] < site && others[1] < site && others[2] < site;
+        tetrahedra[found_++] = {creator, vertexOf(std::min(others[0], site)), vertexOf(std::min(others[1], site)),
+                                vertexOf(std::min(others[2], site))};
     }
 }
 

@@ -4,13 +4,13 @@
 
 #include "core/model/queries/mesh_query.h"
 #include "core/model/queries/tetrahedron_meets.h"
+#include "tests/core/model/queries/nearest_points.h"
 #include "tests/core/model/queries/random_fields.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <limits>
-#include <optional>
 
 using namespace tetra;
 using Eigen::Vector3d;
@@ -321,69 +321,6 @@ private slots:
         QCOMPARE(field.leastIn(whole, none, anyValues), 1.0);
         QCOMPARE(field.leastIn(whole, infinity, anyValues), 1.0);
         QCOMPARE(field.at({none, none, none}, none), 1.0);
-    }
-
-private:
-    static std::optional<bool> whetherTheyMeet(const Region& region, const Corners& corners)
-    {
-        Vector3d place = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
-        for (int step = 0; step < 4000; ++step) {
-            const Vector3d inRegion = nearestInRegion(region, place);
-            if ((place - inRegion).norm() < 1e-9)
-                return true;
-            place = nearestInTetrahedron(corners, inRegion);
-            // The region lies behind the plane through its nearest point, seen from where that is nearest to.
-            const Vector3d border = nearestInRegion(region, place);
-            const Vector3d outwards = place - border;
-            double leastOutwards = infinity;
-            for (const Vector3d& corner : corners)
-                leastOutwards = std::min(leastOutwards, outwards.dot(corner - border));
-            if (leastOutwards > 1e-9 * outwards.norm())
-                return false;
-        }
-        return {};
-    }
-
-    static Vector3d nearestInRegion(const Region& region, const Vector3d& place)
-    {
-        if (const Box* box = std::get_if<Box>(&region))
-            return place.cwiseMax(box->least).cwiseMin(box->largest);
-        if (const Sphere* sphere = std::get_if<Sphere>(&region)) {
-            const Vector3d away = place - sphere->centre;
-            return away.norm() <= sphere->radius ? place
-                                                 : Vector3d(sphere->centre + away * (sphere->radius / away.norm()));
-        }
-        const HalfSpace& half = std::get<HalfSpace>(region);
-        return place - distanceTo(region, place) * half.normal;
-    }
-
-    /// By the signs of least squares on every face of the simplex.
-    static Vector3d nearestInTetrahedron(const Corners& corners, const Vector3d& place)
-    {
-        double least = infinity;
-        Vector3d nearest = corners[0];
-        for (unsigned subset = 1; subset < 16; ++subset) {
-            std::vector<Vector3d> used;
-            for (int corner = 0; corner < 4; ++corner)
-                if ((subset >> corner & 1u) != 0)
-                    used.push_back(corners[corner]);
-            Eigen::MatrixXd edges(3, static_cast<Eigen::Index>(used.size()) - 1);
-            for (std::size_t i = 1; i < used.size(); ++i)
-                edges.col(static_cast<Eigen::Index>(i) - 1) = used[i] - used[0];
-            Vector3d found = used[0];
-            if (used.size() > 1) {
-                const Eigen::VectorXd parts =
-                    Eigen::MatrixXd(edges.transpose() * edges).fullPivLu().solve(edges.transpose() * (place - used[0]));
-                if (parts.minCoeff() < 0 || parts.sum() > 1)
-                    continue;
-                found += edges * parts;
-            }
-            if ((found - place).norm() < least) {
-                least = (found - place).norm();
-                nearest = found;
-            }
-        }
-        return nearest;
     }
 };
 

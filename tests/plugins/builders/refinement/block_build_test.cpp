@@ -9,6 +9,7 @@
 #include "core/model/verification.h"
 #include "plugins/builders/refinement/block_choice.h"
 #include "plugins/builders/refinement/refinement_builder.h"
+#include "tests/plugins/builders/refinement/random_dataset.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -22,25 +23,6 @@
 using namespace tetra;
 
 namespace {
-
-/// Random values; `levels` below 256 gives many equal ones, and so large batches.
-Dataset randomDataset(std::mt19937& random, SampleType type, const Lattice& lattice)
-{
-    const double levels = random() % 3 == 0 ? 2 + random() % 4 : 250;
-    return visitSampleType(type, [&]<class T>() {
-        const auto values = std::make_shared<std::vector<T>>(lattice.pointCount());
-        for (T& value : *values) {
-            const double unit = static_cast<double>(random() % 100003) / 100003;
-            const double offset = std::is_signed_v<T> ? -levels / 2 : 0;
-            value = static_cast<T>(std::is_integral_v<T> ? (sizeof(T) == 1 ? std::floor(unit * levels) / 2 + offset / 2
-                                                                           : std::floor(unit * levels) * 90 + offset)
-                                                         : unit * 1e-3 + 1);
-        }
-        const std::shared_ptr<const std::byte> bytes(values, reinterpret_cast<const std::byte*>(values->data()));
-        const ScalarField field(type, lattice.pointCount(), bytes);
-        return Dataset{.lattice = lattice, .values = field, .source = {"random", {}, checksum(field.bytes())}};
-    });
-}
 
 /// A smooth field, which blocks refine unevenly.
 Dataset smoothDataset(std::uint32_t size)

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two hundred random models, whole and in blocks, and random queries of each kind: the mesh is the one that going
+// through the whole history gives, and the independent judge proves it (B1, B3, R14, R17, R25).
+#include "core/data/analytic_fields.h"
+#include "core/model/queries/mesh_extractor.h"
+#include "core/model/queries/sharp_focus.h"
+#include "core/model/verify_mesh.h"
+#include "tests/core/model/model_fixture.h"
+#include "tests/core/model/queries/brute_force.h"
+#include "tests/core/model/queries/refined_model.h"
+#include "tests/plugins/builders/refinement/random_dataset.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <random>
+
+using namespace tetra;
+
+namespace {
+
+struct Case {
+    Dataset dataset;
+    std::shared_ptr<const Model> model;
+};
+
+double between(std::mt19937& random, double least, double most)
+{
+    return std::uniform_real_distribution(least, most)(random);
+}
+
+Eigen::Vector3d placeIn(std::mt19937& random, const Eigen::AlignedBox3d& bounds)
+{
+    return {between(random, bounds.min().x(), bounds.max().x()), between(random, bounds.min().y(), bounds.max().y()),
+            between(random, bounds.min().z(), bounds.max().z())};
+}
+
+SpaceRamp randomRamp(std::mt19937& random, const Model& model)
+{
+    const Eigen::AlignedBox3d& bounds = model.description().bounds;
+    SpaceRamp ramp;
+    const Eigen::Vector3d one = placeIn(random, bounds);
+    const Eigen::Vector3d other = placeIn(random, bounds);
+    switch (random() % 3) {
+    case 0: ramp.region = Box{one.cwiseMin(other), one.cwiseMax(other)}; break;
+    case 1: ramp.region = Sphere{one, between(random, 0, 0.4) * bounds.diagonal().norm()}; break;
+    default: ramp.region = HalfSpace{(other - one).normalized(), one.dot((other - one).normalized())};
+    }
+    ramp.inner = between(random, 0, 20);
+    ramp.outer = between(random, 20, 90);
+    ramp.falloff = random() % 2 == 0 ? 0 : between(random, 0, 1) * bounds.diagonal().norm();
+    return ramp;
+}
+
+ErrorField randomField(std::mt19937& random, const Model& model)
+{
+    const ValueRange range = model.description().range;
+    const ErrorField first = randomRamp(random, model);
+    const double isovalue = between(random, range.minimum, range.maximum);
+    const ErrorField second = range.extent() > 0 ? ErrorField::nearValues(std::array{isovalue}, between(random, 0, 20),
+                                                                          80, between(random, 0.01, 1) * range.extent())
+                                                 : ErrorField(7);
+    switch (random() % 5) {
+    case 0: return second;
+    case 1: return smallerOf(first, second);
+    case 2: return first * second * ErrorField(0.05);
+    case 3: return first + second;
+    default: return first;
+    }
+}
+
+MeshQuery randomQuery(std::mt19937& random, const Model& model)
+{
+    MeshQuery query;
+    query.error = randomField(random, model);
+    query.warping = query.error;
+    query.method = VariableMethod::ClosedSet;
+    return query;
+}
+
+} // namespace
+
+class RandomQueriesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        std::mt19937 random(11);
+        for (int number = 0; number < 200; ++number) {
+            Case one = {datasetOf(random, number), nullptr};
+            const std::string block = number % 2 == 0 ? "none" : std::to_string(2 + random() % 5);
+            one.model = refinedModel(folder_.filePath(QString::number(number)).toStdString(), one.dataset, block,
+                                     number % 9 == 8 ? 15 : 0);
+            QVERIFY(one.model != nullptr);
+            cases_.push_back(std::move(one));
+        }
+    }
+
+    void fieldsGiveTheSmallestClosedSet()
+    {
+        std::mt19937 random(1);
+        for (const Case& one : cases_) {
+            const BruteForce brute(*one.model);
+            MeshExtractor extractor(one.model);
+            for (int round = 0; round < 3; ++round) {
+                const MeshQuery query = randomQuery(random, *one.model);
+                const auto mesh = extractor.extract(query);
+                QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text.c_str());
+                QVERIFY(isAnswer(one, brute, query, **mesh, brute.smallestClosedSet(query)));
+            }
+        }
+    }
+
+    void budgetsGiveTheFinestThatFits()
+    {
+        std::mt19937 random(2);
+        for (const Case& one : cases_) {
+            if (one.model->siteCount() > 300)
+                continue; // going through all is too slow
+            const BruteForce brute(*one.model);
+            MeshExtractor extractor(one.model);
+            MeshQuery query = randomQuery(random, *one.model);
+            query.budget = 1 + random() % (one.model->meshSizes().back() + 10);
+            const auto mesh = extractor.extract(query);
+            const auto expected = brute.closedSetWithin(query);
+            QCOMPARE(mesh.ok(), expected.has_value());
+            if (!expected) {
+                QCOMPARE(mesh.error().kind, ErrorKind::WrongUsage);
+                continue;
+            }
+            QVERIFY((*mesh)->mesh.tetrahedra.size() <= *query.budget);
+            QVERIFY(isAnswer(one, brute, query, **mesh, *expected));
+        }
+    }
+
+    /// From each accuracy to any other, by what differs: the mesh is that of the prefix.
+    void uniformMeshesMove()
+    {
+        std::mt19937 random(3);
+        for (const Case& one : cases_) {
+            MeshExtractor extractor(one.model);
+            std::shared_ptr<const ExtractedMesh> held;
+            double error = 30;
+            for (int round = 0; round < 12; ++round) {
+                error =
+                    std::clamp(round % 4 == 3 ? between(random, 0, 90) : error * between(random, 0.7, 1.4), 0.1, 90.0);
+                MeshQuery query;
+                query.error = error;
+                query.warping = error;
+                if (round % 5 == 4)
+                    query.budget = one.model->meshSizes()[firstMesh(*one.model) - 1] + random() % 500;
+                const auto mesh = extractor.extract(query);
+                QVERIFY(mesh.ok());
+                const auto expected = extractPrefix(*one.model, (*mesh)->wholeSites);
+                QVERIFY(expected.ok());
+                if (query.budget)
+                    QVERIFY(expected->tetrahedra.size() <= *query.budget);
+                else
+                    QCOMPARE((*mesh)->wholeSites, meshSizeAt(*one.model, {error, error}).sites);
+                QVERIFY(byPoints((*mesh)->mesh.tetrahedra, one.model->points()) ==
+                        byPoints(expected->tetrahedra, one.model->points()));
+                QVERIFY((*mesh)->mesh.positions == expected->positions && (*mesh)->mesh.values == expected->values);
+                QVERIFY(isProved(one, query, **mesh));
+                if (round % 3 == 0)
+                    held = *mesh; // what is held must not change
+            }
+        }
+    }
+
+    void valuesAndWindowsChooseFromTheMesh()
+    {
+        std::mt19937 random(4);
+        for (const Case& one : cases_) {
+            MeshExtractor extractor(one.model);
+            MeshQuery query = randomQuery(random, *one.model);
+            if (random() % 2 == 0)
+                query.error = between(random, 0, 50);
+            const auto whole = extractor.extract(query);
+            QVERIFY(whole.ok());
+            const ValueRange range = one.model->description().range;
+            const double low = between(random, range.minimum, range.maximum);
+            query.values = {{low, between(random, low, range.maximum)}};
+            const SpaceRamp box = randomRamp(random, *one.model);
+            if (std::holds_alternative<Box>(box.region))
+                query.window = Window{std::get<Box>(box.region), WindowBorder::Contained};
+            const auto part = extractor.extract(query);
+            QVERIFY(part.ok());
+            std::vector<std::array<std::uint32_t, 4>> expected;
+            for (const auto& tetrahedron : (*whole)->mesh.tetrahedra)
+                if (hasValue(**whole, tetrahedron, query.values[0]) && liesIn(**whole, tetrahedron, query.window))
+                    expected.push_back(tetrahedron);
+            const auto points = [&](const ExtractedMesh& mesh) {
+                std::vector<std::uint32_t> numbers;
+                for (const std::uint32_t site : mesh.sites)
+                    numbers.push_back(one.model->points()[site]);
+                return numbers;
+            };
+            QVERIFY(byPoints((*part)->mesh.tetrahedra, points(**part)) == byPoints(expected, points(**whole)));
+            std::vector<bool> used((*part)->mesh.positions.size());
+            for (const auto& tetrahedron : (*part)->mesh.tetrahedra)
+                for (const std::uint32_t vertex : tetrahedron)
+                    used[vertex] = true;
+            QVERIFY(std::ranges::find(used, false) == used.end());
+        }
+    }
+
+    /// The automatic choice and insertion keep the field as well.
+    void sharpFociKeepTheField()
+    {
+        std::mt19937 random(5);
+        int inserted = 0;
+        for (const Case& one : cases_) {
+            MeshExtractor extractor(one.model);
+            for (int round = 0; round < 3; ++round) {
+                MeshQuery query;
+                query.error = randomRamp(random, *one.model);
+                query.warping = query.error;
+                query.method = round == 0                     ? VariableMethod::Automatic
+                               : SharpFocus::fits(*one.model) ? VariableMethod::Insertion
+                                                              : VariableMethod::ClosedSet;
+                const auto mesh = extractor.extract(query);
+                QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text.c_str());
+                inserted += (*mesh)->method == VariableMethod::Insertion ? 1 : 0;
+                QVERIFY(isProved(one, query, **mesh));
+            }
+        }
+        QVERIFY(inserted > 100);
+    }
+
+private:
+    Dataset datasetOf(std::mt19937& random, int number) const
+    {
+        if (number % 10 == 9) {
+            constexpr std::array<std::string_view, 4> kinds = {"o-grid", "bent-duct", "blunt-body", "scattered"};
+            return makeSample({kinds[static_cast<std::size_t>(number / 10) % kinds.size()],
+                               static_cast<std::uint32_t>(4 + random() % 4),
+                               {},
+                               random() + 1})
+                .value();
+        }
+        if (number % 10 == 5)
+            return makeSample({"marschner-lobb", static_cast<std::uint32_t>(6 + random() % 4), {}, 1}).value();
+        Lattice lattice{{2, 2, 2}, {1, 1, 1}, {0, 0, 0}};
+        for (std::uint32_t& size : lattice.size)
+            size = 2 + random() % (number < 100 ? 5 : 8);
+        if (number % 4 == 3)
+            lattice.spacing = {1, 0.5 + random() % 4, 1.25};
+        return randomDataset(random, static_cast<SampleType>(random() % 8), lattice);
+    }
+
+    static std::uint32_t firstMesh(const Model& model) { return meshSizeAt(model, {1e9, 1e9}).sites; }
+
+    static bool hasValue(const ExtractedMesh& mesh, const std::array<std::uint32_t, 4>& tetrahedron,
+                         const ValueRange& range)
+    {
+        float least = mesh.mesh.values[tetrahedron[0]];
+        float most = least;
+        for (const std::uint32_t vertex : tetrahedron) {
+            least = std::min(least, mesh.mesh.values[vertex]);
+            most = std::max(most, mesh.mesh.values[vertex]);
+        }
+        return static_cast<double>(most) >= range.minimum && static_cast<double>(least) <= range.maximum;
+    }
+
+    static bool liesIn(const ExtractedMesh& mesh, const std::array<std::uint32_t, 4>& tetrahedron,
+                       const std::optional<Window>& window)
+    {
+        return !window || std::ranges::all_of(tetrahedron, [&](std::uint32_t vertex) {
+            const Eigen::Vector3d place = mesh.mesh.positions[vertex].cast<double>();
+            return (place.array() >= window->box.least.array()).all() &&
+                   (place.array() <= window->box.largest.array()).all();
+        });
+    }
+
+    static bool isProved(const Case& one, const MeshQuery& query, const ExtractedMesh& mesh)
+    {
+        const auto verdict = verifyMesh(*one.model, one.dataset, query, mesh);
+        if (!verdict) {
+            qWarning("%s", verdict.error().text.c_str());
+            return false;
+        }
+        for (const std::string& failure : verdict->failures)
+            qWarning("%s", failure.c_str());
+        return verdict->ok();
+    }
+
+    static bool isAnswer(const Case& one, const BruteForce& brute, const MeshQuery& query, const ExtractedMesh& mesh,
+                         const BruteForce::Answer& expected)
+    {
+        std::vector<std::array<std::uint32_t, 4>> tetrahedra;
+        for (const std::uint64_t t : expected.tetrahedra)
+            tetrahedra.push_back(brute.corners(t));
+        std::vector<std::uint32_t> points;
+        for (const std::uint32_t site : mesh.sites) {
+            points.push_back(one.model->points()[site]);
+            if (!expected.sites[site])
+                return false;
+        }
+        return std::ranges::count(expected.sites, true) == static_cast<std::ptrdiff_t>(mesh.sites.size()) &&
+               mesh.scale == expected.scale &&
+               byPoints(mesh.mesh.tetrahedra, points) == byPoints(tetrahedra, one.model->points()) &&
+               isProved(one, query, mesh);
+    }
+
+    QTemporaryDir folder_;
+    std::vector<Case> cases_;
+};
+
+QTEST_GUILESS_MAIN(RandomQueriesTest)
+#include "random_queries_test.moc"
