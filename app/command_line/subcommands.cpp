@@ -7,11 +7,12 @@ namespace tetra {
 
 std::span<const Subcommand> subcommands()
 {
-    static constexpr std::array<Subcommand, 8> all = {{
+    static constexpr std::array<Subcommand, 9> all = {{
         {"sample", sampleSyntax, runSample},
         {"build", buildSyntax, runBuild},
         {"info", infoSyntax, runInfo},
         {"verify", verifySyntax, runVerify},
+        {"extract", extractSyntax, runExtract},
         {"isosurface", isosurfaceSyntax, runIsosurface},
         {"render", renderSyntax, runRender},
         {"reproduce", reproduceSyntax, runReproduce, true},

@@ -18,6 +18,9 @@ Result<Outcome> runInfo(const Invocation& invocation);
 Syntax verifySyntax(PluginHost& host);
 Result<Outcome> runVerify(const Invocation& invocation);
 
+Syntax extractSyntax(PluginHost& host);
+Result<Outcome> runExtract(const Invocation& invocation);
+
 Syntax isosurfaceSyntax(PluginHost& host);
 Result<Outcome> runIsosurface(const Invocation& invocation);
 

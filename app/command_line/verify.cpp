@@ -2,9 +2,13 @@
 #include "app/command_line/datasets.h"
 #include "app/command_line/option_values.h"
 #include "app/command_line/plugin_options.h"
+#include "app/command_line/query_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
+#include "core/model/mesh_claims.h"
+#include "core/model/queries/mesh_extractor.h"
 #include "core/model/verification.h"
+#include "core/model/verify_mesh.h"
 
 #include <QJsonArray>
 
@@ -90,10 +94,29 @@ Outcome describe(const Verdict& verdict, const std::string& path, bool warps)
     return outcome;
 }
 
+/// Extracts the mesh that the query asks for, and proves it. A model that gives none is no proof.
+Result<LevelVerdict> verifyExtracted(const std::shared_ptr<const Model>& model, const Dataset& original,
+                                     const MeshQuery& query, const Progress& progress)
+{
+    constexpr double extracted = 0.3;
+    MeshExtractor extractor(model);
+    const auto mesh = extractor.extract(query, progress.part(0, extracted));
+    if (mesh)
+        return verifyMesh(*model, original, query, **mesh, progress.part(extracted, 1));
+    if (mesh.error().kind != ErrorKind::BadInput)
+        return mesh.error();
+    LevelVerdict verdict;
+    verdict.asked = keptEverywhere(query, 1);
+    verdict.failures = {mesh.error().text};
+    return verdict;
+}
+
 } // namespace
 
 Syntax verifySyntax(PluginHost& host)
 {
+    Option levels = levelsOption();
+    levels.byDefault += "; none if another mesh is asked for";
     Syntax syntax{
         .purpose = "prove that a model is what it claims to be",
         .explanation =
@@ -101,16 +124,20 @@ Syntax verifySyntax(PluginHost& host)
             "cells or to the hull, the cells fill the domain exactly, none is flat or inverted, and the error "
             "at every sample of the original data is at most the one claimed; for curvilinear data also the "
             "warping, and that no cell is inverted in physical space (those that even all points leave inverted are "
-            "counted). Also the file itself: its checksums, its structure, and its values against the original ones.",
+            "counted). Also the file itself: its checksums, its structure, and its values against the original ones.\n"
+            "With an error, a focus, a field or a budget the mesh that these ask for is extracted and proved in the "
+            "same way: its error at every sample is at most the one asked for at that place.",
         .positionals = {{"MODEL", "The model."}},
         .options = {{.name = "against",
                      .placeholder = "IN",
                      .explanation = "The dataset that the model was built from.",
                      .required = true},
-                    levelsOption(),
-                    warpingOption()},
+                    levels},
         .examples = {{"tan verify engine.tan --against engine.nrrd", "All usual levels."},
-                     {"tan verify engine.tan --against engine.nrrd --lod 1 --json", "One level, for a program."}}};
+                     {"tan verify engine.tan --against engine.nrrd --lod 1 --json", "One level, for a program."},
+                     {"tan verify engine.tan --against engine.nrrd --focus sphere:120,100,60,30 --focus-error 0.5",
+                      "The mesh that 'tan extract' would write for the same options."}}};
+    std::ranges::move(fieldOptions(), std::back_inserter(syntax.options));
     addPluginOptions(syntax, allParameters(host.readers()));
     return syntax;
 }
@@ -118,7 +145,12 @@ Syntax verifySyntax(PluginHost& host)
 Result<Outcome> runVerify(const Invocation& invocation)
 {
     const std::string& path = invocation.arguments.positionals[0];
-    const auto levels = levelsOf(invocation.arguments);
+    const bool asksMesh = asksForMesh(invocation.arguments);
+    const auto query = asksMesh ? queryOf(invocation.arguments) : Result<MeshQuery>(MeshQuery());
+    if (!query)
+        return query.error();
+    const bool noLevels = asksMesh && !invocation.arguments.has("lod");
+    const auto levels = noLevels ? std::vector<Accuracy>() : levelsOf(invocation.arguments);
     if (!levels)
         return levels.error();
     const auto model = Model::open(path);
@@ -128,9 +160,16 @@ Result<Outcome> runVerify(const Invocation& invocation)
         openDatasetWithOptions(invocation, *invocation.arguments.value("against"), invocation.progress.part(0, 0.05));
     if (!original)
         return original.error();
-    const auto verdict = verify(**model, *original, *levels, invocation.progress.part(0.05, 1));
+    const double levelsEnd = asksMesh ? 0.5 : 1;
+    auto verdict = verify(**model, *original, *levels, invocation.progress.part(0.05, levelsEnd));
     if (!verdict)
         return verdict.error();
+    if (asksMesh) {
+        auto level = verifyExtracted(*model, *original, *query, invocation.progress.part(levelsEnd, 1));
+        if (!level)
+            return level.error();
+        verdict->levels.push_back(*std::move(level));
+    }
     return describe(*verdict, path, (*model)->description().warpingWeight > 0);
 }
 

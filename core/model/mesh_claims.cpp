@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/mesh_claims.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace tetra {
@@ -13,24 +14,34 @@ MeshClaims::MeshClaims(const MeshQuery& query, double scale, const Dataset& orig
 {
 }
 
-/// As a fraction.
-double MeshClaims::at(const ErrorField& field, std::uint64_t sample) const
+/// In %.
+double MeshClaims::asked(const ErrorField& field, std::uint64_t sample) const
 {
-    return field.at(original_->position(sample), original_->values.at(sample)) / 100;
+    return field.at(original_->position(sample), original_->values.at(sample));
 }
 
 double MeshClaims::error(std::uint64_t sample) const
 {
     constexpr double allowance = 1e-12; // of the range
-    return areUniform() ? error_ : at(errorField_, sample) * extent_ * scale_ + allowance * extent_;
+    if (areUniform())
+        return error_;
+    return (keptPercent(asked(errorField_, sample), scale_) / 100 + allowance) * extent_;
 }
 
 double MeshClaims::warping(std::uint64_t sample) const
 {
     if (areUniform())
         return warping_;
-    const double asked = at(warpingField_, sample);
-    return asked >= anyWarping / 100 ? std::numeric_limits<double>::infinity() : asked * diagonal_ * scale_;
+    const double percent = asked(warpingField_, sample);
+    return percent >= anyWarping ? std::numeric_limits<double>::infinity()
+                                 : keptPercent(percent, scale_) / 100 * diagonal_;
+}
+
+Accuracy keptEverywhere(const MeshQuery& query, double scale)
+{
+    constexpr double all = 100;
+    return {.error = std::min(all, keptPercent(query.error.bounds().maximum, scale)),
+            .warping = std::min(anyWarping, keptPercent(query.warping.bounds().maximum, scale))};
 }
 
 } // namespace tetra

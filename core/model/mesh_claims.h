@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/data/dataset.h"
+#include "core/model/extraction.h"
 #include "core/model/queries/mesh_query.h"
 
 #include <cstdint>
@@ -14,7 +15,7 @@ class MeshClaims {
 public:
     /// The same at all samples, in units of the values and of length.
     MeshClaims(double error, double warping);
-    /// What the query's fields allow there, times `scale`. The dataset outlives it.
+    /// What the query's fields allow there, at this scale (keptPercent()). The dataset outlives it.
     MeshClaims(const MeshQuery& query, double scale, const Dataset& original);
 
     bool areUniform() const noexcept { return original_ == nullptr; }
@@ -24,7 +25,7 @@ public:
     double warping(std::uint64_t sample) const;
 
 private:
-    double at(const ErrorField& field, std::uint64_t sample) const;
+    double asked(const ErrorField& field, std::uint64_t sample) const;
 
     double error_ = 0;
     double warping_ = 0;
@@ -35,5 +36,8 @@ private:
     double extent_ = 0;
     double diagonal_ = 0;
 };
+
+/// The least accuracy that a mesh of this scale keeps at all samples.
+Accuracy keptEverywhere(const MeshQuery& query, double scale);
 
 } // namespace tetra

@@ -140,8 +140,9 @@ void LiftedCheck::checkCell(std::size_t number)
 void LiftedCheck::moveTo(LevelVerdict& verdict)
 {
     Findings beyondOwn;
+    const bool ofHistory = cells_.size() > 0 && cells_.historyNumber(0).has_value();
     for (std::uint64_t sample = 0; sample < withinOwn_.size(); ++sample)
-        if (!withinOwn_[sample].load(std::memory_order_relaxed))
+        if (ofHistory && !withinOwn_[sample].load(std::memory_order_relaxed))
             beyondOwn.add(sample, [&] {
                 const auto c = original_.lattice.coordinates(sample);
                 return "The warping at sample " + textOf(LatticePoint{c[0], c[1], c[2]}) +

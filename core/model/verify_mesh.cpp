@@ -82,7 +82,7 @@ Result<LevelVerdict> verifyWhole(const Model& model, const Dataset& original, co
                                  const ExtractedMesh& mesh, const Progress& progress)
 {
     LevelVerdict verdict;
-    verdict.asked = {.error = query.error.bounds().minimum, .warping = query.warping.bounds().minimum};
+    verdict.asked = keptEverywhere(query, mesh.scale);
     verdict.sites = static_cast<std::uint32_t>(mesh.mesh.positions.size());
     verdict.tetrahedra = mesh.mesh.tetrahedra.size();
     if (!verifySource(model, original, verdict.failures) || verifySites(model, original, verdict.failures).empty() ||

@@ -12,9 +12,11 @@ namespace tetra {
 /// Proves of a mesh of the whole domain, whatever made it (a field, a budget), what verify() proves of a level: it is a
 /// conforming, exact cover of the domain without flat or inverted cells, its vertices are points of the dataset with
 /// the dataset's values, and at each original sample its error and its warping are at most query.error and
-/// query.warping there, times mesh.scale. `largestError` is the largest one found. Shares no code with extraction. The
-/// query has no values and no window. What it needs of the model are its sites, their running errors and, of scattered
-/// data, that its first mesh fills the domain, which verify() proves. An Error only if checking itself was impossible.
+/// query.warping there, at mesh.scale (keptPercent()). `asked` is what it must keep everywhere, and
+/// `largestError` the largest one found. Shares no code with
+/// extraction. The query has no values and no window. What it needs of the model are its sites, their running errors
+/// and, of scattered data, that its first mesh fills the domain, which verify() proves. An Error only if checking
+/// itself was impossible.
 Result<LevelVerdict> verifyMesh(const Model& model, const Dataset& original, const MeshQuery& query,
                                 const ExtractedMesh& mesh, const Progress& progress = {});
 

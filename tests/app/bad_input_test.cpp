@@ -184,6 +184,7 @@ private slots:
         QTest::addColumn<QStringList>("words");
         QTest::newRow("build") << QStringList{"build", "good.nrrd", "-o"};
         QTest::newRow("sample") << QStringList{"sample", "noise", "--size", "64", "-o"};
+        QTest::newRow("extract") << QStringList{"extract", "good.tan", "--error", "0", "-o"};
         QTest::newRow("isosurface") << QStringList{"isosurface", "good.tan", "--value", "128", "--error", "0", "-o"};
         QTest::newRow("render") << QStringList{"render", "good.tan", "--size", "400x400", "-o"};
     }
@@ -193,8 +194,11 @@ private slots:
         const SmallDisk disk(4096);
         if (!disk.ok())
             QSKIP("skipped: no right to mount a small disk");
-        const QHash<QString, QString> endings = {
-            {"build", "x.tan"}, {"sample", "x.nrrd"}, {"isosurface", "x.ply"}, {"render", "x.png"}};
+        const QHash<QString, QString> endings = {{"build", "x.tan"},
+                                                 {"sample", "x.nrrd"},
+                                                 {"extract", "x.vtu"},
+                                                 {"isosurface", "x.ply"},
+                                                 {"render", "x.png"}};
         const QString folder = QString::fromStdString(disk.folder().string());
         const Run run = tan(words + QStringList{folder + "/" + endings[words[0]]});
         QVERIFY2(run.exitCode == 4, run.messages);

@@ -79,6 +79,8 @@ FieldJudge::FieldJudge(const Model& model, const MeshQuery& query, const SitePla
         const std::optional<Eigen::AlignedBox3d> byWarping = finerBox(query.warping);
         finer_ = byWarping ? std::optional(finer_->merged(*byWarping)) : std::nullopt;
     }
+    if (finer_ && finer_->contains(bounds))
+        finer_.reset();
 }
 
 FieldJudge::Own FieldJudge::ownOf(std::uint64_t tetrahedron, std::uint32_t destroyer) const

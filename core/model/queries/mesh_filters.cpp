@@ -38,10 +38,6 @@ template <class Test> Status keepIf(Buffer<Tetrahedron>& tetrahedra, const Progr
 
 Status keepWindowUnguarded(TetrahedralMesh& mesh, const Window& window, const Progress& progress)
 {
-    if ((window.box.least.array() > window.box.largest.array()).any()) {
-        mesh.tetrahedra.clear();
-        return {};
-    }
     if (window.border == WindowBorder::Clipped)
         return cutAtWindow(mesh, window.box, progress);
     const BoxSides sides(window.box, mesh.positions);

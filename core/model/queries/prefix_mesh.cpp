@@ -96,20 +96,19 @@ void PrefixMesh::noteLives(const Model& model, const ExtractedMesh& out)
 void PrefixMesh::refine(const Model& model, std::uint32_t sites, ExtractedMesh& out)
 {
     select(deaths_, 0, sites - 1, going_);
-    startReplacing(out, model.meshSizes()[sites - 1] + going_.size() - out.mesh.tetrahedra.size(),
-                   model.tetrahedronCount());
+    if (!startReplacing(model, sites, out))
+        return;
     for (std::uint32_t site = sites_; site < sites; ++site)
         for (const std::uint64_t t : starOf(model, site))
-            if (model.destroyers()[t] >= sites)
-                add(model, t, site, out);
+            add(model, t, site, model.destroyers()[t] >= sites, out);
     closeGaps(out);
 }
 
 void PrefixMesh::coarsen(const Model& model, std::uint32_t sites, ExtractedMesh& out)
 {
     select(births_, sites, Model::never, going_);
-    startReplacing(out, model.meshSizes()[sites - 1] + going_.size() - out.mesh.tetrahedra.size(),
-                   model.tetrahedronCount());
+    if (!startReplacing(model, sites, out))
+        return;
     const std::span<const std::uint64_t> offsets = model.starOffsets();
     const std::uint64_t end = std::min(offsets[sites], model.tetrahedronCount());
     std::uint32_t creator = 0;
@@ -120,59 +119,71 @@ void PrefixMesh::coarsen(const Model& model, std::uint32_t sites, ExtractedMesh&
             const std::uint64_t t = first + place;
             while (creator + 1 < sites && offsets[creator + std::size_t(1)] <= t)
                 ++creator;
-            add(model, t, creator, out);
+            add(model, t, creator, true, out);
         }
     }
     closeGaps(out);
 }
 
-/// Makes room for what arrives, as many as the file says; there cannot be more than `all`.
-void PrefixMesh::startReplacing(ExtractedMesh& out, std::uint64_t arriving, std::uint64_t all)
+/// Finds places for what arrives, as many as the file says: those that become free, then new ones at the end, then one
+/// that nobody will read. False if the file cannot be right.
+bool PrefixMesh::startReplacing(const Model& model, std::uint32_t sites, ExtractedMesh& out)
 {
-    filled_ = 0;
-    end_ = out.mesh.tetrahedra.size();
-    consistent_ &= arriving <= all;
+    const std::size_t before = out.mesh.tetrahedra.size();
+    arriving_ = std::uint64_t(model.meshSizes()[sites - 1]) + going_.size() - before;
+    consistent_ = arriving_ <= model.tetrahedronCount();
     if (!consistent_)
-        return;
-    const std::uint64_t most = end_ + (arriving > going_.size() ? arriving - going_.size() : 0);
-    out.mesh.tetrahedra.resize(most);
-    births_.resize(most);
-    deaths_.resize(most);
+        return false;
+    const std::size_t more = arriving_ > going_.size() ? arriving_ - going_.size() : 0;
+    places_ = going_;
+    places_.resize(going_.size() + more + 1);
+    std::iota(places_.begin() + static_cast<std::ptrdiff_t>(going_.size()), places_.end(),
+              static_cast<std::uint32_t>(before));
+    filled_ = 0;
+    out.mesh.tetrahedra.resize(before + more + 1);
+    births_.resize(before + more + 1);
+    deaths_.resize(before + more + 1);
+    return true;
 }
 
-/// Puts a tetrahedron of the history into the next free place.
-void PrefixMesh::add(const Model& model, std::uint64_t tetrahedron, std::uint32_t creator, ExtractedMesh& out)
+/// Puts a tetrahedron of the history into the next place; the next one goes over it if it is not alive, which follows
+/// no pattern that a processor could predict.
+void PrefixMesh::add(const Model& model, std::uint64_t tetrahedron, std::uint32_t creator, bool alive,
+                     ExtractedMesh& out)
 {
-    const std::size_t place = filled_ < going_.size() ? going_[filled_++] : end_++;
     const std::array<std::uint32_t, 3> others = model.otherSites()[tetrahedron];
-    consistent_ &= others[0] < creator && others[1] < creator && others[2] < creator && place < deaths_.size();
-    if (place >= deaths_.size())
-        return;
-    const bool turned = model.description().leftHanded;
-    out.mesh.tetrahedra[place] = {creator, others[0], others[turned ? 2 : 1], others[turned ? 1 : 2]};
+    const std::uint32_t place = places_[std::min<std::uint64_t>(filled_, arriving_)];
+    const int turned = model.description().leftHanded ? 1 : 0;
+    out.mesh.tetrahedra[place] = {creator, others[0], others[1 + turned], others[2 - turned]};
     births_[place] = creator;
     deaths_[place] = model.destroyers()[tetrahedron];
+    consistent_ &= (others[0] < creator) & (others[1] < creator) & (others[2] < creator);
+    filled_ += alive ? 1 : 0;
 }
 
 /// Places that are free still are taken by the last tetrahedra of the mesh.
 void PrefixMesh::closeGaps(ExtractedMesh& out)
 {
+    consistent_ &= filled_ == arriving_;
+    if (!consistent_)
+        return;
     Buffer<std::array<std::uint32_t, 4>>& tetrahedra = out.mesh.tetrahedra;
+    std::size_t end = tetrahedra.size() - 1;
     std::size_t last = going_.size();
     while (filled_ < last) {
-        --end_;
-        if (going_[last - 1] == end_) {
+        --end;
+        if (going_[last - 1] == end) {
             --last;
             continue;
         }
         const std::size_t place = going_[filled_++];
-        tetrahedra[place] = tetrahedra[end_];
-        births_[place] = births_[end_];
-        deaths_[place] = deaths_[end_];
+        tetrahedra[place] = tetrahedra[end];
+        births_[place] = births_[end];
+        deaths_[place] = deaths_[end];
     }
-    tetrahedra.resize(end_);
-    births_.resize(end_);
-    deaths_.resize(end_);
+    tetrahedra.resize(end);
+    births_.resize(end);
+    deaths_.resize(end);
 }
 
 } // namespace tetra

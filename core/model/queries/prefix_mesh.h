@@ -27,8 +27,8 @@ private:
     void noteLives(const Model& model, const ExtractedMesh& out);
     void refine(const Model& model, std::uint32_t sites, ExtractedMesh& out);
     void coarsen(const Model& model, std::uint32_t sites, ExtractedMesh& out);
-    void startReplacing(ExtractedMesh& out, std::uint64_t arriving, std::uint64_t all);
-    void add(const Model& model, std::uint64_t tetrahedron, std::uint32_t creator, ExtractedMesh& out);
+    bool startReplacing(const Model& model, std::uint32_t sites, ExtractedMesh& out);
+    void add(const Model& model, std::uint64_t tetrahedron, std::uint32_t creator, bool alive, ExtractedMesh& out);
     void closeGaps(ExtractedMesh& out);
 
     std::uint32_t sites_ = 0; ///< of the present mesh; 0: none
@@ -37,9 +37,10 @@ private:
     Buffer<std::uint32_t> births_;
     Buffer<std::uint32_t> deaths_;
     Buffer<std::uint32_t> going_;   ///< places in the mesh of those that go, ascending
+    Buffer<std::uint32_t> places_;  ///< for those that arrive
     Buffer<std::uint32_t> revived_; ///< places in a part of the history
-    std::size_t filled_ = 0;        ///< of the places that become free, those that are taken again
-    std::size_t end_ = 0;           ///< of the mesh with what came
+    std::uint64_t arriving_ = 0;
+    std::uint64_t filled_ = 0; ///< of the places, those that are taken
 };
 
 } // namespace tetra

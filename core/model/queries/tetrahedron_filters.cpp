@@ -20,8 +20,9 @@ bool canContain(const std::array<float, 4>& values, std::span<const ValueRange> 
 BoxSides::BoxSides(const Box& box, std::span<const Eigen::Vector3f> positions)
     : box_(box), positions_(positions), sides_(positions.size())
 {
+    const bool isEmpty = (box.least.array() > box.largest.array()).any();
     for (std::size_t vertex = 0; vertex < positions.size(); ++vertex) {
-        unsigned sides = 0;
+        unsigned sides = isEmpty ? ~0u : 0;
         for (int axis = 0; axis < 3; ++axis) {
             const double coordinate = positions[vertex][axis];
             sides |= unsigned(coordinate < box.least[axis]) << 2 * axis;

@@ -20,7 +20,7 @@ bool canContain(const std::array<float, 4>& values, std::span<const ValueRange> 
 class BoxSides {
 public:
     BoxSides() = default;
-    /// `positions` live as long as this.
+    /// `positions` live as long as this. All lie outside of a box whose least corner is not the least.
     BoxSides(const Box& box, std::span<const Eigen::Vector3f> positions);
 
     enum class Place { Inside, Outside, Across }; ///< wholly within; wholly beyond a face of the box; anything else

@@ -58,7 +58,7 @@ inline Eigen::Vector3d nearestInTetrahedron(const std::array<Eigen::Vector3d, 4>
 inline std::optional<bool> whetherTheyMeet(const Region& region, const std::array<Eigen::Vector3d, 4>& corners)
 {
     Eigen::Vector3d place = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
-    for (int step = 0; step < 4000; ++step) {
+    for (int step = 0; step < 1000; ++step) {
         const Eigen::Vector3d inRegion = nearestInRegion(region, place);
         if ((place - inRegion).norm() < 1e-9)
             return true;

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/extracted_content.h"
+#include "app/command_line/option_values.h"
+#include "app/command_line/query_options.h"
+#include "app/command_line/subcommands.h"
+#include "app/command_line/table.h"
+#include "core/base/number_text.h"
+#include "core/model/mesh_claims.h"
+#include "core/model/queries/mesh_extractor.h"
+#include "plugins/host/output_check.h"
+
+#include <QFile>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+namespace tetra {
+namespace {
+
+constexpr double extractionEnd = 0.6; ///< how far it is when the mesh is there
+
+/// What a run of the subcommand was told.
+struct Task {
+    const Arguments& arguments;
+    std::filesystem::path output;
+    const Model& model;
+    const Progress& progress;
+};
+
+/// --range: two errors, in any order.
+Result<std::array<Accuracy, 2>> rangeOf(const Arguments& arguments)
+{
+    const std::string given = *arguments.value("range");
+    const auto errors = parseNumbers("range", given, 0, 100);
+    if (!errors)
+        return errors.error();
+    if (errors->size() != 2)
+        return Error{ErrorKind::WrongUsage,
+                     "'" + given + "' does not fit '--range': it takes two errors in %, such as 4,1."};
+    std::array<Accuracy, 2> ends;
+    for (std::size_t end = 0; end < 2; ++end) {
+        const auto warping = numberOption(arguments, "warping", (*errors)[end], 0, anyWarping);
+        if (!warping)
+            return warping.error();
+        ends[end] = {.error = (*errors)[end], .warping = *warping};
+    }
+    return ends;
+}
+
+Status checkRangeStandsAlone(const Arguments& arguments)
+{
+    for (const Option& option : fieldOptions())
+        if (option.name != "warping" && arguments.has(option.name))
+            return Error{ErrorKind::WrongUsage, "'--range' asks for tetrahedra of many accuracies, so '--" +
+                                                    option.name + "' does not go with it."};
+    if (arguments.value("border") == "clipped")
+        return Error{ErrorKind::WrongUsage, "'--border clipped' does not go with '--range': what is cut off is no "
+                                            "tetrahedron of the model. Use intersecting or contained."};
+    return {};
+}
+
+/// An empty mesh is hardly what was meant.
+Status checkNotEmpty(const Task& task, const TetrahedralMesh& mesh)
+{
+    if (!mesh.tetrahedra.empty())
+        return {};
+    const ModelDescription& data = task.model.description();
+    const auto place = [](const Eigen::Vector3d& p) {
+        return "(" + formatNumber(p[0]) + ", " + formatNumber(p[1]) + ", " + formatNumber(p[2]) + ")";
+    };
+    return Error{ErrorKind::WrongUsage, "No tetrahedron is in that window with such values, so nothing was written. "
+                                        "The data lie between " +
+                                            place(data.bounds.min()) + " and " + place(data.bounds.max()) +
+                                            ", with values from " + formatNumber(data.range.minimum) + " to " +
+                                            formatNumber(data.range.maximum) + "."};
+}
+
+Outcome outcomeOf(const Task& task, const TetrahedralMesh& mesh)
+{
+    return {.figures = {{"file", QFile::decodeName(task.output.c_str())},
+                        {"sites", static_cast<qint64>(mesh.positions.size())},
+                        {"tetrahedra", static_cast<qint64>(mesh.tetrahedra.size())}},
+            .text = task.output.string() + ": " + std::to_string(mesh.positions.size()) + " vertices, " +
+                    std::to_string(mesh.tetrahedra.size()) + " tetrahedra"};
+}
+
+Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::shared_ptr<const Model> model)
+{
+    MeshExtractor extractor(std::move(model));
+    const auto extracted = extractor.extract(query, task.progress.part(0, extractionEnd));
+    if (!extracted)
+        return extracted.error();
+    const ExtractedMesh& found = **extracted;
+    if (const Status some = checkNotEmpty(task, found.mesh); !some)
+        return some.error();
+    if (const Status written =
+            writeMeshFile(task.output, contentOf(task.model, query, found), task.progress.part(extractionEnd, 1));
+        !written)
+        return written.error();
+    Outcome outcome = outcomeOf(task, found.mesh);
+    const bool warps = task.model.description().warpingWeight > 0;
+    const Accuracy kept = keptEverywhere(query, found.scale);
+    outcome.figures["error"] = kept.error;
+    outcome.figures["warping"] = warps ? kept.warping : 0;
+    outcome.figures["scale"] = found.scale;
+    outcome.figures["method"] = QString::fromStdString(std::string(methodName(found.method)));
+    outcome.figures["whole_sites"] = static_cast<qint64>(found.wholeSites);
+    outcome.figures["whole_tetrahedra"] = static_cast<qint64>(found.wholeTetrahedra);
+    if (found.mesh.tetrahedra.size() != found.wholeTetrahedra)
+        outcome.text += " of " + std::to_string(found.wholeTetrahedra);
+    if (found.scale > 1)
+        outcome.text += ", with errors of up to " + rounded(kept.error) + " %";
+    return outcome;
+}
+
+QJsonObject figuresOf(const MeshSize& size)
+{
+    return {{"error", size.error},
+            {"warping", size.warping},
+            {"sites", static_cast<qint64>(size.sites)},
+            {"tetrahedra", static_cast<qint64>(size.tetrahedra)}};
+}
+
+Result<Outcome> extractRange(const Task& task)
+{
+    const auto ends = rangeOf(task.arguments);
+    if (!ends)
+        return ends.error();
+    const auto values = valueRangesOf(task.arguments);
+    if (!values)
+        return values.error();
+    const auto window = windowOf(task.arguments);
+    if (!window)
+        return window.error();
+    const auto part =
+        extractHistory(task.model, (*ends)[0], (*ends)[1], *values, *window, task.progress.part(0, extractionEnd));
+    if (!part)
+        return part.error();
+    if (const Status some = checkNotEmpty(task, part->mesh); !some)
+        return some.error();
+    const Lives lives = livesOf(task.model, *part);
+    if (const Status written =
+            writeMeshFile(task.output, contentOf(task.model, *part, lives), task.progress.part(extractionEnd, 1));
+        !written)
+        return written.error();
+    Outcome outcome = outcomeOf(task, part->mesh);
+    outcome.figures["coarse"] = figuresOf(part->coarse);
+    outcome.figures["fine"] = figuresOf(part->fine);
+    return outcome;
+}
+
+} // namespace
+
+Syntax extractSyntax(PluginHost&)
+{
+    Syntax syntax{
+        .purpose = "write a mesh of a model",
+        .explanation =
+            "The smallest mesh that keeps what is asked for: the same error everywhere, or a smaller one in a focus or "
+            "near certain values, without cracks; or the best one of so many tetrahedra; or a part of it. The file is "
+            "a VTK XML unstructured grid (.vtu), a legacy one (.vtk) or binary PLY (.ply), with the array 'value' of "
+            "the vertices.",
+        .positionals = {{"MODEL", "The model."}},
+        .options = fieldOptions(),
+        .examples = {{"tan extract engine.tan --error 0.5 -o engine.vtu", "The mesh of an accuracy."},
+                     {"tan extract engine.tan --error 4 --focus sphere:120,100,60,30 --focus-error 0.5 -o detail.vtu",
+                      "Fine in a sphere, coarse elsewhere, conforming."},
+                     {"tan extract engine.tan --budget 300000 -o engine.ply", "As good as 300,000 tetrahedra allow."}}};
+    syntax.options.push_back({.name = "range",
+                              .placeholder = "A,B",
+                              .explanation =
+                                  "In place of --error, all tetrahedra that are in the mesh of some error "
+                                  "from A to B, each with its life: the arrays birth_error and death_error."});
+    std::ranges::move(partOptions(), std::back_inserter(syntax.options));
+    syntax.options.push_back(outputOption("FILE.vtu|.vtk|.ply", "The file to write."));
+    return syntax;
+}
+
+Result<Outcome> runExtract(const Invocation& invocation)
+{
+    const Arguments& arguments = invocation.arguments;
+    const std::filesystem::path input = arguments.positionals[0];
+    const std::filesystem::path output = *arguments.value("output");
+    const bool ranges = arguments.has("range");
+    if (const Status alone = ranges ? checkRangeStandsAlone(arguments) : Status(); !alone)
+        return alone.error();
+    const auto query = ranges ? Result<MeshQuery>(MeshQuery()) : queryOf(arguments);
+    if (!query)
+        return query.error();
+    if (const Status named = checkMeshFileName(output); !named)
+        return named.error();
+    if (const Status safe = checkOutput(output, std::array{input}); !safe)
+        return safe.error();
+
+    const auto start = std::chrono::steady_clock::now();
+    const auto model = Model::open(input);
+    if (!model)
+        return model.error();
+    const Task task{arguments, output, **model, invocation.progress};
+    auto outcome = ranges ? extractRange(task) : extractMesh(task, *query, *model);
+    if (!outcome)
+        return outcome.error();
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    outcome->figures["seconds"] = elapsed.count();
+    outcome->text += ", in " + rounded(elapsed.count(), 3) + " s\n";
+    return outcome;
+}
+
+} // namespace tetra

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/query_options.h"
+
+#include "app/command_line/focus_option.h"
+#include "app/command_line/option_values.h"
+#include "core/model/queries/error_field_text.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace tetra {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, VariableMethod>, 3> methods = {
+    {{"automatic", VariableMethod::Automatic},
+     {"closed-set", VariableMethod::ClosedSet},
+     {"insertion", VariableMethod::Insertion}}};
+constexpr std::array<std::pair<std::string_view, WindowBorder>, 3> borders = {
+    {{"intersecting", WindowBorder::Intersecting},
+     {"contained", WindowBorder::Contained},
+     {"clipped", WindowBorder::Clipped}}};
+
+/// The choice that an option names, or the first one.
+template <class Choices> Result<typename Choices::value_type::second_type>
+chosen(const Arguments& arguments, std::string_view option, const Choices& choices)
+{
+    const auto given = arguments.value(option);
+    if (!given)
+        return choices.front().second;
+    const auto found = std::ranges::find(choices, *given, &Choices::value_type::first);
+    if (found != choices.end())
+        return found->second;
+    std::string names;
+    for (const auto& [name, choice] : choices)
+        names += (names.empty() ? "" : ", ") + std::string(name);
+    return Error{ErrorKind::WrongUsage,
+                 "'" + *given + "' does not fit '--" + std::string(option) + "': it takes one of " + names + "."};
+}
+
+/// --field, which says all of the error.
+Result<FocusedFields> writtenField(const Arguments& arguments)
+{
+    for (const char* option : {"error", "focus", "focus-error", "focus-warping", "falloff"})
+        if (arguments.has(option))
+            return Error{ErrorKind::WrongUsage, "'--field' says where which error is allowed, so '--" +
+                                                    std::string(option) + "' does not go with it."};
+    const auto error = parseErrorField(*arguments.value("field"));
+    if (!error)
+        return Error{ErrorKind::WrongUsage, "'--field': " + error.error().text};
+    if (!arguments.has("warping"))
+        return FocusedFields{*error, *error};
+    const auto warping = numberOption(arguments, "warping", anyWarping, 0, anyWarping);
+    if (!warping)
+        return warping.error();
+    return FocusedFields{*error, *warping};
+}
+
+Result<FocusedFields> fieldsOf(const Arguments& arguments)
+{
+    if (arguments.has("field"))
+        return writtenField(arguments);
+    auto accuracy = accuracyOption(arguments);
+    if (!accuracy)
+        return accuracy.error();
+    // A budget alone asks for the best mesh that it allows.
+    if (arguments.has("budget") && !arguments.has("error") && !arguments.has("focus")) {
+        accuracy->error = 0;
+        accuracy->warping = arguments.has("warping") ? accuracy->warping : 0;
+    }
+    return focusedFields(arguments, accuracy->error, accuracy->warping);
+}
+
+Result<std::optional<std::uint64_t>> budgetOf(const Arguments& arguments)
+{
+    constexpr std::int64_t most = 1'000'000'000'000;
+    if (!arguments.has("budget"))
+        return std::optional<std::uint64_t>();
+    const auto budget = wholeNumberOption(arguments, "budget", 0, 1, most);
+    if (!budget)
+        return budget.error();
+    return std::optional(static_cast<std::uint64_t>(*budget));
+}
+
+} // namespace
+
+std::vector<Option> fieldOptions()
+{
+    Option error = errorOption();
+    error.byDefault += ", or with --budget and without a focus 0";
+    std::vector<Option> options = {error, warpingOption()};
+    std::ranges::move(focusOptions(), std::back_inserter(options));
+    options.push_back({.name = "field",
+                       .placeholder = "TEXT",
+                       .explanation = "In place of --error and --focus, the largest error at each place as an "
+                                      "expression, such as 'min(sphere(5,5,5, 2; 0.5, 4, 1), isovalues(100; 0.1, 4, "
+                                      "20))'; docs/command-line.md explains it. Unless --warping is given, the warping "
+                                      "is limited by the same numbers."});
+    options.push_back({.name = "budget",
+                       .placeholder = "N",
+                       .explanation = "At most so many tetrahedra: errors and warpings that are asked for are all "
+                                      "multiplied by the smallest number, at least 1, that makes it possible."});
+    options.push_back({.name = "method",
+                       .placeholder = "NAME",
+                       .explanation = "How a mesh of varying accuracy is found: closed-set, insertion (into the coarse "
+                                      "mesh: one sharp focus in a regular lattice), or automatic, the smaller one.",
+                       .byDefault = "automatic"});
+    return options;
+}
+
+std::vector<Option> partOptions()
+{
+    return {{.name = "window",
+             .placeholder = "X0,Y0,Z0,X1,Y1,Z1",
+             .explanation = "Only what lies in this box, given by two opposite corners in the data's own coordinates."},
+            {.name = "border",
+             .placeholder = "KIND",
+             .explanation = "What becomes of tetrahedra at the window's border: intersecting keeps all that have a "
+                            "point in common with it, contained those that lie in it whole, clipped cuts them off.",
+             .byDefault = "intersecting"},
+            {.name = "values",
+             .placeholder = "LO,HI",
+             .explanation = "Only tetrahedra that can contain a value from LO to HI.",
+             .repeatable = true}};
+}
+
+bool asksForMesh(const Arguments& arguments)
+{
+    return std::ranges::any_of(
+        fieldOptions(), [&](const Option& option) { return option.name != "warping" && arguments.has(option.name); });
+}
+
+Result<std::optional<Window>> windowOf(const Arguments& arguments)
+{
+    const auto given = arguments.value("window");
+    if (!given && arguments.has("border"))
+        return Error{ErrorKind::WrongUsage, "'--border' needs a window: say which with '--window'."};
+    if (!given)
+        return std::optional<Window>();
+    const auto box = parseBox("window", *given);
+    if (!box)
+        return box.error();
+    const auto border = chosen(arguments, "border", borders);
+    if (!border)
+        return border.error();
+    return std::optional(Window{*box, *border});
+}
+
+Result<std::vector<ValueRange>> valueRangesOf(const Arguments& arguments)
+{
+    constexpr double most = std::numeric_limits<double>::max();
+    std::vector<ValueRange> ranges;
+    for (const std::string& given : arguments.values("values")) {
+        const auto ends = parseNumbers("values", given, -most, most);
+        if (!ends || ends->size() != 2 || ends->front() > ends->back())
+            return Error{ErrorKind::WrongUsage,
+                         "'" + given +
+                             "' does not fit '--values': it takes two numbers, the smaller one first: LO,HI."};
+        ranges.push_back({ends->front(), ends->back()});
+    }
+    return ranges;
+}
+
+Result<MeshQuery> queryOf(const Arguments& arguments)
+{
+    MeshQuery query;
+    const auto fields = fieldsOf(arguments);
+    if (!fields)
+        return fields.error();
+    query.error = fields->error;
+    query.warping = fields->warping;
+    const auto budget = budgetOf(arguments);
+    if (!budget)
+        return budget.error();
+    query.budget = *budget;
+    const auto values = valueRangesOf(arguments);
+    if (!values)
+        return values.error();
+    query.values = *values;
+    const auto window = windowOf(arguments);
+    if (!window)
+        return window.error();
+    query.window = *window;
+    const auto method = chosen(arguments, "method", methods);
+    if (!method)
+        return method.error();
+    query.method = *method;
+    if (arguments.has("method") && query.error.isConstant() && query.warping.isConstant())
+        return Error{ErrorKind::WrongUsage, "'--method' is for meshes whose accuracy varies: say where with '--focus' "
+                                            "or '--field'."};
+    return query;
+}
+
+std::string_view methodName(VariableMethod method)
+{
+    return std::ranges::find(methods, method, &std::pair<std::string_view, VariableMethod>::second)->first;
+}
+
+} // namespace tetra

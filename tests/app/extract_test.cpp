@@ -1,0 +1,440 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// `tan extract` and `tan verify` of the meshes that it writes: every option, every wrong use, and the file as VTK
+/// reads it.
+#include "tests/app/program.h"
+#include "tests/app/sample_files.h"
+#include "tests/core/mesh/files/vtk_reader.h"
+
+#include <QDir>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace tetra {
+namespace {
+
+/// A mesh as VTK reads it.
+struct ReadMesh {
+    explicit ReadMesh(const VtkReader& reader)
+        : points(reader.array<float>("points")), values(reader.array<float>("point.value")),
+          cells(reader.array<std::uint32_t>("cells"))
+    {
+    }
+    std::size_t cellCount() const { return cells.size() / 4; }
+    double coordinate(std::size_t cell, std::size_t corner, std::size_t axis) const
+    {
+        return static_cast<double>(points[3 * cells[4 * cell + corner] + axis]);
+    }
+    double value(std::size_t cell, std::size_t corner) const
+    {
+        return static_cast<double>(values[cells[4 * cell + corner]]);
+    }
+    double volume(std::size_t cell) const
+    {
+        std::array<std::array<double, 3>, 3> e{};
+        for (std::size_t edge = 0; edge < 3; ++edge)
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                e[edge][axis] = coordinate(cell, edge + 1, axis) - coordinate(cell, 0, axis);
+        return (e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) + e[0][1] * (e[1][2] * e[2][0] - e[1][0] * e[2][2]) +
+                e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0])) /
+               6;
+    }
+    double volume() const
+    {
+        double sum = 0;
+        for (std::size_t cell = 0; cell < cellCount(); ++cell)
+            sum += volume(cell);
+        return sum;
+    }
+
+    std::vector<float> points;
+    std::vector<float> values;
+    std::vector<std::uint32_t> cells;
+};
+
+} // namespace
+
+class ExtractTest : public QObject {
+    Q_OBJECT
+
+private:
+    Run tan(const QStringList& words) const { return runTan(words, folder_.path()); }
+    QString path(const QString& name) const { return folder_.filePath(name); }
+    QJsonObject extracted(const QStringList& options, const QString& name = "mesh.vtu") const
+    {
+        const Run run = tan(QStringList{"extract", "c60.tan", "-o", name, "--json"} + options);
+        if (run.exitCode != 0)
+            qWarning("%s", run.messages.constData());
+        return run.exitCode == 0 ? run.json() : QJsonObject();
+    }
+    QJsonObject level(const QString& error) const
+    {
+        return tan({"info", "c60.tan", "--lod", error, "--json"}).json()["levels"].toArray()[0].toObject();
+    }
+    static qint64 tetrahedra(const QJsonObject& figures) { return figures["tetrahedra"].toInteger(-1); }
+
+    QTemporaryDir folder_;
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(tan({"sample", "c60", "--size", "16", "-o", "c60.nrrd"}).exitCode == 0);
+        QVERIFY(tan({"build", "c60.nrrd", "-o", "c60.tan"}).exitCode == 0);
+        QVERIFY(tan({"sample", "bent-duct", "--size", "10", "-o", "duct.xyz"}).exitCode == 0);
+        QVERIFY(tan({"build", "duct.xyz", "-o", "duct.tan"}).exitCode == 0);
+    }
+
+    /// The mesh of an accuracy, in each format, of the same size as info tells.
+    void writesAMeshOfAnAccuracy_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"mesh.vtu", "mesh.vtk", "mesh.ply"})
+            QTest::newRow(name) << QString(name);
+    }
+    void writesAMeshOfAnAccuracy()
+    {
+        QFETCH(QString, name);
+        const QJsonObject figures = extracted({"--error", "2"}, name);
+        const QJsonObject expected = level("2");
+        QCOMPARE(figures["file"].toString(), name);
+        QCOMPARE(figures["sites"].toInteger(), expected["sites"].toInteger());
+        QCOMPARE(tetrahedra(figures), tetrahedra(expected));
+        QCOMPARE(figures["whole_tetrahedra"].toInteger(), tetrahedra(expected));
+        QCOMPARE(figures["whole_sites"].toInteger(), expected["sites"].toInteger());
+        QCOMPARE(figures["error"].toDouble(), 2.0);
+        QCOMPARE(figures["warping"].toDouble(-1), 0.0);
+        QCOMPARE(figures["scale"].toDouble(), 1.0);
+        QCOMPARE(figures["method"].toString(), QString("closed-set"));
+        QVERIFY(figures["seconds"].toDouble(-1) >= 0);
+        QVERIFY(QFileInfo(path(name)).size() > 16 * figures["sites"].toInteger());
+    }
+
+    void theDefaultErrorIsOne() { QCOMPARE(tetrahedra(extracted({})), tetrahedra(level("1"))); }
+
+    /// The file is the mesh: VTK reads positive tetrahedra that fill the domain, and the data's values at its points.
+    void vtkReadsTheMesh()
+    {
+        const QJsonObject figures = extracted({"--error", "2"});
+        const VtkReader reader(path("mesh.vtu"));
+        if (reader.isMissing())
+            QSKIP("skipped: no python3-vtk9");
+        QVERIFY2(reader.ok(), reader.messages());
+        const ReadMesh mesh(reader);
+        QCOMPARE(static_cast<qint64>(mesh.cellCount()), tetrahedra(figures));
+        for (std::size_t cell = 0; cell < mesh.cellCount(); ++cell)
+            QVERIFY(mesh.volume(cell) > 0);
+        QVERIFY(std::abs(mesh.volume() - 15.0 * 15 * 15) < 1e-6);
+        const QJsonObject facts = reader.told()["facts"].toObject();
+        QCOMPARE(facts["error"].toDouble(), 2.0);
+        QCOMPARE(facts["error_scale"].toDouble(), 1.0);
+        QCOMPARE(facts["model"].toString(), QString("c60.tan"));
+        QVERIFY(facts.contains("source"));
+        QFile nrrd(path("c60.nrrd"));
+        QVERIFY(nrrd.open(QIODevice::ReadOnly));
+        const QByteArray content = nrrd.readAll();
+        const QByteArray samples = content.mid(content.indexOf("\n\n") + 2);
+        QCOMPARE(samples.size(), 16 * 16 * 16);
+        for (std::size_t vertex = 0; vertex < mesh.values.size(); ++vertex) {
+            const auto at = [&](std::size_t axis) { return std::lround(mesh.points[3 * vertex + axis]); };
+            const auto sample = static_cast<std::uint8_t>(samples.at(at(0) + 16 * (at(1) + 16 * at(2))));
+            QCOMPARE(mesh.values[vertex], static_cast<float>(sample));
+        }
+    }
+
+    /// Fewer tetrahedra than fine everywhere, more than coarse everywhere; more regions and wider borders need more.
+    void aFocusIsFiner()
+    {
+        const QStringList focus = {"--error", "8", "--focus", "sphere:8,8,8,3", "--focus-error", "0.5"};
+        const qint64 one = tetrahedra(extracted(focus));
+        QVERIFY(one > tetrahedra(level("8")) && one < tetrahedra(level("0.5")));
+        const qint64 two = tetrahedra(extracted(focus + QStringList{"--focus", "box:0,0,0,2,2,2"}));
+        QVERIFY(two > one);
+        QVERIFY(tetrahedra(extracted(focus + QStringList{"--falloff", "4"})) > one);
+        QCOMPARE(tetrahedra(extracted({"--error", "8", "--focus", "sphere:90,8,8,3", "--focus-error", "0.5"})),
+                 tetrahedra(level("8")));
+        const QJsonObject figures = extracted(focus + QStringList{"--method", "closed-set"});
+        QCOMPARE(figures["error"].toDouble(), 8.0);
+        QCOMPARE(figures["method"].toString(), QString("closed-set"));
+        // A box is given by any two opposite corners.
+        const QStringList box = {"--error", "8", "--focus-error", "0.5", "--focus"};
+        QCOMPARE(tetrahedra(extracted(box + QStringList{"box:1,2,9,6,5,4"})),
+                 tetrahedra(extracted(box + QStringList{"box:6,5,4,1,2,9"})));
+    }
+
+    void aFieldIsTheSameInWords()
+    {
+        QCOMPARE(tetrahedra(extracted({"--field", "sphere(8,8,8, 3; 0.5, 8, 2)", "--method", "closed-set"})),
+                 tetrahedra(extracted({"--error", "8", "--focus", "sphere:8,8,8,3", "--focus-error", "0.5", "--falloff",
+                                       "2", "--method", "closed-set"})));
+        QCOMPARE(tetrahedra(extracted({"--field", "2"})), tetrahedra(level("2")));
+        QVERIFY(tetrahedra(extracted({"--field", "isovalues(120; 0.5, 8, 20)"})) > tetrahedra(level("8")));
+    }
+
+    void aBudgetIsKept()
+    {
+        const QJsonObject figures = extracted({"--budget", "3000"});
+        QVERIFY(tetrahedra(figures) <= 3000 && tetrahedra(figures) > 1500);
+        QVERIFY(figures["scale"].toDouble() > 1);
+        const double error = figures["error"].toDouble();
+        QVERIFY(error > 0 && error < 50);
+        QCOMPARE(tetrahedra(extracted({"--budget", "3000", "--error", QString::number(error * 0.9)})),
+                 tetrahedra(figures));
+        QCOMPARE(tetrahedra(extracted({"--budget", "100000000", "--error", "2"})), tetrahedra(level("2")));
+        const QJsonObject focused =
+            extracted({"--budget", "2000", "--error", "4", "--focus", "sphere:8,8,8,3", "--focus-error", "0.1"});
+        QVERIFY(tetrahedra(focused) <= 2000 && focused["scale"].toDouble() > 1);
+    }
+
+    void aWindowChooses()
+    {
+        const QStringList window = {"--error", "2", "--window", "3.5,0,0,9.5,15,15"};
+        QStringList names = {"intersecting", "contained", "clipped"};
+        std::map<QString, double> volumes;
+        for (const QString& border : names) {
+            const QJsonObject figures = extracted(window + QStringList{"--border", border});
+            QCOMPARE(figures["whole_tetrahedra"].toInteger(), tetrahedra(level("2")));
+            const VtkReader reader(path("mesh.vtu"));
+            if (reader.isMissing())
+                QSKIP("skipped: no python3-vtk9");
+            QVERIFY2(reader.ok(), reader.messages());
+            const ReadMesh mesh(reader);
+            volumes[border] = mesh.volume();
+            std::set<std::uint32_t> used(mesh.cells.begin(), mesh.cells.end());
+            QCOMPARE(used.size(), mesh.values.size());
+            for (std::size_t cell = 0; cell < mesh.cellCount(); ++cell) {
+                double least = 99;
+                double most = -99;
+                for (std::size_t corner = 0; corner < 4; ++corner) {
+                    least = std::min(least, mesh.coordinate(cell, corner, 0));
+                    most = std::max(most, mesh.coordinate(cell, corner, 0));
+                }
+                QVERIFY(least <= 9.5 && most >= 3.5);
+                QVERIFY(border == "intersecting" || (least >= 3.5 - 1e-6 && most <= 9.5 + 1e-6));
+            }
+        }
+        QVERIFY(std::abs(volumes["clipped"] - 6.0 * 15 * 15) < 1e-3);
+        QVERIFY(volumes["contained"] < volumes["clipped"] && volumes["clipped"] < volumes["intersecting"]);
+        QCOMPARE(tetrahedra(extracted(window)),
+                 tetrahedra(extracted(window + QStringList{"--border", "intersecting"})));
+    }
+
+    void valuesChoose()
+    {
+        const qint64 all = tetrahedra(level("2"));
+        const qint64 some = tetrahedra(extracted({"--error", "2", "--values", "100,110"}));
+        QVERIFY(some > 0 && some < all);
+        const VtkReader reader(path("mesh.vtu"));
+        const qint64 more = tetrahedra(extracted({"--error", "2", "--values", "100,110", "--values", "30,40"}));
+        QVERIFY(more > some && more < all);
+        if (reader.isMissing())
+            QSKIP("skipped: no python3-vtk9");
+        const ReadMesh mesh(reader);
+        QCOMPARE(static_cast<qint64>(mesh.cellCount()), some);
+        for (std::size_t cell = 0; cell < mesh.cellCount(); ++cell) {
+            double least = 999;
+            double most = -999;
+            for (std::size_t corner = 0; corner < 4; ++corner) {
+                least = std::min(least, mesh.value(cell, corner));
+                most = std::max(most, mesh.value(cell, corner));
+            }
+            QVERIFY(least <= 110 && most >= 100);
+        }
+    }
+
+    /// The mesh of any error between the two ends is in the file, by the lives of its tetrahedra.
+    void aRangeHoldsItsMeshes()
+    {
+        const QJsonObject figures = extracted({"--range", "1,8"});
+        QCOMPARE(tetrahedra(figures["coarse"].toObject()), tetrahedra(level("8")));
+        QCOMPARE(tetrahedra(figures["fine"].toObject()), tetrahedra(level("1")));
+        QCOMPARE(tetrahedra(extracted({"--range", "8,1"})), tetrahedra(figures));
+        const VtkReader reader(path("mesh.vtu"));
+        if (reader.isMissing())
+            QSKIP("skipped: no python3-vtk9");
+        QVERIFY2(reader.ok(), reader.messages());
+        const std::vector<float> births = reader.array<float>("cell.birth_error");
+        const std::vector<float> deaths = reader.array<float>("cell.death_error");
+        QCOMPARE(static_cast<qint64>(births.size()), tetrahedra(figures));
+        for (const float error : {1.0F, 1.37F, 2.0F, 3.3F, 5.71F, 8.0F}) {
+            qint64 alive = 0;
+            for (std::size_t cell = 0; cell < births.size(); ++cell)
+                alive += deaths[cell] <= error && error < births[cell] ? 1 : 0;
+            QCOMPARE(alive, tetrahedra(level(QString::number(static_cast<double>(error)))));
+        }
+        QCOMPARE(tetrahedra(extracted({"--range", "2,2"})), tetrahedra(level("2")));
+        QVERIFY(tetrahedra(extracted({"--range", "1,8", "--values", "100,110"})) < tetrahedra(figures));
+        QVERIFY(tetrahedra(extracted({"--range", "1,8", "--window", "0,0,0,5,5,5", "--border", "contained"})) <
+                tetrahedra(extracted({"--range", "1,8", "--window", "0,0,0,5,5,5"})));
+    }
+
+    void warpingIsLimited()
+    {
+        const auto size = [&](const QStringList& options) {
+            const Run run = tan(QStringList{"extract", "duct.tan", "-o", "duct.vtu", "--json"} + options);
+            if (run.exitCode != 0)
+                qWarning("%s", run.messages.constData());
+            return tetrahedra(run.json());
+        };
+        const qint64 coarse = size({"--error", "8", "--warping", "100"});
+        const qint64 straight = size({"--error", "8", "--warping", "0.5"});
+        QVERIFY(coarse > 0 && coarse < straight);
+        QCOMPARE(size({"--error", "8"}), size({"--error", "8", "--warping", "8"}));
+        const QStringList focus = {"--error",       "8", "--warping", "8", "--focus", "box:-99,-99,-99,99,99,99",
+                                   "--focus-error", "8"};
+        QCOMPARE(size(focus), size({"--error", "8"}));
+        const QStringList straightFocus = focus + QStringList{"--focus-warping", "0.5"};
+        QVERIFY(size(straightFocus) > size(focus));
+        const Run verify = tan(QStringList{"verify", "duct.tan", "--against", "duct.xyz", "--json"} + straightFocus);
+        QVERIFY2(verify.exitCode == 0, verify.output + verify.messages);
+        QVERIFY(verify.json()["levels"].toArray()[0].toObject()["largest_warping"].toDouble(100) <= 0.5);
+        QCOMPARE(tan({"extract", "duct.tan", "-o", "duct.vtu", "--error", "8", "--warping", "3", "--json"})
+                     .json()["warping"]
+                     .toDouble(),
+                 3.0);
+    }
+
+    /// What extract writes, verify proves.
+    void verifyProvesTheSameMesh_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<double>("error"); // that holds everywhere; -1 is any
+        QTest::newRow("error") << QStringList{"--error", "3"} << 3.0;
+        QTest::newRow("focus") << QStringList{"--error", "8", "--focus", "sphere:8,8,8,3", "--focus-error", "0.5"}
+                               << 8.0;
+        QTest::newRow("two with falloff") << QStringList{"--error",       "8",
+                                                         "--focus",       "sphere:8,8,8,3",
+                                                         "--focus",       "box:0,0,0,3,3,3",
+                                                         "--focus-error", "0.5",
+                                                         "--falloff",     "3"}
+                                          << 8.0;
+        QTest::newRow("field") << QStringList{"--field", "isovalues(120; 0.5, 8, 20)"} << 8.0;
+        QTest::newRow("budget") << QStringList{"--budget", "2500"} << -1.0;
+        QTest::newRow("focus in a budget")
+            << QStringList{"--budget", "2500", "--error", "4", "--focus", "sphere:8,8,8,3", "--focus-error", "0.1"}
+            << -1.0;
+    }
+    void verifyProvesTheSameMesh()
+    {
+        QFETCH(QStringList, options);
+        QFETCH(double, error);
+        const Run run = tan(QStringList{"verify", "c60.tan", "--against", "c60.nrrd", "--json"} + options);
+        QVERIFY2(run.exitCode == 0, run.output + run.messages);
+        const QJsonArray levels = run.json()["levels"].toArray();
+        QCOMPARE(levels.size(), 1);
+        const QJsonObject level = levels[0].toObject();
+        QVERIFY(level["ok"].toBool() && level["conforming"].toBool() && level["covers"].toBool());
+        QCOMPARE(level["inverted"].toInt(-1), 0);
+        QCOMPARE(level["failures"].toArray().size(), 0);
+        QVERIFY(error < 0 || level["error"].toDouble() == error);
+        QVERIFY(level["largest_error"].toDouble(100) <= level["error"].toDouble() + 1e-9);
+        QCOMPARE(tetrahedra(level), tetrahedra(extracted(options)));
+    }
+
+    void verifyProvesLevelsBesideIt()
+    {
+        const Run run =
+            tan({"verify", "c60.tan", "--against", "c60.nrrd", "--lod", "4,2", "--budget", "2500", "--json"});
+        QCOMPARE(run.exitCode, 0);
+        QCOMPARE(run.json()["levels"].toArray().size(), 3);
+        QCOMPARE(tan({"verify", "duct.tan", "--against", "duct.xyz", "--error", "5", "--focus-error", "1", "--focus",
+                      "box:-99,-99,-99,0,99,99"})
+                     .exitCode,
+                 0);
+    }
+
+    void wrongUseIsRefused_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<QString>("part");
+        QTest::addColumn<bool>("alsoVerify");
+        const QStringList focus = {"--focus", "sphere:8,8,8,3", "--focus-error", "0.5"};
+        const auto row = [](const char* name, const QStringList& options, const char* part, bool alsoVerify = true) {
+            QTest::newRow(name) << options << QString(part) << alsoVerify;
+        };
+        row("error too large", {"--error", "101"}, "'--error'");
+        row("error no number", {"--error", "few"}, "'--error'");
+        row("focus without error", {"--focus", "sphere:8,8,8,3"}, "--focus-error");
+        row("focus error without focus", {"--focus-error", "1"}, "'--focus'");
+        row("focus warping without focus", {"--focus-warping", "1", "--error", "1"}, "'--focus'");
+        row("falloff without focus", {"--falloff", "1"}, "'--focus'");
+        row("focus error no number", {"--focus", "sphere:8,8,8,3", "--focus-error", "-1"}, "'--focus-error'");
+        row("focus coarser than the rest", {"--error", "0.1", "--focus", "sphere:8,8,8,3", "--focus-error", "0.5"},
+            "Exchange '--focus-error' and '--error'");
+        row("warping in the focus larger", focus + QStringList{"--warping", "1", "--focus-warping", "2"},
+            "Exchange '--focus-warping' and '--warping'");
+        row("negative falloff", focus + QStringList{"--falloff", "-1"}, "'--falloff'");
+        for (const char* region : {"ball:1,2,3,4", "sphere:1,2,3", "sphere:1,2,3,0", "sphere:1,2,3,-1",
+                                   "sphere:1,2,3,nan", "sphere:1,2,3,4,5", "box:1,2,3,4,5", "box:1,2,3,4,5,6,7",
+                                   "box:1,2,3,4,5,inf", "box:1;2;3;4;5;6", "box", ""})
+            row(qPrintable(QString("focus ") + region), {"--focus", region, "--focus-error", "0.5"}, "sphere:x,y,z,r");
+        row("field that is none", {"--field", "cube(1)"}, "'--field'");
+        row("field and error", {"--field", "1", "--error", "1"}, "'--error' does not go with it");
+        row("field and focus", QStringList{"--field", "1"} + focus, "'--focus' does not go with it");
+        row("field and falloff", {"--field", "1", "--falloff", "2"}, "'--falloff' does not go with it");
+        row("no budget", {"--budget", "0"}, "'--budget'");
+        row("broken budget", {"--budget", "12.5"}, "'--budget'");
+        row("budget too small", {"--budget", "1"}, "budget");
+        row("unknown method", focus + QStringList{"--method", "magic"}, "automatic, closed-set, insertion");
+        row("method without a focus", {"--error", "1", "--method", "closed-set"}, "'--method'");
+        row("insertion of what is not sharp", {"--field", "isovalues(120; 0.5, 8, 20)", "--method", "insertion"},
+            "nsertion");
+        row("border without a window", {"--border", "clipped"}, "'--window'", false);
+        row("unknown border", {"--window", "0,0,0,5,5,5", "--border", "torn"}, "intersecting, contained, clipped",
+            false);
+        row("window of five numbers", {"--window", "0,0,0,5,5"}, "'--window'", false);
+        row("window outside", {"--window", "100,100,100,105,105,105"}, "between (0, 0, 0) and (15, 15, 15)", false);
+        row("values of one number", {"--values", "100"}, "'--values'", false);
+        row("values turned round", {"--values", "100,90"}, "'--values'", false);
+        row("values outside", {"--values", "900,901"}, "with values from", false);
+        row("range of one", {"--range", "1"}, "'--range'", false);
+        row("range of three", {"--range", "1,2,3"}, "'--range'", false);
+        row("range too large", {"--range", "1,200"}, "'--range'", false);
+        row("range and error", {"--range", "1,2", "--error", "1"}, "'--error' does not go with it", false);
+        row("range and focus", QStringList{"--range", "1,2"} + focus, "'--focus' does not go with it", false);
+        row("range and budget", {"--range", "1,2", "--budget", "100"}, "'--budget' does not go with it", false);
+        row("range and method", {"--range", "1,2", "--method", "automatic"}, "'--method' does not go with it", false);
+        row("range cut off", {"--range", "1,2", "--window", "0,0,0,5,5,5", "--border", "clipped"},
+            "'--border clipped' does not go", false);
+    }
+    void wrongUseIsRefused()
+    {
+        QFETCH(QStringList, options);
+        QFETCH(QString, part);
+        QFETCH(bool, alsoVerify);
+        const Run run = tan(QStringList{"extract", "c60.tan", "-o", "wrong.vtu"} + options);
+        QVERIFY2(run.exitCode == 2, QByteArray::number(run.exitCode) + ": " + run.messages);
+        QVERIFY2(QString::fromUtf8(run.messages).contains(part), run.messages);
+        QVERIFY(run.output.isEmpty());
+        QVERIFY(!QFile::exists(path("wrong.vtu")));
+        if (!alsoVerify)
+            return;
+        const Run verify = tan(QStringList{"verify", "c60.tan", "--against", "c60.nrrd"} + options);
+        QVERIFY2(verify.exitCode == 2, QByteArray::number(verify.exitCode) + ": " + verify.messages);
+        QVERIFY2(QString::fromUtf8(verify.messages).contains(part), verify.messages);
+    }
+
+    void wrongFilesAreRefused()
+    {
+        const Run ending = tan({"extract", "c60.tan", "-o", "mesh.obj"});
+        QCOMPARE(ending.exitCode, 2);
+        QVERIFY2(ending.messages.contains(".vtu, .vtk and .ply"), ending.messages);
+        QVERIFY(QFile::copy(path("c60.tan"), path("model.vtu")));
+        const Run same = tan({"extract", "model.vtu", "-o", "model.vtu"});
+        QCOMPARE(same.exitCode, 2);
+        QVERIFY2(same.messages.contains("is the input"), same.messages);
+        QCOMPARE(tan({"extract", "c60.nrrd", "-o", "mesh.vtu"}).exitCode, 3);
+        QCOMPARE(tan({"extract", "none.tan", "-o", "mesh.vtu"}).exitCode, 3);
+        QCOMPARE(tan({"extract", "c60.tan", "-o", "none/mesh.vtu"}).exitCode, 4);
+        QCOMPARE(tan({"extract", "c60.tan"}).exitCode, 2);
+    }
+};
+
+} // namespace tetra
+
+QTEST_GUILESS_MAIN(tetra::ExtractTest)
+#include "extract_test.moc"
