@@ -1398,14 +1398,6 @@
         <translation>Nur den Teil des Gebiets in einem Quader zeigen (W)</translation>
     </message>
     <message>
-        <source>Show only tetrahedra that can contain a value of a range</source>
-        <translation>Nur Tetraeder zeigen, die einen Wert eines Bereichs enthalten können</translation>
-    </message>
-    <message>
-        <source>Isosurfaces of other values are not seen, or only in part.</source>
-        <translation>Isoflächen anderer Werte sind nicht oder nur teilweise zu sehen.</translation>
-    </message>
-    <message>
         <source>Where the window ends, in the coordinates of the data</source>
         <translation>Wo das Fenster endet, in den Koordinaten der Daten</translation>
     </message>
@@ -1472,6 +1464,10 @@
     <message>
         <source>&amp;Largest</source>
         <translation>&amp;Größter</translation>
+    </message>
+    <message>
+        <source>Show only tetrahedra that can contain a value of a range. Isosurfaces of other values are not seen, or only in part.</source>
+        <translation>Nur Tetraeder zeigen, die einen Wert eines Bereichs enthalten können. Isoflächen anderer Werte sind nicht oder nur teilweise zu sehen.</translation>
     </message>
 </context>
 <context>

@@ -161,9 +161,8 @@ void FocusPanel::connectInputs()
     connect(centre_, &VectorInput::edited, this, [this](const Eigen::Vector3d& centre) {
         edit([&centre](FocusState& changed) { changed.centre = centre; });
     });
-    connect(size_, &VectorInput::edited, this, [this](const Eigen::Vector3d& size) {
-        edit([&size](FocusState& changed) { changed.size = size; });
-    });
+    connect(size_, &VectorInput::edited, this,
+            [this](const Eigen::Vector3d& size) { edit([&size](FocusState& changed) { changed.size = size; }); });
     connect(radius_, &ValueSlider::edited, this,
             [this](double radius) { edit([radius](FocusState& changed) { changed.radius = radius; }); });
     const auto choose = [this](double percent) { edit([percent](FocusState& changed) { changed.error = percent; }); };

@@ -26,23 +26,23 @@ RegionPanel::RegionPanel(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), window_(new QCheckBox(tr("Only a &window"))), windowSettings_(new QWidget),
       border_(new QComboBox), values_(new QCheckBox(tr("Onl&y some values"))), valueSettings_(new QWidget),
       least_(new ValueSlider("region.least", session)), largest_(new ValueSlider("region.largest", session)),
-      hint_(new QLabel)
+      reset_(new QPushButton(tr("Whole Domai&n")))
 {
     setObjectName("region");
     window_->setObjectName("region.window");
     window_->setToolTip(tr("Show the part of the domain in a box only (W)"));
     values_->setObjectName("region.values");
-    values_->setToolTip(tr("Show only tetrahedra that can contain a value of a range"));
-    hint_->setObjectName("region.hint");
-    hint_->setWordWrap(true);
-    hint_->setForegroundRole(QPalette::PlaceholderText);
-    hint_->setText(tr("Isosurfaces of other values are not seen, or only in part."));
+    values_->setToolTip(tr("Show only tetrahedra that can contain a value of a range. Isosurfaces of other values are "
+                           "not seen, or only in part."));
     windowSettings_->setLayout(makeWindow());
     valueSettings_->setLayout(makeValues());
 
     auto* content = new QWidget;
     auto* layout = new QVBoxLayout(content);
-    layout->addWidget(window_);
+    auto* head = new QHBoxLayout;
+    head->addWidget(window_, 1);
+    head->addWidget(reset_);
+    layout->addLayout(head);
     layout->addWidget(windowSettings_);
     layout->addSpacing(6);
     layout->addWidget(values_);
@@ -102,10 +102,8 @@ QLayout* RegionPanel::makeWindow()
     label->setBuddy(border_);
     grid->addWidget(label, 3, 0);
     grid->addWidget(border_, 3, 1, 1, 3);
-    auto* reset = new QPushButton(tr("Whole Domai&n"));
-    reset->setObjectName("region.reset");
-    reset->setToolTip(tr("Make the window as large as the domain"));
-    grid->addWidget(reset, 4, 1, 1, 3);
+    reset_->setObjectName("region.reset");
+    reset_->setToolTip(tr("Make the window as large as the domain"));
 
     connect(from_, &VectorInput::edited, this, [this](const Eigen::Vector3d& from) {
         editWindow([&from](WindowState& window) { window.window.box.least = from; });
@@ -116,7 +114,7 @@ QLayout* RegionPanel::makeWindow()
     connect(border_, &QComboBox::activated, this, [this](int index) {
         editWindow([index](WindowState& window) { window.window.border = borders[static_cast<std::size_t>(index)]; });
     });
-    connect(reset, &QPushButton::clicked, this, [this] {
+    connect(reset_, &QPushButton::clicked, this, [this] {
         const Eigen::AlignedBox3d& bounds = session_.model()->description().bounds;
         editWindow([&bounds](WindowState& window) { window.window.box = {bounds.min(), bounds.max()}; });
     });
@@ -136,7 +134,6 @@ QLayout* RegionPanel::makeValues()
         grid->addWidget(label, row, 0);
         grid->addWidget(slider, row, 1);
     }
-    grid->addWidget(hint_, 2, 0, 1, 2);
     connect(least_, &ValueSlider::edited, this,
             [this](double value) { editValues([value](ValueFilter& values) { values.least = value; }); });
     connect(largest_, &ValueSlider::edited, this,
@@ -169,13 +166,14 @@ void RegionPanel::showQuery()
 {
     const QueryState& query = session_.view().query();
     window_->setChecked(query.window.enabled);
-    windowSettings_->setEnabled(query.window.enabled);
+    windowSettings_->setVisible(query.window.enabled);
+    reset_->setVisible(query.window.enabled);
     from_->setValue(query.window.window.box.least);
     to_->setValue(query.window.window.box.largest);
     border_->setCurrentIndex(
         static_cast<int>(std::ranges::find(borders, query.window.window.border) - borders.begin()));
     values_->setChecked(query.values.enabled);
-    valueSettings_->setEnabled(query.values.enabled);
+    valueSettings_->setVisible(query.values.enabled);
     least_->setValue(query.values.least);
     largest_->setValue(query.values.largest);
 }

@@ -7,7 +7,7 @@
 
 class QCheckBox;
 class QComboBox;
-class QLabel;
+class QPushButton;
 
 namespace tetra {
 
@@ -39,7 +39,7 @@ private:
     QWidget* valueSettings_;
     ValueSlider* least_;
     ValueSlider* largest_;
-    QLabel* hint_;
+    QPushButton* reset_;
 };
 
 } // namespace tetra

@@ -12,8 +12,11 @@ namespace {
 
 /// The least that a region may measure, as a part of the diagonal: less cannot be seen or grabbed.
 constexpr double leastPart = 1e-3;
-/// What the smaller of a budget's errors is before the budget makes it larger, %: less than any sample type resolves.
-constexpr double finestWithBudget = 1e-4;
+/// Errors that the budget makes larger are no less than this before it does, %: it is finer than what 16 bits resolve,
+/// and what is looked at grows with what is asked for.
+constexpr double finestWithBudget = 1e-3;
+/// A mesh that varies is never much better anywhere than the uniform one of the same size: this is room enough.
+constexpr double roomForScale = 4;
 /// The round numbers of a decade.
 constexpr std::array<double, 6> roundNumbers{1, 1.5, 2, 3, 5, 7};
 
@@ -129,7 +132,7 @@ QueryState startingQuery(const Model& model, double error)
     query.focus.centre = bounds.center();
     query.focus.size = bounds.sizes() / 4;
     query.focus.radius = model.diagonal() / 10;
-    query.focus.falloff = model.diagonal() / 40;
+    query.focus.falloff = 0; // the fewest tetrahedra
     // The finest preset that is not more than a quarter: a difference that is seen.
     query.focus.error = 0;
     for (const double preset : accuracyPresets)
@@ -158,8 +161,8 @@ MeshQuery meshQuery(const QueryState& query, const Model& model)
     MeshQuery result;
     if (query.byBudget) {
         result.budget = query.budget;
-        const double finer = query.focus.isOn() ? std::min(inner, outer) : outer;
-        const double factor = finer > finestWithBudget ? finestWithBudget / finer : 1;
+        const double larger = std::max({query.focus.isOn() ? inner : 0, outer, finestWithBudget});
+        const double factor = errorWithin(model, query.budget) / roomForScale / larger;
         inner = std::max(inner * factor, finestWithBudget);
         outer = std::max(outer * factor, finestWithBudget);
     }
@@ -179,7 +182,7 @@ double errorWithin(const Model& model, std::uint64_t budget)
     const auto fits = [&](double error) { return meshSizeAt(model, bothWithin(error)).tetrahedra <= budget; };
     if (fits(0))
         return 0;
-    double tooFine = finestWithBudget;
+    double tooFine = finestWithBudget / 10;
     double fine = 100;
     if (fits(tooFine))
         return tooFine;

@@ -82,8 +82,8 @@ QueryState startingQuery(const Model& model, double error);
 /// was `before`.
 QueryState corrected(QueryState query, const QueryState& before, const Model& model);
 
-/// What to ask the model for. By budget the errors are made as small as can be before the budget makes them larger, so
-/// that it is used up, in the same proportion.
+/// What to ask the model for. By budget the errors keep their proportion, but are smaller than the budget can allow, so
+/// that it makes them larger and is used up.
 MeshQuery meshQuery(const QueryState& query, const Model& model);
 
 /// The error that a uniform mesh reaches with at most so many tetrahedra, in %: known without extracting it.

@@ -3,7 +3,9 @@
 
 #include "core/model/queries/mesh_extractor.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <mutex>
 #include <new>
 #include <optional>
@@ -11,13 +13,22 @@
 namespace tetra {
 namespace {
 
-/// A scene that takes longer than this is given up for a newer one; a quicker one is finished and shown, so that the
-/// picture follows a slider that is being dragged.
-constexpr auto patience = std::chrono::milliseconds(300);
+/// A scene is given up for a newer one if it takes longer than this, or much longer than the last one took, so that the
+/// picture follows a slider or a focus that is being dragged as quickly as scenes can be made; but never longer than
+/// the second.
+constexpr auto leastPatience = std::chrono::milliseconds(300);
+constexpr auto mostPatience = std::chrono::milliseconds(2500);
+constexpr double muchLonger = 1.5;
 
 double secondsSince(std::chrono::steady_clock::time_point start)
 {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::chrono::milliseconds patienceFor(double seconds)
+{
+    const auto wanted = std::chrono::milliseconds(std::llround(1000 * muchLonger * seconds));
+    return std::clamp(wanted, leastPatience, mostPatience);
 }
 
 Error outOfMemory()
@@ -109,7 +120,10 @@ void SceneBuilder::Workshop::clear()
     extractor.reset();
 }
 
-SceneBuilder::SceneBuilder(QObject* parent) : QObject(parent), workshop_(std::make_shared<Workshop>()) {}
+SceneBuilder::SceneBuilder(QObject* parent)
+    : QObject(parent), patience_(leastPatience), workshop_(std::make_shared<Workshop>())
+{
+}
 
 SceneBuilder::~SceneBuilder() = default;
 
@@ -122,7 +136,7 @@ void SceneBuilder::request(SceneRequest request)
             QMetaObject::invokeMethod(
                 this, [this, number, result = std::move(result)] { arrived(number, result); }, Qt::QueuedConnection);
         },
-        patience);
+        patience_);
 }
 
 std::shared_ptr<const ExtractedMesh> SceneBuilder::mesh() const
@@ -145,6 +159,8 @@ void SceneBuilder::arrived(quint64 number, const Result<BuiltScene>& result)
         return;
     if (number == newest_)
         setBusy(false);
+    if (result)
+        patience_ = patienceFor(result->extractionSeconds + result->sceneSeconds);
     if (result)
         emit sceneReady(*result);
     else if (result.error().kind != ErrorKind::Cancelled)

@@ -10,6 +10,7 @@
 
 #include <QObject>
 
+#include <chrono>
 #include <memory>
 
 namespace tetra {
@@ -63,6 +64,7 @@ private:
     quint64 newest_ = 0;
     quint64 cleared_ = 0; ///< requests up to this number are dropped
     bool busy_ = false;
+    std::chrono::milliseconds patience_;
     std::shared_ptr<Workshop> workshop_;
     LatestJob job_;
 };
