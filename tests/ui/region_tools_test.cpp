@@ -227,7 +227,12 @@ void RegionToolsTest::keysMoveWhatIsSelected()
     QCOMPARE(tools().selected(), RegionKind::None);
     QTest::keyClick(&viewport, Qt::Key_Left);
     QVERIFY(viewport.camera().azimuth != azimuth);
-    tools().select(RegionKind::Focus);
+    trigger("action.window");
+    for (const RegionKind next : {RegionKind::None, RegionKind::Focus, RegionKind::Window, RegionKind::None,
+                                  RegionKind::Focus}) {
+        QTest::keyClick(&viewport, Qt::Key_Return);
+        QCOMPARE(tools().selected(), next);
+    }
     QTest::keyClick(&viewport, Qt::Key_Delete);
     QVERIFY(!query().focus.isOn());
 }
@@ -360,6 +365,10 @@ void RegionToolsTest::aBudgetKeepsTheCount()
     QVERIFY(window_->find<QRadioButton>("accuracy.byBudget").isChecked());
     QTest::keyClick(&box, Qt::Key_Up);
     QCOMPARE(query().budget, std::uint64_t{15'000});
+    window_->find<QRadioButton>("accuracy.byError").click();
+    QVERIFY(!query().byBudget);
+    QTest::keyClick(&box, Qt::Key_Return); // the number that stands there
+    QVERIFY(query().byBudget);
 }
 
 void RegionToolsTest::theLineOfTheBudgetIsDragged()

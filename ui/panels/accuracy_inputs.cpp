@@ -5,6 +5,7 @@
 #include "ui/session/query_state.h"
 
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QSignalBlocker>
 #include <QStyle>
 #include <QStyleOptionSlider>
@@ -105,6 +106,8 @@ BudgetBox::BudgetBox(QWidget* parent) : QSpinBox(parent)
     setAccessibleName(tr("Most tetrahedra"));
     setToolTip(tr("The mesh is as good as so many tetrahedra allow"));
     connect(this, &QSpinBox::valueChanged, this, [this](int count) { emit chosen(static_cast<quint64>(count)); });
+    // Also the number that stood there already, if somebody says that it is to hold.
+    connect(lineEdit(), &QLineEdit::returnPressed, this, [this] { emit chosen(static_cast<quint64>(value())); });
 }
 
 void BudgetBox::setBudget(std::uint64_t tetrahedra)

@@ -228,21 +228,22 @@ void AccuracyPanel::showSize()
         label->clear();
     if (!model)
         return;
+    const QueryState& query = session_.view().query();
     const auto& shown = session_.shown();
-    const bool isCurrent = session_.showsQuery();
     const MeshSize planned = session_.meshSize();
-    curve_->setMarked({error.value_or(0), isCurrent ? shown->wholeSites : planned.sites,
-                       isCurrent ? shown->wholeTetrahedra : planned.tetrahedra});
-    const bool isKnown = isCurrent || session_.view().query().isUniform();
-    if (isKnown || shown) {
-        const std::uint64_t sites = isCurrent || !isKnown ? shown->vertices : planned.sites;
-        const std::uint64_t tetrahedra = isCurrent || !isKnown ? shown->tetrahedra : planned.tetrahedra;
+    const bool isPlanned = !session_.showsQuery() && query.isUniform();
+    if (isPlanned || shown) {
+        const std::uint64_t sites = isPlanned ? planned.sites : shown->vertices;
+        const std::uint64_t tetrahedra = isPlanned ? planned.tetrahedra : shown->tetrahedra;
         sites_->setText(countText(sites));
         siteShare_->setText(shareText(static_cast<double>(sites), model->siteCount()));
         tetrahedra_->setText(countText(tetrahedra));
         tetrahedronShare_->setText(shareText(static_cast<double>(tetrahedra),
                                              static_cast<double>(meshSizeAt(*model, bothWithin(0)).tetrahedra)));
     }
+    const bool usesPlanned = isPlanned || !shown;
+    curve_->setMarked({error.value_or(query.error), usesPlanned ? planned.sites : shown->wholeSites,
+                       usesPlanned ? planned.tetrahedra : shown->wholeTetrahedra});
     if (shown && saysMore(*shown))
         outcome_->setText(meshText(*shown, *model));
     outcome_->setVisible(!outcome_->text().isEmpty());

@@ -130,8 +130,8 @@ QueryState startingQuery(const Model& model, double error)
     QueryState query;
     query.error = error;
     query.focus.centre = bounds.center();
-    query.focus.size = bounds.sizes() / 4;
-    query.focus.radius = model.diagonal() / 10;
+    query.focus.size = bounds.sizes() / 5;
+    query.focus.radius = model.diagonal() / 16;
     query.focus.falloff = 0; // the fewest tetrahedra
     // The finest preset that is not more than a quarter: a difference that is seen.
     query.focus.error = 0;

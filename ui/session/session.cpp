@@ -38,6 +38,7 @@ void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> iso
 void Session::grow(std::shared_ptr<const Model> model)
 {
     model_ = std::move(model);
+    shown_.reset();
     emit modelGrown();
     if (undoStack_.count() == 0)
         view_.setQuery(startingQuery(*model_, startingError(*model_)));

@@ -20,10 +20,12 @@ void drawLine(QPainter& painter, const PictureProjection& projection, const Eige
         painter.drawLine(*from, *to);
 }
 
-void paintOutline(QPainter& painter, const PictureProjection& projection, const MovableRegion& place, QColor colour)
+void paintOutline(QPainter& painter, const PictureProjection& projection, const MovableRegion& place,
+                  const RegionLook& look)
 {
-    colour.setAlphaF(hiddenOpacity);
-    painter.setPen(QPen(colour, 1));
+    QColor colour = look.colour;
+    colour.setAlphaF(look.dragged ? 1 : hiddenOpacity);
+    painter.setPen(QPen(colour, look.dragged ? 1.5 : 1));
     const LineSet lines = outlineOf(place, {}, 1);
     for (const auto& [first, second] : lines.segments)
         drawLine(painter, projection, lines.points[first].cast<double>(), lines.points[second].cast<double>());
@@ -59,7 +61,7 @@ QColor regionColour(RegionKind kind, const QPalette& palette)
 void paintRegion(QPainter& painter, const PictureProjection& projection, const MovableRegion& place,
                  const std::vector<RegionHandle>& handles, const RegionLook& look)
 {
-    paintOutline(painter, projection, place, look.colour);
+    paintOutline(painter, projection, place, look);
     for (const RegionHandle& handle : handles)
         if (const auto pixel = projection.pixelOf(handle.place))
             paintHandle(painter, handle, *pixel, look);

@@ -15,6 +15,7 @@ struct RegionLook {
     QColor colour;
     QColor rim;
     bool selected = false;
+    bool dragged = false; ///< then the picture has no outline of it
     std::optional<RegionHandle> hovered;
 };
 

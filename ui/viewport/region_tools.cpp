@@ -109,6 +109,7 @@ bool RegionTools::press(const QMouseEvent& event)
     drag_ = RegionDrag{query().place(selected_), grip->handle, viewport_.projection(), pointer_};
     session_.beginGesture();
     viewport_.setCursor(Qt::ClosedHandCursor);
+    showOutlines();
     return true;
 }
 
@@ -161,7 +162,7 @@ void RegionTools::endDrag()
     session_.endGesture();
     viewport_.unsetCursor();
     hover(gripAt(pointer_));
-    update();
+    showOutlines();
 }
 
 void RegionTools::cancelDrag()
@@ -175,6 +176,8 @@ bool RegionTools::keyPress(const QKeyEvent& event)
 {
     if (drag_)
         return keyWhileDragging(event);
+    if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter)
+        return selectNext();
     if (selected_ == RegionKind::None)
         return false;
     switch (event.key()) {
@@ -182,6 +185,16 @@ bool RegionTools::keyPress(const QKeyEvent& event)
     case Qt::Key_Delete: session_.setQuery(query().without(selected_)); return true;
     default: return moveByKey(event);
     }
+}
+
+/// Focus, window, neither; false if there is none.
+bool RegionTools::selectNext()
+{
+    const bool focusIsNext = selected_ == RegionKind::None && query().has(RegionKind::Focus);
+    const bool windowIsNext = selected_ != RegionKind::Window && query().has(RegionKind::Window);
+    const RegionKind before = selected_;
+    select(focusIsNext ? RegionKind::Focus : windowIsNext ? RegionKind::Window : RegionKind::None);
+    return selected_ != before;
 }
 
 bool RegionTools::keyWhileDragging(const QKeyEvent& event)
@@ -261,15 +274,21 @@ void RegionTools::followQuery()
     update();
 }
 
+/// In the picture, where surfaces hide them; but not what is being dragged: a new picture takes longer than the pointer
+/// to move on.
 void RegionTools::showOutlines()
 {
-    std::vector<LineSet> outlines;
+    std::vector<Outlined> outlined;
     for (const RegionKind kind : kinds)
-        if (query().has(kind)) {
-            const QColor colour = regionColour(kind, palette());
-            outlines.push_back(outlineOf(query().place(kind), {colour.redF(), colour.greenF(), colour.blueF()},
-                                         outlineWidth * static_cast<float>(devicePixelRatioF())));
-        }
+        if (query().has(kind) && !(drag_ && kind == selected_))
+            outlined.push_back({query().place(kind), regionColour(kind, palette())});
+    if (outlined == outlined_)
+        return;
+    outlined_ = std::move(outlined);
+    std::vector<LineSet> outlines;
+    for (const auto& [place, colour] : outlined_)
+        outlines.push_back(outlineOf(place, {colour.redF(), colour.greenF(), colour.blueF()},
+                                     outlineWidth * static_cast<float>(devicePixelRatioF())));
     viewport_.setOutlines(std::move(outlines));
 }
 
@@ -289,7 +308,7 @@ void RegionTools::paintEvent(QPaintEvent* event)
     for (const RegionKind kind : kinds) {
         if (!query().has(kind))
             continue;
-        RegionLook look{regionColour(kind, palette()), palette().color(QPalette::Base), kind == selected_, {}};
+        RegionLook look{regionColour(kind, palette()), palette().color(QPalette::Base), kind == selected_, drag_ && kind == selected_, {}};
         if (drag_ && look.selected)
             look.hovered = drag_->handle;
         else if (hovered_ && hovered_->region == kind)

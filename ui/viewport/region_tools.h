@@ -4,6 +4,7 @@
 #include "ui/session/session.h"
 #include "ui/viewport/region_handles.h"
 
+#include <QColor>
 #include <QWidget>
 
 class QKeyEvent;
@@ -53,6 +54,7 @@ private:
     bool keyPress(const QKeyEvent& event);
     bool keyRelease(const QKeyEvent& event);
     bool keyWhileDragging(const QKeyEvent& event);
+    bool selectNext();
     bool moveByKey(const QKeyEvent& event);
     void drag(Qt::KeyboardModifiers modifiers);
     void endDrag();
@@ -61,8 +63,16 @@ private:
     void followQuery();
     void showOutlines();
 
+    /// What an outline was made of.
+    struct Outlined {
+        MovableRegion place;
+        QColor colour;
+        bool operator==(const Outlined&) const = default;
+    };
+
     Session& session_;
     Viewport& viewport_;
+    std::vector<Outlined> outlined_;
     RegionKind selected_ = RegionKind::None;
     bool focusWasOn_ = false;
     bool windowWasOn_ = false;

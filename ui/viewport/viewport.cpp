@@ -67,7 +67,7 @@ void Viewport::setOutlines(std::vector<LineSet> outlines)
     if (outlines.empty() && outlines_.empty())
         return;
     outlines_ = std::move(outlines);
-    showWhileMoving();
+    show();
 }
 
 /// The scene with the outlines, which may stick out of the domain.
@@ -84,14 +84,6 @@ void Viewport::show()
         view_.scene = std::move(scene);
     }
     canvas_->show(view_);
-}
-
-/// Coarsely if that is quicker, until nothing moves any more.
-void Viewport::showWhileMoving()
-{
-    view_.moving = true;
-    resting_.start();
-    show();
 }
 
 void Viewport::fit(const Eigen::AlignedBox3d& bounds)

@@ -53,7 +53,6 @@ private:
     void followPalette();
     void moveCamera(const Camera& camera);
     void show();
-    void showWhileMoving();
     void rest();
 
     std::shared_ptr<const Scene> scene_;
