@@ -847,10 +847,6 @@
         <translation>des Bereichs, ± %1</translation>
     </message>
     <message>
-        <source>of the range, ± %1; warping %2</source>
-        <translation>des Bereichs, ± %1; Verwerfung %2</translation>
-    </message>
-    <message>
         <source>What the percentage means in units of the data. Of curvilinear data it holds for the error and for the warping: the distance of the mesh from the grid, in percent of the diagonal of the box around it.</source>
         <translation>Was der Prozentsatz in Einheiten der Daten heißt. Bei krummlinigen Daten gilt er für den Fehler und für die Verwerfung: den Abstand des Netzes vom Gitter, in Prozent der Diagonale des Quaders darum.</translation>
     </message>
@@ -873,6 +869,12 @@
     <message>
         <source>Err&amp;or</source>
         <translation>Fehle&amp;r</translation>
+    </message>
+    <message>
+        <source>± %1 in value
+warping %2</source>
+        <translation>± %1 im Wert
+Verwerfung %2</translation>
     </message>
 </context>
 <context>
@@ -1136,10 +1138,6 @@
         <translation>Ort, Größe, Fehler und Übergang wie am Anfang</translation>
     </message>
     <message>
-        <source>The budget makes the error outside %1 times that in the focus.</source>
-        <translation>Mit dem Budget ist der Fehler außerhalb das %1-fache dessen im Fokus.</translation>
-    </message>
-    <message>
         <source>Outside %1, as chosen under Accuracy.</source>
         <translation>Außerhalb %1, wie unter Genauigkeit gewählt.</translation>
     </message>
@@ -1166,6 +1164,10 @@
     <message>
         <source>Reset</source>
         <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>With the budget the error outside is %1 times this one.</source>
+        <translation>Mit dem Budget ist der Fehler außerhalb das %1-fache davon.</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
@@ -42,6 +43,7 @@ private slots:
     void valuesChooseTetrahedra();
     void theMeshIsSaved();
     void aMeshThatCannotBeSavedIsTold();
+    void savingIsCancelledAndLeavesNoFile();
     void outlinesDoNotBelongToThePicture();
 
 private:
@@ -228,8 +230,8 @@ void RegionToolsTest::keysMoveWhatIsSelected()
     QTest::keyClick(&viewport, Qt::Key_Left);
     QVERIFY(viewport.camera().azimuth != azimuth);
     trigger("action.window");
-    for (const RegionKind next : {RegionKind::None, RegionKind::Focus, RegionKind::Window, RegionKind::None,
-                                  RegionKind::Focus}) {
+    for (const RegionKind next :
+         {RegionKind::None, RegionKind::Focus, RegionKind::Window, RegionKind::None, RegionKind::Focus}) {
         QTest::keyClick(&viewport, Qt::Key_Return);
         QCOMPARE(tools().selected(), next);
     }
@@ -455,6 +457,23 @@ void RegionToolsTest::aMeshThatCannotBeSavedIsTold()
     window_->workbench.saveMesh(window_->folder.filePath("mesh.stl").toStdString());
     QTRY_COMPARE(window_->messages().size(), 2);
     QVERIFY(!window_->find<QWidget>("status.saving").isVisible());
+}
+
+void RegionToolsTest::savingIsCancelledAndLeavesNoFile()
+{
+    const QString path = window_->folder.filePath("mesh.vtu");
+    const QStringList files = QDir(window_->folderPath().c_str()).entryList(QDir::Files);
+    QSignalSpy saved(&window_->workbench, &Workbench::meshSaved);
+    LongTask& saving = window_->workbench.savingMesh();
+    window_->workbench.saveMesh(path.toStdString());
+    QVERIFY(saving.running());
+    saving.cancel();
+    QTRY_VERIFY(!saving.running());
+    // Either it was cancelled in time, and nothing is left, or it was finished before it heard of that.
+    QCOMPARE(QFile::exists(path), saved.count() == 1);
+    if (saved.empty())
+        QCOMPARE(QDir(window_->folderPath().c_str()).entryList(QDir::Files), files);
+    QCOMPARE(window_->messages(), QStringList()); // who cancels knows
 }
 
 void RegionToolsTest::outlinesDoNotBelongToThePicture()

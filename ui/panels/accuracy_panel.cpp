@@ -210,8 +210,8 @@ void AccuracyPanel::showError(double error)
         return inUnits_->clear();
     const QString byError = QLocale().toString(error / 100 * session_.range().extent(), 'g', 3);
     if (model->description().warpingWeight > 0)
-        inUnits_->setText(tr("of the range, ± %1; warping %2")
-                              .arg(byError, QLocale().toString(error / 100 * model->diagonal(), 'g', 3)));
+        inUnits_->setText(
+            tr("± %1 in value\nwarping %2").arg(byError, QLocale().toString(error / 100 * model->diagonal(), 'g', 3)));
     else
         inUnits_->setText(tr("of the range, ± %1").arg(byError));
 }

@@ -249,7 +249,7 @@ void FocusPanel::showExpectation()
     if (!model || !query.focus.isOn())
         return;
     if (query.byBudget) {
-        outside_->setText(tr("The budget makes the error outside %1 times that in the focus.")
+        outside_->setText(tr("With the budget the error outside is %1 times this one.")
                               .arg(QLocale().toString(query.error / std::max(query.focus.error, 1e-3), 'g', 3)));
         return;
     }
