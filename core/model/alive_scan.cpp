@@ -69,30 +69,45 @@ AliveScan scanWithSse2(const Stars& stars, std::uint32_t sites, Tetrahedron* out
     return {out, lastRight && (_mm_movemask_epi8(right) & threeNumbers) == threeNumbers};
 }
 
-/// Four tetrahedra at a time: 12 numbers are spread to 16, the living ones pushed together.
+/// The four lanes of each of four tetrahedra, for each set of them.
+constexpr std::array<std::uint16_t, 16> lanesOf = {0x0000, 0x000f, 0x00f0, 0x00ff, 0x0f00, 0x0f0f, 0x0ff0, 0x0fff,
+                                                   0xf000, 0xf00f, 0xf0f0, 0xf0ff, 0xff00, 0xff0f, 0xfff0, 0xffff};
+
+/// Four tetrahedra at a time: 12 numbers are spread to 16, the living ones pushed together. All but the last few of a
+/// star go without masks for what is there.
 [[gnu::target("avx512f,avx512vl,avx512bw,bmi2,popcnt")]] AliveScan scanWithAvx512(const Stars& stars,
                                                                                   std::uint32_t sites, Tetrahedron* out)
 {
     constexpr std::uint32_t otherLanes = 0xeeee; // all but the creators'
+    constexpr __mmask16 twelve = 0x0fff;
     const __m512i spread = _mm512_set_epi32(11, 10, 9, 0, 8, 7, 6, 0, 5, 4, 3, 0, 2, 1, 0, 0);
     const __m128i bound = _mm_set1_epi32(static_cast<int>(sites));
-    std::uint32_t wrong = 0;
+    __mmask16 wrong = 0;
     for (std::size_t star = 0; star + 1 < stars.offsets.size(); ++star) {
         const std::uint32_t creator = stars.firstSite + static_cast<std::uint32_t>(star);
         const __m512i creators = _mm512_set1_epi32(static_cast<int>(creator));
         const std::uint64_t end = stars.offsets[star + 1];
-        for (std::uint64_t t = stars.offsets[star]; t < end; t += 4) {
-            const auto present = static_cast<std::uint32_t>(0xf >> (4 - std::min<std::uint64_t>(4, end - t)));
+        std::uint64_t t = stars.offsets[star];
+        for (; t + 4 <= end; t += 4) {
+            const __m128i destroyers = _mm_loadu_si128(reinterpret_cast<const __m128i*>(stars.destroyers.data() + t));
+            const std::uint32_t alive = _mm_cmpge_epu32_mask(destroyers, bound);
+            const __m512i numbers = _mm512_maskz_loadu_epi32(twelve, stars.otherSites.data() + t);
+            const __m512i four = _mm512_mask_permutexvar_epi32(creators, otherLanes, spread, numbers);
+            wrong = _kor_mask16(wrong, _mm512_mask_cmpge_epu32_mask(otherLanes, four, creators));
+            _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(lanesOf[alive], four));
+            out += __builtin_popcount(alive);
+        }
+        if (t < end) {
+            const auto present = static_cast<std::uint32_t>(0xf >> (4 - (end - t)));
             const auto presentNumbers = static_cast<__mmask16>(_pdep_u32(present, 0x249) * 0x7);
-            const auto presentLanes = _pdep_u32(present, 0x1111) * 0xf;
             const std::uint32_t alive = _mm_mask_cmpge_epu32_mask(
                 static_cast<__mmask8>(present),
                 _mm_maskz_loadu_epi32(static_cast<__mmask8>(present), stars.destroyers.data() + t), bound);
             const __m512i numbers = _mm512_maskz_loadu_epi32(presentNumbers, stars.otherSites.data() + t);
             const __m512i four = _mm512_mask_permutexvar_epi32(creators, otherLanes, spread, numbers);
-            wrong |= _mm512_mask_cmpge_epu32_mask(static_cast<__mmask16>(presentLanes & otherLanes), four, creators);
-            const auto aliveLanes = static_cast<__mmask16>(_pdep_u32(alive, 0x1111) * 0xf);
-            _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(aliveLanes, four));
+            const auto otherNumbers = static_cast<__mmask16>(lanesOf[present] & otherLanes);
+            wrong = _kor_mask16(wrong, _mm512_mask_cmpge_epu32_mask(otherNumbers, four, creators));
+            _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(lanesOf[alive], four));
             out += __builtin_popcount(alive);
         }
     }
