@@ -63,7 +63,7 @@ AccuracyCurve::AccuracyCurve(QWidget* parent) : QWidget(parent)
 {
     setObjectName("accuracy.curve");
     setFocusPolicy(Qt::StrongFocus);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setMaximumHeight(tallest);
     setCursor(Qt::CrossCursor);
     setMouseTracking(true);
@@ -104,7 +104,7 @@ int AccuracyCurve::rightMargin() const
 
 QSize AccuracyCurve::sizeHint() const
 {
-    return {300, 200};
+    return {300, 130}; // and what room there is
 }
 
 QSize AccuracyCurve::minimumSizeHint() const

@@ -7,6 +7,7 @@
 #include "ui/session/number_text.h"
 #include "ui/widgets/checked_button.h"
 #include "ui/widgets/gesture_watcher.h"
+#include "ui/widgets/scrolled_column.h"
 
 #include <QEvent>
 #include <QGridLayout>
@@ -67,7 +68,8 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
                                   curve_->rightMargin() - slider_->handleInset(), 0);
     alongAxis->addWidget(slider_);
 
-    auto* layout = new QVBoxLayout(this);
+    auto* content = new QWidget;
+    auto* layout = new QVBoxLayout(content);
     layout->addWidget(curve_, 1);
     layout->addLayout(alongAxis);
     layout->addLayout(makePresets());
@@ -76,6 +78,9 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
     layout->addWidget(outcome_);
     layout->addWidget(limit_);
     layout->addStretch();
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins({});
+    outer->addWidget(new ScrolledColumn(content));
     connectInputs();
     showModel();
 }

@@ -7,6 +7,7 @@
 #include "ui/widgets/checked_button.h"
 #include "ui/widgets/gesture_watcher.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/scrolled_column.h"
 #include "ui/widgets/value_box.h"
 #include "ui/widgets/value_slider.h"
 #include "ui/widgets/vector_input.h"
@@ -15,7 +16,6 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -68,14 +68,9 @@ FocusPanel::FocusPanel(Session& session, QWidget* parent)
     layout->addWidget(hint_);
     layout->addWidget(settings_);
     layout->addStretch();
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(content);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins({});
-    outer->addWidget(scroll);
+    outer->addWidget(new ScrolledColumn(content));
 
     connectInputs();
     connect(&session_, &Session::modelChanged, this, &FocusPanel::showModel);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/region_panel.h"
 
+#include "ui/widgets/scrolled_column.h"
 #include "ui/widgets/value_box.h"
 #include "ui/widgets/value_slider.h"
 #include "ui/widgets/vector_input.h"
@@ -10,7 +11,6 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -48,14 +48,9 @@ RegionPanel::RegionPanel(Session& session, QWidget* parent)
     layout->addWidget(values_);
     layout->addWidget(valueSettings_);
     layout->addStretch();
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(content);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins({});
-    outer->addWidget(scroll);
+    outer->addWidget(new ScrolledColumn(content));
 
     connect(window_, &QCheckBox::clicked, this,
             [this](bool on) { editWindow([on](WindowState& window) { window.enabled = on; }); });
