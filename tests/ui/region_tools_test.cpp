@@ -230,6 +230,11 @@ void RegionToolsTest::aDoubleClickBringsTheFocusToASurface()
     QTRY_VERIFY(upToDate());
     QTest::mouseDClick(&viewport, Qt::LeftButton, {}, {2, 2});
     QCOMPARE(query().focus.centre, aside.centre);
+    QTest::mouseDClick(&viewport, Qt::LeftButton, {}, pixelOf(0)); // grabbed twice, and let go
+    QVERIFY(tools().dragging());
+    QTest::mouseRelease(&viewport, Qt::LeftButton, {}, pixelOf(0));
+    QVERIFY(!tools().dragging());
+    QCOMPARE(query().focus.centre, aside.centre);
     QTest::mouseDClick(&viewport, Qt::LeftButton, {}, middle + QPoint(40, 30));
     QVERIFY(query().focus.centre != aside.centre);
     QVERIFY(

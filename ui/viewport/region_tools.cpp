@@ -33,11 +33,7 @@ RegionTools::RegionTools(Session& session, Viewport& viewport)
     setGeometry(viewport.rect());
     viewport.installEventFilter(this);
     connect(&viewport, &Viewport::cameraChanged, this, qOverload<>(&QWidget::update));
-    connect(&session, &Session::modelChanged, this, [this] {
-        drag_.reset();
-        selected_ = RegionKind::None;
-        followQuery();
-    });
+    connect(&session, &Session::modelChanged, this, &RegionTools::followQuery);
     connect(&session.view(), &ViewState::queryChanged, this, &RegionTools::followQuery);
 }
 
@@ -83,12 +79,12 @@ bool RegionTools::eventFilter(QObject* watched, QEvent* event)
     case QEvent::MouseButtonPress: return press(*static_cast<QMouseEvent*>(event));
     case QEvent::MouseMove: return move(*static_cast<QMouseEvent*>(event));
     case QEvent::MouseButtonRelease: return release(*static_cast<QMouseEvent*>(event));
-    case QEvent::MouseButtonDblClick: return placeUnderPointer(*static_cast<QMouseEvent*>(event));
+    case QEvent::MouseButtonDblClick: return doubleClick(*static_cast<QMouseEvent*>(event));
     case QEvent::KeyPress: return keyPress(*static_cast<QKeyEvent*>(event));
     case QEvent::KeyRelease: return keyRelease(*static_cast<QKeyEvent*>(event));
     case QEvent::Wheel: return drag_.has_value();
     case QEvent::Leave: hover(std::nullopt); break;
-    case QEvent::FocusOut: session_.endGesture(); break;
+    case QEvent::FocusOut: letGo(); break;
     case QEvent::Resize: setGeometry(viewport_.rect()); break;
     default: break;
     }
@@ -134,9 +130,12 @@ bool RegionTools::release(const QMouseEvent& event)
     return drag_ || std::exchange(cancelled_, false);
 }
 
-/// A focus goes to the place on a surface that was clicked.
-bool RegionTools::placeUnderPointer(const QMouseEvent& event)
+/// A focus goes to the place on a surface that was clicked. A handle that is grabbed twice in quick succession is
+/// grabbed.
+bool RegionTools::doubleClick(const QMouseEvent& event)
 {
+    if (press(event))
+        return true;
     if (!query().has(RegionKind::Focus) || !viewport_.scene() || event.button() != Qt::LeftButton)
         return false;
     const auto place = placeSeenAt(*viewport_.scene(), viewport_.projection(), event.position());
@@ -163,6 +162,13 @@ void RegionTools::endDrag()
     viewport_.unsetCursor();
     hover(gripAt(pointer_));
     showOutlines();
+}
+
+void RegionTools::letGo()
+{
+    if (drag_)
+        endDrag();
+    session_.endGesture();
 }
 
 void RegionTools::cancelDrag()

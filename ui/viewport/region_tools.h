@@ -50,7 +50,7 @@ private:
     bool press(const QMouseEvent& event);
     bool move(const QMouseEvent& event);
     bool release(const QMouseEvent& event);
-    bool placeUnderPointer(const QMouseEvent& event);
+    bool doubleClick(const QMouseEvent& event);
     bool keyPress(const QKeyEvent& event);
     bool keyRelease(const QKeyEvent& event);
     bool keyWhileDragging(const QKeyEvent& event);
@@ -58,6 +58,7 @@ private:
     bool moveByKey(const QKeyEvent& event);
     void drag(Qt::KeyboardModifiers modifiers);
     void endDrag();
+    void letGo();
     void cancelDrag();
     void hover(const std::optional<Grip>& grip);
     void followQuery();
