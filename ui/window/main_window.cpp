@@ -35,7 +35,7 @@ namespace tetra {
 namespace {
 
 constexpr QSize firstSize(1280, 800);
-constexpr int dockWidth = 330;
+constexpr int dockWidth = 356;
 constexpr int accuracyHeight = 440;
 constexpr const char* geometryKey = "window/geometry";
 constexpr const char* layoutKey = "window/layout";
