@@ -167,6 +167,18 @@
         <source>Tools</source>
         <translation>Werkzeuge</translation>
     </message>
+    <message>
+        <source>Save &amp;Mesh…</source>
+        <translation>&amp;Netz speichern …</translation>
+    </message>
+    <message>
+        <source>Save the mesh that is seen, for VTK, ParaView and others</source>
+        <translation>Das gezeigte Netz speichern, für VTK, ParaView und andere</translation>
+    </message>
+    <message>
+        <source>&amp;Region</source>
+        <translation>Be&amp;reich</translation>
+    </message>
 </context>
 <context>
     <name>AddIsovalue</name>
@@ -176,17 +188,33 @@
     </message>
 </context>
 <context>
-    <name>ChangeError</name>
-    <message>
-        <source>change of accuracy</source>
-        <translation>Änderung der Genauigkeit</translation>
-    </message>
-</context>
-<context>
     <name>ChangeIsovalue</name>
     <message>
         <source>change of isovalue</source>
         <translation>Änderung des Isowerts</translation>
+    </message>
+</context>
+<context>
+    <name>ChangeQuery</name>
+    <message>
+        <source>change of focus</source>
+        <translation>Änderung des Fokus</translation>
+    </message>
+    <message>
+        <source>change of window</source>
+        <translation>Änderung des Fensters</translation>
+    </message>
+    <message>
+        <source>change of values</source>
+        <translation>Änderung der Werte</translation>
+    </message>
+    <message>
+        <source>change of budget</source>
+        <translation>Änderung des Budgets</translation>
+    </message>
+    <message>
+        <source>change of accuracy</source>
+        <translation>Änderung der Genauigkeit</translation>
     </message>
 </context>
 <context>
@@ -217,6 +245,57 @@
     <message>
         <source>PNG pictures (*.png)</source>
         <translation>PNG-Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Save Mesh</source>
+        <translation>Netz speichern</translation>
+    </message>
+    <message>
+        <source>VTK XML unstructured grids (*.vtu)</source>
+        <translation>Unstrukturierte Gitter, VTK-XML (*.vtu)</translation>
+    </message>
+    <message>
+        <source>VTK legacy files (*.vtk)</source>
+        <translation>Ältere VTK-Dateien (*.vtk)</translation>
+    </message>
+    <message>
+        <source>PLY files (*.ply)</source>
+        <translation>PLY-Dateien (*.ply)</translation>
+    </message>
+</context>
+<context>
+    <name>MeshText</name>
+    <message>
+        <source>More would take more than %1 tetrahedra.</source>
+        <translation>Genauer brauchte es mehr als %1 Tetraeder.</translation>
+    </message>
+    <message>
+        <source>This is all that the model has.</source>
+        <translation>Mehr hat das Modell nicht.</translation>
+    </message>
+    <message>
+        <source>The model has nothing finer.</source>
+        <translation>Feiner ist das Modell nicht.</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 tetrahedra are shown.</source>
+        <translation>%1 seiner %2 Tetraeder werden gezeigt.</translation>
+    </message>
+    <message>
+        <source>error %1 in the focus, %2 outside</source>
+        <translation>Fehler %1 im Fokus, %2 außerhalb</translation>
+    </message>
+    <message>
+        <source>error %1</source>
+        <translation>Fehler %1</translation>
+    </message>
+    <message>
+        <source>Shown: %1; the warping likewise.</source>
+        <translation>Gezeigt: %1; die Verwerfung ebenso.</translation>
+    </message>
+    <message>
+        <source>Shown: %1.</source>
+        <translation>Gezeigt: %1.</translation>
     </message>
 </context>
 <context>
@@ -620,10 +699,6 @@
         <translation>PLOT3D-Gitter und -Lösung (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)</translation>
     </message>
     <message>
-        <source>Values</source>
-        <translation>Werte</translation>
-    </message>
-    <message>
         <source>Which scalar of the solution: automatic takes the density, or if that is the same everywhere the first that varies.</source>
         <translation>Welcher Skalar der Lösung: automatic nimmt die Dichte, oder wenn sie überall gleich ist, den ersten, der sich ändert.</translation>
     </message>
@@ -721,24 +796,24 @@
         <translation>%1k</translation>
     </message>
     <message>
-        <source>Sites against error</source>
-        <translation>Stützpunkte über dem Fehler</translation>
-    </message>
-    <message>
-        <source>Number of sites needed for each error. Click, drag or use the arrow keys to choose the accuracy.</source>
-        <translation>Zahl der Stützpunkte, die jeder Fehler braucht. Klicken, ziehen oder Pfeiltasten wählen die Genauigkeit.</translation>
-    </message>
-    <message>
-        <source>%1 sites at an error of %2</source>
-        <translation>%1 Stützpunkte bei einem Fehler von %2</translation>
-    </message>
-    <message>
-        <source>Sites</source>
-        <translation>Stützpunkte</translation>
-    </message>
-    <message>
         <source>Error, % of the value range</source>
         <translation>Fehler, % des Wertebereichs</translation>
+    </message>
+    <message>
+        <source>Tetrahedra against error</source>
+        <translation>Tetraeder gegen Fehler</translation>
+    </message>
+    <message>
+        <source>Number of tetrahedra needed for each error. Click, drag or use the arrow keys to choose the accuracy.</source>
+        <translation>Wie viele Tetraeder jeder Fehler braucht. Klicken, ziehen oder Pfeiltasten wählen die Genauigkeit.</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra at an error of %2</source>
+        <translation>%1 Tetraeder bei einem Fehler von %2</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>Tetraeder</translation>
     </message>
 </context>
 <context>
@@ -746,10 +821,6 @@
     <message>
         <source>%1 of all</source>
         <translation>%1 von allen</translation>
-    </message>
-    <message>
-        <source>&amp;Error</source>
-        <translation>&amp;Fehler</translation>
     </message>
     <message>
         <source>Error of %1 of the value range</source>
@@ -776,12 +847,34 @@
         <translation>des Bereichs, ± %1</translation>
     </message>
     <message>
-        <source>of the range, ± %1; warping %2</source>
-        <translation>des Bereichs, ± %1; Verwerfung %2</translation>
-    </message>
-    <message>
         <source>What the percentage means in units of the data. Of curvilinear data it holds for the error and for the warping: the distance of the mesh from the grid, in percent of the diagonal of the box around it.</source>
         <translation>Was der Prozentsatz in Einheiten der Daten heißt. Bei krummlinigen Daten gilt er für den Fehler und für die Verwerfung: den Abstand des Netzes vom Gitter, in Prozent der Diagonale des Quaders darum.</translation>
+    </message>
+    <message>
+        <source>Bu&amp;dget</source>
+        <translation>Bud&amp;get</translation>
+    </message>
+    <message>
+        <source>The smallest mesh with this error</source>
+        <translation>Das kleinste Netz mit diesem Fehler</translation>
+    </message>
+    <message>
+        <source>The best mesh with so many tetrahedra. A focus keeps its proportion to the rest.</source>
+        <translation>Das beste Netz mit so vielen Tetraedern. Ein Fokus behält sein Verhältnis zum Rest.</translation>
+    </message>
+    <message>
+        <source>tetrahedra</source>
+        <translation>Tetraeder</translation>
+    </message>
+    <message>
+        <source>Err&amp;or</source>
+        <translation>Fehle&amp;r</translation>
+    </message>
+    <message>
+        <source>± %1 in value
+warping %2</source>
+        <translation>± %1 im Wert
+Verwerfung %2</translation>
     </message>
 </context>
 <context>
@@ -793,6 +886,17 @@
     <message>
         <source>Error in percent of the value range: coarse on the left, every sample exact on the right</source>
         <translation>Fehler in Prozent des Wertebereichs: links grob, ganz rechts jeder Abtastwert genau</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::BudgetBox</name>
+    <message>
+        <source>Most tetrahedra</source>
+        <translation>Höchstzahl der Tetraeder</translation>
+    </message>
+    <message>
+        <source>The mesh is as good as so many tetrahedra allow</source>
+        <translation>Das Netz ist so gut, wie es so viele Tetraeder erlauben</translation>
     </message>
 </context>
 <context>
@@ -956,6 +1060,117 @@
     </message>
 </context>
 <context>
+    <name>tetra::FocusPanel</name>
+    <message>
+        <source>A part of the domain with an error of its own. Choose a shape, then drag its handles in the picture; a double click on a surface brings the focus there.</source>
+        <translation>Ein Teil des Gebiets mit eigenem Fehler. Eine Form wählen, dann die Griffe im Bild ziehen; ein Doppelklick auf eine Fläche holt den Fokus dorthin.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
+    </message>
+    <message>
+        <source>The same error everywhere</source>
+        <translation>Überall derselbe Fehler</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>A box with an error of its own (B)</source>
+        <translation>Ein Quader mit eigenem Fehler (B)</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>A sphere with an error of its own (F)</source>
+        <translation>Eine Kugel mit eigenem Fehler (F)</translation>
+    </message>
+    <message>
+        <source>&amp;Centre</source>
+        <translation>&amp;Mitte</translation>
+    </message>
+    <message>
+        <source>Centre of the focus, in the coordinates of the data</source>
+        <translation>Mitte des Fokus, in den Koordinaten der Daten</translation>
+    </message>
+    <message>
+        <source>&amp;Size</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>Edges of the box, in the lengths of the data</source>
+        <translation>Kanten des Quaders, in den Längen der Daten</translation>
+    </message>
+    <message>
+        <source>Radius of the sphere</source>
+        <translation>Radius der Kugel</translation>
+    </message>
+    <message>
+        <source>Radius of the sphere, in the lengths of the data</source>
+        <translation>Radius der Kugel, in den Längen der Daten</translation>
+    </message>
+    <message>
+        <source>Fall-off</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>The length over which the error grows from that in the focus to that outside, in the lengths of the data; 0 is a sharp border</source>
+        <translation>Die Länge, über die der Fehler von dem im Fokus auf den außerhalb wächst, in den Längen der Daten; 0 ist eine scharfe Grenze</translation>
+    </message>
+    <message>
+        <source>Error in the focus</source>
+        <translation>Fehler im Fokus</translation>
+    </message>
+    <message>
+        <source>Error in the focus, in percent of the value range</source>
+        <translation>Fehler im Fokus in Prozent des Wertebereichs</translation>
+    </message>
+    <message>
+        <source>Move the focus to what the camera looks at (C)</source>
+        <translation>Den Fokus dorthin holen, wohin die Kamera blickt (C)</translation>
+    </message>
+    <message>
+        <source>Place, size, error and fall-off as they were at first</source>
+        <translation>Ort, Größe, Fehler und Übergang wie am Anfang</translation>
+    </message>
+    <message>
+        <source>Outside %1, as chosen under Accuracy.</source>
+        <translation>Außerhalb %1, wie unter Genauigkeit gewählt.</translation>
+    </message>
+    <message>
+        <source>Between %1 and %2 tetrahedra.</source>
+        <translation>Zwischen %1 und %2 Tetraedern.</translation>
+    </message>
+    <message>
+        <source>Rad&amp;ius</source>
+        <translation>Rad&amp;ius</translation>
+    </message>
+    <message>
+        <source>Error i&amp;nside</source>
+        <translation>Fehler i&amp;nnen</translation>
+    </message>
+    <message>
+        <source>Fa&amp;ll-off</source>
+        <translation>&amp;Übergang</translation>
+    </message>
+    <message>
+        <source>&amp;To Centre of View</source>
+        <translation>&amp;Zur Bildmitte</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>With the budget the error outside is %1 times this one.</source>
+        <translation>Mit dem Budget ist der Fehler außerhalb das %1-fache davon.</translation>
+    </message>
+</context>
+<context>
     <name>tetra::GlCanvas</name>
     <message>
         <source>OpenGL</source>
@@ -1066,6 +1281,18 @@
         <source>The file does not say how its samples are laid out. Describe it in the panel on the left.</source>
         <translation>Die Datei sagt nicht, wie ihre Abtastwerte angeordnet sind. Beschreiben Sie sie im Feld links.</translation>
     </message>
+    <message>
+        <source>Focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Saving the mesh</source>
+        <translation>Netz wird gespeichert</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -1124,6 +1351,128 @@
     </message>
 </context>
 <context>
+    <name>tetra::RegionActions</name>
+    <message>
+        <source>Focus: &amp;Sphere</source>
+        <translation>Fokus: &amp;Kugel</translation>
+    </message>
+    <message>
+        <source>More accurate in a sphere</source>
+        <translation>Genauer in einer Kugel</translation>
+    </message>
+    <message>
+        <source>Focus: &amp;Box</source>
+        <translation>Fokus: &amp;Quader</translation>
+    </message>
+    <message>
+        <source>More accurate in a box</source>
+        <translation>Genauer in einem Quader</translation>
+    </message>
+    <message>
+        <source>Focus to &amp;Centre of View</source>
+        <translation>Fokus zur Bild&amp;mitte</translation>
+    </message>
+    <message>
+        <source>Move the focus to what the camera looks at</source>
+        <translation>Den Fokus dorthin holen, wohin die Kamera blickt</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Fenster</translation>
+    </message>
+    <message>
+        <source>Show the part of the domain in a box only</source>
+        <translation>Nur den Teil des Gebiets in einem Quader zeigen</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::RegionPanel</name>
+    <message>
+        <source>Only a &amp;window</source>
+        <translation>Nur ein &amp;Fenster</translation>
+    </message>
+    <message>
+        <source>Show the part of the domain in a box only (W)</source>
+        <translation>Nur den Teil des Gebiets in einem Quader zeigen (W)</translation>
+    </message>
+    <message>
+        <source>Where the window ends, in the coordinates of the data</source>
+        <translation>Wo das Fenster endet, in den Koordinaten der Daten</translation>
+    </message>
+    <message>
+        <source>&amp;To</source>
+        <translation>B&amp;is</translation>
+    </message>
+    <message>
+        <source>Cut off</source>
+        <translation>Abgeschnitten</translation>
+    </message>
+    <message>
+        <source>All that touch the window</source>
+        <translation>Alle, die es berühren</translation>
+    </message>
+    <message>
+        <source>Only those inside</source>
+        <translation>Nur die ganz innen</translation>
+    </message>
+    <message>
+        <source>Tetrahedra at the border</source>
+        <translation>Tetraeder am Rand</translation>
+    </message>
+    <message>
+        <source>What becomes of the tetrahedra at the border of the window: cut off, it ends exactly there; whole, it is ragged</source>
+        <translation>Was aus den Tetraedern am Rand des Fensters wird: abgeschnitten endet es genau dort; mit ganzen ist es gezackt</translation>
+    </message>
+    <message>
+        <source>&amp;Border</source>
+        <translation>&amp;Rand</translation>
+    </message>
+    <message>
+        <source>Make the window as large as the domain</source>
+        <translation>Das Fenster so groß machen wie das Gebiet</translation>
+    </message>
+    <message>
+        <source>In the units of the data: %1 to %2</source>
+        <translation>In der Einheit der Daten: %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Smallest value</source>
+        <translation>Kleinster Wert</translation>
+    </message>
+    <message>
+        <source>Largest value</source>
+        <translation>Größter Wert</translation>
+    </message>
+    <message>
+        <source>Onl&amp;y some values</source>
+        <translation>Nur manche &amp;Werte</translation>
+    </message>
+    <message>
+        <source>Fro&amp;m</source>
+        <translation>&amp;Von</translation>
+    </message>
+    <message>
+        <source>Whole Domai&amp;n</source>
+        <translation>Ganzes Gebie&amp;t</translation>
+    </message>
+    <message>
+        <source>&amp;Smallest</source>
+        <translation>&amp;Kleinster</translation>
+    </message>
+    <message>
+        <source>&amp;Largest</source>
+        <translation>&amp;Größter</translation>
+    </message>
+    <message>
+        <source>Show only tetrahedra that can contain a value of a range. Isosurfaces of other values are not seen, or only in part.</source>
+        <translation>Nur Tetraeder zeigen, die einen Wert eines Bereichs enthalten können. Isoflächen anderer Werte sind nicht oder nur teilweise zu sehen.</translation>
+    </message>
+</context>
+<context>
     <name>tetra::StatusLine</name>
     <message>
         <source>The picture at the chosen accuracy is being made</source>
@@ -1176,6 +1525,13 @@
     <message>
         <source>%1 a frame</source>
         <translation>%1 je Bild</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::TaskLine</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>

@@ -95,13 +95,14 @@ void AccuracyScaleTest::theCurveIsThatOfTheModel()
     const auto host = hostOfThisBuild();
     const auto model = Model::open(buildSampleModel(*host, sampleDataset(16), folder.path().toStdString()));
     QVERIFY(model.ok());
-    const auto curve = sitesAgainstError(**model, 50);
+    const auto curve = sizeAgainstError(**model, 50);
     QCOMPARE(curve.size(), std::size_t{51});
     QCOMPARE(curve.front().error, coarsestOnScale);
     QCOMPARE(curve.back().error, 0.0);
     QCOMPARE(curve.back().sites, (*model)->siteCount());
     for (std::size_t i = 0; i < curve.size(); ++i) {
         QCOMPARE(curve[i].sites, meshSizeAt(**model, {curve[i].error}).sites);
+        QCOMPARE(curve[i].tetrahedra, meshSizeAt(**model, {curve[i].error}).tetrahedra);
         QVERIFY(i == 0 || curve[i].sites >= curve[i - 1].sites);
     }
 }

@@ -41,7 +41,7 @@ SceneRequest SceneBuilderTest::request(double percent, std::vector<Isovalue> iso
     SceneRequest request;
     request.model = model_;
     request.renderer = host_->renderers().front().plugin;
-    request.sites = meshSizeAt(*model_, {percent}).sites;
+    request.query.error = percent;
     request.values["isovalues"] = std::move(isovalues);
     return request;
 }
@@ -56,8 +56,9 @@ void SceneBuilderTest::theNewestRequestIsTheLastToArrive()
     QTRY_VERIFY(!builder.busy());
     const auto last = ready.last()[0].value<BuiltScene>();
     const MeshSize wanted = meshSizeAt(*model_, {0.1});
-    QCOMPARE(last.sites, wanted.sites);
-    QCOMPARE(last.tetrahedra, wanted.tetrahedra);
+    QCOMPARE(last.mesh.vertices, std::uint64_t{wanted.sites});
+    QCOMPARE(last.mesh.tetrahedra, wanted.tetrahedra);
+    QCOMPARE(last.mesh.wholeTetrahedra, wanted.tetrahedra);
     QVERIFY(last.triangles > 0);
     QCOMPARE(last.scene->surfaces.size(), std::size_t{1});
     QVERIFY(ready.count() <= 5);
@@ -86,7 +87,7 @@ void SceneBuilderTest::nothingArrivesAfterClear()
     builder.request(request(1, {Isovalue{100}}));
     QTRY_VERIFY(!builder.busy());
     QCOMPARE(ready.count(), 1);
-    QCOMPARE(ready.last()[0].value<BuiltScene>().sites, meshSizeAt(*model_, {1}).sites);
+    QCOMPARE(ready.last()[0].value<BuiltScene>().mesh.wholeSites, meshSizeAt(*model_, {1}).sites);
 }
 
 void SceneBuilderTest::aFailureIsTold()

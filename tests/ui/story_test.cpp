@@ -12,6 +12,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QSpinBox>
 #include <QUndoStack>
 
 using namespace tetra;
@@ -25,6 +26,7 @@ private slots:
     void openBuildLook();
     void theBuckyBall();
     void scatteredPoints();
+    void aDetailInFocusWithABudget();
 
 private:
     static void buildThere(const WindowFixture& window, const QString& dataset);
@@ -154,6 +156,42 @@ void StoryTest::scatteredPoints()
     QVERIFY(!window.viewport().scene()->surfaces.empty());
     QVERIFY(window.viewport().scene()->surfaces[0].mesh->triangles.size() > 100);
     dragAccuracy(window);
+}
+
+/// R25: a focus is put on a detail and dragged about, the mesh gets a budget, and is saved.
+void StoryTest::aDetailInFocusWithABudget()
+{
+    WindowFixture window;
+    window.window.show();
+    const auto dataset = writeNrrd(sampleDataset(32), window.folderPath());
+    buildThere(window, QString::fromStdString(dataset));
+    Session& session = window.workbench.session();
+    const auto upToDate = [&] { return window.settled() && session.showsQuery(); };
+    window.find<QDoubleSpinBox>("accuracy.box").setValue(4);
+    QTRY_VERIFY_WITH_TIMEOUT(upToDate(), 20000);
+    const QImage before = window.viewport().picture();
+
+    QTest::keyClick(&window.viewport(), Qt::Key_F);
+    QVERIFY(window.find<QWidget>("focus.radius").isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(upToDate(), 20000);
+    const QPoint detail = window.viewport().rect().center() + QPoint(30, 20);
+    QTest::mouseDClick(&window.viewport(), Qt::LeftButton, {}, detail);
+    const Eigen::Vector3d there = session.view().query().focus.centre;
+    QTest::mousePress(&window.viewport(), Qt::LeftButton, {}, detail);
+    for (int i = 1; i <= 10; ++i)
+        QTest::mouseMove(&window.viewport(), detail - QPoint(5 * i, 3 * i));
+    QTest::mouseRelease(&window.viewport(), Qt::LeftButton, {}, detail - QPoint(50, 30));
+    QVERIFY((session.view().query().focus.centre - there).norm() > 1);
+    QTRY_VERIFY_WITH_TIMEOUT(upToDate(), 20000);
+    QVERIFY(difference(window.viewport().picture(), before).meanChannel > 0.05);
+
+    window.find<QSpinBox>("accuracy.budget").setValue(20'000);
+    QTRY_VERIFY_WITH_TIMEOUT(upToDate(), 20000);
+    QVERIFY(session.shown()->tetrahedra <= 20'000 && session.shown()->tetrahedra > 15'000);
+    QSignalSpy saved(&window.workbench, &Workbench::meshSaved);
+    window.workbench.saveMesh(window.folder.filePath("detail.vtu").toStdString());
+    QTRY_COMPARE(saved.count(), 1);
+    QCOMPARE(window.messages(), QStringList());
 }
 
 QTEST_MAIN(StoryTest)

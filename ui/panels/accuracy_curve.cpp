@@ -19,7 +19,8 @@ namespace {
 constexpr std::array<double, 6> labelledErrors{20, 4, 1, 0.2, 0.05, 0};
 constexpr std::array<double, 6> minorErrors{10, 2, 0.5, 0.1, 0.02, 0.01};
 constexpr double markRadius = 4.5;
-constexpr int tallest = 220; ///< more shows nothing more
+constexpr double grabDistance = 5; ///< pixels from the line of the budget
+constexpr int tallest = 220;       ///< more shows nothing more
 
 /// "10", "1k", "100k", "1M": the axis has no room for more.
 QString shortCount(double count)
@@ -34,7 +35,7 @@ QString shortCount(double count)
     return locale.toString(count, 'g', 3);
 }
 
-/// The decades that the sites axis spans, from a whole one to just above the most sites.
+/// The decades that the axis of tetrahedra spans, from a whole one to just above the most sites.
 struct Decades {
     double first = 0;
     double last = 3;
@@ -44,8 +45,8 @@ Decades decadesOf(const std::vector<CurvePoint>& points)
 {
     if (points.empty())
         return {};
-    const double first = std::floor(std::log10(std::max<double>(points.front().sites, 1)));
-    const double last = std::log10(std::max<double>(points.back().sites, 1)) + 0.1;
+    const double first = std::floor(std::log10(std::max<double>(static_cast<double>(points.front().tetrahedra), 1)));
+    const double last = std::log10(std::max<double>(static_cast<double>(points.back().tetrahedra), 1)) + 0.1;
     return {first, std::max(last, first + 1)};
 }
 
@@ -62,11 +63,13 @@ AccuracyCurve::AccuracyCurve(QWidget* parent) : QWidget(parent)
 {
     setObjectName("accuracy.curve");
     setFocusPolicy(Qt::StrongFocus);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setMaximumHeight(tallest);
     setCursor(Qt::CrossCursor);
-    setAccessibleName(tr("Sites against error"));
-    setToolTip(tr("Number of sites needed for each error. Click, drag or use the arrow keys to choose the accuracy."));
+    setMouseTracking(true);
+    setAccessibleName(tr("Tetrahedra against error"));
+    setToolTip(
+        tr("Number of tetrahedra needed for each error. Click, drag or use the arrow keys to choose the accuracy."));
 }
 
 void AccuracyCurve::setCurve(std::vector<CurvePoint> points)
@@ -78,7 +81,14 @@ void AccuracyCurve::setCurve(std::vector<CurvePoint> points)
 void AccuracyCurve::setMarked(const CurvePoint& chosen)
 {
     marked_ = chosen;
-    setAccessibleDescription(tr("%1 sites at an error of %2").arg(countText(chosen.sites), percentText(chosen.error)));
+    setAccessibleDescription(
+        tr("%1 tetrahedra at an error of %2").arg(countText(chosen.tetrahedra), percentText(chosen.error)));
+    update();
+}
+
+void AccuracyCurve::setBudget(std::optional<std::uint64_t> budget)
+{
+    budget_ = budget;
     update();
 }
 
@@ -94,7 +104,7 @@ int AccuracyCurve::rightMargin() const
 
 QSize AccuracyCurve::sizeHint() const
 {
-    return {300, 200};
+    return {300, 130}; // and what room there is
 }
 
 QSize AccuracyCurve::minimumSizeHint() const
@@ -113,28 +123,53 @@ double AccuracyCurve::xOf(double percent) const
     return plot().left() + accuracyPosition(percent) * plot().width();
 }
 
-double AccuracyCurve::yOf(double sites) const
+double AccuracyCurve::yOf(double tetrahedra) const
 {
     const auto [first, last] = decadesOf(points_);
-    const double fraction = (std::log10(std::max(sites, 1.0)) - first) / (last - first);
+    const double fraction = (std::log10(std::max(tetrahedra, 1.0)) - first) / (last - first);
     return plot().bottom() - std::clamp(fraction, 0.0, 1.0) * plot().height();
 }
 
-void AccuracyCurve::chooseAt(double x)
+void AccuracyCurve::chooseAt(QPointF place)
 {
-    emit chosen(accuracyAt(std::clamp((x - plot().left()) / plot().width(), 0.0, 1.0)));
+    const QRectF area = plot();
+    if (!draggingBudget_) {
+        emit chosen(accuracyAt(std::clamp((place.x() - area.left()) / area.width(), 0.0, 1.0)));
+        return;
+    }
+    const auto [first, last] = decadesOf(points_);
+    const double fraction = std::clamp((area.bottom() - place.y()) / area.height(), 0.0, 1.0);
+    const double tetrahedra = std::pow(10.0, first + fraction * (last - first));
+    const double unit = std::pow(10.0, std::floor(std::log10(tetrahedra)) - 1); // two digits
+    emit budgetChosen(static_cast<quint64>(std::round(tetrahedra / unit) * unit));
+}
+
+bool AccuracyCurve::isOnBudget(double y) const
+{
+    return budget_ && std::abs(yOf(static_cast<double>(*budget_)) - y) <= grabDistance;
 }
 
 void AccuracyCurve::mousePressEvent(QMouseEvent* event)
 {
-    if (event->button() == Qt::LeftButton)
-        chooseAt(event->position().x());
+    if (event->button() != Qt::LeftButton)
+        return;
+    draggingBudget_ = isOnBudget(event->position().y());
+    if (!draggingBudget_)
+        chooseAt(event->position());
 }
 
 void AccuracyCurve::mouseMoveEvent(QMouseEvent* event)
 {
     if (event->buttons().testFlag(Qt::LeftButton))
-        chooseAt(event->position().x());
+        chooseAt(event->position());
+    else
+        setCursor(isOnBudget(event->position().y()) ? Qt::SplitVCursor : Qt::CrossCursor);
+}
+
+void AccuracyCurve::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton)
+        draggingBudget_ = false;
 }
 
 void AccuracyCurve::wheelEvent(QWheelEvent* event)
@@ -160,6 +195,7 @@ void AccuracyCurve::paintEvent(QPaintEvent* event)
     if (points_.empty())
         return;
     paintCurve(painter);
+    paintBudget(painter);
     paintMark(painter);
 }
 
@@ -193,16 +229,16 @@ void AccuracyCurve::paintAxes(QPainter& painter) const
     painter.drawLine(area.bottomLeft(), area.bottomRight());
     painter.drawLine(area.bottomLeft(), area.topLeft());
     painter.setPen(text);
-    painter.drawText(QRectF(0, 0, width(), line), Qt::AlignLeft, tr("Sites"));
+    painter.drawText(QRectF(0, 0, width(), line), Qt::AlignLeft, tr("Tetrahedra"));
     painter.drawText(QRectF(area.left(), area.bottom() + line + 5, area.width(), line), Qt::AlignHCenter,
                      tr("Error, % of the value range"));
 }
 
 void AccuracyCurve::paintCurve(QPainter& painter) const
 {
-    QPainterPath path(QPointF(xOf(points_.front().error), yOf(points_.front().sites)));
+    QPainterPath path(QPointF(xOf(points_.front().error), yOf(static_cast<double>(points_.front().tetrahedra))));
     for (const CurvePoint& point : points_)
-        path.lineTo(xOf(point.error), yOf(point.sites));
+        path.lineTo(xOf(point.error), yOf(static_cast<double>(point.tetrahedra)));
     QPainterPath below = path;
     below.lineTo(plot().bottomRight());
     below.lineTo(plot().bottomLeft());
@@ -213,9 +249,22 @@ void AccuracyCurve::paintCurve(QPainter& painter) const
     painter.drawPath(path);
 }
 
+/// What lies above the line is more than the budget.
+void AccuracyCurve::paintBudget(QPainter& painter) const
+{
+    if (!budget_)
+        return;
+    const QRectF area = plot();
+    const double y = yOf(static_cast<double>(*budget_));
+    const QColor text = palette().color(QPalette::WindowText);
+    painter.fillRect(QRectF(area.topLeft(), QPointF(area.right(), y)), faded(text, 0.1));
+    painter.setPen(QPen(text, 1.5));
+    painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+}
+
 void AccuracyCurve::paintMark(QPainter& painter) const
 {
-    const QPointF mark(xOf(marked_.error), yOf(marked_.sites));
+    const QPointF mark(xOf(marked_.error), yOf(static_cast<double>(marked_.tetrahedra)));
     const QColor text = palette().color(QPalette::WindowText);
     painter.setPen(QPen(faded(text, 0.6), 1, Qt::DashLine));
     painter.drawLine(QPointF(mark.x(), plot().bottom()), mark);

@@ -2,14 +2,18 @@
 #include "ui/panels/accuracy_inputs.h"
 
 #include "ui/session/accuracy_scale.h"
+#include "ui/session/query_state.h"
 
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QSignalBlocker>
 #include <QStyle>
 #include <QStyleOptionSlider>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tetra {
 namespace {
@@ -90,6 +94,32 @@ AccuracyBox::StepEnabled AccuracyBox::stepEnabled() const
     steps.setFlag(StepUpEnabled, value() < coarsestOnScale);
     steps.setFlag(StepDownEnabled, value() > 0);
     return steps;
+}
+
+BudgetBox::BudgetBox(QWidget* parent) : QSpinBox(parent)
+{
+    setObjectName("accuracy.budget");
+    setRange(1, std::numeric_limits<int>::max());
+    setGroupSeparatorShown(true);
+    setAlignment(Qt::AlignRight);
+    setKeyboardTracking(false);
+    setAccessibleName(tr("Most tetrahedra"));
+    setToolTip(tr("The mesh is as good as so many tetrahedra allow"));
+    connect(this, &QSpinBox::valueChanged, this, [this](int count) { emit chosen(static_cast<quint64>(count)); });
+    // Also the number that stood there already, if somebody says that it is to hold.
+    connect(lineEdit(), &QLineEdit::returnPressed, this, [this] { emit chosen(static_cast<quint64>(value())); });
+}
+
+void BudgetBox::setBudget(std::uint64_t tetrahedra)
+{
+    const QSignalBlocker blocker(this);
+    setValue(static_cast<int>(std::min<std::uint64_t>(tetrahedra, std::numeric_limits<int>::max())));
+}
+
+void BudgetBox::stepBy(int steps)
+{
+    const std::uint64_t next = steppedBudget(static_cast<std::uint64_t>(value()), steps);
+    setValue(static_cast<int>(std::min<std::uint64_t>(next, std::numeric_limits<int>::max())));
 }
 
 } // namespace tetra

@@ -3,6 +3,9 @@
 
 #include <QDoubleSpinBox>
 #include <QSlider>
+#include <QSpinBox>
+
+#include <cstdint>
 
 namespace tetra {
 
@@ -45,6 +48,23 @@ signals:
 
 protected:
     StepEnabled stepEnabled() const override;
+};
+
+/// A number box for a budget of tetrahedra, which steps through round numbers.
+class BudgetBox : public QSpinBox {
+    Q_OBJECT
+public:
+    explicit BudgetBox(QWidget* parent = nullptr);
+    /// Shows it; tells nobody.
+    void setBudget(std::uint64_t tetrahedra);
+    void stepBy(int steps) override;
+
+signals:
+    /// By the user, in tetrahedra.
+    void chosen(quint64 tetrahedra);
+
+protected:
+    StepEnabled stepEnabled() const override { return StepUpEnabled | StepDownEnabled; }
 };
 
 } // namespace tetra

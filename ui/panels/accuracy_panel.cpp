@@ -3,15 +3,20 @@
 
 #include "ui/panels/accuracy_curve.h"
 #include "ui/panels/accuracy_inputs.h"
+#include "ui/session/mesh_text.h"
 #include "ui/session/number_text.h"
+#include "ui/widgets/checked_button.h"
 #include "ui/widgets/gesture_watcher.h"
+#include "ui/widgets/scrolled_column.h"
 
 #include <QEvent>
 #include <QGridLayout>
-#include <QGuiApplication>
 #include <QLabel>
+#include <QRadioButton>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace tetra {
 namespace {
@@ -25,30 +30,26 @@ QLabel* numberLabel(const char* name)
     return label;
 }
 
+/// Whether there is more to say than the error that was asked for.
+bool saysMore(const ShownMesh& mesh)
+{
+    return mesh.query.budget || mesh.query.window || !mesh.query.values.empty() || !mesh.query.error.isConstant() ||
+           mesh.scale > 1.001;
+}
+
 QString shareText(double part, double whole)
 {
     return whole > 0 ? AccuracyPanel::tr("%1 of all").arg(percentText(100 * part / whole)) : QString();
 }
 
-/// Some styles hardly show that a button is down, least of all in dark colours.
-void showChecked(QToolButton& button, bool checked)
-{
-    QPalette palette; // what is not set comes from the parent
-    if (checked) {
-        palette.setColor(QPalette::Button, QGuiApplication::palette().color(QPalette::Highlight));
-        palette.setColor(QPalette::ButtonText, QGuiApplication::palette().color(QPalette::HighlightedText));
-    }
-    button.setPalette(palette);
-    button.setChecked(checked);
-}
-
 } // namespace
 
 AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), curve_(new AccuracyCurve), slider_(new AccuracySlider), box_(new AccuracyBox),
-      inUnits_(new QLabel), sites_(numberLabel("accuracy.sites")), siteShare_(numberLabel("accuracy.siteShare")),
-      tetrahedra_(numberLabel("accuracy.tetrahedra")), tetrahedronShare_(numberLabel("accuracy.tetrahedronShare")),
-      limit_(new QLabel)
+    : QWidget(parent), session_(session), curve_(new AccuracyCurve), slider_(new AccuracySlider),
+      byError_(new QRadioButton(tr("Err&or"))), box_(new AccuracyBox), byBudget_(new QRadioButton(tr("Bu&dget"))),
+      budget_(new BudgetBox), inUnits_(new QLabel), sites_(numberLabel("accuracy.sites")),
+      siteShare_(numberLabel("accuracy.siteShare")), tetrahedra_(numberLabel("accuracy.tetrahedra")),
+      tetrahedronShare_(numberLabel("accuracy.tetrahedronShare")), outcome_(new QLabel), limit_(new QLabel)
 {
     setObjectName("accuracy");
     inUnits_->setObjectName("accuracy.inUnits");
@@ -58,37 +59,67 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
            "of the box around it."));
     limit_->setObjectName("accuracy.limit");
     limit_->setWordWrap(true);
+    outcome_->setObjectName("accuracy.outcome");
+    outcome_->setWordWrap(true);
+    outcome_->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
     auto* alongAxis = new QHBoxLayout;
     alongAxis->setContentsMargins(curve_->leftMargin() - slider_->handleInset(), 0,
                                   curve_->rightMargin() - slider_->handleInset(), 0);
     alongAxis->addWidget(slider_);
-    auto* label = new QLabel(tr("&Error"));
-    label->setBuddy(box_);
-    auto* number = new QHBoxLayout;
-    number->addWidget(label);
-    number->addWidget(box_);
-    number->addWidget(inUnits_, 1);
 
-    auto* layout = new QVBoxLayout(this);
+    auto* content = new QWidget;
+    auto* layout = new QVBoxLayout(content);
     layout->addWidget(curve_, 1);
     layout->addLayout(alongAxis);
     layout->addLayout(makePresets());
-    layout->addLayout(number);
+    layout->addLayout(makeModes());
     layout->addLayout(makeNumbers());
+    layout->addWidget(outcome_);
     layout->addWidget(limit_);
     layout->addStretch();
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins({});
+    outer->addWidget(new ScrolledColumn(content));
+    connectInputs();
+    showModel();
+}
 
+void AccuracyPanel::connectInputs()
+{
     const auto choose = [this](double percent) { session_.setError(percent); };
+    const auto chooseBudget = [this](quint64 tetrahedra) { session_.setBudget(tetrahedra); };
     connect(curve_, &AccuracyCurve::chosen, this, choose);
+    connect(curve_, &AccuracyCurve::budgetChosen, this, chooseBudget);
     connect(slider_, &AccuracySlider::chosen, this, choose);
     connect(box_, &AccuracyBox::chosen, this, choose);
-    for (QWidget* input : std::initializer_list<QWidget*>{curve_, slider_, box_})
+    connect(budget_, &BudgetBox::chosen, this, chooseBudget);
+    connect(byError_, &QRadioButton::clicked, this, [this] { session_.setByBudget(false); });
+    connect(byBudget_, &QRadioButton::clicked, this, [this] { session_.setByBudget(true); });
+    for (QWidget* input : std::initializer_list<QWidget*>{curve_, slider_, box_, budget_})
         new GestureWatcher(input, session_);
     connect(&session_, &Session::modelChanged, this, &AccuracyPanel::showModel);
     connect(&session_, &Session::modelGrown, this, &AccuracyPanel::showModel);
-    connect(&session_.view(), &ViewState::errorChanged, this, &AccuracyPanel::showAccuracy);
-    showModel();
+    connect(&session_, &Session::shownChanged, this, &AccuracyPanel::showSize);
+    connect(&session_.view(), &ViewState::queryChanged, this, &AccuracyPanel::showQuery);
+}
+
+/// Whichever is touched holds from then on.
+QLayout* AccuracyPanel::makeModes()
+{
+    byError_->setObjectName("accuracy.byError");
+    byError_->setToolTip(tr("The smallest mesh with this error"));
+    byBudget_->setObjectName("accuracy.byBudget");
+    byBudget_->setToolTip(tr("The best mesh with so many tetrahedra. A focus keeps its proportion to the rest."));
+    auto* grid = new QGridLayout;
+    grid->setColumnStretch(2, 1);
+    grid->addWidget(byError_, 0, 0);
+    grid->addWidget(box_, 0, 1);
+    grid->addWidget(inUnits_, 0, 2);
+    grid->addWidget(byBudget_, 1, 0);
+    grid->addWidget(budget_, 1, 1);
+    grid->addWidget(new QLabel(tr("tetrahedra")), 1, 2);
+    return grid;
 }
 
 QLayout* AccuracyPanel::makePresets()
@@ -107,7 +138,7 @@ QLayout* AccuracyPanel::makePresets()
         button->setAccessibleName(name);
         connect(button, &QToolButton::clicked, this, [this, percent] {
             session_.setError(percent);
-            showAccuracy();
+            showQuery();
         });
         row->addWidget(button);
         presets_.push_back(button);
@@ -133,49 +164,94 @@ void AccuracyPanel::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange)
-        showAccuracy();
+        showQuery();
 }
 
 void AccuracyPanel::showModel()
 {
     const auto& model = session_.model();
     setEnabled(model != nullptr);
-    curve_->setCurve(model ? sitesAgainstError(*model) : std::vector<CurvePoint>{});
+    curve_->setCurve(model ? sizeAgainstError(*model) : std::vector<CurvePoint>{});
     const double end = model ? 100 * model->finalError() / session_.range().extent() : 0;
     limit_->setText(end > 0
                         ? tr("This model was built down to an error of %1; it has nothing finer.").arg(percentText(end))
                         : QString());
     limit_->setVisible(end > 0);
-    showAccuracy();
+    showQuery();
 }
 
-void AccuracyPanel::showAccuracy()
+void AccuracyPanel::showQuery()
 {
-    const double error = session_.view().error();
-    const MeshSize size = session_.meshSize();
+    const QueryState& query = session_.view().query();
+    budget_->setBudget(query.budget);
+    (query.byBudget ? byBudget_ : byError_)->setChecked(true);
+    curve_->setBudget(query.byBudget ? std::optional(query.budget) : std::nullopt);
+    showSize();
+}
+
+/// The error that is asked for, or that the budget allows; outside the focus. Nothing as long as it is not known.
+std::optional<double> AccuracyPanel::errorOfMesh() const
+{
+    const QueryState& query = session_.view().query();
+    if (!query.byBudget || !session_.model())
+        return query.error;
+    if (session_.showsQuery()) {
+        const ShownMesh& shown = *session_.shown();
+        const SpaceRamp* ramp = shown.query.error.asSpaceRamp();
+        return std::min(100.0, shown.scale * (ramp ? ramp->outer : shown.query.error.bounds().maximum));
+    }
+    return query.focus.isOn() ? std::nullopt : std::optional(errorWithin(*session_.model(), query.budget));
+}
+
+void AccuracyPanel::showError(double error)
+{
     slider_->setAccuracy(error);
     box_->setAccuracy(error);
-    curve_->setMarked({error, size.sites});
+    const bool isAskedFor = session_.model() && !session_.view().query().byBudget;
     for (std::size_t i = 0; i < presets_.size(); ++i)
-        showChecked(*presets_[i], session_.model() && accuracyPresets[i] == error);
+        showChecked(*presets_[i], isAskedFor && accuracyPresets[i] == error);
     const auto& model = session_.model();
-    if (!model) {
-        for (QLabel* label : {inUnits_, sites_, siteShare_, tetrahedra_, tetrahedronShare_})
-            label->clear();
-        return;
-    }
-    const double extent = session_.range().extent();
-    const QString byError = QLocale().toString(error / 100 * extent, 'g', 3);
+    if (!model)
+        return inUnits_->clear();
+    const QString byError = QLocale().toString(error / 100 * session_.range().extent(), 'g', 3);
     if (model->description().warpingWeight > 0)
-        inUnits_->setText(tr("of the range, ± %1; warping %2")
-                              .arg(byError, QLocale().toString(error / 100 * model->diagonal(), 'g', 3)));
+        inUnits_->setText(
+            tr("± %1 in value\nwarping %2").arg(byError, QLocale().toString(error / 100 * model->diagonal(), 'g', 3)));
     else
         inUnits_->setText(tr("of the range, ± %1").arg(byError));
-    sites_->setText(countText(size.sites));
-    siteShare_->setText(shareText(size.sites, model->siteCount()));
-    tetrahedra_->setText(countText(size.tetrahedra));
-    tetrahedronShare_->setText(shareText(static_cast<double>(size.tetrahedra),
-                                         static_cast<double>(meshSizeAt(*model, bothWithin(0)).tetrahedra)));
+}
+
+/// A uniform mesh is counted beforehand; of any other the numbers are those of the last picture until the next one
+/// comes.
+void AccuracyPanel::showSize()
+{
+    const auto& model = session_.model();
+    const auto error = errorOfMesh();
+    if (error)
+        showError(*error);
+    for (QLabel* label : {sites_, siteShare_, tetrahedra_, tetrahedronShare_, outcome_})
+        label->clear();
+    if (!model)
+        return;
+    const QueryState& query = session_.view().query();
+    const auto& shown = session_.shown();
+    const MeshSize planned = session_.meshSize();
+    const bool isPlanned = !session_.showsQuery() && query.isUniform();
+    if (isPlanned || shown) {
+        const std::uint64_t sites = isPlanned ? planned.sites : shown->vertices;
+        const std::uint64_t tetrahedra = isPlanned ? planned.tetrahedra : shown->tetrahedra;
+        sites_->setText(countText(sites));
+        siteShare_->setText(shareText(static_cast<double>(sites), model->siteCount()));
+        tetrahedra_->setText(countText(tetrahedra));
+        tetrahedronShare_->setText(shareText(static_cast<double>(tetrahedra),
+                                             static_cast<double>(meshSizeAt(*model, bothWithin(0)).tetrahedra)));
+    }
+    const bool usesPlanned = isPlanned || !shown;
+    curve_->setMarked({error.value_or(query.error), usesPlanned ? planned.sites : shown->wholeSites,
+                       usesPlanned ? planned.tetrahedra : shown->wholeTetrahedra});
+    if (shown && saysMore(*shown))
+        outcome_->setText(meshText(*shown, *model));
+    outcome_->setVisible(!outcome_->text().isEmpty());
 }
 
 } // namespace tetra

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 class QLabel;
+class QRadioButton;
 class QToolButton;
 
 namespace tetra {
@@ -13,8 +14,10 @@ namespace tetra {
 class AccuracyBox;
 class AccuracyCurve;
 class AccuracySlider;
+class BudgetBox;
 
-/// Where the accuracy is chosen: by curve, slider, number or preset; with the mesh that belongs to it (R26).
+/// Where the accuracy is chosen: by curve, slider, number or preset, or by a budget of tetrahedra; with the size of the
+/// mesh that belongs to it (R26), and in words what is shown.
 class AccuracyPanel : public QWidget {
     Q_OBJECT
 public:
@@ -25,19 +28,28 @@ protected:
 
 private:
     QLayout* makePresets();
+    QLayout* makeModes();
     QLayout* makeNumbers();
+    void connectInputs();
     void showModel();
-    void showAccuracy();
+    void showQuery();
+    void showError(double error);
+    void showSize();
+    std::optional<double> errorOfMesh() const;
 
     Session& session_;
     AccuracyCurve* curve_;
     AccuracySlider* slider_;
+    QRadioButton* byError_;
     AccuracyBox* box_;
+    QRadioButton* byBudget_;
+    BudgetBox* budget_;
     QLabel* inUnits_;
     QLabel* sites_;
     QLabel* siteShare_;
     QLabel* tetrahedra_;
     QLabel* tetrahedronShare_;
+    QLabel* outcome_;
     QLabel* limit_;
     std::vector<QToolButton*> presets_;
 };

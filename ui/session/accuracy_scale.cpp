@@ -85,16 +85,19 @@ std::optional<double> accuracyByKey(double percent, int key)
     }
 }
 
-std::vector<CurvePoint> sitesAgainstError(const Model& model, int points)
+std::vector<CurvePoint> sizeAgainstError(const Model& model, int points)
 {
     std::vector<CurvePoint> curve;
+    const auto add = [&](double error) {
+        const MeshSize size = meshSizeAt(model, bothWithin(error));
+        curve.push_back({error, size.sites, size.tetrahedra});
+    };
     curve.reserve(static_cast<std::size_t>(points) + 1);
     for (int point = 0; point < points; ++point) {
         const double fraction = static_cast<double>(point) / (points - 1);
-        const double error = coarsestOnScale * std::pow(finestOnScale / coarsestOnScale, fraction);
-        curve.push_back({error, meshSizeAt(model, bothWithin(error)).sites});
+        add(coarsestOnScale * std::pow(finestOnScale / coarsestOnScale, fraction));
     }
-    curve.push_back({0, meshSizeAt(model, bothWithin(0)).sites});
+    add(0);
     return curve;
 }
 

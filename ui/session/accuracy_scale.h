@@ -39,10 +39,12 @@ std::optional<double> accuracyByKey(double percent, int key);
 struct CurvePoint {
     double error = 0; ///< %
     std::uint32_t sites = 0;
+    std::uint64_t tetrahedra = 0;
 };
 
-/// Sites against error, from coarse to fine over the whole scale; the last point is at zero. O(points * log sites).
-std::vector<CurvePoint> sitesAgainstError(const Model& model, int points = 240);
+/// The size of the mesh against the error, from coarse to fine over the whole scale; the last point is at zero.
+/// O(points * log sites).
+std::vector<CurvePoint> sizeAgainstError(const Model& model, int points = 240);
 
 /// The most accurate preset from 1 % upwards whose mesh is still quick to extract and to draw.
 double startingError(const Model& model);

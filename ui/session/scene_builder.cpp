@@ -1,21 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/scene_builder.h"
 
-#include "core/model/extraction.h"
+#include "core/model/queries/mesh_extractor.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <mutex>
 #include <new>
+#include <optional>
 
 namespace tetra {
 namespace {
 
-/// A scene that takes longer than this is given up for a newer one; a quicker one is finished and shown, so that the
-/// picture follows a slider that is being dragged.
-constexpr auto patience = std::chrono::milliseconds(300);
+/// A scene is given up for a newer one if it takes longer than this, or much longer than the last one took, so that the
+/// picture follows a slider or a focus that is being dragged as quickly as scenes can be made; but never longer than
+/// the second.
+constexpr auto leastPatience = std::chrono::milliseconds(300);
+constexpr auto mostPatience = std::chrono::milliseconds(2500);
+constexpr double muchLonger = 1.5;
 
 double secondsSince(std::chrono::steady_clock::time_point start)
 {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::chrono::milliseconds patienceFor(double seconds)
+{
+    const auto wanted = std::chrono::milliseconds(std::llround(1000 * muchLonger * seconds));
+    return std::clamp(wanted, leastPatience, mostPatience);
 }
 
 Error outOfMemory()
@@ -27,65 +40,90 @@ Error outOfMemory()
 
 } // namespace
 
-/// What the worker keeps between two requests. Touched by the worker only.
+/// What the worker keeps between two requests. Touched by the worker only, but for the mesh.
 struct SceneBuilder::Workshop {
-    std::shared_ptr<const Model> model;
+    std::optional<MeshExtractor> extractor;
     const Renderer* renderer = nullptr;
-    std::uint32_t sites = 0;
-    std::shared_ptr<TetrahedralMesh> mesh;
+    std::optional<MeshQuery> query; ///< that the mesh answers
     std::unique_ptr<RendererSession> session;
+    std::mutex mutex; ///< guards the next one
+    std::shared_ptr<const ExtractedMesh> mesh;
 
+    void setMesh(std::shared_ptr<const ExtractedMesh> next);
+    bool has(const SceneRequest& request) const;
     Status extract(const SceneRequest& request, const Progress& progress);
     Result<BuiltScene> make(const SceneRequest& request, const Progress& progress);
+    void clear();
 };
 
+void SceneBuilder::Workshop::setMesh(std::shared_ptr<const ExtractedMesh> next)
+{
+    const std::lock_guard lock(mutex);
+    mesh = std::move(next);
+}
+
+bool SceneBuilder::Workshop::has(const SceneRequest& request) const
+{
+    return mesh && extractor && extractor->model() == request.model && query == request.query;
+}
+
+/// Lets go of the last mesh first, so that the extractor can use its memory again.
 Status SceneBuilder::Workshop::extract(const SceneRequest& request, const Progress& progress)
 {
     session.reset();
-    TetrahedralMesh reuse;
-    if (mesh && mesh.use_count() == 1)
-        reuse = std::move(*mesh);
-    mesh.reset();
-    auto extracted = extractPrefix(*request.model, request.sites, progress, std::move(reuse));
+    setMesh(nullptr);
+    if (!extractor || extractor->model() != request.model)
+        extractor.emplace(request.model);
+    auto extracted = extractor->extract(request.query, progress);
     if (!extracted)
         return extracted.error();
     if (Status intact = request.model->checkIntact(); !intact)
         return intact;
-    mesh = std::make_shared<TetrahedralMesh>(std::move(*extracted));
-    model = request.model;
-    sites = request.sites;
+    setMesh(*std::move(extracted));
+    query = request.query;
     return {};
 }
 
 Result<BuiltScene> SceneBuilder::Workshop::make(const SceneRequest& request, const Progress& progress)
 try {
-    BuiltScene built{request.model, nullptr, request.sites, 0, 0, 0, 0};
+    BuiltScene built;
+    built.model = request.model;
     const auto start = std::chrono::steady_clock::now();
-    if (!mesh || model != request.model || sites != request.sites) {
+    if (!has(request)) {
         if (const Status extracted = extract(request, progress.part(0, 0.5)); !extracted)
             return extracted.error();
         built.extractionSeconds = secondsSince(start);
     }
     if (!session || renderer != request.renderer) {
-        session = request.renderer->open(mesh, request.model->description().bounds);
+        session = request.renderer->open({mesh, &mesh->mesh}, request.model->description().bounds);
         renderer = request.renderer;
     }
     auto scene = session->prepare(request.values, request.camera, progress.part(0.5, 1));
     if (!scene)
         return scene.error();
     built.scene = *std::move(scene);
-    built.tetrahedra = mesh->tetrahedra.size();
+    built.mesh = {request.query,    mesh->mesh.positions.size(), mesh->mesh.tetrahedra.size(),
+                  mesh->wholeSites, mesh->wholeTetrahedra,       mesh->scale};
     for (const Surface& surface : built.scene->surfaces)
         built.triangles += surface.mesh->triangles.size();
     built.sceneSeconds = secondsSince(start) - built.extractionSeconds;
     return built;
 } catch (const std::bad_alloc&) {
-    session.reset();
-    mesh.reset();
+    clear();
     return outOfMemory();
 }
 
-SceneBuilder::SceneBuilder(QObject* parent) : QObject(parent), workshop_(std::make_shared<Workshop>()) {}
+void SceneBuilder::Workshop::clear()
+{
+    session.reset();
+    setMesh(nullptr);
+    extractor.reset();
+}
+
+SceneBuilder::SceneBuilder(QObject* parent)
+    : QObject(parent), patience_(leastPatience), workshop_(std::make_shared<Workshop>())
+{
+}
 
 SceneBuilder::~SceneBuilder() = default;
 
@@ -98,14 +136,20 @@ void SceneBuilder::request(SceneRequest request)
             QMetaObject::invokeMethod(
                 this, [this, number, result = std::move(result)] { arrived(number, result); }, Qt::QueuedConnection);
         },
-        patience);
+        patience_);
+}
+
+std::shared_ptr<const ExtractedMesh> SceneBuilder::mesh() const
+{
+    const std::lock_guard lock(workshop_->mutex);
+    return workshop_->mesh;
 }
 
 void SceneBuilder::clear()
 {
     cleared_ = newest_;
     // The worker gives back the mesh, in its own time.
-    job_.submit([workshop = workshop_](const std::stop_token&) { *workshop = {}; });
+    job_.submit([workshop = workshop_](const std::stop_token&) { workshop->clear(); });
     setBusy(false);
 }
 
@@ -115,6 +159,8 @@ void SceneBuilder::arrived(quint64 number, const Result<BuiltScene>& result)
         return;
     if (number == newest_)
         setBusy(false);
+    if (result)
+        patience_ = patienceFor(result->extractionSeconds + result->sceneSeconds);
     if (result)
         emit sceneReady(*result);
     else if (result.error().kind != ErrorKind::Cancelled)

@@ -18,7 +18,7 @@ Session::Session(QObject* parent) : QObject(parent) {}
 
 MeshSize Session::meshSize() const
 {
-    return model_ ? meshSizeAt(*model_, bothWithin(view_.error())) : MeshSize{};
+    return model_ ? plannedSize(view_.query(), *model_) : MeshSize{};
 }
 
 ValueRange Session::range() const
@@ -30,23 +30,26 @@ void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> iso
 {
     model_ = std::move(model);
     undoStack_.clear();
-    view_.reset(startingError(*model_), std::move(isovalues));
+    shown_.reset();
+    view_.reset(startingQuery(*model_, startingError(*model_)), std::move(isovalues));
     emit modelChanged();
 }
 
 void Session::grow(std::shared_ptr<const Model> model)
 {
     model_ = std::move(model);
+    shown_.reset();
     emit modelGrown();
     if (undoStack_.count() == 0)
-        view_.setError(startingError(*model_));
+        view_.setQuery(startingQuery(*model_, startingError(*model_)));
 }
 
 void Session::close()
 {
     model_.reset();
     undoStack_.clear();
-    view_.reset(view_.error(), {});
+    shown_.reset();
+    view_.reset({}, {});
     emit modelChanged();
 }
 
@@ -62,9 +65,66 @@ void Session::endGesture()
 
 void Session::setError(double percent)
 {
-    percent = std::clamp(percent, 0.0, 100.0);
-    if (model_ && percent != view_.error())
-        undoStack_.push(new ChangeError(view_, percent, gesture_));
+    QueryState query = view_.query();
+    query.error = percent;
+    query.byBudget = false;
+    setQuery(query);
+}
+
+void Session::setBudget(std::uint64_t tetrahedra)
+{
+    QueryState query = view_.query();
+    query.budget = tetrahedra;
+    query.byBudget = true;
+    setQuery(query);
+}
+
+void Session::setByBudget(bool byBudget)
+{
+    QueryState query = view_.query();
+    query.byBudget = byBudget;
+    setQuery(query);
+}
+
+void Session::setFocus(const FocusState& focus)
+{
+    QueryState query = view_.query();
+    query.focus = focus;
+    setQuery(query);
+}
+
+void Session::setWindow(const WindowState& window)
+{
+    QueryState query = view_.query();
+    query.window = window;
+    setQuery(query);
+}
+
+void Session::setValueFilter(const ValueFilter& values)
+{
+    QueryState query = view_.query();
+    query.values = values;
+    setQuery(query);
+}
+
+void Session::setQuery(const QueryState& query)
+{
+    if (!model_)
+        return;
+    const QueryState after = corrected(query, view_.query(), *model_);
+    if (after != view_.query())
+        undoStack_.push(new ChangeQuery(view_, after, gesture_));
+}
+
+bool Session::showsQuery() const
+{
+    return shown_ && model_ && shown_->query == meshQuery(view_.query(), *model_);
+}
+
+void Session::setShown(const ShownMesh& shown)
+{
+    shown_ = shown;
+    emit shownChanged();
 }
 
 void Session::addIsovalue(std::optional<double> value)

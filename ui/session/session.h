@@ -3,6 +3,7 @@
 
 #include "core/model/extraction.h"
 #include "core/model/model.h"
+#include "ui/session/shown_mesh.h"
 #include "ui/session/view_commands.h"
 #include "ui/session/view_state.h"
 
@@ -23,7 +24,8 @@ public:
     const std::shared_ptr<const Model>& model() const noexcept { return model_; }
     const ViewState& view() const noexcept { return view_; }
     QUndoStack& undoStack() noexcept { return undoStack_; }
-    /// The mesh at the chosen accuracy, known without extracting it; zeros without a model.
+    /// The mesh at the chosen accuracy or budget, known without extracting it, but for focus, window and values; zeros
+    /// without a model.
     MeshSize meshSize() const;
     /// The range of the model's values; empty without a model.
     ValueRange range() const;
@@ -37,8 +39,16 @@ public:
 
     void beginGesture();
     void endGesture();
-    /// Clamped to [0, 100] %.
+    /// By error from now on; outside the focus, if there is one. Clamped to [0, 100] %.
     void setError(double percent);
+    /// By budget from now on; at least the coarsest mesh.
+    void setBudget(std::uint64_t tetrahedra);
+    void setByBudget(bool byBudget);
+    /// Any part of it. What is no error, place, size or value in the model is brought into it, see corrected().
+    void setQuery(const QueryState& query);
+    void setFocus(const FocusState& focus);
+    void setWindow(const WindowState& window);
+    void setValueFilter(const ValueFilter& values);
     /// At `value`, or in the middle of the widest range of values without one; in a colour that is not in use.
     void addIsovalue(std::optional<double> value = std::nullopt);
     /// Out of range indices are ignored.
@@ -46,15 +56,23 @@ public:
     /// The value is clamped to the model's range, the opacity to [0.01, 1].
     void setIsovalue(int index, Isovalue isovalue);
 
+    /// What the last picture shows; nothing before the first.
+    const std::optional<ShownMesh>& shown() const noexcept { return shown_; }
+    /// Whether that is what is asked for now.
+    bool showsQuery() const;
+    void setShown(const ShownMesh& shown);
+
 signals:
     void modelChanged();
     void modelGrown();
+    void shownChanged();
 
 private:
     bool hasIsovalue(int index) const;
 
     std::shared_ptr<const Model> model_;
     ViewState view_;
+    std::optional<ShownMesh> shown_;
     QUndoStack undoStack_;
     Gesture lastGesture_ = 0;
     Gesture gesture_ = 0;

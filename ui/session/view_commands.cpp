@@ -3,14 +3,26 @@
 
 namespace tetra {
 
-ChangeError::ChangeError(ViewState& state, double percent, Gesture gesture)
-    : QUndoCommand(tr("change of accuracy")), state_(state), before_(state.error()), after_(percent), gesture_(gesture)
+ChangeQuery::ChangeQuery(ViewState& state, const QueryState& after, Gesture gesture)
+    : QUndoCommand(nameOf(state.query(), after)), state_(state), before_(state.query()), after_(after),
+      gesture_(gesture)
 {
 }
 
-bool ChangeError::mergeWith(const QUndoCommand* next)
+QString ChangeQuery::nameOf(const QueryState& before, const QueryState& after)
 {
-    const auto& other = *static_cast<const ChangeError*>(next);
+    if (before.focus != after.focus)
+        return tr("change of focus");
+    if (before.window != after.window)
+        return tr("change of window");
+    if (before.values != after.values)
+        return tr("change of values");
+    return after.byBudget ? tr("change of budget") : tr("change of accuracy");
+}
+
+bool ChangeQuery::mergeWith(const QUndoCommand* next)
+{
+    const auto& other = *static_cast<const ChangeQuery*>(next);
     if (gesture_ == 0 || other.gesture_ != gesture_)
         return false;
     after_ = other.after_;

@@ -9,24 +9,27 @@
 namespace tetra {
 
 /// The ids by which the undo stack merges commands; zero is "never".
-enum class CommandId { ChangeError = 1, ChangeIsovalue };
+enum class CommandId { ChangeQuery = 1, ChangeIsovalue };
 
 /// The number of a gesture (one drag): commands of one gesture merge into one step. Zero is no gesture.
 using Gesture = std::uint64_t;
 
-class ChangeError : public QUndoCommand {
-    Q_DECLARE_TR_FUNCTIONS(ChangeError)
+/// Which mesh is seen. Named after what differs.
+class ChangeQuery : public QUndoCommand {
+    Q_DECLARE_TR_FUNCTIONS(ChangeQuery)
 public:
-    ChangeError(ViewState& state, double percent, Gesture gesture);
-    int id() const override { return static_cast<int>(CommandId::ChangeError); }
-    void redo() override { state_.setError(after_); }
-    void undo() override { state_.setError(before_); }
+    ChangeQuery(ViewState& state, const QueryState& after, Gesture gesture);
+    int id() const override { return static_cast<int>(CommandId::ChangeQuery); }
+    void redo() override { state_.setQuery(after_); }
+    void undo() override { state_.setQuery(before_); }
     bool mergeWith(const QUndoCommand* next) override;
 
 private:
+    static QString nameOf(const QueryState& before, const QueryState& after);
+
     ViewState& state_;
-    double before_;
-    double after_;
+    QueryState before_;
+    QueryState after_;
     Gesture gesture_;
 };
 

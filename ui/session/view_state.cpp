@@ -3,17 +3,17 @@
 
 namespace tetra {
 
-void ViewState::reset(double error, std::vector<Isovalue> isovalues)
+void ViewState::reset(const QueryState& query, std::vector<Isovalue> isovalues)
 {
-    error_ = error;
+    query_ = query;
     isovalues_ = std::move(isovalues);
     emit wasReset();
 }
 
-void ViewState::setError(double percent)
+void ViewState::setQuery(const QueryState& query)
 {
-    error_ = percent;
-    emit errorChanged(percent);
+    query_ = query;
+    emit queryChanged();
 }
 
 void ViewState::insertIsovalue(int index, const Isovalue& isovalue)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plugins/api/parameter.h"
+#include "ui/session/query_state.h"
 
 #include <QObject>
 
@@ -9,32 +10,33 @@
 
 namespace tetra {
 
-/// What the user has chosen to see of a model, apart from the camera: the accuracy and the isovalues. Tells every
+/// What the user has chosen to see of a model, apart from the camera: which mesh, and the isovalues. Tells every
 /// change; Session makes the changes undoable. An index is a position in isovalues().
 class ViewState : public QObject {
     Q_OBJECT
 public:
     using QObject::QObject;
 
-    double error() const noexcept { return error_; } ///< % of the value range
+    const QueryState& query() const noexcept { return query_; }
+    double error() const noexcept { return query_.error; } ///< % of the value range
     const std::vector<Isovalue>& isovalues() const noexcept { return isovalues_; }
     int isovalueCount() const noexcept { return static_cast<int>(isovalues_.size()); }
 
-    void reset(double error, std::vector<Isovalue> isovalues);
-    void setError(double percent);
+    void reset(const QueryState& query, std::vector<Isovalue> isovalues);
+    void setQuery(const QueryState& query);
     void insertIsovalue(int index, const Isovalue& isovalue);
     void removeIsovalue(int index);
     void setIsovalue(int index, const Isovalue& isovalue);
 
 signals:
     void wasReset();
-    void errorChanged(double percent);
+    void queryChanged();
     void isovalueInserted(int index);
     void isovalueRemoved(int index);
     void isovalueChanged(int index);
 
 private:
-    double error_ = 1;
+    QueryState query_;
     std::vector<Isovalue> isovalues_;
 };
 

@@ -37,11 +37,15 @@ Workbench::Workbench(PluginHost& host, QObject* parent) : QObject(parent), host_
     const ViewState* view = &session_.view();
     connect(&session_, &Session::modelChanged, this, &Workbench::requestScene);
     connect(&session_, &Session::modelGrown, this, &Workbench::requestScene);
-    connect(view, &ViewState::errorChanged, this, &Workbench::requestScene);
+    connect(view, &ViewState::queryChanged, this, &Workbench::requestScene);
     connect(view, &ViewState::isovalueInserted, this, &Workbench::requestScene);
     connect(view, &ViewState::isovalueRemoved, this, &Workbench::requestScene);
     connect(view, &ViewState::isovalueChanged, this, &Workbench::requestScene);
     connect(&sceneBuilder_, &SceneBuilder::failed, this, &Workbench::tell);
+    connect(&sceneBuilder_, &SceneBuilder::sceneReady, &session_,
+            [this](const BuiltScene& scene) { session_.setShown(scene.mesh); });
+    connect(&sceneBuilder_, &SceneBuilder::sceneReady, this, &Workbench::saveMeshWhenShown);
+    connect(&sceneBuilder_, &SceneBuilder::failed, this, [this] { meshTarget_.clear(); });
     looking_.setInterval(timeBetweenLooks);
     connect(&looking_, &QTimer::timeout, this, &Workbench::lookAtBuild);
     connect(&building_, &LongTask::finished, &looking_, &QTimer::stop);
@@ -224,6 +228,7 @@ void Workbench::showBuilt(const std::filesystem::path& target)
 
 void Workbench::closeModel()
 {
+    meshTarget_.clear();
     sceneBuilder_.clear();
     session_.close();
 }
@@ -240,11 +245,34 @@ void Workbench::savePicture(const PictureOrder& order)
     });
 }
 
+void Workbench::saveMesh(const std::filesystem::path& target)
+{
+    meshTarget_ = target;
+    saveMeshWhenShown();
+}
+
+void Workbench::saveMeshWhenShown()
+{
+    const MeshOrder order{session_.model(), sceneBuilder_.mesh(),
+                          session_.shown() ? session_.shown()->query : MeshQuery(), meshTarget_};
+    if (meshTarget_.empty() || !session_.showsQuery() || !order.mesh)
+        return;
+    meshTarget_.clear();
+    savingMesh_.start([this, order](const Progress& progress) -> std::function<void()> {
+        return [this, target = order.target, saved = writeMesh(order, progress)] {
+            if (saved)
+                emit meshSaved(pathText(target));
+            else
+                tell(saved.error());
+        };
+    });
+}
+
 void Workbench::requestScene()
 {
     if (!session_.model() || renderer_ == nullptr)
         return;
-    SceneRequest request{session_.model(), renderer_, session_.meshSize().sites, {}, {}};
+    SceneRequest request{session_.model(), renderer_, meshQuery(session_.view().query(), *session_.model()), {}, {}};
     const auto parameters = renderer_->parameters(session_.range());
     if (const Parameter* isovalues = isovalueParameter(parameters))
         request.values[isovalues->id] = session_.view().isovalues();

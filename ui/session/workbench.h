@@ -4,6 +4,7 @@
 #include "core/data/dataset.h"
 #include "plugins/host/live_build.h"
 #include "plugins/host/plugin_host.h"
+#include "ui/session/mesh_saving.h"
 #include "ui/session/picture_file.h"
 #include "ui/session/scene_builder.h"
 #include "ui/session/session.h"
@@ -60,6 +61,9 @@ public:
     void stopBuild(bool keep);
     void closeModel();
     void savePicture(const PictureOrder& order);
+    /// Saves the mesh of the picture, once that is up to date.
+    void saveMesh(const std::filesystem::path& target);
+    LongTask& savingMesh() noexcept { return savingMesh_; }
 
 signals:
     void failed(const QString& text);
@@ -69,6 +73,7 @@ signals:
     /// The build is done; its model is opened next.
     void modelBuilt();
     void pictureSaved(const QString& path);
+    void meshSaved(const QString& path);
 
 private:
     void read(const std::filesystem::path& path, const ParameterValues& values);
@@ -80,6 +85,7 @@ private:
     void datasetRead(const std::filesystem::path& path, const Result<Dataset>& dataset);
     void modelRead(const Result<std::shared_ptr<const Model>>& model);
     void requestScene();
+    void saveMeshWhenShown();
     void tell(const Error& error);
 
     PluginHost& host_;
@@ -91,6 +97,8 @@ private:
     LongTask reading_;
     LongTask building_;
     LongTask savingPicture_;
+    LongTask savingMesh_;
+    std::filesystem::path meshTarget_; ///< of the mesh that waits to be saved; empty if none does
 
     std::shared_ptr<LiveBuild> live_;         ///< of the build that is being watched
     std::shared_ptr<std::atomic<bool>> keep_; ///< of the same build

@@ -26,6 +26,7 @@ Viewport::Viewport(BackendChoice choice, QWidget* parent) : QWidget(parent)
 {
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(200, 150);
+    setMouseTracking(true);
     resting_.setSingleShot(true);
     resting_.setInterval(restAfter);
     connect(&resting_, &QTimer::timeout, this, &Viewport::rest);
@@ -43,6 +44,7 @@ void Viewport::useCanvas(Canvas* canvas)
     }
     canvas_ = canvas;
     canvas_->widget()->setObjectName("viewport.canvas");
+    canvas_->widget()->setMouseTracking(true);
     canvas_->framePainted = [this](double seconds) { emit framePainted(seconds); };
     canvas_->failed = [this](const QString& text) { emit failed(text); };
     canvas_->unusable = [this](const QString& text) {
@@ -50,12 +52,37 @@ void Viewport::useCanvas(Canvas* canvas)
         useCanvas(makeCanvas(BackendChoice::Cpu));
     };
     layout()->addWidget(canvas_->widget());
+    canvas_->widget()->lower(); // below what tools draw over it
     canvas_->show(view_);
 }
 
 void Viewport::setScene(std::shared_ptr<const Scene> scene)
 {
-    view_.scene = std::move(scene);
+    scene_ = std::move(scene);
+    show();
+}
+
+void Viewport::setOutlines(std::vector<LineSet> outlines)
+{
+    if (outlines.empty() && outlines_.empty())
+        return;
+    outlines_ = std::move(outlines);
+    show();
+}
+
+/// The scene with the outlines, which may stick out of the domain.
+void Viewport::show()
+{
+    view_.scene = scene_;
+    if (scene_ && !outlines_.empty()) {
+        auto scene = std::make_shared<Scene>(*scene_);
+        for (const LineSet& outline : outlines_) {
+            for (const Eigen::Vector3f& point : outline.points)
+                scene->bounds.extend(point.cast<double>());
+            scene->lines.push_back(outline);
+        }
+        view_.scene = std::move(scene);
+    }
     canvas_->show(view_);
 }
 

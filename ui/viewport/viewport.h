@@ -3,6 +3,7 @@
 
 #include "ui/viewport/camera_controls.h"
 #include "ui/viewport/make_canvas.h"
+#include "ui/viewport/picture_projection.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -16,9 +17,14 @@ public:
     explicit Viewport(BackendChoice choice = BackendChoice::Automatic, QWidget* parent = nullptr);
 
     void setScene(std::shared_ptr<const Scene> scene);
-    const std::shared_ptr<const Scene>& scene() const noexcept { return view_.scene; }
+    /// Without the outlines.
+    const std::shared_ptr<const Scene>& scene() const noexcept { return scene_; }
+    /// Lines that belong to a tool, not to what is looked at: drawn with the scene, and not saved with a picture.
+    void setOutlines(std::vector<LineSet> outlines);
     const Camera& camera() const noexcept { return view_.camera; }
     const Colour& background() const noexcept { return view_.background; }
+    /// From places to this widget's coordinates.
+    PictureProjection projection() const { return {view_.camera, size()}; }
 
     /// Shows all of these bounds, from the present direction.
     void fit(const Eigen::AlignedBox3d& bounds);
@@ -46,9 +52,12 @@ private:
     void useCanvas(Canvas* canvas);
     void followPalette();
     void moveCamera(const Camera& camera);
+    void show();
     void rest();
 
-    View view_;
+    std::shared_ptr<const Scene> scene_;
+    std::vector<LineSet> outlines_;
+    View view_;                ///< its scene has the outlines, too
     Canvas* canvas_ = nullptr; ///< a child widget
     QPointF lastPosition_;
     QTimer resting_;

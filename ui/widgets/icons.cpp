@@ -78,6 +78,24 @@ QPainterPath outline(Glyph glyph)
         addPolyline(path, {{12, 11}, {12, 17}});
         path.addEllipse(QPointF(12, 7.5), 0.4, 0.4);
         break;
+    case Glyph::Mesh:
+        addPolyline(path, {{12, 3}, {3, 12}, {12, 21}, {21, 12}, {12, 3}});
+        addPolyline(path, {{3, 12}, {21, 12}});
+        addPolyline(path, {{12, 3}, {12, 21}});
+        break;
+    case Glyph::Sphere:
+        path.addEllipse(QPointF(12, 12), 9, 9);
+        path.addEllipse(QPointF(12, 12), 9, 3.5);
+        break;
+    case Glyph::Box:
+        addPolyline(path, {{3, 8}, {12, 3}, {21, 8}, {21, 17}, {12, 22}, {3, 17}, {3, 8}});
+        addPolyline(path, {{3, 8}, {12, 12}, {21, 8}});
+        addPolyline(path, {{12, 12}, {12, 22}});
+        break;
+    case Glyph::Window:
+        addPolyline(path, {{7, 2}, {7, 17}, {22, 17}});
+        addPolyline(path, {{2, 7}, {17, 7}, {17, 22}});
+        break;
     }
     return path;
 }

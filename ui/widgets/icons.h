@@ -6,7 +6,23 @@
 namespace tetra {
 
 /// The program's own line icons.
-enum class Glyph { Open, Build, Picture, Undo, Redo, Fit, Add, Remove, Close, Warning, Information };
+enum class Glyph {
+    Open,
+    Build,
+    Picture,
+    Undo,
+    Redo,
+    Fit,
+    Add,
+    Remove,
+    Close,
+    Warning,
+    Information,
+    Mesh,
+    Sphere,
+    Box,
+    Window
+};
 
 /// Drawn when it is painted, so that it is sharp at any size and scale and has the text colour of a light or a dark
 /// palette.

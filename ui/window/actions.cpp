@@ -45,6 +45,9 @@ void addFileMenu(QMainWindow& window, Actions& actions)
     actions.savePicture = add(menu, "savePicture", Texts::tr("Save &Picture…"), QKeySequence("Ctrl+Shift+S"),
                               Texts::tr("Save what is seen as a PNG picture"));
     actions.savePicture->setIcon(glyphIcon(Glyph::Picture));
+    actions.saveMesh = add(menu, "saveMesh", Texts::tr("Save &Mesh…"), QKeySequence("Ctrl+M"),
+                           Texts::tr("Save the mesh that is seen, for VTK, ParaView and others"));
+    actions.saveMesh->setIcon(glyphIcon(Glyph::Mesh));
     menu->addSeparator();
     actions.close = add(menu, "close", Texts::tr("&Close"), QKeySequence::Close, Texts::tr("Close the model"));
     actions.quit = add(menu, "quit", Texts::tr("&Quit"), QKeySequence("Ctrl+Q"), Texts::tr("Leave the program"));
@@ -115,7 +118,7 @@ void addHelpMenu(QMainWindow& window, Actions& actions)
     actions.about = add(menu, "about", Texts::tr("&About TAn"), {}, Texts::tr("Version and licence"));
 }
 
-void addToolBar(QMainWindow& window, const Actions& actions)
+void addToolBar(QMainWindow& window, Actions& actions)
 {
     QToolBar* bar = window.addToolBar(Texts::tr("Tools"));
     bar->setObjectName("toolBar");
@@ -124,12 +127,15 @@ void addToolBar(QMainWindow& window, const Actions& actions)
     bar->setIconSize({20, 20});
     bar->addAction(actions.open);
     bar->addAction(actions.savePicture);
+    bar->addAction(actions.saveMesh);
     bar->addSeparator();
     bar->addAction(actions.undo);
     bar->addAction(actions.redo);
     bar->addSeparator();
     bar->addAction(actions.addIsovalue);
     bar->addAction(actions.fit);
+    bar->addSeparator();
+    actions.toolBar = bar;
 }
 
 } // namespace
@@ -140,6 +146,7 @@ Actions makeActions(QMainWindow& window, QUndoStack& undoStack)
     addFileMenu(window, actions);
     addEditMenu(window, undoStack, actions);
     addViewMenu(window, actions);
+    actions.region = addMenu(window, "region", Texts::tr("&Region"));
     addHelpMenu(window, actions);
     addToolBar(window, actions);
     return actions;

@@ -5,6 +5,7 @@
 
 class QMainWindow;
 class QMenu;
+class QToolBar;
 class QUndoStack;
 
 namespace tetra {
@@ -14,6 +15,7 @@ struct Actions {
     QAction* open = nullptr;
     QAction* close = nullptr;
     QAction* savePicture = nullptr;
+    QAction* saveMesh = nullptr;
     QAction* quit = nullptr;
     QAction* undo = nullptr;
     QAction* redo = nullptr;
@@ -27,6 +29,8 @@ struct Actions {
     QAction* about = nullptr;
     QMenu* recent = nullptr;
     QMenu* panels = nullptr; ///< for the docks' own actions
+    QMenu* region = nullptr; ///< for those of RegionActions
+    QToolBar* toolBar = nullptr;
 };
 
 /// Makes the actions, the menus and the tool bar.

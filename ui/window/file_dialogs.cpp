@@ -23,6 +23,16 @@ QFileDialog* makeDialog(QWidget* parent, const QString& name, const QString& tit
     return dialog;
 }
 
+/// The name's ending is added where it is missing.
+void askForTarget(QFileDialog& dialog, const QString& proposed)
+{
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QFileInfo(proposed).suffix());
+    dialog.setDirectory(QFileInfo(proposed).absolutePath());
+    dialog.selectFile(QFileInfo(proposed).fileName());
+    dialog.open();
+}
+
 } // namespace
 
 void askForFile(QWidget* parent, const QString& name, const QStringList& filters, const FileChosen& chosen)
@@ -38,12 +48,19 @@ void askForFile(QWidget* parent, const QString& name, const QStringList& filters
 void askForPictureFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen)
 {
     QFileDialog* dialog = makeDialog(parent, name, FileDialogs::tr("Save Picture"), chosen);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilter(FileDialogs::tr("PNG pictures (*.png)"));
-    dialog->setDefaultSuffix("png");
-    dialog->setDirectory(QFileInfo(proposed).absolutePath());
-    dialog->selectFile(QFileInfo(proposed).fileName());
-    dialog->open();
+    askForTarget(*dialog, proposed);
+}
+
+void askForMeshFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen)
+{
+    QFileDialog* dialog = makeDialog(parent, name, FileDialogs::tr("Save Mesh"), chosen);
+    dialog->setNameFilters({FileDialogs::tr("VTK XML unstructured grids (*.vtu)"),
+                            FileDialogs::tr("VTK legacy files (*.vtk)"), FileDialogs::tr("PLY files (*.ply)")});
+    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
+        dialog->setDefaultSuffix(filter.section("*.", 1).remove(')'));
+    });
+    askForTarget(*dialog, proposed);
 }
 
 } // namespace tetra

@@ -14,5 +14,6 @@ using FileChosen = std::function<void(const QString& path)>;
 /// Dialogs that let the window work on; `chosen` is called if the user chooses. Their object name is `name`.
 void askForFile(QWidget* parent, const QString& name, const QStringList& filters, const FileChosen& chosen);
 void askForPictureFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen);
+void askForMeshFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen);
 
 } // namespace tetra

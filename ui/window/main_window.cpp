@@ -3,16 +3,21 @@
 
 #include "ui/panels/accuracy_panel.h"
 #include "ui/panels/build_panel.h"
+#include "ui/panels/focus_panel.h"
 #include "ui/panels/isovalue_panel.h"
+#include "ui/panels/region_panel.h"
 #include "ui/session/recent_files.h"
 #include "ui/session/target_path.h"
+#include "ui/viewport/region_tools.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/window/empty_page.h"
 #include "ui/window/file_dialogs.h"
 #include "ui/window/plugin_window.h"
+#include "ui/window/region_actions.h"
 #include "ui/window/status_line.h"
+#include "ui/window/task_line.h"
 
 #include <QCloseEvent>
 #include <QDockWidget>
@@ -30,12 +35,12 @@ namespace tetra {
 namespace {
 
 constexpr QSize firstSize(1280, 800);
-constexpr int dockWidth = 330;
-constexpr int accuracyHeight = 410;
+constexpr int dockWidth = 356;
+constexpr int accuracyHeight = 440;
 constexpr const char* geometryKey = "window/geometry";
 constexpr const char* layoutKey = "window/layout";
 /// Of what saveState() writes; layouts of other versions are not restored.
-constexpr int layoutVersion = 1;
+constexpr int layoutVersion = 2;
 constexpr int statusMessageTime = 5000; // milliseconds
 
 /// The local files of a drag.
@@ -53,7 +58,8 @@ QStringList filesOf(const QMimeData* data)
 MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
     : workbench_(workbench), actions_(makeActions(*this, workbench_.session().undoStack())), messages_(new MessageBar),
       empty_(new EmptyPage), viewport_(new Viewport(backend)), pages_(new QStackedWidget),
-      status_(new StatusLine(statusBar()))
+      status_(new StatusLine(statusBar())),
+      regions_(new RegionActions(workbench_.session(), *viewport_, *actions_.region, *actions_.toolBar))
 {
     setObjectName("window");
     setAcceptDrops(true);
@@ -61,6 +67,7 @@ MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
     setCentralWidget(makeCentre());
     makeDocks();
     connectActions();
+    connectRegions();
     connectWorkbench();
     status_->setBackend(viewport_->backendName());
     showModel();
@@ -73,6 +80,7 @@ QWidget* MainWindow::makeCentre()
 {
     viewport_->setObjectName("viewport");
     viewport_->setAccessibleName(tr("Picture"));
+    new RegionTools(workbench_.session(), *viewport_);
     pages_->setObjectName("pages");
     pages_->addWidget(empty_);
     pages_->addWidget(viewport_);
@@ -103,6 +111,10 @@ void MainWindow::makeDocks()
         addDock("accuracy", tr("Accuracy"), new AccuracyPanel(workbench_.session()), Qt::RightDockWidgetArea);
     isovaluesDock_ =
         addDock("isovalues", tr("Isovalues"), new IsovaluePanel(workbench_.session()), Qt::RightDockWidgetArea);
+    auto* focus = new FocusPanel(workbench_.session());
+    connect(focus, &FocusPanel::centreWanted, regions_, &RegionActions::focusToView);
+    focusDock_ = addDock("focus", tr("Focus"), focus, Qt::RightDockWidgetArea);
+    regionDock_ = addDock("region", tr("Region"), new RegionPanel(workbench_.session()), Qt::RightDockWidgetArea);
     layOutDocks();
 }
 
@@ -111,11 +123,15 @@ void MainWindow::layOutDocks()
     addDockWidget(Qt::LeftDockWidgetArea, buildDock_);
     addDockWidget(Qt::RightDockWidgetArea, accuracyDock_);
     addDockWidget(Qt::RightDockWidgetArea, isovaluesDock_);
-    for (QDockWidget* dock : {buildDock_, accuracyDock_, isovaluesDock_})
+    tabifyDockWidget(isovaluesDock_, focusDock_);
+    tabifyDockWidget(focusDock_, regionDock_);
+    for (QDockWidget* dock : {buildDock_, accuracyDock_, isovaluesDock_, focusDock_, regionDock_})
         dock->setFloating(false);
     buildDock_->setVisible(workbench_.dataset() != nullptr);
     accuracyDock_->show();
-    isovaluesDock_->show();
+    for (QDockWidget* dock : {focusDock_, regionDock_, isovaluesDock_})
+        dock->show();
+    isovaluesDock_->raise();
     resizeDocks({buildDock_, accuracyDock_, isovaluesDock_}, {dockWidth, dockWidth, dockWidth}, Qt::Horizontal);
     resizeDocks({accuracyDock_, isovaluesDock_}, {accuracyHeight, firstSize.height() - accuracyHeight}, Qt::Vertical);
 }
@@ -163,6 +179,7 @@ void MainWindow::connectActions()
     });
     connect(actions_.recent, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
     connect(actions_.savePicture, &QAction::triggered, this, &MainWindow::savePicture);
+    connect(actions_.saveMesh, &QAction::triggered, this, &MainWindow::saveMesh);
     connect(actions_.close, &QAction::triggered, &workbench_, &Workbench::closeModel);
     connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
     connect(actions_.addIsovalue, &QAction::triggered, this, [this] { workbench_.session().addIsovalue(); });
@@ -184,6 +201,21 @@ void MainWindow::connectActions()
     connect(empty_, &EmptyPage::recentClicked, this, &MainWindow::open);
 }
 
+void MainWindow::connectRegions()
+{
+    const auto raise = [](QDockWidget* dock) {
+        return [dock] {
+            dock->show();
+            dock->raise();
+        };
+    };
+    connect(regions_, &RegionActions::focusSwitchedOn, focusDock_, raise(focusDock_));
+    connect(regions_, &RegionActions::windowSwitchedOn, regionDock_, raise(regionDock_));
+    const auto takeKeys = [this] { viewport_->setFocus(); };
+    connect(regions_, &RegionActions::focusSwitchedOn, viewport_, takeKeys);
+    connect(regions_, &RegionActions::windowSwitchedOn, viewport_, takeKeys);
+}
+
 void MainWindow::connectWorkbench()
 {
     connect(&workbench_, &Workbench::failed, messages_, &MessageBar::add);
@@ -195,8 +227,12 @@ void MainWindow::connectWorkbench()
             showNothing();
     });
     connect(&workbench_, &Workbench::modelBuilt, buildDock_, &QWidget::hide);
-    connect(&workbench_, &Workbench::pictureSaved, this,
-            [this](const QString& path) { statusBar()->showMessage(tr("Saved %1").arg(path), statusMessageTime); });
+    const auto tellSaved = [this](const QString& path) {
+        statusBar()->showMessage(tr("Saved %1").arg(path), statusMessageTime);
+    };
+    connect(&workbench_, &Workbench::pictureSaved, this, tellSaved);
+    connect(&workbench_, &Workbench::meshSaved, this, tellSaved);
+    statusBar()->addPermanentWidget(new TaskLine("status.saving", tr("Saving the mesh"), workbench_.savingMesh()));
     connect(&workbench_.session(), &Session::modelChanged, this, &MainWindow::showModel);
     connect(&workbench_.session(), &Session::modelGrown, this, &MainWindow::showFile);
     SceneBuilder& scenes = workbench_.sceneBuilder();
@@ -212,11 +248,21 @@ void MainWindow::connectWorkbench()
     });
 }
 
-void MainWindow::savePicture()
+QString MainWindow::proposedPath(const QString& ending) const
 {
     const QFileInfo model(pathText(workbench_.session().model()->path()));
-    const QString proposed = model.absolutePath() + "/" + model.completeBaseName() + ".png";
-    askForPictureFile(this, "pictureDialog", proposed, [this](const QString& path) {
+    return model.absolutePath() + "/" + model.completeBaseName() + ending;
+}
+
+void MainWindow::saveMesh()
+{
+    askForMeshFile(this, "meshDialog", proposedPath(".vtu"),
+                   [this](const QString& path) { workbench_.saveMesh(filePath(path)); });
+}
+
+void MainWindow::savePicture()
+{
+    askForPictureFile(this, "pictureDialog", proposedPath(".png"), [this](const QString& path) {
         const QSize pixels = viewport_->size() * viewport_->devicePixelRatioF();
         workbench_.savePicture({viewport_->scene(), viewport_->camera(), viewport_->background(), pixels.width(),
                                 pixels.height(), filePath(path)});
@@ -255,8 +301,9 @@ void MainWindow::showModel()
 {
     const auto& model = workbench_.session().model();
     showFile();
-    for (QAction* action : QList<QAction*>{actions_.savePicture, actions_.close, actions_.addIsovalue, actions_.fit} +
-                               actions_.namedViews)
+    for (QAction* action :
+         QList<QAction*>{actions_.savePicture, actions_.saveMesh, actions_.close, actions_.addIsovalue, actions_.fit} +
+             actions_.namedViews)
         action->setEnabled(model != nullptr);
     viewport_->setScene(nullptr);
     if (model) {

@@ -14,6 +14,7 @@ namespace tetra {
 
 class EmptyPage;
 class MessageBar;
+class RegionActions;
 class StatusLine;
 class Viewport;
 
@@ -41,7 +42,10 @@ private:
     void connectActions();
     void connectWorkbench();
 
+    void connectRegions();
+    QString proposedPath(const QString& ending) const;
     void savePicture();
+    void saveMesh();
     void fillRecent();
     void fit();
     void showFile();
@@ -58,8 +62,11 @@ private:
     Viewport* viewport_;
     QStackedWidget* pages_;
     StatusLine* status_;
+    RegionActions* regions_;
     QDockWidget* accuracyDock_ = nullptr;
     QDockWidget* isovaluesDock_ = nullptr;
+    QDockWidget* focusDock_ = nullptr;
+    QDockWidget* regionDock_ = nullptr;
     QDockWidget* buildDock_ = nullptr;
 };
 

@@ -2,6 +2,7 @@
 #include "ui/window/status_line.h"
 
 #include "core/base/memory.h"
+#include "ui/session/mesh_text.h"
 #include "ui/session/number_text.h"
 
 #include <QLabel>
@@ -31,6 +32,7 @@ StatusLine::StatusLine(QStatusBar* bar) : QObject(bar), bar_(bar), file_(new QLa
     busy_->setToolTip(tr("The picture at the chosen accuracy is being made"));
     bar_->addPermanentWidget(busy_);
     busy_->hide();
+    errors_ = add("status.errors", {});
     sites_ = add("status.sites", tr("Data points in the mesh that is shown"));
     tetrahedra_ = add("status.tetrahedra", tr("Tetrahedra in the mesh that is shown"));
     triangles_ = add("status.triangles", tr("Triangles of all isosurfaces that are shown"));
@@ -63,18 +65,20 @@ void StatusLine::setFile(const QString& name, const QString& path)
     file_->setText(name);
     file_->setToolTip(path);
     if (name.isEmpty())
-        for (QLabel* label : {sites_, tetrahedra_, triangles_, extraction_, frame_})
+        for (QLabel* label : {errors_, sites_, tetrahedra_, triangles_, extraction_, frame_})
             label->hide();
 }
 
 void StatusLine::setScene(const BuiltScene& scene)
 {
-    sites_->setText(tr("%1 sites").arg(countText(scene.sites)));
-    tetrahedra_->setText(tr("%1 tetrahedra").arg(countText(scene.tetrahedra)));
+    errors_->setText(errorText(scene.mesh));
+    errors_->setToolTip(meshText(scene.mesh, *scene.model));
+    sites_->setText(tr("%1 sites").arg(countText(scene.mesh.vertices)));
+    tetrahedra_->setText(tr("%1 tetrahedra").arg(countText(scene.mesh.tetrahedra)));
     triangles_->setText(tr("%1 triangles").arg(countText(scene.triangles)));
     if (scene.extractionSeconds > 0)
         extraction_->setText(tr("extracted in %1").arg(durationText(scene.extractionSeconds)));
-    for (QLabel* label : {sites_, tetrahedra_, triangles_, extraction_})
+    for (QLabel* label : {errors_, sites_, tetrahedra_, triangles_, extraction_})
         label->show();
     showMemory();
 }

@@ -11,7 +11,7 @@ class QStatusBar;
 
 namespace tetra {
 
-/// Fills the status bar: the file, what is drawn and what it costs. Its labels are named status.file, .sites,
+/// Fills the status bar: the file, what is drawn and what it costs. Its labels are named status.file, .errors, .sites,
 /// .tetrahedra, .triangles, .frame, .extraction, .memory and .backend.
 class StatusLine : public QObject {
     Q_OBJECT
@@ -32,6 +32,7 @@ private:
     QStatusBar* bar_;
     QLabel* file_;
     QProgressBar* busy_;
+    QLabel* errors_;
     QLabel* sites_;
     QLabel* tetrahedra_;
     QLabel* triangles_;

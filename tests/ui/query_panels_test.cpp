@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/window_fixture.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QUndoStack>
+
+using namespace tetra;
+
+/// Focus, window, values and budget by the panels (R25, R26, S17): the mesh that is seen is the one that was asked for,
+/// and is saved.
+class QueryPanelsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void numbersMoveTheFocus();
+    void numbersThatAreNoneAreNotTaken();
+    void theFocusGoesToTheViewAndBack();
+    void aBudgetKeepsTheCount();
+    void theLineOfTheBudgetIsDragged();
+    void aWindowCutsTheMesh();
+    void valuesChooseTetrahedra();
+    void theMeshIsSaved();
+    void aMeshThatCannotBeSavedIsTold();
+    void savingIsCancelledAndLeavesNoFile();
+
+private:
+    Session& session() const { return window_->workbench.session(); }
+    const QueryState& query() const { return session().view().query(); }
+    std::shared_ptr<const ExtractedMesh> mesh() const { return window_->workbench.sceneBuilder().mesh(); }
+    bool upToDate() const { return window_->settled() && session().showsQuery(); }
+    void trigger(const char* action) const { window_->find<QAction>(action).trigger(); }
+
+    std::unique_ptr<WindowFixture> window_;
+};
+
+void QueryPanelsTest::initTestCase()
+{
+    QCoreApplication::setOrganizationName("TAn");
+    QCoreApplication::setApplicationName("query_panels");
+    QLocale::setDefault(QLocale::c());
+}
+
+void QueryPanelsTest::init()
+{
+    QSettings().clear();
+    window_ = std::make_unique<WindowFixture>();
+    window_->window.show();
+    const auto path = buildSampleModel(*window_->host, sampleDataset(24), window_->folderPath());
+    window_->window.open(QString::fromStdString(path));
+    QTRY_VERIFY(session().model() && upToDate());
+}
+
+void QueryPanelsTest::cleanup()
+{
+    window_.reset();
+}
+
+void QueryPanelsTest::numbersMoveTheFocus()
+{
+    trigger("action.focusBox");
+    window_->find<QDoubleSpinBox>("focus.centre.y").setValue(7);
+    QCOMPARE(query().focus.centre.y(), 7.0);
+    window_->find<QDoubleSpinBox>("focus.size.z").setValue(3);
+    QCOMPARE(query().focus.size.z(), 3.0);
+    trigger("action.focusSphere");
+    window_->find<QDoubleSpinBox>("focus.radius.box").setValue(4);
+    QCOMPARE(query().focus.radius, 4.0);
+    window_->find<QDoubleSpinBox>("focus.error.box").setValue(0.1);
+    QCOMPARE(query().focus.error, 0.1);
+    window_->find<QDoubleSpinBox>("focus.falloff.box").setValue(0);
+    QCOMPARE(query().focus.falloff, 0.0);
+    QVERIFY(window_->find<QLabel>("focus.expectation").text().contains("Between"));
+    QTRY_VERIFY(upToDate());
+    QVERIFY(window_->find<QLabel>("status.errors").text().contains("error 0.1 % in the focus"));
+    QVERIFY(window_->find<QLabel>("accuracy.outcome").text().contains("0.1 % in the focus"));
+    QTest::mouseClick(&window_->find<QToolButton>("focus.none"), Qt::LeftButton);
+    QVERIFY(!query().focus.isOn());
+}
+
+void QueryPanelsTest::numbersThatAreNoneAreNotTaken()
+{
+    trigger("action.focusSphere");
+    const QueryState before = query();
+    auto& box = window_->find<QDoubleSpinBox>("focus.centre.x");
+    for (const char* text : {"abc", "", "1e99", "-", "nan"}) {
+        box.setFocus();
+        box.selectAll();
+        QTest::keyClicks(&box, text);
+        QTest::keyClick(&box, Qt::Key_Return);
+        QCOMPARE(query(), before);
+    }
+    auto& budget = window_->find<QSpinBox>("accuracy.budget");
+    budget.setValue(1);
+    QVERIFY(query().budget > 1);
+    QCOMPARE(budget.value(), static_cast<int>(query().budget));
+}
+
+void QueryPanelsTest::theFocusGoesToTheViewAndBack()
+{
+    trigger("action.focusSphere");
+    const FocusState first = query().focus;
+    window_->viewport().fit({session().model()->description().bounds.min(), first.centre});
+    QTest::mouseClick(&window_->find<QPushButton>("focus.toView"), Qt::LeftButton);
+    QCOMPARE(query().focus.centre, window_->viewport().camera().target);
+    QTest::mouseClick(&window_->find<QPushButton>("focus.reset"), Qt::LeftButton);
+    QCOMPARE(query().focus.centre, first.centre);
+}
+
+void QueryPanelsTest::aBudgetKeepsTheCount()
+{
+    auto& box = window_->find<QSpinBox>("accuracy.budget");
+    box.setValue(10'000);
+    QVERIFY(window_->find<QRadioButton>("accuracy.byBudget").isChecked());
+    const std::uint32_t planned = session().meshSize().sites;
+    QTRY_VERIFY(upToDate());
+    QCOMPARE(session().shown()->wholeSites, planned); // known before it was extracted
+    QVERIFY(session().shown()->tetrahedra <= 10'000);
+    QVERIFY(session().shown()->tetrahedra > 8'000);
+    trigger("action.focusSphere");
+    QTRY_VERIFY(upToDate());
+    QVERIFY(session().shown()->tetrahedra <= 10'000);
+    QVERIFY(session().shown()->tetrahedra > 6'000);
+    QVERIFY(window_->find<QLabel>("accuracy.outcome").text().contains("in the focus"));
+    QVERIFY(window_->find<QLabel>("accuracy.outcome").text().contains("10000"));
+    QTest::mouseClick(&window_->find<QWidget>("accuracy.preset.2"), Qt::LeftButton);
+    QVERIFY(!query().byBudget && window_->find<QRadioButton>("accuracy.byError").isChecked());
+    trigger("action.undo");
+    QVERIFY(window_->find<QRadioButton>("accuracy.byBudget").isChecked());
+    QTest::keyClick(&box, Qt::Key_Up);
+    QCOMPARE(query().budget, std::uint64_t{15'000});
+    window_->find<QRadioButton>("accuracy.byError").click();
+    QVERIFY(!query().byBudget);
+    QTest::keyClick(&box, Qt::Key_Return); // the number that stands there
+    QVERIFY(query().byBudget);
+}
+
+void QueryPanelsTest::theLineOfTheBudgetIsDragged()
+{
+    window_->find<QSpinBox>("accuracy.budget").setValue(10'000);
+    auto& curve = window_->find<QWidget>("accuracy.curve");
+    const int steps = session().undoStack().count();
+    int y = 0; // where the line is: where the pointer says so
+    while (y < curve.height() && curve.cursor().shape() != Qt::SplitVCursor)
+        QTest::mouseMove(&curve, {curve.width() / 2, ++y});
+    QVERIFY(y < curve.height());
+    QTest::mousePress(&curve, Qt::LeftButton, {}, {curve.width() / 2, y});
+    QTest::mouseMove(&curve, {curve.width() / 2, y + 30});
+    QTest::mouseRelease(&curve, Qt::LeftButton, {}, {curve.width() / 2, y + 30});
+    QVERIFY(query().byBudget && query().budget < 10'000);
+    QCOMPARE(session().undoStack().count(), steps + 1);
+}
+
+void QueryPanelsTest::aWindowCutsTheMesh()
+{
+    trigger("action.window");
+    window_->find<QDoubleSpinBox>("region.from.x").setValue(4.5);
+    window_->find<QDoubleSpinBox>("region.to.x").setValue(11.25);
+    QTRY_VERIFY(upToDate());
+    const auto extent = [this] {
+        Eigen::AlignedBox3f box;
+        for (const auto& tetrahedron : mesh()->mesh.tetrahedra)
+            for (const std::uint32_t vertex : tetrahedron)
+                box.extend(mesh()->mesh.positions[vertex]);
+        return box;
+    };
+    QVERIFY(std::abs(extent().min().x() - 4.5F) < 1e-4F && std::abs(extent().max().x() - 11.25F) < 1e-4F);
+    auto& border = window_->find<QComboBox>("region.border");
+    border.setCurrentIndex(1);
+    emit border.activated(1);
+    QCOMPARE(query().window.window.border, WindowBorder::Intersecting);
+    QTRY_VERIFY(upToDate());
+    QVERIFY(extent().min().x() < 4.5F && extent().max().x() > 11.25F);
+    QVERIFY(window_->find<QLabel>("accuracy.outcome").text().contains("tetrahedra are shown"));
+    QTest::mouseClick(&window_->find<QPushButton>("region.reset"), Qt::LeftButton);
+    QTRY_VERIFY(upToDate());
+    QCOMPARE(session().shown()->tetrahedra, session().shown()->wholeTetrahedra);
+}
+
+void QueryPanelsTest::valuesChooseTetrahedra()
+{
+    window_->find<QCheckBox>("region.values").click();
+    window_->find<QDoubleSpinBox>("region.least.box").setValue(120);
+    window_->find<QDoubleSpinBox>("region.largest.box").setValue(130);
+    QTRY_VERIFY(upToDate());
+    QVERIFY(session().shown()->tetrahedra < session().shown()->wholeTetrahedra);
+    QVERIFY(!mesh()->mesh.tetrahedra.empty());
+    for (const auto& corners : mesh()->mesh.tetrahedra) {
+        const auto value = [&](std::size_t i) { return mesh()->mesh.values[corners[i]]; };
+        QVERIFY(std::max({value(0), value(1), value(2), value(3)}) >= 120);
+        QVERIFY(std::min({value(0), value(1), value(2), value(3)}) <= 130);
+    }
+}
+
+void QueryPanelsTest::theMeshIsSaved()
+{
+    trigger("action.focusSphere");
+    QSignalSpy saved(&window_->workbench, &Workbench::meshSaved);
+    for (const char* name : {"mesh.vtu", "mesh.vtk", "mesh.ply"}) {
+        const QString path = window_->folder.filePath(name);
+        window_->workbench.saveMesh(path.toStdString()); // the first while the picture is still on its way
+        QTRY_COMPARE(saved.count(), 1);
+        QCOMPARE(saved.takeFirst()[0].toString(), path);
+        QVERIFY(static_cast<std::size_t>(QFile(path).size()) >
+                mesh()->mesh.tetrahedra.size() * 16 + mesh()->mesh.positions.size() * 16);
+    }
+    QFile file(window_->folder.filePath("mesh.vtu"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray head = file.read(2000);
+    QVERIFY(head.contains(QString("NumberOfCells=\"%1\"").arg(mesh()->mesh.tetrahedra.size()).toUtf8()));
+    QCOMPARE(window_->messages(), QStringList());
+}
+
+void QueryPanelsTest::aMeshThatCannotBeSavedIsTold()
+{
+    window_->workbench.saveMesh("/no/such/folder/mesh.vtu");
+    QTRY_COMPARE(window_->messages().size(), 1);
+    QVERIFY(window_->messages().first().contains("/no/such/folder"));
+    window_->workbench.saveMesh(window_->folder.filePath("mesh.stl").toStdString());
+    QTRY_COMPARE(window_->messages().size(), 2);
+    QVERIFY(!window_->find<QWidget>("status.saving").isVisible());
+}
+
+void QueryPanelsTest::savingIsCancelledAndLeavesNoFile()
+{
+    const QString path = window_->folder.filePath("mesh.vtu");
+    const QStringList files = QDir(window_->folderPath().c_str()).entryList(QDir::Files);
+    QSignalSpy saved(&window_->workbench, &Workbench::meshSaved);
+    LongTask& saving = window_->workbench.savingMesh();
+    window_->workbench.saveMesh(path.toStdString());
+    QVERIFY(saving.running());
+    saving.cancel();
+    QTRY_VERIFY(!saving.running());
+    // Either it was cancelled in time, and nothing is left, or it was finished before it heard of that.
+    QCOMPARE(QFile::exists(path), saved.count() == 1);
+    if (saved.empty())
+        QCOMPARE(QDir(window_->folderPath().c_str()).entryList(QDir::Files), files);
+    QCOMPARE(window_->messages(), QStringList()); // who cancels knows
+}
+
+QTEST_MAIN(QueryPanelsTest)
+#include "query_panels_test.moc"

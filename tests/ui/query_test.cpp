@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/sample_files.h"
+#include "ui/session/accuracy_scale.h"
+#include "ui/session/mesh_text.h"
+#include "ui/session/session.h"
+
+#include <QLocale>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <limits>
+
+using namespace tetra;
+
+/// Which mesh is asked for, as a value (R14, R25, R26): edits, undo, bad numbers, and the model's query.
+class QueryTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init();
+    void aModelIsOpenedWithoutRegions();
+    void everyEditIsOneStepAndUndoRestoresIt();
+    void aDragIsOneStep();
+    void whatHoldsIsWhatWasTouchedLast();
+    void badNumbersAreNotTaken();
+    void aWindowIsOrderedAndNotFlat();
+    void theQuerySaysTheSame();
+    void aBudgetKeepsTheProportion();
+    void theErrorOfABudgetIsTheBestThatFits();
+    void budgetsGoInRoundSteps();
+    void theMeshIsToldInWords();
+    void aShownMeshBelongsToItsQuery();
+
+private:
+    const QueryState& query() const { return session_->view().query(); }
+    FocusState sphereAt(const Eigen::Vector3d& centre) const;
+
+    QTemporaryDir folder_;
+    std::unique_ptr<PluginHost> host_;
+    std::shared_ptr<const Model> model_;
+    std::unique_ptr<Session> session_;
+};
+
+void QueryTest::initTestCase()
+{
+    QLocale::setDefault(QLocale::c());
+    host_ = hostOfThisBuild();
+    const auto model = Model::open(buildSampleModel(*host_, sampleDataset(24), folder_.path().toStdString()));
+    QVERIFY2(model.ok(), model ? "" : model.error().text.c_str());
+    model_ = *model;
+}
+
+void QueryTest::init()
+{
+    session_ = std::make_unique<Session>();
+    session_->open(model_, {});
+}
+
+FocusState QueryTest::sphereAt(const Eigen::Vector3d& centre) const
+{
+    FocusState focus = query().focus;
+    focus.shape = FocusState::Shape::Sphere;
+    focus.centre = centre;
+    return focus;
+}
+
+void QueryTest::aModelIsOpenedWithoutRegions()
+{
+    QVERIFY(query().isUniform() && !query().byBudget);
+    QCOMPARE(query().focus.centre, model_->description().bounds.center());
+    QVERIFY(query().focus.radius > 0 && query().focus.size.minCoeff() > 0);
+    QVERIFY(query().focus.error < query().error);
+    QVERIFY(model_->description().bounds.contains(query().window.window.box.least));
+    QCOMPARE(query().values.largest, session_->range().maximum);
+}
+
+void QueryTest::everyEditIsOneStepAndUndoRestoresIt()
+{
+    std::vector<QueryState> states{query()};
+    const auto edited = [&](const char* name) {
+        states.push_back(query());
+        QCOMPARE(session_->undoStack().count(), static_cast<int>(states.size()) - 1);
+        QCOMPARE(session_->undoStack().undoText(), QString(name));
+    };
+    session_->setError(2);
+    edited("change of accuracy");
+    session_->setBudget(5000);
+    edited("change of budget");
+    session_->setFocus(sphereAt({3, 4, 5}));
+    edited("change of focus");
+    session_->setWindow({true, {{{1, 2, 3}, {4, 5, 6}}, WindowBorder::Contained}});
+    edited("change of window");
+    session_->setValueFilter({true, 10, 20});
+    edited("change of values");
+    session_->setByBudget(false);
+    edited("change of accuracy");
+    for (auto state = states.rbegin(); state != states.rend(); ++state) {
+        QCOMPARE(query(), *state);
+        session_->undoStack().undo();
+    }
+    for (const QueryState& state : states) {
+        QCOMPARE(query(), state);
+        session_->undoStack().redo();
+    }
+}
+
+void QueryTest::aDragIsOneStep()
+{
+    session_->setFocus(sphereAt({3, 4, 5}));
+    session_->beginGesture();
+    for (double x = 4; x < 10; ++x)
+        session_->setFocus(sphereAt({x, 4, 5}));
+    session_->endGesture();
+    QCOMPARE(session_->undoStack().count(), 2);
+    session_->undoStack().undo();
+    QCOMPARE(query().focus.centre.x(), 3.0);
+    session_->beginGesture();
+    session_->setFocus(sphereAt({9, 4, 5}));
+    session_->setFocus(sphereAt({3, 4, 5})); // as Escape does
+    session_->endGesture();
+    QCOMPARE(session_->undoStack().count(), 1);
+}
+
+void QueryTest::whatHoldsIsWhatWasTouchedLast()
+{
+    session_->setBudget(5000);
+    QVERIFY(query().byBudget);
+    session_->setError(3);
+    QVERIFY(!query().byBudget);
+    QCOMPARE(query().budget, std::uint64_t{5000});
+}
+
+void QueryTest::badNumbersAreNotTaken()
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinity = std::numeric_limits<double>::infinity();
+    const QueryState before = query();
+    FocusState focus = before.focus;
+    focus.centre = {nan, infinity, -infinity};
+    focus.size = {nan, nan, nan};
+    focus.radius = infinity;
+    focus.error = nan;
+    focus.falloff = -infinity;
+    session_->setFocus(focus);
+    session_->setWindow({false, {{{nan, nan, nan}, {nan, infinity, nan}}, before.window.window.border}});
+    session_->setValueFilter({false, nan, infinity});
+    session_->setError(nan);
+    QCOMPARE(query(), before);
+    QCOMPARE(session_->undoStack().count(), 0);
+
+    focus = before.focus;
+    focus.centre = {1e9, -1e9, 0};
+    focus.radius = -1;
+    focus.size.setConstant(-1);
+    focus.error = 1000;
+    focus.falloff = -1;
+    session_->setFocus(focus);
+    const Eigen::AlignedBox3d& bounds = model_->description().bounds;
+    QVERIFY(bounds.contains(query().focus.centre));
+    QVERIFY(query().focus.radius > 0 && query().focus.size.minCoeff() > 0);
+    QCOMPARE(query().focus.error, 100.0);
+    QCOMPARE(query().focus.falloff, 0.0);
+    session_->setBudget(0);
+    QVERIFY(query().budget >= 5); // the coarsest mesh of a lattice
+}
+
+void QueryTest::aWindowIsOrderedAndNotFlat()
+{
+    session_->setWindow({true, {{{9, 5, 100}, {2, 5, 200}}, WindowBorder::Clipped}});
+    const Box box = query().window.window.box;
+    QCOMPARE(box.least.x(), 2.0);
+    QCOMPARE(box.largest.x(), 9.0);
+    QVERIFY((box.largest - box.least).minCoeff() > 0);
+    const Eigen::AlignedBox3d& bounds = model_->description().bounds;
+    QVERIFY(bounds.contains(box.least) && bounds.contains(box.largest));
+    session_->setValueFilter({true, 100, 50});
+    QCOMPARE(query().values.least, 50.0);
+}
+
+void QueryTest::theQuerySaysTheSame()
+{
+    session_->setError(2);
+    MeshQuery asked = meshQuery(query(), *model_);
+    QVERIFY(asked.error.isConstant());
+    QCOMPARE(asked.error.bounds().maximum, 2.0);
+    QVERIFY(!asked.budget && !asked.window && asked.values.empty());
+    FocusState focus = sphereAt({3, 4, 5});
+    focus.error = 0.25;
+    focus.falloff = 2;
+    session_->setFocus(focus);
+    session_->setWindow({true, {{{1, 2, 3}, {4, 5, 6}}, WindowBorder::Contained}});
+    session_->setValueFilter({true, 10, 20});
+    asked = meshQuery(query(), *model_);
+    const SpaceRamp* ramp = asked.error.asSpaceRamp();
+    QVERIFY(ramp != nullptr);
+    QCOMPARE(*ramp, (SpaceRamp{Sphere{{3, 4, 5}, focus.radius}, 0.25, 2, 2}));
+    QCOMPARE(asked.window, std::optional(Window{{{1, 2, 3}, {4, 5, 6}}, WindowBorder::Contained}));
+    QCOMPARE(asked.values.size(), std::size_t{1});
+    QCOMPARE(asked.values[0].maximum, 20.0);
+    focus.shape = FocusState::Shape::Box;
+    session_->setFocus(focus);
+    asked = meshQuery(query(), *model_);
+    const Box wanted{focus.centre - focus.size / 2, focus.centre + focus.size / 2};
+    QCOMPARE(std::get<Box>(asked.error.asSpaceRamp()->region), wanted);
+}
+
+void QueryTest::aBudgetKeepsTheProportion()
+{
+    session_->setError(4);
+    FocusState focus = sphereAt({3, 4, 5});
+    focus.error = 0.5;
+    session_->setFocus(focus);
+    session_->setBudget(5000);
+    const MeshQuery asked = meshQuery(query(), *model_);
+    QCOMPARE(asked.budget, std::optional<std::uint64_t>(5000));
+    const SpaceRamp* ramp = asked.error.asSpaceRamp();
+    QVERIFY(ramp != nullptr);
+    QVERIFY(std::abs(ramp->outer / ramp->inner - 8) < 1e-9);
+    QVERIFY(ramp->outer < errorWithin(*model_, 5000)); // so that the budget, not the error, ends the mesh
+    QVERIFY(ramp->inner > 0);
+}
+
+void QueryTest::theErrorOfABudgetIsTheBestThatFits()
+{
+    for (const std::uint64_t budget : {100U, 1000U, 10'000U, 40'000U}) {
+        const double error = errorWithin(*model_, budget);
+        QVERIFY(meshSizeAt(*model_, bothWithin(error)).tetrahedra <= budget);
+        if (error > 1e-3)
+            QVERIFY(meshSizeAt(*model_, bothWithin(error * 0.999)).tetrahedra > budget);
+    }
+    QCOMPARE(errorWithin(*model_, 1'000'000'000), 0.0);
+    session_->setBudget(10'000);
+    QCOMPARE(session_->meshSize().sites, meshSizeAt(*model_, bothWithin(errorWithin(*model_, 10'000))).sites);
+}
+
+void QueryTest::budgetsGoInRoundSteps()
+{
+    QCOMPARE(steppedBudget(300'000, 1), std::uint64_t{500'000});
+    QCOMPARE(steppedBudget(300'000, -1), std::uint64_t{200'000});
+    QCOMPARE(steppedBudget(310'000, 1), std::uint64_t{500'000});
+    QCOMPARE(steppedBudget(310'000, -1), std::uint64_t{300'000});
+    QCOMPARE(steppedBudget(700'000, 1), std::uint64_t{1'000'000});
+    QCOMPARE(steppedBudget(7, -1), std::uint64_t{1000});
+}
+
+void QueryTest::theMeshIsToldInWords()
+{
+    ShownMesh mesh;
+    mesh.query.error = 0.5;
+    mesh.tetrahedra = mesh.wholeTetrahedra = 2000;
+    QCOMPARE(meshText(mesh, *model_), QString("Shown: error 0.5 %."));
+    mesh.scale = 2;
+    QCOMPARE(meshText(mesh, *model_), QString("Shown: error 1 %. The model has nothing finer."));
+    mesh.query.error = SpaceRamp{Sphere{{3, 4, 5}, 2}, 0.5, 4, 1};
+    mesh.query.budget = 2000;
+    QCOMPARE(meshText(mesh, *model_), QString("Shown: error 1 % in the focus, 8 % outside. More would take more than "
+                                              "2000 tetrahedra."));
+    mesh.scale = 1;
+    mesh.query.budget.reset();
+    mesh.query.values = {{1, 2}};
+    mesh.tetrahedra = 30;
+    QCOMPARE(meshText(mesh, *model_),
+             QString("Shown: error 0.5 % in the focus, 4 % outside. 30 of its 2000 tetrahedra are shown."));
+}
+
+void QueryTest::aShownMeshBelongsToItsQuery()
+{
+    QVERIFY(!session_->showsQuery());
+    ShownMesh mesh;
+    mesh.query = meshQuery(query(), *model_);
+    session_->setShown(mesh);
+    QVERIFY(session_->showsQuery());
+    session_->setFocus(sphereAt({3, 4, 5}));
+    QVERIFY(!session_->showsQuery());
+    session_->undoStack().undo();
+    QVERIFY(session_->showsQuery());
+    session_->close();
+    QVERIFY(!session_->shown());
+}
+
+QTEST_GUILESS_MAIN(QueryTest)
+#include "query_test.moc"

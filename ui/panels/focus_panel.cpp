@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/focus_panel.h"
+
+#include "ui/panels/accuracy_inputs.h"
+#include "ui/session/accuracy_scale.h"
+#include "ui/session/number_text.h"
+#include "ui/widgets/checked_button.h"
+#include "ui/widgets/gesture_watcher.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/scrolled_column.h"
+#include "ui/widgets/value_box.h"
+#include "ui/widgets/value_slider.h"
+#include "ui/widgets/vector_input.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace tetra {
+namespace {
+
+constexpr int labelColumn = 0;
+constexpr int inputColumn = 1;
+constexpr int inputColumns = 3;
+
+QLabel* dimLabel(const char* name)
+{
+    auto* label = new QLabel;
+    label->setObjectName(name);
+    label->setWordWrap(true);
+    label->setForegroundRole(QPalette::PlaceholderText);
+    return label;
+}
+
+void addRow(QGridLayout& grid, int row, QLabel* label, QWidget* input)
+{
+    grid.addWidget(label, row, labelColumn);
+    grid.addWidget(input, row, inputColumn, 1, inputColumns);
+    label->setBuddy(input);
+}
+
+} // namespace
+
+FocusPanel::FocusPanel(Session& session, QWidget* parent)
+    : QWidget(parent), session_(session), settings_(new QWidget), radiusLabel_(new QLabel(tr("Rad&ius"))),
+      radius_(new ValueSlider("focus.radius", session)), error_(new AccuracySlider), errorBox_(new AccuracyBox),
+      falloff_(new ValueSlider("focus.falloff", session)), outside_(dimLabel("focus.outside")),
+      expectation_(dimLabel("focus.expectation")), hint_(dimLabel("focus.hint"))
+{
+    setObjectName("focus");
+    hint_->setText(tr("A part of the domain with an error of its own. Choose a shape, then drag its handles in the "
+                      "picture; a double click on a surface brings the focus there."));
+    auto* settings = new QVBoxLayout(settings_);
+    settings->setContentsMargins({});
+    settings->addLayout(makeInputs());
+    settings->addWidget(outside_);
+    settings->addWidget(expectation_);
+    settings->addLayout(makeButtons());
+
+    auto* content = new QWidget;
+    auto* layout = new QVBoxLayout(content);
+    layout->addLayout(makeShapes());
+    layout->addWidget(hint_);
+    layout->addWidget(settings_);
+    layout->addStretch();
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins({});
+    outer->addWidget(new ScrolledColumn(content));
+
+    connectInputs();
+    connect(&session_, &Session::modelChanged, this, &FocusPanel::showModel);
+    connect(&session_, &Session::modelGrown, this, &FocusPanel::showFocus);
+    connect(&session_.view(), &ViewState::queryChanged, this, &FocusPanel::showFocus);
+    showModel();
+}
+
+/// Applies a change to the focus and shows what the session made of it.
+template <class Change> void FocusPanel::edit(Change change)
+{
+    FocusState changed = focus();
+    change(changed);
+    session_.setFocus(changed);
+    showFocus();
+}
+
+QLayout* FocusPanel::makeShapes()
+{
+    struct Entry {
+        const char* name;
+        QString text;
+        QString toolTip;
+        std::optional<Glyph> glyph;
+    };
+    const std::array<Entry, 3> entries{{
+        {"focus.none", tr("None"), tr("The same error everywhere"), std::nullopt},
+        {"focus.box", tr("Box"), tr("A box with an error of its own (B)"), Glyph::Box},
+        {"focus.sphere", tr("Sphere"), tr("A sphere with an error of its own (F)"), Glyph::Sphere},
+    }};
+    auto* row = new QHBoxLayout;
+    row->setSpacing(2);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        auto* button = new QToolButton;
+        button->setObjectName(entries[i].name);
+        button->setText(entries[i].text);
+        button->setToolTip(entries[i].toolTip);
+        if (entries[i].glyph)
+            button->setIcon(glyphIcon(*entries[i].glyph));
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setCheckable(true);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        connect(button, &QToolButton::clicked, this,
+                [this, i] { edit([i](FocusState& changed) { changed.shape = static_cast<FocusState::Shape>(i); }); });
+        row->addWidget(button);
+        shapes_[i] = button;
+    }
+    return row;
+}
+
+QLayout* FocusPanel::makeInputs()
+{
+    auto* grid = new QGridLayout;
+    addAxisNames(*grid, 0);
+    centre_ = new VectorInput("focus.centre", tr("&Centre"), tr("Centre of the focus, in the coordinates of the data"),
+                              session_, *grid, 1, this);
+    size_ = new VectorInput("focus.size", tr("&Size"), tr("Edges of the box, in the lengths of the data"), session_,
+                            *grid, 2, this);
+    radius_->setTexts(tr("Radius of the sphere"), tr("Radius of the sphere, in the lengths of the data"));
+    falloff_->setTexts(tr("Fall-off"), tr("The length over which the error grows from that in the focus to that "
+                                          "outside, in the lengths of the data; 0 is a sharp border"));
+    error_->setObjectName("focus.error.slider");
+    errorBox_->setObjectName("focus.error.box");
+    for (QWidget* input : std::initializer_list<QWidget*>{error_, errorBox_}) {
+        input->setAccessibleName(tr("Error in the focus"));
+        input->setToolTip(tr("Error in the focus, in percent of the value range"));
+        new GestureWatcher(input, session_);
+    }
+    auto* errors = new QWidget;
+    auto* row = new QHBoxLayout(errors);
+    row->setContentsMargins({});
+    row->addWidget(error_, 1);
+    row->addWidget(errorBox_);
+    errors->setFocusProxy(errorBox_);
+    addRow(*grid, 3, radiusLabel_, radius_);
+    addRow(*grid, 4, new QLabel(tr("Error i&nside")), errors);
+    addRow(*grid, 5, new QLabel(tr("Fa&ll-off")), falloff_);
+    return grid;
+}
+
+void FocusPanel::connectInputs()
+{
+    connect(centre_, &VectorInput::edited, this, [this](const Eigen::Vector3d& centre) {
+        edit([&centre](FocusState& changed) { changed.centre = centre; });
+    });
+    connect(size_, &VectorInput::edited, this,
+            [this](const Eigen::Vector3d& size) { edit([&size](FocusState& changed) { changed.size = size; }); });
+    connect(radius_, &ValueSlider::edited, this,
+            [this](double radius) { edit([radius](FocusState& changed) { changed.radius = radius; }); });
+    const auto choose = [this](double percent) { edit([percent](FocusState& changed) { changed.error = percent; }); };
+    connect(error_, &AccuracySlider::chosen, this, choose);
+    connect(errorBox_, &AccuracyBox::chosen, this, choose);
+    connect(falloff_, &ValueSlider::edited, this,
+            [this](double length) { edit([length](FocusState& changed) { changed.falloff = length; }); });
+}
+
+QLayout* FocusPanel::makeButtons()
+{
+    auto* centre = new QPushButton(tr("&To Centre of View"));
+    centre->setObjectName("focus.toView");
+    centre->setToolTip(tr("Move the focus to what the camera looks at (C)"));
+    connect(centre, &QPushButton::clicked, this, &FocusPanel::centreWanted);
+    auto* reset = new QPushButton(tr("Reset"));
+    reset->setObjectName("focus.reset");
+    reset->setToolTip(tr("Place, size, error and fall-off as they were at first"));
+    connect(reset, &QPushButton::clicked, this, [this] {
+        const FocusState first = startingQuery(*session_.model(), session_.view().error()).focus;
+        edit([&first](FocusState& changed) {
+            const FocusState::Shape shape = changed.shape;
+            changed = first;
+            changed.shape = shape;
+        });
+    });
+    auto* row = new QHBoxLayout;
+    row->addWidget(centre, 1);
+    row->addWidget(reset);
+    return row;
+}
+
+void FocusPanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        showFocus();
+}
+
+void FocusPanel::showModel()
+{
+    setEnabled(session_.model() != nullptr);
+    if (const auto& model = session_.model()) {
+        const Eigen::AlignedBox3d& bounds = model->description().bounds;
+        centre_->setRange(bounds.min(), bounds.max());
+        size_->setRange(Eigen::Vector3d::Zero(), 2 * bounds.sizes());
+        radius_->setRange(0, model->diagonal() / 2);
+        falloff_->setRange(0, model->diagonal() / 2);
+    }
+    const int width = std::max(
+        {radius_->box()->sizeHint().width(), errorBox_->sizeHint().width(), falloff_->box()->sizeHint().width()});
+    for (QWidget* box : std::initializer_list<QWidget*>{radius_->box(), errorBox_, falloff_->box()})
+        box->setFixedWidth(width);
+    showFocus();
+}
+
+void FocusPanel::showFocus()
+{
+    const FocusState& shown = focus();
+    for (std::size_t i = 0; i < shapes_.size(); ++i)
+        showChecked(*shapes_[i], i == static_cast<std::size_t>(shown.shape));
+    settings_->setVisible(shown.isOn());
+    hint_->setVisible(!shown.isOn());
+    const bool isSphere = shown.shape == FocusState::Shape::Sphere;
+    size_->setVisible(!isSphere);
+    radiusLabel_->setVisible(isSphere);
+    radius_->setVisible(isSphere);
+    centre_->setValue(shown.centre);
+    size_->setValue(shown.size);
+    radius_->setValue(shown.radius);
+    error_->setAccuracy(shown.error);
+    errorBox_->setAccuracy(shown.error);
+    falloff_->setValue(shown.falloff);
+    showExpectation();
+}
+
+/// What is known before anything is extracted: the mesh lies between the uniform ones of the two errors.
+void FocusPanel::showExpectation()
+{
+    outside_->clear();
+    expectation_->clear();
+    const auto& model = session_.model();
+    const QueryState& query = session_.view().query();
+    if (!model || !query.focus.isOn())
+        return;
+    if (query.byBudget) {
+        outside_->setText(tr("With the budget the error outside is %1 times this one.")
+                              .arg(QLocale().toString(query.error / std::max(query.focus.error, 1e-3), 'g', 3)));
+        return;
+    }
+    outside_->setText(tr("Outside %1, as chosen under Accuracy.").arg(percentText(query.error)));
+    const std::uint64_t inside = meshSizeAt(*model, bothWithin(query.focus.error)).tetrahedra;
+    const std::uint64_t outside = meshSizeAt(*model, bothWithin(query.error)).tetrahedra;
+    expectation_->setText(tr("Between %1 and %2 tetrahedra.")
+                              .arg(countText(std::min(inside, outside)), countText(std::max(inside, outside))));
+}
+
+} // namespace tetra

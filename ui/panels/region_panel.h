@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/session.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QPushButton;
+
+namespace tetra {
+
+class ValueSlider;
+class VectorInput;
+
+/// Which part of the mesh is seen: a window into the domain, and what becomes of the tetrahedra at its border (S17);
+/// and a range of values.
+class RegionPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit RegionPanel(Session& session, QWidget* parent = nullptr);
+
+private:
+    QLayout* makeWindow();
+    QLayout* makeValues();
+    template <class Change> void editWindow(Change change);
+    template <class Change> void editValues(Change change);
+    void showModel();
+    void showQuery();
+
+    Session& session_;
+    QCheckBox* window_;
+    QWidget* windowSettings_;
+    VectorInput* from_ = nullptr;
+    VectorInput* to_ = nullptr;
+    QComboBox* border_;
+    QCheckBox* values_;
+    QWidget* valueSettings_;
+    ValueSlider* least_;
+    ValueSlider* largest_;
+    QPushButton* reset_;
+};
+
+} // namespace tetra

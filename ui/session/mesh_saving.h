@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/model/model.h"
+#include "core/model/queries/mesh_query.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace tetra {
+
+/// A mesh to save, as it is seen.
+struct MeshOrder {
+    std::shared_ptr<const Model> model;
+    std::shared_ptr<const ExtractedMesh> mesh;
+    MeshQuery query; ///< that it answers
+    std::filesystem::path target;
+};
+
+/// Writes the mesh with its values and the sites of its vertices, and as facts where it is from and what errors it
+/// keeps. The format is that of the file's ending. Errors as of writeMeshFile().
+Status writeMesh(const MeshOrder& order, const Progress& progress);
+
+} // namespace tetra

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/mesh_text.h"
+
+#include "ui/session/number_text.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+
+namespace tetra {
+namespace {
+
+class MeshText {
+    Q_DECLARE_TR_FUNCTIONS(MeshText)
+};
+
+/// Nothing differs by more; what is more is not worth a digit.
+constexpr double most = 100;
+
+QString keptText(double percent, double scale)
+{
+    return percentText(std::min(percent * scale, most));
+}
+
+QString limitText(const ShownMesh& mesh)
+{
+    // A little more is rounding.
+    const bool isMore = mesh.scale > 1.001;
+    if (mesh.query.budget && isMore)
+        return MeshText::tr("More would take more than %1 tetrahedra.").arg(countText(*mesh.query.budget));
+    if (mesh.query.budget)
+        return MeshText::tr("This is all that the model has.");
+    return isMore ? MeshText::tr("The model has nothing finer.") : QString();
+}
+
+QString partText(const ShownMesh& mesh)
+{
+    if (!mesh.query.window && mesh.query.values.empty())
+        return {};
+    return MeshText::tr("%1 of its %2 tetrahedra are shown.")
+        .arg(countText(mesh.tetrahedra), countText(mesh.wholeTetrahedra));
+}
+
+} // namespace
+
+QString errorText(const ShownMesh& mesh)
+{
+    if (const SpaceRamp* ramp = mesh.query.error.asSpaceRamp())
+        return MeshText::tr("error %1 in the focus, %2 outside")
+            .arg(keptText(ramp->inner, mesh.scale), keptText(ramp->outer, mesh.scale));
+    return MeshText::tr("error %1").arg(keptText(mesh.query.error.bounds().maximum, mesh.scale));
+}
+
+QString meshText(const ShownMesh& mesh, const Model& model)
+{
+    const QString errors = errorText(mesh);
+    QStringList sentences{model.description().warpingWeight > 0
+                              ? MeshText::tr("Shown: %1; the warping likewise.").arg(errors)
+                              : MeshText::tr("Shown: %1.").arg(errors)};
+    sentences << limitText(mesh) << partText(mesh);
+    sentences.removeAll(QString());
+    return sentences.join(' ');
+}
+
+} // namespace tetra

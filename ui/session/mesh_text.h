@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/model/model.h"
+#include "ui/session/shown_mesh.h"
+
+#include <QString>
+
+namespace tetra {
+
+/// The errors that the mesh keeps: "error 0.5 % in the focus, 4 % outside".
+QString errorText(const ShownMesh& mesh);
+
+/// What holds of the mesh that is shown, in a sentence or two: the errors, what limits them, and which part of it is
+/// seen.
+QString meshText(const ShownMesh& mesh, const Model& model);
+
+} // namespace tetra

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/data/scalar_field.h"
+#include "core/model/extraction.h"
+#include "core/model/model.h"
+#include "core/model/queries/mesh_query.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+namespace tetra {
+
+/// A region that can be moved about in the picture.
+using MovableRegion = std::variant<Box, Sphere>;
+
+/// Where the mesh is to be more (or less) accurate than elsewhere (R25). Both shapes keep their size while the other
+/// one is in use.
+struct FocusState {
+    enum class Shape { None, Box, Sphere };
+    Shape shape = Shape::None;
+    Eigen::Vector3d centre{0, 0, 0};
+    Eigen::Vector3d size{0, 0, 0}; ///< lengths of the box's edges
+    double radius = 0;             ///< of the sphere
+    double error = 0.5;            ///< inside, %
+    double falloff = 0;            ///< the length over which the error grows to that outside
+    bool operator==(const FocusState&) const = default;
+
+    bool isOn() const noexcept { return shape != Shape::None; }
+    /// The box if there is none.
+    MovableRegion region() const;
+    /// Moved and sized as `region`; its shape does not change.
+    FocusState movedTo(const MovableRegion& region) const;
+};
+
+/// The part of the domain that is shown (S17).
+struct WindowState {
+    bool enabled = false;
+    Window window;
+    bool operator==(const WindowState&) const = default;
+};
+
+/// The values that are shown.
+struct ValueFilter {
+    bool enabled = false;
+    double least = 0;
+    double largest = 0;
+    bool operator==(const ValueFilter&) const = default;
+};
+
+/// The regions that a query can have.
+enum class RegionKind { None, Focus, Window };
+
+/// Which mesh of a model is seen: a value. Percentages are of the value range, and of curvilinear data likewise of the
+/// diagonal (bothWithin()).
+struct QueryState {
+    double error = 1; ///< %; with a focus that outside of it
+    bool byBudget = false;
+    std::uint64_t budget = 300'000; ///< tetrahedra, if byBudget: then the errors say how they relate to each other
+    FocusState focus;
+    WindowState window;
+    ValueFilter values;
+    bool operator==(const QueryState&) const = default;
+
+    /// Whether the mesh is a prefix of the model's sites and all of it, so that its size is known beforehand.
+    bool isUniform() const noexcept { return !focus.isOn() && !window.enabled && !values.enabled; }
+    bool has(RegionKind kind) const noexcept;
+    /// Where the region is, or would be.
+    MovableRegion place(RegionKind kind) const;
+    QueryState moved(RegionKind kind, const MovableRegion& place) const;
+    QueryState without(RegionKind kind) const;
+};
+
+/// Focus, window and values as they are offered at first, all off: in the middle of the domain, a quarter of its
+/// extent.
+QueryState startingQuery(const Model& model, double error);
+
+/// Finite, within the domain and the range of the values, with sizes that can be seen; what is not a number is as it
+/// was `before`.
+QueryState corrected(QueryState query, const QueryState& before, const Model& model);
+
+/// What to ask the model for. By budget the errors keep their proportion, but are smaller than the budget can allow, so
+/// that it makes them larger and is used up.
+MeshQuery meshQuery(const QueryState& query, const Model& model);
+
+/// The error that a uniform mesh reaches with at most so many tetrahedra, in %: known without extracting it.
+double errorWithin(const Model& model, std::uint64_t budget);
+
+/// The uniform mesh that the query asks for, known without extracting it; of a query that is not uniform the mesh of
+/// the error outside the focus, without window and values.
+MeshSize plannedSize(const QueryState& query, const Model& model);
+
+/// A round number of tetrahedra, larger (steps > 0) or smaller.
+std::uint64_t steppedBudget(std::uint64_t budget, int steps);
+
+} // namespace tetra

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/model/queries/mesh_query.h"
+
+#include <cstdint>
+
+namespace tetra {
+
+/// What is known of the mesh that a picture shows.
+struct ShownMesh {
+    MeshQuery query; ///< that it answers
+    std::uint64_t vertices = 0;
+    std::uint64_t tetrahedra = 0;
+    std::uint32_t wholeSites = 0; ///< before window and values, as in ExtractedMesh
+    std::uint64_t wholeTetrahedra = 0;
+    double scale = 1; ///< as in ExtractedMesh
+};
+
+} // namespace tetra

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/region_actions.h"
+
+#include "ui/viewport/viewport.h"
+#include "ui/widgets/icons.h"
+
+#include <QMenu>
+#include <QToolBar>
+
+namespace tetra {
+
+RegionActions::RegionActions(Session& session, Viewport& viewport, QMenu& menu, QToolBar& toolBar)
+    : QObject(&menu), session_(session), viewport_(viewport),
+      sphere_(add(menu, "focusSphere", tr("Focus: &Sphere"), "F", tr("More accurate in a sphere"))),
+      box_(add(menu, "focusBox", tr("Focus: &Box"), "B", tr("More accurate in a box"))),
+      toView_(add(menu, "focusToView", tr("Focus to &Centre of View"), "C",
+                  tr("Move the focus to what the camera looks at")))
+{
+    menu.addSeparator();
+    window_ = add(menu, "window", tr("&Window"), "W", tr("Show the part of the domain in a box only"));
+    sphere_->setIcon(glyphIcon(Glyph::Sphere));
+    box_->setIcon(glyphIcon(Glyph::Box));
+    window_->setIcon(glyphIcon(Glyph::Window));
+    for (QAction* action : {sphere_, box_, window_}) {
+        action->setCheckable(true);
+        toolBar.addAction(action);
+    }
+    connect(sphere_, &QAction::triggered, this, [this](bool on) { chooseShape(FocusState::Shape::Sphere, on); });
+    connect(box_, &QAction::triggered, this, [this](bool on) { chooseShape(FocusState::Shape::Box, on); });
+    connect(window_, &QAction::triggered, this, &RegionActions::chooseWindow);
+    connect(toView_, &QAction::triggered, this, &RegionActions::focusToView);
+    connect(&session_, &Session::modelChanged, this, &RegionActions::follow);
+    connect(&session_.view(), &ViewState::queryChanged, this, &RegionActions::follow);
+    follow();
+}
+
+QAction* RegionActions::add(QMenu& menu, const char* name, const QString& text, const char* key, const QString& toolTip)
+{
+    QAction* action = menu.addAction(text);
+    action->setObjectName(QString("action.") + name);
+    action->setShortcut(QKeySequence(key));
+    action->setToolTip(tr("%1 (%2)").arg(toolTip, key));
+    return action;
+}
+
+void RegionActions::chooseShape(FocusState::Shape shape, bool on)
+{
+    FocusState focus = session_.view().query().focus;
+    focus.shape = on ? shape : FocusState::Shape::None;
+    session_.setFocus(focus);
+    if (on)
+        emit focusSwitchedOn();
+}
+
+void RegionActions::chooseWindow(bool on)
+{
+    WindowState window = session_.view().query().window;
+    window.enabled = on;
+    session_.setWindow(window);
+    if (on)
+        emit windowSwitchedOn();
+}
+
+void RegionActions::focusToView()
+{
+    FocusState focus = session_.view().query().focus;
+    focus.centre = viewport_.camera().target;
+    session_.setFocus(focus);
+}
+
+void RegionActions::follow()
+{
+    const QueryState& query = session_.view().query();
+    const bool isOpen = session_.model() != nullptr;
+    for (QAction* action : {sphere_, box_, window_})
+        action->setEnabled(isOpen);
+    toView_->setEnabled(isOpen && query.focus.isOn());
+    sphere_->setChecked(query.focus.shape == FocusState::Shape::Sphere);
+    box_->setChecked(query.focus.shape == FocusState::Shape::Box);
+    window_->setChecked(query.window.enabled);
+}
+
+} // namespace tetra
