@@ -2,7 +2,7 @@
 #include "core/model/extraction.h"
 
 #include "core/model/alive_scan.h"
-#include "core/model/lattice_points.h"
+#include "core/model/site_places.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,14 +24,6 @@ constexpr std::uint32_t starsAtOnce = 1 << 9;
 constexpr std::uint64_t slack = 2 * tetrahedraAtOnce;
 /// Pieces between two looks at whether the work was cancelled.
 constexpr std::uint64_t piecesAtOnce = 64;
-
-Error inconsistent(const Model& model, const std::string& what)
-{
-    if (const Status intact = model.checkIntact(); !intact)
-        return intact.error();
-    return {ErrorKind::BadInput, "'" + model.path().string() + "' is damaged: " + what +
-                                     ". Copy it again from where it came from, or build it again."};
-}
 
 /// Takes the mesh out of the file, some stars at a time.
 class PrefixScan {
@@ -64,7 +56,7 @@ Status PrefixScan::run(const Progress& progress)
 {
     scannedInAll_ = model_.starOffsets()[sites_];
     if (scannedInAll_ > model_.tetrahedronCount() || expected_ > scannedInAll_ || model_.starOffsets()[0] != 0)
-        return inconsistent(model_, "its star offsets do not fit its mesh sizes");
+        return inconsistentModel(model_, "its star offsets do not fit its mesh sizes");
     out_.resize(expected_ + slack);
     for (std::uint64_t piece = 0; site_ < sites_; ++piece) {
         if (const Status right = readOffsets(); !right)
@@ -81,8 +73,9 @@ Status PrefixScan::run(const Progress& progress)
         site_ += static_cast<std::uint32_t>(offsets_.size() - 1);
     }
     if (found_ != expected_)
-        return inconsistent(model_, "the mesh of " + std::to_string(sites_) + " sites has " + std::to_string(found_) +
-                                        " tetrahedra instead of " + std::to_string(expected_));
+        return inconsistentModel(model_, "the mesh of " + std::to_string(sites_) + " sites has " +
+                                             std::to_string(found_) + " tetrahedra instead of " +
+                                             std::to_string(expected_));
     out_.resize(found_);
     return {};
 }
@@ -96,8 +89,8 @@ Status PrefixScan::readOffsets()
     while (offsets_.size() <= most && offsets_.back() - offsets_.front() < tetrahedraAtOnce) {
         const std::uint64_t next = offsets[offsets_.size()];
         if (next < offsets_.back() || next > scannedInAll_)
-            return inconsistent(model_, "the star offsets of site " + std::to_string(site_ + offsets_.size() - 1) +
-                                            " make no sense");
+            return inconsistentModel(model_, "the star offsets of site " + std::to_string(site_ + offsets_.size() - 1) +
+                                                 " make no sense");
         offsets_.push_back(next);
     }
     return {};
@@ -109,8 +102,8 @@ Status PrefixScan::scanStars()
         scan_({model_.otherSites(), model_.destroyers(), site_, offsets_}, sites_, out_.data() + found_);
     found_ = static_cast<std::uint64_t>(scanned.end - out_.data());
     if (!scanned.sitesComeBefore)
-        return inconsistent(model_, "a tetrahedron of site " + std::to_string(site_) +
-                                        " or soon after has a site that " + "comes after its creator");
+        return inconsistentModel(model_, "a tetrahedron of site " + std::to_string(site_) +
+                                             " or soon after has a site that " + "comes after its creator");
     return found_ > expected_ ? tooMany() : Status();
 }
 
@@ -124,8 +117,8 @@ Status PrefixScan::scanLongStars()
             Tetrahedron alive[1 + aliveScanOverrun];
             const AliveScan scanned = scan_({model_.otherSites(), model_.destroyers(), creator, one}, sites_, alive);
             if (!scanned.sitesComeBefore)
-                return inconsistent(model_, "a tetrahedron of site " + std::to_string(creator) +
-                                                " has a site that comes after its creator");
+                return inconsistentModel(model_, "a tetrahedron of site " + std::to_string(creator) +
+                                                     " has a site that comes after its creator");
             if (scanned.end == alive)
                 continue;
             if (found_ == expected_)
@@ -137,55 +130,8 @@ Status PrefixScan::scanLongStars()
 
 Error PrefixScan::tooMany() const
 {
-    return inconsistent(model_, "the mesh of " + std::to_string(sites_) + " sites has more than the " +
-                                    std::to_string(expected_) + " tetrahedra that it should have");
-}
-
-Status placeLatticeSites(const Model& model, std::uint32_t sites, Buffer<Eigen::Vector3f>& positions)
-{
-    const Lattice& lattice = model.description().lattice;
-    const LatticePoints lookUp(lattice);
-    const std::uint32_t* const points = model.points().data();
-    const std::uint64_t pointCount = lattice.pointCount();
-    positions.resize(sites);
-    bool outside = false;
-    for (std::uint32_t site = 0; site < sites; ++site) {
-        outside |= points[site] >= pointCount;
-        positions[site] = lookUp.position(points[site]);
-    }
-    if (outside)
-        return inconsistent(model, "a site is no point of its lattice");
-    return {};
-}
-
-/// Fills in where the sites lie in physical space.
-Status placeSites(const Model& model, std::uint32_t sites, Buffer<Eigen::Vector3f>& positions)
-{
-    if (model.description().domain == DomainClass::RegularLattice)
-        return placeLatticeSites(model, sites, positions);
-    positions.resize(sites);
-    if (!model.floatPositions().empty())
-        std::copy_n(model.floatPositions().begin(), sites, positions.begin());
-    else
-        std::transform(model.doublePositions().begin(), model.doublePositions().begin() + sites, positions.begin(),
-                       [](const Eigen::Vector3d& position) { return position.cast<float>(); });
-    return {};
-}
-
-/// Makes tetrahedra that are positive in a left-handed computational space positive in physical space.
-void turnOver(Buffer<Tetrahedron>& tetrahedra)
-{
-    for (Tetrahedron& tetrahedron : tetrahedra)
-        std::swap(tetrahedron[2], tetrahedron[3]);
-}
-
-void copyValues(const Model& model, std::uint32_t sites, Buffer<float>& values)
-{
-    values.resize(sites);
-    visitSampleType(model.description().sampleType, [&]<class T>() {
-        const T* const samples = reinterpret_cast<const T*>(model.values().data());
-        std::transform(samples, samples + sites, values.begin(), [](T sample) { return static_cast<float>(sample); });
-    });
+    return inconsistentModel(model_, "the mesh of " + std::to_string(sites_) + " sites has more than the " +
+                                         std::to_string(expected_) + " tetrahedra that it should have");
 }
 
 Status extractInto(const Model& model, std::uint32_t sites, const Progress& progress, TetrahedralMesh& mesh)
@@ -196,8 +142,7 @@ Status extractInto(const Model& model, std::uint32_t sites, const Progress& prog
     }
     if (const Status scanned = PrefixScan(model, sites, mesh.tetrahedra).run(progress); !scanned)
         return scanned;
-    if (model.description().leftHanded)
-        turnOver(mesh.tetrahedra);
+    turnToPhysicalSpace(model, mesh.tetrahedra);
     if (const Status placed = placeSites(model, sites, mesh.positions); !placed)
         return placed;
     copyValues(model, sites, mesh.values);

@@ -9,13 +9,15 @@
 
 namespace tetra {
 
-/// Keeps the tetrahedra that can contain a value of one of the ranges, ends included; vertices stay as they are.
+/// Keeps the tetrahedra that can contain a value of one of the ranges, ends included, or all if there are no ranges;
+/// vertices stay as they are.
 void keepValues(TetrahedralMesh& mesh, std::span<const ValueRange> ranges);
 
 /// Keeps what the window asks for. Cutting is exact in its combinatorics: a vertex on the border is within, equal edges
 /// are cut at the same place, and the quadrilaterals of neighbours get the same diagonal, so the result conforms. It
 /// adds vertices behind the others, with values interpolated along their edges, and never makes a tetrahedron without
-/// volume from one with volume, but for rounding. Errors: cancelled, out of memory.
+/// volume from one with volume, but for rounding: a window that cuts is rounded to floats. A window whose least corner
+/// is not the least is empty. Errors: cancelled, out of memory; what is left of the mesh is then good for nothing.
 Status keepWindow(TetrahedralMesh& mesh, const Window& window, const Progress& progress = {});
 
 /// Removes vertices that no tetrahedron uses, keeping the order of the others, and renumbers. `sites` is the site of

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/queries/mesh_filters.h"
+
+#include "core/model/queries/tetrahedron_filters.h"
+#include "core/model/queries/window_cut.h"
+
+#include <algorithm>
+#include <new>
+
+namespace tetra {
+
+namespace {
+
+using Tetrahedron = std::array<std::uint32_t, 4>;
+
+/// Tetrahedra between two looks at whether the work was cancelled.
+constexpr std::size_t tetrahedraAtOnce = 1 << 16;
+constexpr std::string_view activity = "Choosing what lies in the window";
+
+/// Keeps those that the test is true of, in order.
+template <class Test> Status keepIf(Buffer<Tetrahedron>& tetrahedra, const Progress& progress, const Test& test)
+{
+    const std::size_t count = tetrahedra.size();
+    std::size_t kept = 0;
+    for (std::size_t first = 0; first < count; first += tetrahedraAtOnce) {
+        if (progress.cancelled())
+            return cancelledError(activity);
+        progress.report(static_cast<double>(first) / static_cast<double>(count), activity);
+        for (std::size_t t = first; t < std::min(first + tetrahedraAtOnce, count); ++t) {
+            const Tetrahedron tetrahedron = tetrahedra[t];
+            tetrahedra[kept] = tetrahedron;
+            kept += test(tetrahedron) ? 1 : 0;
+        }
+    }
+    tetrahedra.resize(kept);
+    return {};
+}
+
+Status keepWindowUnguarded(TetrahedralMesh& mesh, const Window& window, const Progress& progress)
+{
+    if (window.border == WindowBorder::Clipped)
+        return cutAtWindow(mesh, window.box, progress);
+    const BoxSides sides(window.box, mesh.positions);
+    if (window.border == WindowBorder::Contained)
+        return keepIf(mesh.tetrahedra, progress,
+                      [&sides](const Tetrahedron& t) { return sides.placeOf(t) == BoxSides::Place::Inside; });
+    return keepIf(mesh.tetrahedra, progress, [&sides](const Tetrahedron& t) { return sides.meets(t); });
+}
+
+} // namespace
+
+void keepValues(TetrahedralMesh& mesh, std::span<const ValueRange> ranges)
+{
+    if (ranges.empty())
+        return;
+    const float* const values = mesh.values.data();
+    const auto kept = keepIf(mesh.tetrahedra, {}, [ranges, values](const Tetrahedron& t) {
+        return canContain({values[t[0]], values[t[1]], values[t[2]], values[t[3]]}, ranges);
+    });
+    (void)kept; // what nobody can cancel succeeds
+}
+
+Status keepWindow(TetrahedralMesh& mesh, const Window& window, const Progress& progress)
+{
+    try {
+        return keepWindowUnguarded(mesh, window, progress);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorKind::OutOfResource,
+                     "Not enough memory to cut a mesh of " + std::to_string(mesh.tetrahedra.size()) +
+                         " tetrahedra at a window. Choose a larger error or a smaller window."};
+    }
+}
+
+void dropUnusedVertices(TetrahedralMesh& mesh, Buffer<std::uint32_t>& sites)
+{
+    constexpr std::uint32_t unused = 0xffffffff;
+    const std::size_t count = mesh.positions.size();
+    const std::size_t known = std::min(sites.size(), count);
+    sites.resize(count);
+    std::fill(sites.begin() + static_cast<std::ptrdiff_t>(known), sites.end(), ExtractedMesh::noSite);
+    std::vector<std::uint32_t> numbers(count, unused);
+    for (const Tetrahedron& tetrahedron : mesh.tetrahedra)
+        for (const std::uint32_t vertex : tetrahedron)
+            numbers[vertex] = 0;
+    std::uint32_t kept = 0;
+    for (std::size_t vertex = 0; vertex < count; ++vertex) {
+        if (numbers[vertex] == unused)
+            continue;
+        mesh.positions[kept] = mesh.positions[vertex];
+        mesh.values[kept] = mesh.values[vertex];
+        sites[kept] = sites[vertex];
+        numbers[vertex] = kept++;
+    }
+    mesh.positions.resize(kept);
+    mesh.values.resize(kept);
+    sites.resize(kept);
+    for (Tetrahedron& tetrahedron : mesh.tetrahedra)
+        for (std::uint32_t& vertex : tetrahedron)
+            vertex = numbers[vertex];
+}
+
+} // namespace tetra

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where sites lie and what their values are, for prefixes and for lists.
+#include "core/model/site_places.h"
+
+#include "tests/core/model/model_fixture.h"
+#include "tests/core/model/queries/some_models.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <random>
+
+using namespace tetra;
+
+class SitePlacesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { models_ = someModels(folder_.path().toStdString()); }
+
+    void aPrefixIsWhereItsSitesAre()
+    {
+        for (const auto& [name, model] : models_)
+            for (const std::uint32_t sites : {0u, 1u, model->siteCount() / 2, model->siteCount()}) {
+                Buffer<Eigen::Vector3f> positions(3);
+                QVERIFY(placeSites(*model, sites, positions).ok());
+                QCOMPARE(positions.size(), std::size_t(sites));
+                for (std::uint32_t site = 0; site < sites; ++site)
+                    QVERIFY2(positions[site] == model->position(site).cast<float>(), name.c_str());
+            }
+    }
+
+    void aListIsInItsOrder()
+    {
+        std::mt19937 random(7);
+        for (const auto& [name, model] : models_) {
+            std::vector<std::uint32_t> sites(std::size_t(3) * model->siteCount());
+            for (std::uint32_t& site : sites)
+                site = random() % model->siteCount();
+            Buffer<Eigen::Vector3f> positions;
+            Buffer<float> values;
+            Buffer<float> all;
+            QVERIFY(placeSites(*model, sites, positions).ok());
+            copyValues(*model, sites, values);
+            copyValues(*model, model->siteCount(), all);
+            QCOMPARE(positions.size(), sites.size());
+            QCOMPARE(values.size(), sites.size());
+            QCOMPARE(all.size(), std::size_t(model->siteCount()));
+            for (std::size_t i = 0; i < sites.size(); ++i) {
+                QVERIFY2(positions[i] == model->position(sites[i]).cast<float>(), name.c_str());
+                QCOMPARE(values[i], all[sites[i]]);
+            }
+        }
+    }
+
+    void sitesThatThereAreNotAreAnError()
+    {
+        for (const auto& [name, model] : models_) {
+            Buffer<Eigen::Vector3f> positions;
+            const std::array<std::uint32_t, 3> sites = {0, model->siteCount(), 1};
+            const Status placed = placeSites(*model, sites, positions);
+            QVERIFY(!placed.ok());
+            QCOMPARE(placed.error().kind, ErrorKind::BadInput);
+        }
+    }
+
+    void pointsOutsideTheLatticeAreAnError()
+    {
+        const std::filesystem::path path = folder_.filePath("damaged.tan").toStdString();
+        FileParts parts(readBytes(models_.front().model->path()));
+        parts.elements<std::uint32_t>(format::SectionId::SitePoints)[12] = 7 * 6 * 5;
+        writeBytes(path, parts.content);
+        const auto model = Model::open(path);
+        QVERIFY(model.ok());
+        Buffer<Eigen::Vector3f> positions;
+        QVERIFY(placeSites(**model, 12, positions).ok());
+        QVERIFY(!placeSites(**model, 13, positions).ok());
+        const std::array<std::uint32_t, 1> damaged = {12};
+        QVERIFY(!placeSites(**model, damaged, positions).ok());
+    }
+
+    void onlyLeftHandedTetrahedraAreTurned()
+    {
+        for (const auto& [name, model] : models_) {
+            std::vector<std::array<std::uint32_t, 4>> tetrahedra = {{1, 2, 3, 4}};
+            turnToPhysicalSpace(*model, tetrahedra);
+            QCOMPARE(tetrahedra[0] == (std::array<std::uint32_t, 4>{1, 2, 4, 3}), name == "mirrored");
+        }
+    }
+
+private:
+    QTemporaryDir folder_;
+    std::vector<SomeModel> models_;
+};
+
+QTEST_GUILESS_MAIN(SitePlacesTest)
+#include "site_places_test.moc"
