@@ -70,8 +70,8 @@ void HintGrid::spread()
     const auto copyWithin = [this](std::size_t axis, std::uint32_t from, std::uint32_t to) {
         const Axis& along = axes_[axis];
         const auto count = static_cast<std::uint32_t>(along.blocks.size());
-        if (hints_[to] == none && along.blocks[from / along.stride % count].first ==
-                                      along.blocks[to / along.stride % count].first)
+        if (hints_[to] == none &&
+            along.blocks[from / along.stride % count].first == along.blocks[to / along.stride % count].first)
             hints_[to] = hints_[from];
     };
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -10,8 +10,8 @@
 
 namespace tetra {
 
-/// The points of a divided lattice in small cells, none of which reaches into two blocks: a number is kept for each, that
-/// of a tetrahedron thereabouts. A point on the border of blocks belongs to a cell of each.
+/// The points of a divided lattice in small cells, none of which reaches into two blocks: a number is kept for each,
+/// that of a tetrahedron thereabouts. A point on the border of blocks belongs to a cell of each.
 class HintGrid {
 public:
     static constexpr std::uint32_t none = 0xffffffff;
@@ -27,7 +27,8 @@ public:
         return axes_[0].cells[x] + axes_[1].cells[y] + axes_[2].cells[z];
     }
     /// One cell for each block that has the point, eight at most, in rising order of the blocks; how many.
-    std::uint32_t cellsOf(const std::array<std::uint32_t, 3>& point, std::array<std::uint32_t, 8>& cells) const noexcept;
+    std::uint32_t cellsOf(const std::array<std::uint32_t, 3>& point,
+                          std::array<std::uint32_t, 8>& cells) const noexcept;
     /// The first and the last point along an axis of the block that a cell lies in.
     struct Bounds {
         std::int32_t first = 0;

@@ -53,9 +53,9 @@ public:
     std::uint32_t addBox(const LatticeBox& box, bool centreAtOrigin);
 
     /// After prepare(), in place of addBox(): takes over a Delaunay mesh of each box of a division, tetrahedron i into
-    /// slot i, and finds their neighbours. False, and of no use, if it is no such mesh: not positive, not conforming, not
-    /// a cover, a tetrahedron that reaches into two boxes or a vertex strictly inside a circumsphere. About 5 million
-    /// tetrahedra a second. May throw std::bad_alloc.
+    /// slot i, and finds their neighbours. False, and of no use, if it is no such mesh: not positive, not conforming,
+    /// not a cover, a tetrahedron that reaches into two boxes or a vertex strictly inside a circumsphere. About 5
+    /// million tetrahedra a second. May throw std::bad_alloc.
     [[nodiscard]] bool load(std::span<const std::array<PackedPoint, 4>> tetrahedra, const BlockDivision& division);
     /// Goes back to a mesh that was: `tetrahedra` are all its slots, none dead; `changed` are those of its slots that
     /// were overwritten since.

@@ -133,8 +133,7 @@ bool LatticeDelaunay::loadTetrahedra(std::span<const std::array<PackedPoint, 4>>
             }
     }
     const auto& size = lattice_.size();
-    return matching.singleCount() == 0 &&
-           volume == 6 * (size[0] - 1ull) * (size[1] - 1ull) * (size[2] - 1ull);
+    return matching.singleCount() == 0 && volume == 6 * (size[0] - 1ull) * (size[1] - 1ull) * (size[2] - 1ull);
 }
 
 /// Whether no vertex lies strictly inside the circumsphere of a neighbour: then none does anywhere.

@@ -19,8 +19,8 @@ class LocalDelaunay {
 public:
     /// Comes first. Errors: too large a lattice, refused address space.
     Status prepare(const BlockDivision& division, const LatticeMetric& metric);
-    /// Takes over a mesh, tetrahedra by numbers of `vertices`. False if it is no Delaunay mesh of each block's box; then
-    /// it must be loaded again before anything else.
+    /// Takes over a mesh, tetrahedra by numbers of `vertices`. False if it is no Delaunay mesh of each block's box;
+    /// then it must be loaded again before anything else.
     [[nodiscard]] bool load(std::span<const std::array<std::uint32_t, 4>> tetrahedra,
                             std::span<const PackedPoint> vertices);
     /// Back to what was loaded.
@@ -45,10 +45,7 @@ public:
     std::span<const std::uint32_t> changed() const noexcept { return {changed_.data(), changedCount_}; }
     bool hasChanged(std::uint32_t slot) const noexcept { return (flags_[slot] & changedNow) != 0; }
     /// Whether a slot still has its tetrahedron of the first mesh, or a later one has not changed since accepted.
-    bool isFirst(std::uint32_t slot) const noexcept
-    {
-        return slot < firstTetrahedra_.size() && flags_[slot] == 0;
-    }
+    bool isFirst(std::uint32_t slot) const noexcept { return slot < firstTetrahedra_.size() && flags_[slot] == 0; }
     void acceptChanges();
 
     /// The numbers of a tetrahedron's vertices, positive.

@@ -148,8 +148,8 @@ private:
         Double8 place;
     };
 
-    /// The worst samples inside and outside the part of the lattice where the limits are smaller. For limits that are the
-    /// same all over each, that is all; else a sample that may be beyond its limit.
+    /// The worst samples inside and outside the part of the lattice where the limits are smaller. For limits that are
+    /// the same all over each, that is all; else a sample that may be beyond its limit.
     [[gnu::always_inline]] void look(std::uint32_t slot, const DelaunayTetrahedron& tetrahedron)
     {
         const double least = limits_.least * nearly * planes_.determinant;
@@ -187,8 +187,8 @@ private:
     {
         const std::size_t row = (std::size_t(z) * lattice_.size()[1] + std::size_t(y)) * lattice_.size()[0];
         const std::int32_t from = limits_.first[0], to = limits_.last[0];
-        const bool within = meets_ && y >= limits_.first[1] && y <= limits_.last[1] && z >= limits_.first[2] &&
-                            z <= limits_.last[2];
+        const bool within =
+            meets_ && y >= limits_.first[1] && y <= limits_.last[1] && z >= limits_.first[2] && z <= limits_.last[2];
         if (!within || last < from || first > to)
             return lookAtRun(row, first, last, field, outside);
         if (first < from)
@@ -218,7 +218,8 @@ private:
         const auto number = static_cast<std::uint64_t>(place);
         const auto& size = lattice_.size();
         const auto row = number / size[0];
-        const WorstSample sample{error / limit, error,
+        const WorstSample sample{error / limit,
+                                 error,
                                  lattice_.pack(static_cast<std::uint32_t>(number % size[0]),
                                                static_cast<std::uint32_t>(row % size[1]),
                                                static_cast<std::uint32_t>(row / size[1])),
@@ -237,8 +238,8 @@ private:
         worst_.push_back(found);
     }
 
-    /// Which x the tetrahedron has in each of eight rows. Exact: quotients of such integers are integers or further from
-    /// one than rounding takes them.
+    /// Which x the tetrahedron has in each of eight rows. Exact: quotients of such integers are integers or further
+    /// from one than rounding takes them.
     [[gnu::always_inline]] void findRows(const std::array<double, 4>& perSlope, std::int32_t y, std::int32_t z,
                                          Rows& rows) const
     {
@@ -266,8 +267,9 @@ private:
         least = least > tooFar ? Double8{} + tooFar : least;
         const Int8 first = __builtin_convertvector(least + (1 - roundingRoom), Int8) + first_[0];
         const Int8 last = __builtin_convertvector(largest + (1 + roundingRoom), Int8) + (first_[0] - 1);
-        const Double8 field = planes_.fieldY * offsetY + (planes_.determinant * planes_.value + planes_.fieldZ * offsetZ -
-                                                          planes_.fieldX * static_cast<double>(corners_[0][0]));
+        const Double8 field =
+            planes_.fieldY * offsetY + (planes_.determinant * planes_.value + planes_.fieldZ * offsetZ -
+                                        planes_.fieldX * static_cast<double>(corners_[0][0]));
         std::memcpy(&rows.first, &first, sizeof first);
         std::memcpy(&rows.last, &last, sizeof last);
         std::memcpy(&rows.field, &field, sizeof field);
@@ -290,8 +292,8 @@ private:
             Long8 upToLast, beforeFirst;
             std::memcpy(&upToLast, &ones[lanes - std::min(lanes, last - from + 1)], sizeof upToLast);
             std::memcpy(&beforeFirst, &ones[lanes - (x - from)], sizeof beforeFirst);
-            const Double8 distance = reinterpret_cast<Double8>(reinterpret_cast<Long8>(numerator) &
-                                                               (Long8{} + 0x7fffffffffffffff) & upToLast & ~beforeFirst);
+            const Double8 distance = reinterpret_cast<Double8>(
+                reinterpret_cast<Long8>(numerator) & (Long8{} + 0x7fffffffffffffff) & upToLast & ~beforeFirst);
             const Double8 place = static_cast<double>(row + static_cast<std::size_t>(from)) + lane;
             farthest.place = distance > farthest.distance ? place : farthest.place;
             farthest.distance = distance > farthest.distance ? distance : farthest.distance;
@@ -312,8 +314,7 @@ private:
                 const double other = z - corners_[k][2];
                 if (!(height * other < 0))
                     continue;
-                const double y =
-                    corners_[i][1] + (corners_[k][1] - corners_[i][1]) * (height / (height - other));
+                const double y = corners_[i][1] + (corners_[k][1] - corners_[i][1]) * (height / (height - other));
                 least = std::min(least, y);
                 largest = std::max(largest, y);
             }
@@ -354,7 +355,8 @@ private:
                 const double offsetY = y - corners_[0][1], offsetZ = z - corners_[0][2];
                 std::array<double, 4> row{};
                 for (std::size_t face = 0; face < 4; ++face)
-                    row[face] = planes_.constant[face] + planes_.slopeY[face] * offsetY + planes_.slopeZ[face] * offsetZ;
+                    row[face] =
+                        planes_.constant[face] + planes_.slopeY[face] * offsetY + planes_.slopeZ[face] * offsetZ;
                 const double field = planes_.fieldY * offsetY + planes_.fieldZ * offsetZ;
                 const T* const samples =
                     samples_ + (std::size_t(z) * lattice_.size()[1] + std::size_t(y)) * lattice_.size()[0];
@@ -405,10 +407,10 @@ private:
     Planes planes_{};
 };
 
-template <class T>
-[[gnu::always_inline]] inline void scanAs(const LocalDelaunay& mesh, const T* samples, const ErrorLimits& limits,
-                                          std::span<const std::uint32_t> slots, ScannedPart part,
-                                          std::vector<WorstSample>& worst)
+template <class T> [[gnu::always_inline]] inline void scanAs(const LocalDelaunay& mesh, const T* samples,
+                                                             const ErrorLimits& limits,
+                                                             std::span<const std::uint32_t> slots, ScannedPart part,
+                                                             std::vector<WorstSample>& worst)
 {
     Scan<T>(mesh, samples, limits, worst).run(slots, part);
 }

@@ -60,8 +60,8 @@ enum class ScannedPart {
 };
 
 /// Looks at the samples in tetrahedra (closed, so that those on faces are looked at more than once), but for vertices,
-/// and appends the worst of each tetrahedron that has one beyond the limits. Exact about what lies where; errors are one
-/// division of exact integers for samples of up to 16 bits (S8), and rounded in doubles else.
+/// and appends the worst of each tetrahedron that has one beyond the limits. Exact about what lies where; errors are
+/// one division of exact integers for samples of up to 16 bits (S8), and rounded in doubles else.
 void scanSamples(const LocalDelaunay& mesh, std::span<const std::uint32_t> slots, const LatticeSamples& samples,
                  const ErrorLimits& limits, ScannedPart part, std::vector<WorstSample>& worst);
 

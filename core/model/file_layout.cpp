@@ -82,8 +82,7 @@ Result<FileLayout> LayoutReader::read()
             return status.error();
     for (const auto check : {&LayoutReader::checkWhatItHolds, &LayoutReader::checkLattice, &LayoutReader::checkValues,
                              &LayoutReader::checkPlace, &LayoutReader::checkBounds, &LayoutReader::checkCodecs,
-                             &LayoutReader::checkCounts, &LayoutReader::checkPositions,
-                             &LayoutReader::checkSamples})
+                             &LayoutReader::checkCounts, &LayoutReader::checkPositions, &LayoutReader::checkSamples})
         if (const Status status = (this->*check)(); !status)
             return status.error();
     return std::move(layout_);

@@ -28,8 +28,7 @@ constexpr std::uint32_t commonSections = 10;
 /// Room in the table: that of a lattice is for the samples, which a model of few sites leaves out.
 std::uint32_t mostSections(DomainClass domain)
 {
-    return commonSections + 1 +
-           (domain == DomainClass::Curvilinear ? 1 : 0);
+    return commonSections + 1 + (domain == DomainClass::Curvilinear ? 1 : 0);
 }
 
 /// A first mesh needs as many sites: the corners of a lattice, or those of one tetrahedron.
@@ -206,8 +205,7 @@ Status HistoryFileWriter::writeArrays(float finalError)
          {writeArray(SectionId::SitePoints, points_), writeSiteValues(sections_, dataset_, points_),
           writeArray(SectionId::SiteRunningErrors, runningErrors_), writeArray(SectionId::StarOffsets, starOffsets_),
           writeArray(SectionId::MeshSizes, meshSizes_), writeArray(SectionId::SiteGroups, groupGoesOn_),
-          writeDestroyers(), writeArray(SectionId::OwnErrors, ownErrors_), writeGeometry(),
-          writeAllSamples()})
+          writeDestroyers(), writeArray(SectionId::OwnErrors, ownErrors_), writeGeometry(), writeAllSamples()})
         if (!written)
             return written;
     format::Header header = headerOf(description_);

@@ -48,15 +48,15 @@ Status PlannedModelWriter::begin()
         return text.error();
     const auto sampleBytes = static_cast<std::uint32_t>(sampleSize(dataset_.values.type()));
     std::vector<PlannedSection> sections = {{SectionId::Text, 1, text->size()},
-                                       {SectionId::SitePoints, 4, planned_.sites},
-                                       {SectionId::SiteValues, sampleBytes, planned_.sites},
-                                       {SectionId::SiteRunningErrors, 4, planned_.sites},
-                                       {SectionId::StarOffsets, 8, planned_.sites + 1ull},
-                                       {SectionId::MeshSizes, 4, planned_.sites},
-                                       {SectionId::SiteGroups, 1, planned_.sites},
-                                       {SectionId::OtherSites, 12, planned_.tetrahedra},
-                                       {SectionId::Destroyers, 4, planned_.tetrahedra},
-                                       {SectionId::OwnErrors, 2, planned_.tetrahedra}};
+                                            {SectionId::SitePoints, 4, planned_.sites},
+                                            {SectionId::SiteValues, sampleBytes, planned_.sites},
+                                            {SectionId::SiteRunningErrors, 4, planned_.sites},
+                                            {SectionId::StarOffsets, 8, planned_.sites + 1ull},
+                                            {SectionId::MeshSizes, 4, planned_.sites},
+                                            {SectionId::SiteGroups, 1, planned_.sites},
+                                            {SectionId::OtherSites, 12, planned_.tetrahedra},
+                                            {SectionId::Destroyers, 4, planned_.tetrahedra},
+                                            {SectionId::OwnErrors, 2, planned_.tetrahedra}};
     if (samplesKept())
         sections.push_back({SectionId::Samples, sampleBytes, dataset_.pointCount(), 0});
     if (const Status planned = sections_.plan(sections); !planned)

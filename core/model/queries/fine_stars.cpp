@@ -37,8 +37,7 @@ bool FineStars::holds(const std::array<std::uint32_t, 4>& sites) const
     const std::uint32_t creator = sites[latest];
     if (creator < firstCreator_ || creator >= siteCount_)
         return false;
-    const std::uint64_t key =
-        keyOf(sites[(latest + 1) % 4], sites[(latest + 2) % 4], sites[(latest + 3) % 4]);
+    const std::uint64_t key = keyOf(sites[(latest + 1) % 4], sites[(latest + 2) % 4], sites[(latest + 3) % 4]);
     const std::uint64_t* const begin = keys_.data() + starts_[creator - firstCreator_];
     const std::uint64_t* const end = keys_.data() + starts_[creator - firstCreator_ + 1];
     bool found = false;

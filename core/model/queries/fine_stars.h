@@ -16,15 +16,15 @@ namespace tetra {
 class FineStars {
 public:
     FineStars() = default;
-    /// Of the first `sites` sites, but only what those from `firstCreator` on created. None if the file's numbers make no
-    /// sense.
+    /// Of the first `sites` sites, but only what those from `firstCreator` on created. None if the file's numbers make
+    /// no sense.
     static std::optional<FineStars> make(const Model& model, std::uint32_t firstCreator, std::uint32_t sites);
 
     std::uint32_t firstCreator() const noexcept { return firstCreator_; }
     std::uint32_t siteCount() const noexcept { return siteCount_; }
 
-    /// Whether the tetrahedron is in the prefix's mesh; any order of sites, some of which may be no sites. Tetrahedra that
-    /// are not are taken for others with a probability of 2^-60.
+    /// Whether the tetrahedron is in the prefix's mesh; any order of sites, some of which may be no sites. Tetrahedra
+    /// that are not are taken for others with a probability of 2^-60.
     bool holds(const std::array<std::uint32_t, 4>& sites) const;
 
 private:

@@ -29,8 +29,8 @@ bool areCorners(const BlockDivision& division, const Lattice& lattice, std::span
         corners *= division.countAlong(axis) + 1ull;
     return points.size() == corners && std::ranges::all_of(points, [&](std::uint32_t point) {
                const auto place = lattice.coordinates(point);
-               return division.isBorder(0, place[0]) && division.isBorder(1, place[1]) &&
-                      place[2] < lattice.size[2] && division.isBorder(2, place[2]);
+               return division.isBorder(0, place[0]) && division.isBorder(1, place[1]) && place[2] < lattice.size[2] &&
+                      division.isBorder(2, place[2]);
            });
 }
 

@@ -38,8 +38,8 @@ enum class VariableMethod {
 /// A question to a model, as a value (R14, R17, R25, B1). Everything can be combined: accuracy or field or budget
 /// choose a conforming mesh of the whole domain, then values and window choose from its tetrahedra.
 struct MeshQuery {
-    ErrorField error = 0.0;            ///< at most this at each sample, % of the value range
-    ErrorField warping = anyWarping;   ///< likewise, % of the diagonal: curvilinear data only
+    ErrorField error = 0.0;          ///< at most this at each sample, % of the value range
+    ErrorField warping = anyWarping; ///< likewise, % of the diagonal: curvilinear data only
     /// At most so many tetrahedra in the whole mesh: error and warping are multiplied by the least number, at least 1,
     /// with which that is so.
     std::optional<std::uint64_t> budget;

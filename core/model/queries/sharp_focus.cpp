@@ -4,8 +4,8 @@
 #include "core/base/half.h"
 #include "core/mesh/sample_scan.h"
 #include "core/model/queries/fine_stars.h"
-#include "core/model/queries/focus_limits.h"
 #include "core/model/queries/focus_division.h"
+#include "core/model/queries/focus_limits.h"
 #include "core/model/queries/site_grid.h"
 
 #include <algorithm>
@@ -31,8 +31,8 @@ using Site = SiteGrid::Site;
 LatticeSamples samplesOf(const Model& model)
 {
     return visitSampleType(model.description().sampleType, [&]<class T>() {
-        return LatticeSamples(std::span(reinterpret_cast<const T*>(model.samples().data()),
-                                        model.samples().size() / sizeof(T)));
+        return LatticeSamples(
+            std::span(reinterpret_cast<const T*>(model.samples().data()), model.samples().size() / sizeof(T)));
     });
 }
 
@@ -136,7 +136,7 @@ void SharpFocus::Work::forEachSite(const FocusLimits& limits, const Range& range
             const double limit =
                 limits.at({static_cast<std::uint32_t>(lattice_.x(point)), static_cast<std::uint32_t>(lattice_.y(point)),
                            static_cast<std::uint32_t>(lattice_.z(point))});
-            if (limit == limits.least || (limit < limits.most && static_cast<double>(errors[site->number]) > limit))
+            if (limit == limits.least || (limit<limits.most&& static_cast<double>(errors[site->number])> limit))
                 visit(*site);
         }
     });
@@ -200,8 +200,8 @@ Status SharpFocus::Work::load(std::uint32_t sites, const Progress& progress)
     const auto& size = lattice_.size();
     for (std::uint32_t site = 0; site < sites; ++site) {
         const std::uint32_t point = model_.points()[site];
-        points[site] = lattice_.pack(point % size[0], point / size[0] % size[1],
-                                     std::min(point / size[0] / size[1], size[2] - 1));
+        points[site] =
+            lattice_.pack(point % size[0], point / size[0] % size[1], std::min(point / size[0] / size[1], size[2] - 1));
     }
     if (!mesh_.load(coarse_.tetrahedra, points))
         return notDelaunay();
@@ -427,7 +427,8 @@ Error SharpFocus::Work::notDelaunay() const
 
 Error SharpFocus::Work::tooLarge() const
 {
-    return {ErrorKind::OutOfResource, "The mesh of the focus became too large. Choose a larger error or a smaller focus."};
+    return {ErrorKind::OutOfResource,
+            "The mesh of the focus became too large. Choose a larger error or a smaller focus."};
 }
 
 bool SharpFocus::fits(const Model& model)
@@ -451,8 +452,9 @@ Result<ExtractedMesh> SharpFocus::extract(const SpaceRamp& error, bool fresh, co
     try {
         return work_->extract(error, fresh, progress, std::move(reuse));
     } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource, "Not enough memory for the mesh of the focus. Choose a larger error or a "
-                                               "smaller focus."};
+        return Error{ErrorKind::OutOfResource,
+                     "Not enough memory for the mesh of the focus. Choose a larger error or a "
+                     "smaller focus."};
     }
 }
 

@@ -89,8 +89,7 @@ private slots:
             QVERIFY((*writer)->finishEarly().ok());
             const auto model = Model::open(path());
             QVERIFY(model.ok());
-            const std::uint64_t rest =
-                (*model)->siteCount() * (21 + 8ull) + (*model)->tetrahedronCount() * 18;
+            const std::uint64_t rest = (*model)->siteCount() * (21 + 8ull) + (*model)->tetrahedronCount() * 18;
             QCOMPARE((*model)->samples().empty(), dataset.pointCount() * 8 > rest / 8);
             const auto verdict = verify(**model, dataset, {});
             QVERIFY2(verdict->ok(), verdict->ok() ? "" : verdict->failures[0].c_str());
