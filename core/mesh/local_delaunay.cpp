@@ -15,6 +15,8 @@ constexpr std::uint32_t noVertex = 0xffffffff;
 
 } // namespace
 
+LocalDelaunay::LocalDelaunay() = default;
+
 Status LocalDelaunay::prepare(const BlockDivision& division, const LatticeMetric& metric)
 {
     const auto& size = division.size();

@@ -3,6 +3,7 @@
 
 #include "core/base/half.h"
 #include "core/mesh/sample_scan.h"
+#include "core/mesh/tetrahedron_boxes.h"
 #include "core/model/queries/fine_stars.h"
 #include "core/model/queries/focus_division.h"
 #include "core/model/queries/focus_limits.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <new>
 #include <numeric>
@@ -82,6 +84,7 @@ private:
     LocalDelaunay mesh_;
     std::uint32_t coarseSites_ = 0; ///< of the mesh that is loaded
     TetrahedralMesh coarse_;        ///< its positions and values
+    TetrahedronBoxes coarseBoxes_;
     Buffer<float> coarseBounds_;    ///< on the errors of its tetrahedra
     std::optional<FineStars> fine_; ///< of the mesh within
     Buffer<float> bounds_;          ///< on the error in each slot, infinite if not known
@@ -206,6 +209,7 @@ Status SharpFocus::Work::load(std::uint32_t sites, const Progress& progress)
     if (!mesh_.load(coarse_.tetrahedra, points))
         return notDelaunay();
     readBounds(sites);
+    coarseBoxes_.assign(lattice_, coarse_.tetrahedra, points);
     Buffer<std::array<std::uint32_t, 4>>().swap(coarse_.tetrahedra);
     coarseSites_ = sites;
     return {};
@@ -312,8 +316,21 @@ void SharpFocus::Work::lookAtOthers(const FocusLimits& limits, bool outsideIsKno
     bounds_.resize(mesh_.mesh().slotCount(), 0);
     for (const std::uint32_t slot : mesh_.changed())
         bounds_[slot] = 0;
-    for (std::uint32_t slot = 0; slot < bounds_.size(); ++slot)
-        if (bounds_[slot] > least)
+    const auto isUnknown = [&](std::uint32_t slot) { return bounds_[slot] > least; };
+    if (outsideIsKnown) {
+        coarseBoxes_.findMeeting(limits.first, limits.last, slots_);
+        std::erase_if(slots_, std::not_fn(isUnknown));
+    } else {
+        for (std::uint32_t slot = 0; slot < coarseBounds_.size(); ++slot)
+            if (isUnknown(slot))
+                slots_.push_back(slot);
+    }
+    // What is in place of a coarse tetrahedron may be elsewhere.
+    for (const std::uint32_t slot : mesh_.changedEarlier())
+        if (slot < coarseBounds_.size() && isUnknown(slot))
+            slots_.push_back(slot);
+    for (auto slot = static_cast<std::uint32_t>(coarseBounds_.size()); slot < bounds_.size(); ++slot)
+        if (isUnknown(slot))
             slots_.push_back(slot);
     scanSamples(mesh_, slots_, samples_, limits, outsideIsKnown ? ScannedPart::Limited : ScannedPart::All, others_);
 }
