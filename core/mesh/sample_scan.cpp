@@ -247,8 +247,8 @@ private:
         worst_.push_back(found);
     }
 
-    /// Bounds on x, counted from the first x looked at, where rows of y and z cross the planes of the faces: from below,
-    /// or from above.
+    /// Bounds on x, counted from the first x looked at, where rows of y and z cross the planes of the faces: from
+    /// below, or from above.
     struct RowPlanes {
         std::array<double, 4> atFirst, slopeY, slopeZ; ///< at the first y and z looked at
         std::array<bool, 4> fromBelow;
@@ -266,8 +266,7 @@ private:
             const double scale = slope == 0 ? steep : -1 / slope;
             planes.slopeY[face] = planes_.slopeY[face] * scale;
             planes.slopeZ[face] = planes_.slopeZ[face] * scale;
-            const double row =
-                planes_.constant[face] + planes_.slopeY[face] * offsetY + planes_.slopeZ[face] * offsetZ;
+            const double row = planes_.constant[face] + planes_.slopeY[face] * offsetY + planes_.slopeZ[face] * offsetZ;
             planes.atFirst[face] = row * scale + (slope == 0 ? farAway : corners_[0][0] - first_[0]);
             planes.fromBelow[face] = slope > 0;
         }
@@ -275,8 +274,8 @@ private:
         return planes;
     }
 
-    /// Which x the tetrahedron has in each of eight rows. Exact: where a row crosses a face is an integer or further from
-    /// one than rounding takes it.
+    /// Which x the tetrahedron has in each of eight rows. Exact: where a row crosses a face is an integer or further
+    /// from one than rounding takes it.
     [[gnu::always_inline]] void findRows(const RowPlanes& planes, std::int32_t y, std::int32_t z, Rows& rows) const
     {
         const Double8 lane = {0, 1, 2, 3, 4, 5, 6, 7};

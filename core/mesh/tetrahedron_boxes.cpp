@@ -36,8 +36,8 @@ void TetrahedronBoxes::assign(const PackedLattice& lattice, std::span<const std:
     for (std::size_t i = 0; i < tetrahedra.size(); ++i) {
         const auto keep = [&](std::size_t axis, auto coordinate) {
             const auto& [a, b, c, d] = tetrahedra[i];
-            const auto [least, largest] = std::minmax({coordinate(vertices[a]), coordinate(vertices[b]),
-                                                       coordinate(vertices[c]), coordinate(vertices[d])});
+            const auto [least, largest] = std::minmax(
+                {coordinate(vertices[a]), coordinate(vertices[b]), coordinate(vertices[c]), coordinate(vertices[d])});
             first_[axis][i] = shortened(least);
             last_[axis][i] = shortened(largest);
         };

@@ -5,6 +5,7 @@
 // resident.
 
 #include "tests/bench/bench_report.h"
+#include "tests/bench/focus_cases.h"
 
 #include "core/base/memory.h"
 #include "core/data/analytic_fields.h"
@@ -149,6 +150,8 @@ std::vector<BenchCase> measureModel(const std::filesystem::path& path, const QSt
     const std::shared_ptr<const Model> model = Model::open(path).value();
     for (const double error : {1.0, 0.0})
         cases.push_back(measureExtraction(*model, name, error, repeats));
+    for (BenchCase& one : measureFocus(*model, name, repeats))
+        cases.push_back(std::move(one));
     return cases;
 }
 

@@ -130,16 +130,16 @@ template <class Visit>
 void SharpFocus::Work::forEachSite(const FocusLimits& limits, const Range& range, Visit&& visit) const
 {
     const std::span<const float> errors = model_.runningErrors();
-    sites_->forEachCell(limits.first, limits.last, [&](const auto& cell, std::span<const Site> sites) {
+    sites_->forEachCell(limits.firstAsked, limits.lastAsked, [&](const auto& cell, std::span<const Site> sites) {
         if (sites.empty() || !limits.mayHoldIn(cell, SiteGrid::edge - 1))
             return;
         const auto begin = std::ranges::lower_bound(sites, range.coarse, {}, &Site::number);
         for (auto site = begin; site != sites.end() && site->number < range.fine; ++site) {
             const PackedPoint point = site->point;
-            const double limit =
-                limits.at({static_cast<std::uint32_t>(lattice_.x(point)), static_cast<std::uint32_t>(lattice_.y(point)),
-                           static_cast<std::uint32_t>(lattice_.z(point))});
-            if (limit == limits.least || (limit<limits.most&& static_cast<double>(errors[site->number])> limit))
+            if (limits.askFor({static_cast<std::uint32_t>(lattice_.x(point)),
+                               static_cast<std::uint32_t>(lattice_.y(point)),
+                               static_cast<std::uint32_t>(lattice_.z(point))},
+                              static_cast<double>(errors[site->number])))
                 visit(*site);
         }
     });
@@ -226,7 +226,7 @@ bool SharpFocus::Work::canGoOn(const SpaceRamp& error, const FocusLimits& limits
         const std::array<std::uint32_t, 3> place = {static_cast<std::uint32_t>(lattice_.x(point)),
                                                     static_cast<std::uint32_t>(lattice_.y(point)),
                                                     static_cast<std::uint32_t>(lattice_.z(point))};
-        surplus += !(limits.at(place) < limits.most);
+        surplus += !limits.askFor(place, std::numeric_limits<double>::infinity());
     }
     // As many would be left if nothing new came: that is looked at first, because it is quick.
     const std::size_t stay = mesh_.added().size() - surplus;

@@ -157,6 +157,29 @@ std::vector<SlowFocus::Violation> SlowFocus::worstOf(const std::vector<PointTetr
     return all;
 }
 
+/// Whether the mesh before the site was not good enough where the site lies or, of a box, at any point next to it.
+bool SlowFocus::asksFor(const SpaceRamp& ramp, std::uint32_t site) const
+{
+    const ErrorField field(ramp);
+    const Lattice& lattice = model_.description().lattice;
+    const Place place = placeOf(model_.points()[site]);
+    const std::int64_t reach = std::holds_alternative<Box>(ramp.region) && ramp.falloff == 0 ? 1 : 0;
+    const double most = ramp.outer / 100 * model_.description().range.extent();
+    const auto asks = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
+        if (x < 0 || y < 0 || z < 0 || x >= lattice.size[0] || y >= lattice.size[1] || z >= lattice.size[2])
+            return false;
+        const auto point = lattice.index(std::uint32_t(x), std::uint32_t(y), std::uint32_t(z));
+        const double limit = limitAt(field, static_cast<std::uint32_t>(point));
+        return limit<most&& static_cast<double>(model_.runningErrors()[site])> limit;
+    };
+    for (std::int64_t z = -reach; z <= reach; ++z)
+        for (std::int64_t y = -reach; y <= reach; ++y)
+            for (std::int64_t x = -reach; x <= reach; ++x)
+                if (asks(place.x + x, place.y + y, place.z + z))
+                    return true;
+    return false;
+}
+
 std::vector<PointTetrahedron> SlowFocus::meshOf(const SpaceRamp& ramp)
 {
     const ErrorField field(ramp);
@@ -168,12 +191,9 @@ std::vector<PointTetrahedron> SlowFocus::meshOf(const SpaceRamp& ramp)
     vertices_.assign(model_.description().lattice.pointCount(), false);
     for (std::uint32_t site = 0; site < coarse; ++site)
         vertices_[model_.points()[site]] = true;
-    const double most = ramp.outer / 100 * model_.description().range.extent();
-    for (std::uint32_t site = coarse; site < model_.siteCount(); ++site) {
-        const double limit = limitAt(field, model_.points()[site]);
-        if (limit<most&& static_cast<double>(model_.runningErrors()[site])> limit)
+    for (std::uint32_t site = coarse; site < model_.siteCount(); ++site)
+        if (!vertices_[model_.points()[site]] && asksFor(ramp, site))
             insert(model_.points()[site]);
-    }
     for (;;) {
         const std::vector<Violation> worst = worstOf(mesh_, field, 0);
         if (worst.empty())

@@ -40,6 +40,7 @@ private:
 
     Place placeOf(std::uint32_t point) const;
     double sampleAt(std::uint32_t point) const;
+    bool asksFor(const SpaceRamp& ramp, std::uint32_t site) const;
     double limitAt(const ErrorField& field, std::uint32_t point) const;
     void insert(std::uint32_t point);
     void insertInto(const LatticeBox& box, std::uint32_t point);
