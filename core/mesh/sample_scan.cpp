@@ -180,9 +180,13 @@ private:
                         lookAtRow(rows.first[i], rows.last[i], block + i, z, rows.field[i], inside, outside);
             }
         }
-        const double largestInside = largestOf(inside.distance), largestOutside = largestOf(outside.distance);
-        if (largestInside == least && largestOutside == most)
+        // Places stay negative where nothing was found.
+        const Long8 none = reinterpret_cast<Long8>(inside.place) & reinterpret_cast<Long8>(outside.place);
+        const Long4 half =
+            __builtin_shufflevector(none, none, 0, 1, 2, 3) & __builtin_shufflevector(none, none, 4, 5, 6, 7);
+        if ((half[0] & half[1] & half[2] & half[3]) < 0)
             return;
+        const double largestInside = largestOf(inside.distance), largestOutside = largestOf(outside.distance);
         if (meets_ && !limits_.twoValued)
             return findWorst(slot, tetrahedron);
         WorstSample found;
@@ -261,15 +265,21 @@ private:
         constexpr double steep = 1e12, farAway = 1e6;
         RowPlanes planes{};
         const double offsetY = first_[1] - corners_[0][1], offsetZ = first_[2] - corners_[0][2];
-        for (std::size_t face = 0; face < 4; ++face) {
-            const double slope = planes_.slopeX[face];
-            const double scale = slope == 0 ? steep : -1 / slope;
-            planes.slopeY[face] = planes_.slopeY[face] * scale;
-            planes.slopeZ[face] = planes_.slopeZ[face] * scale;
-            const double row = planes_.constant[face] + planes_.slopeY[face] * offsetY + planes_.slopeZ[face] * offsetZ;
-            planes.atFirst[face] = row * scale + (slope == 0 ? farAway : corners_[0][0] - first_[0]);
-            planes.fromBelow[face] = slope > 0;
-        }
+        Double4 slopeX, slopeY, slopeZ, constant;
+        std::memcpy(&slopeX, &planes_.slopeX, sizeof slopeX);
+        std::memcpy(&slopeY, &planes_.slopeY, sizeof slopeY);
+        std::memcpy(&slopeZ, &planes_.slopeZ, sizeof slopeZ);
+        std::memcpy(&constant, &planes_.constant, sizeof constant);
+        const Double4 scale = slopeX == 0.0 ? Double4{} + steep : -1.0 / slopeX;
+        const Double4 shift = slopeX == 0.0 ? Double4{} + farAway : Double4{} + double(corners_[0][0] - first_[0]);
+        const Double4 atFirst = (constant + slopeY * offsetY + slopeZ * offsetZ) * scale + shift;
+        slopeY *= scale;
+        slopeZ *= scale;
+        std::memcpy(&planes.atFirst, &atFirst, sizeof atFirst);
+        std::memcpy(&planes.slopeY, &slopeY, sizeof slopeY);
+        std::memcpy(&planes.slopeZ, &slopeZ, sizeof slopeZ);
+        for (std::size_t face = 0; face < 4; ++face)
+            planes.fromBelow[face] = planes_.slopeX[face] > 0;
         planes.field = planes_.determinant * planes_.value - planes_.fieldX * static_cast<double>(corners_[0][0]);
         return planes;
     }

@@ -9,6 +9,8 @@
 #include "core/model/queries/focus_limits.h"
 #include "core/model/queries/site_grid.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -66,6 +68,7 @@ private:
     bool canGoOn(const SpaceRamp& error, const FocusLimits& limits, const Range& range);
     Status insertMissing(const Progress& progress);
     Status repair(const FocusLimits& limits, const Progress& progress);
+    void scan(const FocusLimits& limits, ScannedPart part, std::vector<WorstSample>& worst) const;
     void lookAtChanges(const FocusLimits& limits, bool mayBeKnown);
     void lookAtOthers(const FocusLimits& limits, bool outsideIsKnown);
     Status knowStars(const Range& range);
@@ -288,6 +291,26 @@ bool SharpFocus::Work::isKnown(std::uint32_t slot) const
     return fine_->holds(sites);
 }
 
+/// Looks at slots_. In pieces whose findings are put together in order: it does not matter how many threads there are.
+void SharpFocus::Work::scan(const FocusLimits& limits, ScannedPart part, std::vector<WorstSample>& worst) const
+{
+    constexpr std::size_t pieceSlots = 512;
+    const std::size_t count = (slots_.size() + pieceSlots - 1) / pieceSlots;
+    std::vector<std::vector<WorstSample>> found(count);
+    const auto scanPiece = [&](std::size_t piece) {
+        const std::size_t first = piece * pieceSlots;
+        scanSamples(mesh_, std::span(slots_).subspan(first, std::min(pieceSlots, slots_.size() - first)), samples_,
+                    limits, part, found[piece]);
+    };
+    if (count < 2)
+        for (std::size_t piece = 0; piece < count; ++piece)
+            scanPiece(piece);
+    else
+        tbb::parallel_for(std::size_t(0), count, scanPiece);
+    for (const std::vector<WorstSample>& some : found)
+        worst.insert(worst.end(), some.begin(), some.end());
+}
+
 /// Looks at what changed since the last look, unless its error is known to be small enough.
 void SharpFocus::Work::lookAtChanges(const FocusLimits& limits, bool mayBeKnown)
 {
@@ -304,7 +327,7 @@ void SharpFocus::Work::lookAtChanges(const FocusLimits& limits, bool mayBeKnown)
         if (!known)
             slots_.push_back(slot);
     }
-    scanSamples(mesh_, slots_, samples_, limits, ScannedPart::All, worst_);
+    scan(limits, ScannedPart::All, worst_);
     mesh_.acceptChanges();
 }
 
@@ -332,7 +355,7 @@ void SharpFocus::Work::lookAtOthers(const FocusLimits& limits, bool outsideIsKno
     for (auto slot = static_cast<std::uint32_t>(coarseBounds_.size()); slot < bounds_.size(); ++slot)
         if (isUnknown(slot))
             slots_.push_back(slot);
-    scanSamples(mesh_, slots_, samples_, limits, outsideIsKnown ? ScannedPart::Limited : ScannedPart::All, others_);
+    scan(limits, outsideIsKnown ? ScannedPart::Limited : ScannedPart::All, others_);
 }
 
 /// In rounds: the worst sample of each tetrahedron that is not good enough, the worst first, unless one before it has
