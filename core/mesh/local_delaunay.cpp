@@ -15,6 +15,8 @@ constexpr std::uint32_t noVertex = 0xffffffff;
 
 } // namespace
 
+LocalDelaunay::LocalDelaunay() = default;
+
 Status LocalDelaunay::prepare(const BlockDivision& division, const LatticeMetric& metric)
 {
     const auto& size = division.size();
@@ -119,16 +121,16 @@ void LocalDelaunay::fetchAhead(std::span<const PackedPoint> points, std::size_t 
         if (next + steps < points.size())
             fetch(cellOf(points[next + steps]));
     };
-    ahead(10, [this](std::uint32_t cell) { hints_.prefetch(cell); });
+    ahead(6, [this](std::uint32_t cell) { hints_.prefetch(cell); });
     const auto withHint = [&](std::size_t steps, const auto& fetch) {
         ahead(steps, [&](std::uint32_t cell) {
             if (const std::uint32_t slot = hints_[cell]; slot != HintGrid::none)
                 fetch(slot);
         });
     };
-    withHint(7, [this](std::uint32_t slot) { mesh_.prefetch(slot); });
-    withHint(4, [this](std::uint32_t slot) { mesh_.prefetchNeighbours(slot); });
-    withHint(2, [this](std::uint32_t slot) { mesh_.prefetchSurroundings(slot); });
+    withHint(4, [this](std::uint32_t slot) { mesh_.prefetch(slot); });
+    withHint(2, [this](std::uint32_t slot) { mesh_.prefetchNeighbours(slot); });
+    withHint(1, [this](std::uint32_t slot) { mesh_.prefetchSurroundings(slot); });
 }
 
 bool LocalDelaunay::add(std::span<const PackedPoint> points)

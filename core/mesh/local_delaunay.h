@@ -17,6 +17,10 @@ namespace tetra {
 /// point on the border of blocks is added to each. One thread. Allocations throw std::bad_alloc.
 class LocalDelaunay {
 public:
+    LocalDelaunay();
+    LocalDelaunay(const LocalDelaunay&) = delete;
+    LocalDelaunay& operator=(const LocalDelaunay&) = delete;
+
     /// Comes first. Errors: too large a lattice, refused address space.
     Status prepare(const BlockDivision& division, const LatticeMetric& metric);
     /// Takes over a mesh, tetrahedra by numbers of `vertices`. False if it is no Delaunay mesh of each block's box;
@@ -47,6 +51,8 @@ public:
     /// Whether a slot still has its tetrahedron of the first mesh, or a later one has not changed since accepted.
     bool isFirst(std::uint32_t slot) const noexcept { return slot < firstTetrahedra_.size() && flags_[slot] == 0; }
     void acceptChanges();
+    /// All that were accepted since load() or restore(), each once.
+    std::span<const std::uint32_t> changedEarlier() const noexcept { return changedEarlier_; }
 
     /// The numbers of a tetrahedron's vertices, positive.
     const std::array<std::uint32_t, 4>& numbers(std::uint32_t slot) const noexcept { return numbers_[slot]; }

@@ -51,13 +51,24 @@ using Offset = std::array<double, 3>;
 /// Eight neighbouring samples as doubles.
 template <class T> [[gnu::always_inline]] inline void loadRow(const T* samples, Double8& row)
 {
-    typedef T Samples __attribute__((vector_size(8 * sizeof(T))));
-    Samples loaded;
-    std::memcpy(&loaded, samples, sizeof loaded);
-    if constexpr (std::is_integral_v<T> && sizeof(T) <= 2)
-        row = __builtin_convertvector(__builtin_convertvector(loaded, Int8), Double8);
-    else
-        row = __builtin_convertvector(loaded, Double8);
+    if constexpr (sizeof(T) == 1) {
+        // The last bits of doubles of 2^52 and more are integers: quicker than what compilers make of bytes.
+        std::uint64_t bytes = 0;
+        std::memcpy(&bytes, samples, sizeof bytes);
+        constexpr std::uint64_t signs = std::is_signed_v<T> ? 0x8080808080808080 : 0;
+        constexpr double shift = 0x1p52 + (std::is_signed_v<T> ? 128 : 0);
+        typedef std::uint64_t Words __attribute__((vector_size(64)));
+        const Words words = ((Words{} + (bytes ^ signs)) >> Words{0, 8, 16, 24, 32, 40, 48, 56}) & 255;
+        row = reinterpret_cast<Double8>(words | 0x4330000000000000) - shift;
+    } else {
+        typedef T Samples __attribute__((vector_size(8 * sizeof(T))));
+        Samples loaded;
+        std::memcpy(&loaded, samples, sizeof loaded);
+        if constexpr (std::is_integral_v<T> && sizeof(T) == 2)
+            row = __builtin_convertvector(__builtin_convertvector(loaded, Int8), Double8);
+        else
+            row = __builtin_convertvector(loaded, Double8);
+    }
 }
 
 constexpr std::int32_t lanes = 8;
@@ -154,9 +165,7 @@ private:
     {
         const double least = limits_.least * nearly * planes_.determinant;
         const double most = limits_.most * nearly * planes_.determinant;
-        std::array<double, 4> perSlope{};
-        for (std::size_t face = 0; face < 4; ++face)
-            perSlope[face] = 1 / planes_.slopeX[face];
+        const RowPlanes planes = rowPlanes();
         Farthest inside{Double8{} + least, Double8{} - 1.0}, outside{Double8{} + most, Double8{} - 1.0};
         for (std::int32_t z = first_[2]; z <= last_[2]; ++z) {
             std::int32_t firstY = first_[1], lastY = last_[1];
@@ -164,16 +173,20 @@ private:
                 sliceBounds(z, firstY, lastY);
             for (std::int32_t block = firstY; block <= lastY; block += lanes) {
                 Rows rows;
-                findRows(perSlope, block, z, rows);
+                findRows(planes, block, z, rows);
                 const std::int32_t end = std::min(lanes, lastY - block + 1);
                 for (std::int32_t i = 0; i < end; ++i)
                     if (rows.first[i] <= rows.last[i])
                         lookAtRow(rows.first[i], rows.last[i], block + i, z, rows.field[i], inside, outside);
             }
         }
-        const double largestInside = largestOf(inside.distance), largestOutside = largestOf(outside.distance);
-        if (largestInside == least && largestOutside == most)
+        // Places stay negative where nothing was found.
+        const Long8 none = reinterpret_cast<Long8>(inside.place) & reinterpret_cast<Long8>(outside.place);
+        const Long4 half =
+            __builtin_shufflevector(none, none, 0, 1, 2, 3) & __builtin_shufflevector(none, none, 4, 5, 6, 7);
+        if ((half[0] & half[1] & half[2] & half[3]) < 0)
             return;
+        const double largestInside = largestOf(inside.distance), largestOutside = largestOf(outside.distance);
         if (meets_ && !limits_.twoValued)
             return findWorst(slot, tetrahedron);
         WorstSample found;
@@ -238,26 +251,51 @@ private:
         worst_.push_back(found);
     }
 
-    /// Which x the tetrahedron has in each of eight rows. Exact: quotients of such integers are integers or further
-    /// from one than rounding takes them.
-    [[gnu::always_inline]] void findRows(const std::array<double, 4>& perSlope, std::int32_t y, std::int32_t z,
-                                         Rows& rows) const
+    /// Bounds on x, counted from the first x looked at, where rows of y and z cross the planes of the faces: from
+    /// below, or from above.
+    struct RowPlanes {
+        std::array<double, 4> atFirst, slopeY, slopeZ; ///< at the first y and z looked at
+        std::array<bool, 4> fromBelow;
+        double field; ///< at the first corner's x = 0, but for x
+    };
+
+    [[gnu::always_inline]] RowPlanes rowPlanes() const
+    {
+        // Of a face that no row crosses: no bound for rows on its inner side, and none is left for others.
+        constexpr double steep = 1e12, farAway = 1e6;
+        RowPlanes planes{};
+        const double offsetY = first_[1] - corners_[0][1], offsetZ = first_[2] - corners_[0][2];
+        Double4 slopeX, slopeY, slopeZ, constant;
+        std::memcpy(&slopeX, &planes_.slopeX, sizeof slopeX);
+        std::memcpy(&slopeY, &planes_.slopeY, sizeof slopeY);
+        std::memcpy(&slopeZ, &planes_.slopeZ, sizeof slopeZ);
+        std::memcpy(&constant, &planes_.constant, sizeof constant);
+        const Double4 scale = slopeX == 0.0 ? Double4{} + steep : -1.0 / slopeX;
+        const Double4 shift = slopeX == 0.0 ? Double4{} + farAway : Double4{} + double(corners_[0][0] - first_[0]);
+        const Double4 atFirst = (constant + slopeY * offsetY + slopeZ * offsetZ) * scale + shift;
+        slopeY *= scale;
+        slopeZ *= scale;
+        std::memcpy(&planes.atFirst, &atFirst, sizeof atFirst);
+        std::memcpy(&planes.slopeY, &slopeY, sizeof slopeY);
+        std::memcpy(&planes.slopeZ, &slopeZ, sizeof slopeZ);
+        for (std::size_t face = 0; face < 4; ++face)
+            planes.fromBelow[face] = planes_.slopeX[face] > 0;
+        planes.field = planes_.determinant * planes_.value - planes_.fieldX * static_cast<double>(corners_[0][0]);
+        return planes;
+    }
+
+    /// Which x the tetrahedron has in each of eight rows. Exact: where a row crosses a face is an integer or further
+    /// from one than rounding takes it.
+    [[gnu::always_inline]] void findRows(const RowPlanes& planes, std::int32_t y, std::int32_t z, Rows& rows) const
     {
         const Double8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
-        const double offsetZ = z - corners_[0][2];
-        const Double8 offsetY = lane + static_cast<double>(y - corners_[0][1]);
-        // Counted from the first x, so that none is negative and cutting off is rounding down.
-        const double shift = first_[0] - corners_[0][0];
+        const double stepY = y - first_[1], stepZ = z - first_[2];
+        // None is negative, so that cutting off is rounding down.
         Double8 least = Double8{}, largest = Double8{} + static_cast<double>(last_[0] - first_[0]);
         for (std::size_t face = 0; face < 4; ++face) {
-            const Double8 row =
-                planes_.slopeY[face] * offsetY + (planes_.constant[face] + planes_.slopeZ[face] * offsetZ);
-            if (planes_.slopeX[face] == 0) {
-                largest = row < 0.0 ? Double8{} - 1.0 : largest;
-                continue;
-            }
-            const Double8 bound = row * -perSlope[face] - shift;
-            if (planes_.slopeX[face] > 0)
+            const double atY = planes.atFirst[face] + planes.slopeZ[face] * stepZ + planes.slopeY[face] * stepY;
+            const Double8 bound = planes.slopeY[face] * lane + atY;
+            if (planes.fromBelow[face])
                 least = bound > least ? bound : least;
             else
                 largest = bound < largest ? bound : largest;
@@ -267,9 +305,9 @@ private:
         least = least > tooFar ? Double8{} + tooFar : least;
         const Int8 first = __builtin_convertvector(least + (1 - roundingRoom), Int8) + first_[0];
         const Int8 last = __builtin_convertvector(largest + (1 + roundingRoom), Int8) + (first_[0] - 1);
+        const double offsetY = y - corners_[0][1], offsetZ = z - corners_[0][2];
         const Double8 field =
-            planes_.fieldY * offsetY + (planes_.determinant * planes_.value + planes_.fieldZ * offsetZ -
-                                        planes_.fieldX * static_cast<double>(corners_[0][0]));
+            planes_.fieldY * lane + (planes.field + planes_.fieldZ * offsetZ + planes_.fieldY * offsetY);
         std::memcpy(&rows.first, &first, sizeof first);
         std::memcpy(&rows.last, &last, sizeof last);
         std::memcpy(&rows.field, &field, sizeof field);

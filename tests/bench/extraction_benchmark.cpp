@@ -6,6 +6,7 @@
 
 #include "tests/bench/bench_report.h"
 #include "tests/bench/query_cases.h"
+#include "tests/bench/focus_cases.h"
 
 #include "core/base/memory.h"
 #include "core/data/analytic_fields.h"
@@ -158,6 +159,8 @@ std::vector<BenchCase> measureModel(const std::filesystem::path& path, const QSt
     for (const auto& some : {accuracyChangeCases(model, name, repeats), focusBoxCases(model, name, repeats),
                              fieldCases(model, name, repeats)})
         cases.insert(cases.end(), some.begin(), some.end());
+    for (BenchCase& one : measureFocus(*model, name, repeats))
+        cases.push_back(std::move(one));
     return cases;
 }
 

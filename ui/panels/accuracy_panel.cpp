@@ -198,7 +198,7 @@ std::optional<double> AccuracyPanel::errorOfMesh() const
     if (session_.showsQuery()) {
         const ShownMesh& shown = *session_.shown();
         const SpaceRamp* ramp = shown.query.error.asSpaceRamp();
-        return std::min(100.0, shown.scale * (ramp ? ramp->outer : shown.query.error.bounds().maximum));
+        return std::min(100.0, keptPercent(ramp ? ramp->outer : shown.query.error.bounds().maximum, shown.scale));
     }
     return query.focus.isOn() ? std::nullopt : std::optional(errorWithin(*session_.model(), query.budget));
 }

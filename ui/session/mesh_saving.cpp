@@ -12,10 +12,10 @@ void addErrors(Facts& facts, const std::string& name, const ErrorField& field, d
 {
     const ValueRange bounds = field.bounds();
     if (bounds.minimum == bounds.maximum) {
-        facts.emplace_back(name, bounds.maximum * scale);
+        facts.emplace_back(name, keptPercent(bounds.maximum, scale));
     } else {
-        facts.emplace_back("smallest " + name, bounds.minimum * scale);
-        facts.emplace_back("largest " + name, bounds.maximum * scale);
+        facts.emplace_back("smallest " + name, keptPercent(bounds.minimum, scale));
+        facts.emplace_back("largest " + name, keptPercent(bounds.maximum, scale));
     }
 }
 

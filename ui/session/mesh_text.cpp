@@ -20,7 +20,7 @@ constexpr double most = 100;
 
 QString keptText(double percent, double scale)
 {
-    return percentText(std::min(percent * scale, most));
+    return percentText(std::min(keptPercent(percent, scale), most));
 }
 
 QString limitText(const ShownMesh& mesh)

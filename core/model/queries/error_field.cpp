@@ -44,10 +44,13 @@ Box normalized(Box box)
     return box;
 }
 
-SpaceRamp normalized(const SpaceRamp& ramp)
+SpaceRamp normalized(SpaceRamp ramp)
 {
-    return {std::visit([](const auto& body) { return Region(normalized(body)); }, ramp.region), orZero(ramp.inner),
-            orZero(ramp.outer), orZero(ramp.falloff)};
+    ramp.region = std::visit([](const auto& body) { return Region(normalized(body)); }, ramp.region);
+    ramp.inner = orZero(ramp.inner);
+    ramp.outer = orZero(ramp.outer);
+    ramp.falloff = orZero(ramp.falloff);
+    return ramp;
 }
 
 ValueRamp normalized(ValueRamp ramp)
@@ -80,7 +83,7 @@ template <class Leaf> bool holds(const Node& node)
 } // namespace
 
 ErrorField::ErrorField(double percent) : root_(std::make_shared<const Node>(Node{orZero(percent)})) {}
-ErrorField::ErrorField(SpaceRamp ramp) : root_(std::make_shared<const Node>(Node{normalized(ramp)})) {}
+ErrorField::ErrorField(SpaceRamp ramp) : root_(std::make_shared<const Node>(Node{normalized(std::move(ramp))})) {}
 ErrorField::ErrorField(ValueRamp ramp) : root_(std::make_shared<const Node>(Node{normalized(std::move(ramp))})) {}
 
 ErrorField ErrorField::nearValues(std::span<const double> isovalues, double inner, double outer, double falloff)
@@ -88,7 +91,7 @@ ErrorField ErrorField::nearValues(std::span<const double> isovalues, double inne
     std::vector<double> sorted(isovalues.begin(), isovalues.end());
     std::erase_if(sorted, [](double value) { return !std::isfinite(value); });
     std::ranges::sort(sorted);
-    sorted.erase(std::ranges::unique(sorted).begin(), sorted.end());
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
     if (sorted.empty())
         return outer;
     const double reach = orZero(falloff);

@@ -58,6 +58,9 @@ struct ValueRamp {
 /// bounded. An immutable value, cheap to copy; safe to read from any number of threads.
 class ErrorField {
 public:
+    // What is given is put in order: corners of a box that are the wrong way round, a normal that is none of length 1
+    // (with its offset), knots out of order. Numbers that are none count as 0, knots without a value are left out.
+
     /// The same everywhere.
     ErrorField(double percent = 0); // NOLINT(google-explicit-constructor): a number is a field
     ErrorField(SpaceRamp ramp);     // NOLINT(google-explicit-constructor)

@@ -59,7 +59,8 @@ double at(const ValueRamp& ramp, double value)
 {
     if (std::isnan(value))
         return leastOf(ramp);
-    const auto [first, last] = std::ranges::equal_range(ramp.knots, value, {}, valueOf);
+    const auto first = std::ranges::lower_bound(ramp.knots, value, {}, valueOf);
+    const auto last = std::ranges::upper_bound(first, ramp.knots.end(), value, {}, valueOf);
     if (first != last)
         return errorOf(*std::ranges::min_element(first, last, {}, errorOf));
     if (first == ramp.knots.begin())

@@ -56,6 +56,14 @@ void FocusLimits::findRange()
         last[static_cast<std::size_t>(axis)] = static_cast<std::int32_t>(to - inside.begin()) - 1;
         inside_[static_cast<std::size_t>(axis)] = std::move(inside);
     }
+    firstAsked = first;
+    lastAsked = last;
+    for (std::size_t axis = 0; axis < 3 && quick_; ++axis) {
+        firstAsked[axis] = std::max(first[axis] - 1, 0);
+        lastAsked[axis] = std::min(lastAsked[axis] + 1, static_cast<std::int32_t>(lattice_.size[axis]) - 1);
+    }
+    if (quick_ && (first[0] > last[0] || first[1] > last[1] || first[2] > last[2]))
+        lastAsked = {-1, -1, -1};
 }
 
 double FocusLimits::fieldAt(const std::array<std::uint32_t, 3>& point) const

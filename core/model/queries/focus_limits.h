@@ -22,6 +22,23 @@ public:
             return fieldAt(point);
         return inside_[0][point[0]] && inside_[1][point[1]] && inside_[2][point[2]] ? least : most;
     }
+    /// Whether a site should be a vertex before anything is looked at: the mesh before it was not good enough here or,
+    /// of a box, one step away. Without what lies next to a border more would have to be repaired, which takes longer.
+    bool askFor(const std::array<std::uint32_t, 3>& point, double runningError) const
+    {
+        if (!quick_) {
+            const double limit = fieldAt(point);
+            return limit < most && runningError > limit;
+        }
+        bool near = true;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            near &= static_cast<std::int32_t>(point[axis]) >= firstAsked[axis] &&
+                    static_cast<std::int32_t>(point[axis]) <= lastAsked[axis];
+        return near && runningError > least;
+    }
+    /// All such sites lie between these two.
+    std::array<std::int32_t, 3> firstAsked{0, 0, 0};
+    std::array<std::int32_t, 3> lastAsked{-1, -1, -1};
     /// Whether a limit below the largest can hold in a cube of points: false only if not.
     bool mayHoldIn(const std::array<std::uint32_t, 3>& first, std::uint32_t edge) const;
     /// Whether the limits are the least in a box of points and the largest in all others.

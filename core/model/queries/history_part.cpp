@@ -32,6 +32,8 @@ public:
         }
     }
 
+    bool includesAll() const { return ranges_.empty() && !sides_; }
+
     bool includes(const Tetrahedron& t) const
     {
         if (!ranges_.empty() && !canContain({values_[t[0]], values_[t[1]], values_[t[2]], values_[t[3]]}, ranges_))
@@ -60,6 +62,7 @@ public:
     Status run(const Progress& progress);
 
 private:
+    void makeRoom();
     Status scanStar(std::uint32_t creator, std::uint64_t end, const Progress& progress);
     Status keep(std::uint32_t creator, std::uint64_t tetrahedron, std::uint32_t destroyer);
 
@@ -76,6 +79,8 @@ Status HistoryScan::run(const Progress& progress)
 {
     if (all_ > model_.tetrahedronCount() || model_.starOffsets()[0] != 0)
         return inconsistentModel(model_, "its star offsets do not fit its tetrahedra");
+    if (choice_.includesAll())
+        makeRoom();
     for (std::uint32_t site = 0; site < part_.fine.sites; ++site) {
         if (site % atOnce == 0 && progress.cancelled())
             return cancelledError(activity);
@@ -91,6 +96,16 @@ Status HistoryScan::run(const Progress& progress)
                         " sites do not have the " + std::to_string(part_.coarse.tetrahedra) + " and " +
                         std::to_string(part_.fine.tetrahedra) + " tetrahedra that they should have");
     return {};
+}
+
+/// Growing would copy gigabytes.
+void HistoryScan::makeRoom()
+{
+    const auto found = static_cast<std::size_t>(std::ranges::count_if(
+        model_.destroyers().first(all_), [this](std::uint32_t destroyer) { return destroyer >= part_.coarse.sites; }));
+    part_.mesh.tetrahedra.reserve(found);
+    part_.births.reserve(found);
+    part_.deaths.reserve(found);
 }
 
 Status HistoryScan::scanStar(std::uint32_t creator, std::uint64_t end, const Progress& progress)

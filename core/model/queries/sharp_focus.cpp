@@ -3,13 +3,17 @@
 
 #include "core/base/half.h"
 #include "core/mesh/sample_scan.h"
+#include "core/mesh/tetrahedron_boxes.h"
 #include "core/model/queries/fine_stars.h"
 #include "core/model/queries/focus_division.h"
 #include "core/model/queries/focus_limits.h"
 #include "core/model/queries/site_grid.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <new>
 #include <numeric>
@@ -23,8 +27,9 @@ namespace {
 /// Insertions between two looks at whether the work was cancelled.
 constexpr std::size_t insertionsAtOnce = 4096;
 constexpr std::size_t repairsAtOnce = 256;
-/// A kept mesh may have so many sites, as a share of those inserted, that the region no longer asks for.
-constexpr std::size_t surplusShare = 10;
+/// Of the sites that were inserted into a kept mesh, at most one in so many is one that the region no longer asks for.
+/// A tenth would start afresh at every second step of 2 % of the domain, and take twice the time.
+constexpr std::size_t surplusShare = 4;
 
 using Site = SiteGrid::Site;
 
@@ -64,6 +69,7 @@ private:
     bool canGoOn(const SpaceRamp& error, const FocusLimits& limits, const Range& range);
     Status insertMissing(const Progress& progress);
     Status repair(const FocusLimits& limits, const Progress& progress);
+    void scan(const FocusLimits& limits, ScannedPart part, std::vector<WorstSample>& worst) const;
     void lookAtChanges(const FocusLimits& limits, bool mayBeKnown);
     void lookAtOthers(const FocusLimits& limits, bool outsideIsKnown);
     Status knowStars(const Range& range);
@@ -82,6 +88,7 @@ private:
     LocalDelaunay mesh_;
     std::uint32_t coarseSites_ = 0; ///< of the mesh that is loaded
     TetrahedralMesh coarse_;        ///< its positions and values
+    TetrahedronBoxes coarseBoxes_;
     Buffer<float> coarseBounds_;    ///< on the errors of its tetrahedra
     std::optional<FineStars> fine_; ///< of the mesh within
     Buffer<float> bounds_;          ///< on the error in each slot, infinite if not known
@@ -127,16 +134,16 @@ template <class Visit>
 void SharpFocus::Work::forEachSite(const FocusLimits& limits, const Range& range, Visit&& visit) const
 {
     const std::span<const float> errors = model_.runningErrors();
-    sites_->forEachCell(limits.first, limits.last, [&](const auto& cell, std::span<const Site> sites) {
+    sites_->forEachCell(limits.firstAsked, limits.lastAsked, [&](const auto& cell, std::span<const Site> sites) {
         if (sites.empty() || !limits.mayHoldIn(cell, SiteGrid::edge - 1))
             return;
         const auto begin = std::ranges::lower_bound(sites, range.coarse, {}, &Site::number);
         for (auto site = begin; site != sites.end() && site->number < range.fine; ++site) {
             const PackedPoint point = site->point;
-            const double limit =
-                limits.at({static_cast<std::uint32_t>(lattice_.x(point)), static_cast<std::uint32_t>(lattice_.y(point)),
-                           static_cast<std::uint32_t>(lattice_.z(point))});
-            if (limit == limits.least || (limit<limits.most&& static_cast<double>(errors[site->number])> limit))
+            if (limits.askFor({static_cast<std::uint32_t>(lattice_.x(point)),
+                               static_cast<std::uint32_t>(lattice_.y(point)),
+                               static_cast<std::uint32_t>(lattice_.z(point))},
+                              static_cast<double>(errors[site->number])))
                 visit(*site);
         }
     });
@@ -206,6 +213,7 @@ Status SharpFocus::Work::load(std::uint32_t sites, const Progress& progress)
     if (!mesh_.load(coarse_.tetrahedra, points))
         return notDelaunay();
     readBounds(sites);
+    coarseBoxes_.assign(lattice_, coarse_.tetrahedra, points);
     Buffer<std::array<std::uint32_t, 4>>().swap(coarse_.tetrahedra);
     coarseSites_ = sites;
     return {};
@@ -222,7 +230,7 @@ bool SharpFocus::Work::canGoOn(const SpaceRamp& error, const FocusLimits& limits
         const std::array<std::uint32_t, 3> place = {static_cast<std::uint32_t>(lattice_.x(point)),
                                                     static_cast<std::uint32_t>(lattice_.y(point)),
                                                     static_cast<std::uint32_t>(lattice_.z(point))};
-        surplus += !(limits.at(place) < limits.most);
+        surplus += !limits.askFor(place, std::numeric_limits<double>::infinity());
     }
     // As many would be left if nothing new came: that is looked at first, because it is quick.
     const std::size_t stay = mesh_.added().size() - surplus;
@@ -284,6 +292,26 @@ bool SharpFocus::Work::isKnown(std::uint32_t slot) const
     return fine_->holds(sites);
 }
 
+/// Looks at slots_. In pieces whose findings are put together in order: it does not matter how many threads there are.
+void SharpFocus::Work::scan(const FocusLimits& limits, ScannedPart part, std::vector<WorstSample>& worst) const
+{
+    constexpr std::size_t pieceSlots = 512;
+    const std::size_t count = (slots_.size() + pieceSlots - 1) / pieceSlots;
+    std::vector<std::vector<WorstSample>> found(count);
+    const auto scanPiece = [&](std::size_t piece) {
+        const std::size_t first = piece * pieceSlots;
+        scanSamples(mesh_, std::span(slots_).subspan(first, std::min(pieceSlots, slots_.size() - first)), samples_,
+                    limits, part, found[piece]);
+    };
+    if (count < 2)
+        for (std::size_t piece = 0; piece < count; ++piece)
+            scanPiece(piece);
+    else
+        tbb::parallel_for(std::size_t(0), count, scanPiece);
+    for (const std::vector<WorstSample>& some : found)
+        worst.insert(worst.end(), some.begin(), some.end());
+}
+
 /// Looks at what changed since the last look, unless its error is known to be small enough.
 void SharpFocus::Work::lookAtChanges(const FocusLimits& limits, bool mayBeKnown)
 {
@@ -300,7 +328,7 @@ void SharpFocus::Work::lookAtChanges(const FocusLimits& limits, bool mayBeKnown)
         if (!known)
             slots_.push_back(slot);
     }
-    scanSamples(mesh_, slots_, samples_, limits, ScannedPart::All, worst_);
+    scan(limits, ScannedPart::All, worst_);
     mesh_.acceptChanges();
 }
 
@@ -312,10 +340,23 @@ void SharpFocus::Work::lookAtOthers(const FocusLimits& limits, bool outsideIsKno
     bounds_.resize(mesh_.mesh().slotCount(), 0);
     for (const std::uint32_t slot : mesh_.changed())
         bounds_[slot] = 0;
-    for (std::uint32_t slot = 0; slot < bounds_.size(); ++slot)
-        if (bounds_[slot] > least)
+    const auto isUnknown = [&](std::uint32_t slot) { return bounds_[slot] > least; };
+    if (outsideIsKnown) {
+        coarseBoxes_.findMeeting(limits.first, limits.last, slots_);
+        std::erase_if(slots_, std::not_fn(isUnknown));
+    } else {
+        for (std::uint32_t slot = 0; slot < coarseBounds_.size(); ++slot)
+            if (isUnknown(slot))
+                slots_.push_back(slot);
+    }
+    // What is in place of a coarse tetrahedron may be elsewhere.
+    for (const std::uint32_t slot : mesh_.changedEarlier())
+        if (slot < coarseBounds_.size() && isUnknown(slot))
             slots_.push_back(slot);
-    scanSamples(mesh_, slots_, samples_, limits, outsideIsKnown ? ScannedPart::Limited : ScannedPart::All, others_);
+    for (auto slot = static_cast<std::uint32_t>(coarseBounds_.size()); slot < bounds_.size(); ++slot)
+        if (isUnknown(slot))
+            slots_.push_back(slot);
+    scan(limits, outsideIsKnown ? ScannedPart::Limited : ScannedPart::All, others_);
 }
 
 /// In rounds: the worst sample of each tetrahedron that is not good enough, the worst first, unless one before it has

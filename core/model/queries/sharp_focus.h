@@ -12,8 +12,10 @@ namespace tetra {
 
 /// Meshes with a sharp focus, by insertion (DESIGN.md 1, MEASURED.md "Closed sets"): the Delaunay mesh of any subset
 /// of the points is well defined, so the sites of the fine mesh that lie in the region are inserted into the coarse
-/// mesh, in the history's order, block by block; then, wherever a sample's error is still larger than the field allows,
-/// the worst sample of that tetrahedron, until none is. For regular lattices whose file holds all samples. The coarse
+/// mesh, in the history's order, block by block (of a box, those one step outside, too); then in rounds, wherever a
+/// sample's error is still larger than the field allows, the worst sample of that tetrahedron, until none is. What is a
+/// tetrahedron of the fine mesh is known to be good enough; the others are looked at on all threads that TBB may use.
+/// For regular lattices whose file holds all samples. The coarse
 /// mesh with its adjacency is kept from query to query and restored by copying; a region that moves a little keeps the
 /// sites it leaves, as long as they are few. Used from one thread at a time.
 class SharpFocus {

@@ -107,7 +107,7 @@ bool tetrahedronMeetsBox(const Corners& corners, const Box& box, double toleranc
 {
     const double room = tolerance > 0 ? tolerance * largestCoordinate(corners, box) : 0;
     // Seen from a corner the numbers are small, and differences of nearby floats are exact.
-    const Vector3d origin = corners[0];
+    const Vector3d& origin = corners[0];
     const Corners moved = {Vector3d(0, 0, 0), corners[1] - origin, corners[2] - origin, corners[3] - origin};
     const Box movedBox{box.least - origin, box.largest - origin};
     return !apartAlongBoxAxes(corners, box, room) && !apartAlongFaces(moved, movedBox, room) &&

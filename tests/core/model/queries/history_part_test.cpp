@@ -169,7 +169,7 @@ private slots:
     {
         QTest::addColumn<Damage>("damage");
         QTest::addColumn<QString>("says");
-        const auto row = [](const char* name, Damage damage, const char* says) {
+        const auto row = [](const char* name, const Damage& damage, const char* says) {
             QTest::newRow(name) << damage << QString(says);
         };
         row(

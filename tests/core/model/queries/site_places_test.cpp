@@ -34,7 +34,7 @@ private slots:
     {
         std::mt19937 random(7);
         for (const auto& [name, model] : models_) {
-            std::vector<std::uint32_t> sites(3 * model->siteCount());
+            std::vector<std::uint32_t> sites(std::size_t(3) * model->siteCount());
             for (std::uint32_t& site : sites)
                 site = random() % model->siteCount();
             Buffer<Eigen::Vector3f> positions;
