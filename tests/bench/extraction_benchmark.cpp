@@ -5,8 +5,8 @@
 // resident.
 
 #include "tests/bench/bench_report.h"
-#include "tests/bench/query_cases.h"
 #include "tests/bench/focus_cases.h"
+#include "tests/bench/query_cases.h"
 
 #include "core/base/memory.h"
 #include "core/data/analytic_fields.h"

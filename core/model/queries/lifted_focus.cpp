@@ -257,6 +257,13 @@ void LiftedFocus::Work::write(ExtractedMesh& mesh) const
     std::ranges::copy(coarse_.values, mesh.mesh.values.begin());
     std::iota(mesh.sites.begin(), mesh.sites.begin() + coarseSites_, 0u);
     std::ranges::copy(addedSites_, mesh.sites.begin() + coarseSites_);
+    mesh.points.clear();
+    if (std::ranges::find(addedSites_, ExtractedMesh::noSite) != addedSites_.end()) {
+        mesh.points.assign(count, ExtractedMesh::noSite);
+        for (std::size_t i = 0; i < added.size(); ++i)
+            if (addedSites_[i] == ExtractedMesh::noSite)
+                mesh.points[coarseSites_ + i] = grid_.lattice().index(added[i]);
+    }
     for (std::size_t i = 0; i < added.size(); ++i) {
         const std::uint32_t index = grid_.lattice().index(added[i]);
         mesh.mesh.positions[coarseSites_ + i] = positions_[index].cast<float>();

@@ -85,7 +85,7 @@ Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::Work::extract(const 
     if (query.window)
         if (const Status kept = keepWindow(part->mesh, *query.window, progress.part(0.7, 1)); !kept)
             return kept.error();
-    dropUnusedVertices(part->mesh, part->sites);
+    dropUnusedVertices(*part);
     return std::shared_ptr<const ExtractedMesh>(std::move(part));
 }
 
@@ -95,10 +95,11 @@ Status MeshExtractor::Work::extractWhole(const MeshQuery& query, const Progress&
     if (query.error.isConstant() && (query.warping.isConstant() || !warps))
         return extractUniform(query, progress);
     if (query.method == VariableMethod::Insertion && !canInsert(query))
-        return Error{ErrorKind::WrongUsage,
-                     "Insertion is for one box, sphere or half-space of smaller error in a regular lattice or any field "
-                     "in a curvilinear grid, without a budget and weights, and needs the model's file to hold all "
-                     "samples. Use a closed set, or the automatic choice."};
+        return Error{
+            ErrorKind::WrongUsage,
+            "Insertion is for one box, sphere or half-space of smaller error in a regular lattice or any field "
+            "in a curvilinear grid, without a budget and weights, and needs the model's file to hold all "
+            "samples. Use a closed set, or the automatic choice."};
     const bool asked = query.method == VariableMethod::Insertion;
     const bool allowed = query.method != VariableMethod::ClosedSet && canInsert(query);
     return asked || (allowed && insertionIsBetter(query)) ? extractByInsertion(query, progress)

@@ -71,13 +71,19 @@ Status keepWindow(TetrahedralMesh& mesh, const Window& window, const Progress& p
     }
 }
 
-void dropUnusedVertices(TetrahedralMesh& mesh, Buffer<std::uint32_t>& sites)
+void dropUnusedVertices(ExtractedMesh& extracted)
 {
     constexpr std::uint32_t unused = 0xffffffff;
+    TetrahedralMesh& mesh = extracted.mesh;
     const std::size_t count = mesh.positions.size();
-    const std::size_t known = std::min(sites.size(), count);
-    sites.resize(count);
-    std::fill(sites.begin() + static_cast<std::ptrdiff_t>(known), sites.end(), ExtractedMesh::noSite);
+    const auto fillUp = [count](Buffer<std::uint32_t>& numbers) {
+        const std::size_t known = std::min(numbers.size(), count);
+        numbers.resize(count);
+        std::fill(numbers.begin() + static_cast<std::ptrdiff_t>(known), numbers.end(), ExtractedMesh::noSite);
+    };
+    fillUp(extracted.sites);
+    if (!extracted.points.empty())
+        fillUp(extracted.points);
     std::vector<std::uint32_t> numbers(count, unused);
     for (const Tetrahedron& tetrahedron : mesh.tetrahedra)
         for (const std::uint32_t vertex : tetrahedron)
@@ -88,12 +94,16 @@ void dropUnusedVertices(TetrahedralMesh& mesh, Buffer<std::uint32_t>& sites)
             continue;
         mesh.positions[kept] = mesh.positions[vertex];
         mesh.values[kept] = mesh.values[vertex];
-        sites[kept] = sites[vertex];
+        extracted.sites[kept] = extracted.sites[vertex];
+        if (!extracted.points.empty())
+            extracted.points[kept] = extracted.points[vertex];
         numbers[vertex] = kept++;
     }
     mesh.positions.resize(kept);
     mesh.values.resize(kept);
-    sites.resize(kept);
+    extracted.sites.resize(kept);
+    if (!extracted.points.empty())
+        extracted.points.resize(kept);
     for (Tetrahedron& tetrahedron : mesh.tetrahedra)
         for (std::uint32_t& vertex : tetrahedron)
             vertex = numbers[vertex];

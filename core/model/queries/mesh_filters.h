@@ -20,8 +20,8 @@ void keepValues(TetrahedralMesh& mesh, std::span<const ValueRange> ranges);
 /// is not the least is empty. Errors: cancelled, out of memory; what is left of the mesh is then good for nothing.
 Status keepWindow(TetrahedralMesh& mesh, const Window& window, const Progress& progress = {});
 
-/// Removes vertices that no tetrahedron uses, keeping the order of the others, and renumbers. `sites` is the site of
-/// each vertex; vertices beyond its end get ExtractedMesh::noSite.
-void dropUnusedVertices(TetrahedralMesh& mesh, Buffer<std::uint32_t>& sites);
+/// Removes vertices that no tetrahedron uses, keeping the order of the others, and renumbers. Vertices behind the last
+/// one of `sites`, which cutting made, get ExtractedMesh::noSite.
+void dropUnusedVertices(ExtractedMesh& mesh);
 
 } // namespace tetra

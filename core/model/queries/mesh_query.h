@@ -66,8 +66,10 @@ struct ExtractedMesh {
 
     TetrahedralMesh mesh;
     /// The model's site that each vertex is; noSite for a vertex that cutting at the window made or that is a point of
-    /// the lattice that never became a site.
+    /// the dataset that never became a site.
     Buffer<std::uint32_t> sites;
+    /// Empty, or for each vertex that is no site its point of the dataset; noSite for all others.
+    Buffer<std::uint32_t> points;
     /// What was chosen before values and window.
     std::uint32_t wholeSites = 0;
     std::uint64_t wholeTetrahedra = 0;

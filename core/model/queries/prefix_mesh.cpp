@@ -72,6 +72,7 @@ Status PrefixMesh::extract(const Model& model, std::uint32_t sites, const Progre
     sites_ = sites;
     livesKnown_ = false;
     out.sites.clear();
+    out.points.clear();
     return {};
 }
 

@@ -36,6 +36,7 @@ private:
 
 void SetScan::numberVertices()
 {
+    out_.points.clear();
     out_.sites.resize(set_.sites.count());
     std::iota(out_.sites.begin(), out_.sites.begin() + set_.prefix, 0);
     std::uint32_t vertex = set_.prefix;

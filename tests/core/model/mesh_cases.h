@@ -78,6 +78,7 @@ inline Case uniform(const Model& model, const Accuracy& accuracy)
     made.mesh.mesh = extractPrefix(model, size.sites).value();
     made.mesh.sites.resize(size.sites);
     std::iota(made.mesh.sites.begin(), made.mesh.sites.end(), 0U);
+    made.mesh.points.assign(model.points().begin(), model.points().begin() + size.sites); // as if none were a site
     return made;
 }
 

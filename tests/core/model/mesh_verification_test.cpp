@@ -113,9 +113,9 @@ private slots:
         }
     }
 
-    /// A point of the dataset need not be a site: it is known by where it lies.
-    void verticesAreKnownByTheirPlace_data() { kinds(); }
-    void verticesAreKnownByTheirPlace()
+    /// A point of the dataset need not be a site.
+    void verticesMayBeNoSites_data() { kinds(); }
+    void verticesMayBeNoSites()
     {
         QFETCH(QString, kind);
         const Dataset dataset = datasetOf(kind);

@@ -310,13 +310,18 @@ private slots:
     {
         std::mt19937 random(6);
         for (const auto& [name, isBox, mesh] : meshes_) {
-            TetrahedralMesh kept = mesh;
+            ExtractedMesh extracted;
+            TetrahedralMesh& kept = extracted.mesh;
+            Buffer<std::uint32_t>& sites = extracted.sites;
+            kept = mesh;
             QVERIFY(keepWindow(kept, {randomWindow(mesh, random), WindowBorder::Clipped}).ok());
             const TetrahedralMesh before = kept;
-            Buffer<std::uint32_t> sites(mesh.positions.size());
+            sites.resize(mesh.positions.size());
             for (std::uint32_t site = 0; site < sites.size(); ++site)
                 sites[site] = 1000 + site;
-            dropUnusedVertices(kept, sites);
+            extracted.points = sites;
+            dropUnusedVertices(extracted);
+            QVERIFY(extracted.points == sites);
             QCOMPARE(kept.tetrahedra.size(), before.tetrahedra.size());
             QCOMPARE(sites.size(), kept.positions.size());
             std::vector<bool> used(kept.positions.size());
