@@ -52,6 +52,12 @@ public:
 
     std::uint64_t sitesInside(const SpaceRamp& error);
     Result<ExtractedMesh> extract(const SpaceRamp& error, bool fresh, const Progress& progress, ExtractedMesh reuse);
+    /// An insertion may have been broken off: the mesh must be loaded again.
+    void forget() noexcept
+    {
+        coarseSites_ = 0;
+        present_.reset();
+    }
 
 private:
     struct Range {
@@ -491,8 +497,12 @@ Result<ExtractedMesh> SharpFocus::extract(const SpaceRamp& error, bool fresh, co
                                           ExtractedMesh reuse)
 {
     try {
-        return work_->extract(error, fresh, progress, std::move(reuse));
+        Result<ExtractedMesh> mesh = work_->extract(error, fresh, progress, std::move(reuse));
+        if (!mesh && mesh.error().kind != ErrorKind::Cancelled)
+            work_->forget();
+        return mesh;
     } catch (const std::bad_alloc&) {
+        work_->forget();
         return Error{ErrorKind::OutOfResource,
                      "Not enough memory for the mesh of the focus. Choose a larger error or a "
                      "smaller focus."};
