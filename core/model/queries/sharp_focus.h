@@ -15,9 +15,9 @@ namespace tetra {
 /// mesh, in the history's order, block by block (of a box, those one step outside, too); then in rounds, wherever a
 /// sample's error is still larger than the field allows, the worst sample of that tetrahedron, until none is. What is a
 /// tetrahedron of the fine mesh is known to be good enough; the others are looked at on all threads that TBB may use.
-/// For regular lattices whose file holds all samples. The coarse
-/// mesh with its adjacency is kept from query to query and restored by copying; a region that moves a little keeps the
-/// sites it leaves, as long as they are few. Used from one thread at a time.
+/// For regular lattices whose file holds all samples. The coarse mesh with its adjacency is kept from query to query
+/// and restored by copying; a region that moves a little keeps the sites it leaves, up to a quarter of all. Used from
+/// one thread at a time.
 class SharpFocus {
 public:
     /// Whether the model allows it: a regular lattice, unweighted, not too large, its file with all samples.

@@ -3,7 +3,6 @@
 // is refused with a text that helps.
 #include "core/model/model.h"
 #include "core/model/model_writer.h"
-#include "core/model/verification.h"
 
 #include "core/base/half.h"
 #include "tests/core/base/small_disk.h"
@@ -73,27 +72,6 @@ private slots:
         compareSites(model, history, dataset);
         compareTetrahedra(model, history);
         QVERIFY(std::ranges::equal(model.samples(), dataset.values.bytes()));
-    }
-
-    /// FORMAT.md: only where they take at most an eighth of the rest.
-    void samplesAreKeptWhereTheyAreCheap()
-    {
-        const Dataset dataset = bumps(SampleType::Float64, {7, 6, 8});
-        const RecordedHistory& history = historyOf(dataset);
-        for (std::uint32_t sites = 9; sites < history.steps.size(); sites += 7) {
-            auto writer = ModelWriter::create(path(), dataset, {});
-            for (std::uint32_t site = 0; site < sites; ++site) {
-                const RecordedHistory::Step& step = history.steps[site];
-                QVERIFY((*writer)->add({step.point, step.keyBefore, step.star, step.destroyed}).ok());
-            }
-            QVERIFY((*writer)->finishEarly().ok());
-            const auto model = Model::open(path());
-            QVERIFY(model.ok());
-            const std::uint64_t rest = (*model)->siteCount() * (21 + 8ull) + (*model)->tetrahedronCount() * 18;
-            QCOMPARE((*model)->samples().empty(), dataset.pointCount() * 8 > rest / 8);
-            const auto verdict = verify(**model, dataset, {});
-            QVERIFY2(verdict->ok(), verdict->ok() ? "" : verdict->failures[0].c_str());
-        }
     }
 
     /// The offsets of FORMAT.md, read by hand.

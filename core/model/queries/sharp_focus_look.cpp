@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/queries/sharp_focus_work.h"
+
+#include "core/base/half.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace tetra {
+
+namespace {
+
+/// Insertions between two looks at whether the work was cancelled.
+constexpr std::size_t repairsAtOnce = 256;
+
+} // namespace
+
+/// The file's bounds on the errors of the coarse mesh's tetrahedra, in the order in which extraction gives these.
+void SharpFocus::Work::readBounds(std::uint32_t sites)
+{
+    const double extent = model_.description().range.extent();
+    coarseBounds_.assign(coarse_.tetrahedra.size(), std::numeric_limits<float>::infinity());
+    std::size_t slot = 0;
+    const std::uint64_t end = std::min(model_.starOffsets()[sites], model_.tetrahedronCount());
+    for (std::uint64_t t = 0; t < end && slot < coarseBounds_.size(); ++t)
+        if (model_.destroyers()[t] >= sites)
+            coarseBounds_[slot++] =
+                static_cast<float>(static_cast<double>(halfToFloat(model_.ownErrors()[t])) * extent * (1 + 1e-6));
+}
+
+Status SharpFocus::Work::knowStars(const Range& range)
+{
+    // Beyond what the model has the bound is not known.
+    const std::uint32_t sites = range.fineKnown ? range.fine : 0;
+    if (fine_ && fine_->firstCreator() == range.coarse && fine_->siteCount() == sites)
+        return {};
+    fine_ = FineStars::make(model_, range.coarse, sites);
+    if (!fine_)
+        return damaged("its star offsets make no sense");
+    return {};
+}
+
+/// Whether the tetrahedron is one of the uniform fine mesh.
+bool SharpFocus::Work::isKnown(std::uint32_t slot) const
+{
+    std::array<std::uint32_t, 4> sites = mesh_.numbers(slot);
+    for (std::uint32_t& site : sites)
+        site = site < coarseSites_ ? site : addedSites_[site - coarseSites_];
+    return fine_->holds(sites);
+}
+
+/// Looks at slots_. In pieces whose findings are put together in order: it does not matter how many threads there are.
+void SharpFocus::Work::scan(const FocusLimits& limits, ScannedPart part, std::vector<WorstSample>& worst) const
+{
+    constexpr std::size_t pieceSlots = 512;
+    const std::size_t count = (slots_.size() + pieceSlots - 1) / pieceSlots;
+    std::vector<std::vector<WorstSample>> found(count);
+    const auto scanPiece = [&](std::size_t piece) {
+        const std::size_t first = piece * pieceSlots;
+        scanSamples(mesh_, std::span(slots_).subspan(first, std::min(pieceSlots, slots_.size() - first)), samples_,
+                    limits, part, found[piece]);
+    };
+    if (count < 2)
+        for (std::size_t piece = 0; piece < count; ++piece)
+            scanPiece(piece);
+    else
+        tbb::parallel_for(std::size_t(0), count, scanPiece);
+    for (const std::vector<WorstSample>& some : found)
+        worst.insert(worst.end(), some.begin(), some.end());
+}
+
+/// Looks at what changed since the last look, unless its error is known to be small enough.
+void SharpFocus::Work::lookAtChanges(const FocusLimits& limits, bool mayBeKnown)
+{
+    worst_.clear();
+    slots_.clear();
+    bounds_.resize(mesh_.mesh().slotCount());
+    for (const std::uint32_t slot : mesh_.changed()) {
+        if (mesh_.mesh()[slot].determinant() == 0) {
+            bounds_[slot] = 0;
+            continue;
+        }
+        const bool known = mayBeKnown && isKnown(slot);
+        bounds_[slot] = known ? static_cast<float>(limits.least) : std::numeric_limits<float>::infinity();
+        if (!known)
+            slots_.push_back(slot);
+    }
+    scan(limits, ScannedPart::All, worst_);
+    mesh_.acceptChanges();
+}
+
+/// Looks at what is inside now and did not change.
+void SharpFocus::Work::lookAtOthers(const FocusLimits& limits, bool outsideIsKnown)
+{
+    slots_.clear();
+    const auto least = static_cast<float>(limits.least);
+    bounds_.resize(mesh_.mesh().slotCount(), 0);
+    for (const std::uint32_t slot : mesh_.changed())
+        bounds_[slot] = 0;
+    const auto isUnknown = [&](std::uint32_t slot) { return bounds_[slot] > least; };
+    if (outsideIsKnown) {
+        coarseBoxes_.findMeeting(limits.first, limits.last, slots_);
+        std::erase_if(slots_, std::not_fn(isUnknown));
+    } else {
+        for (std::uint32_t slot = 0; slot < coarseBounds_.size(); ++slot)
+            if (isUnknown(slot))
+                slots_.push_back(slot);
+    }
+    // What is in place of a coarse tetrahedron may be elsewhere.
+    for (const std::uint32_t slot : mesh_.changedEarlier())
+        if (slot < coarseBounds_.size() && isUnknown(slot))
+            slots_.push_back(slot);
+    for (auto slot = static_cast<std::uint32_t>(coarseBounds_.size()); slot < bounds_.size(); ++slot)
+        if (isUnknown(slot))
+            slots_.push_back(slot);
+    scan(limits, outsideIsKnown ? ScannedPart::Limited : ScannedPart::All, others_);
+}
+
+/// In rounds: the worst sample of each tetrahedron that is not good enough, the worst first, unless one before it has
+/// changed its tetrahedron; then what changed is looked at.
+Status SharpFocus::Work::repair(const FocusLimits& limits, const Progress& progress)
+{
+    while (!worst_.empty()) {
+        std::ranges::sort(worst_, isWorse);
+        for (std::size_t i = 0; i < worst_.size(); ++i) {
+            if (i % repairsAtOnce == 0 && progress.cancelled())
+                return cancelledError("Extracting the mesh");
+            const WorstSample& worst = worst_[i];
+            const DelaunayTetrahedron& now = mesh_.mesh()[worst.slot];
+            // Of blocks, several have the sample if it is on their borders.
+            if (!(now.determinant() > 0) || now.vertices != worst.tetrahedron)
+                continue;
+            if (!mesh_.add({&worst.point, 1}))
+                return tooLarge();
+            addedSites_.push_back(sites_->siteAt(lattice_, worst.point).value_or(ExtractedMesh::noSite));
+        }
+        lookAtChanges(limits, false);
+    }
+    return {};
+}
+
+} // namespace tetra
