@@ -13,6 +13,7 @@
 #include "core/mesh/lattice_refinement.h"
 #include "core/model/extraction.h"
 #include "core/model/model_writer.h"
+#include "core/model/queries/sharp_focus.h"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
@@ -159,7 +160,7 @@ std::vector<BenchCase> measureModel(const std::filesystem::path& path, const QSt
     for (const auto& some : {accuracyChangeCases(model, name, repeats), focusBoxCases(model, name, repeats),
                              fieldCases(model, name, repeats)})
         cases.insert(cases.end(), some.begin(), some.end());
-    for (BenchCase& one : measureFocus(*model, name, repeats))
+    for (BenchCase& one : SharpFocus::fits(*model) ? measureFocus(*model, name, repeats) : std::vector<BenchCase>())
         cases.push_back(std::move(one));
     return cases;
 }

@@ -13,9 +13,9 @@ namespace tetra {
 /// Changing the accuracy by a tenth of its value, up and down, over extracting that mesh afresh.
 std::vector<BenchCase> accuracyChangeCases(const std::shared_ptr<const Model>& model, const QString& name, int repeats);
 
-/// Boxes of 1 to 25 % of the domain's volume, .5 % inside and 4 % outside, by each method and by the automatic choice:
-/// afresh and moved by 2 % of the domain's edge, over extracting the uniform fine mesh afresh; with the tetrahedra over
-/// those of the uniform fine mesh that meet the box and those of the coarse mesh that do not.
+/// Boxes of 1 to 25 % of the domain's volume at its centre, .5 % inside and 4 % outside, as closed sets and by the
+/// automatic choice, over extracting the uniform fine mesh afresh; with the tetrahedra over those of the uniform fine
+/// mesh that meet the box and those of the coarse mesh that do not.
 std::vector<BenchCase> focusBoxCases(const std::shared_ptr<const Model>& model, const QString& name, int repeats);
 
 /// A field that falls off over half of the domain, isovalues, and a budget: closed sets, with sites a second.

@@ -21,8 +21,9 @@ namespace tetra {
 
 namespace {
 
-/// A focus that holds more than this share of the fine mesh's sites is quicker and hardly larger as a closed set.
-constexpr double sharpShare = 0.25;
+/// A focus that holds more than this share of the fine mesh's sites is much quicker and not much larger as a closed
+/// set.
+constexpr double sharpShare = 0.6;
 /// A fall-off wider than this share of the focus is no sharp border any more.
 constexpr double sharpFalloff = 0.25;
 
