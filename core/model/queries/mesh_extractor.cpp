@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/queries/mesh_extractor.h"
 
+#include "core/model/queries/budget_search.h"
 #include "core/model/queries/closed_set.h"
 #include "core/model/queries/field_judge.h"
 #include "core/model/queries/history_links.h"
@@ -36,6 +37,22 @@ double extentOf(const Region& region)
     return std::numeric_limits<double>::infinity();
 }
 
+/// What a mesh of this scale keeps (keptPercent()), as a field. A ramp stays one, unless it falls off from so little
+/// that the scaled one would bend.
+ErrorField scaledField(const ErrorField& field, double scale)
+{
+    if (!(scale > 1))
+        return field;
+    const SpaceRamp* const ramp = field.asSpaceRamp();
+    if (ramp != nullptr && (ramp->falloff == 0 || ramp->inner >= leastScaledPercent)) {
+        SpaceRamp scaled = *ramp;
+        scaled.inner = keptPercent(ramp->inner, scale);
+        scaled.outer = keptPercent(ramp->outer, scale);
+        return scaled;
+    }
+    return ErrorField(scale) * largerOf(field, leastScaledPercent);
+}
+
 } // namespace
 
 class MeshExtractor::Work {
@@ -52,6 +69,7 @@ private:
     bool canInsert(const MeshQuery& query) const;
     bool insertionIsBetter(const MeshQuery& query);
     Status extractByInsertion(const MeshQuery& query, const Progress& progress);
+    Status extractWithinBudget(const MeshQuery& query, const Progress& progress);
     Status coverSites(std::uint32_t sites);
     void makeWritable(bool keepContent);
 
@@ -99,7 +117,7 @@ Status MeshExtractor::Work::extractWhole(const MeshQuery& query, const Progress&
         return Error{
             ErrorKind::WrongUsage,
             "Insertion is for one box, sphere or half-space of smaller error in a regular lattice or any field "
-            "in a curvilinear grid, without a budget and weights, and needs the model's file to hold all "
+            "in a curvilinear grid, without weights, and needs the model's file to hold all "
             "samples. Use a closed set, or the automatic choice."};
     const bool asked = query.method == VariableMethod::Insertion;
     const bool allowed = query.method != VariableMethod::ClosedSet && canInsert(query);
@@ -147,12 +165,11 @@ Status MeshExtractor::Work::extractClosedSet(const MeshQuery& query, const Progr
 
 bool MeshExtractor::Work::canInsert(const MeshQuery& query) const
 {
-    if (query.budget)
-        return false;
     if (LiftedFocus::fits(*model_))
         return true;
     const SpaceRamp* const ramp = query.error.asSpaceRamp();
-    return ramp != nullptr && ramp->inner < ramp->outer && SharpFocus::fits(*model_);
+    return ramp != nullptr && ramp->inner < ramp->outer && SharpFocus::fits(*model_) &&
+           !(query.budget && scaledField(query.error, 2).asSpaceRamp() == nullptr);
 }
 
 /// Closed sets are small for graded fields, and quick for large foci. In computational space, where much of a grid
@@ -162,7 +179,7 @@ bool MeshExtractor::Work::insertionIsBetter(const MeshQuery& query)
     const SpaceRamp* const ramp = query.error.asSpaceRamp();
     if (ramp == nullptr || !(ramp->inner < ramp->outer) || ramp->falloff > sharpFalloff * extentOf(ramp->region))
         return false;
-    if (model_->description().domain == DomainClass::Curvilinear)
+    if (query.budget || model_->description().domain == DomainClass::Curvilinear)
         return true;
     if (!focus_)
         focus_.emplace(*model_);
@@ -170,8 +187,35 @@ bool MeshExtractor::Work::insertionIsBetter(const MeshQuery& query)
     return static_cast<double>(focus_->sitesInside(*ramp)) <= sharpShare * fine;
 }
 
+/// As often as it takes to find out how much coarser the budget makes it.
+Status MeshExtractor::Work::extractWithinBudget(const MeshQuery& query, const Progress& progress)
+{
+    const Accuracy outside = {query.error.bounds().maximum, query.warping.bounds().maximum};
+    const auto coarse = meshSizeWithin(*model_, outside, *query.budget);
+    if (!coarse)
+        return coarse.error();
+    constexpr double all = 100;
+    const double largest = all / std::max(query.error.bounds().minimum, leastScaledPercent);
+    const auto sizeAt = [&](double scale) -> Result<std::uint64_t> {
+        MeshQuery scaled = query;
+        scaled.budget.reset();
+        scaled.error = scaledField(query.error, scale);
+        scaled.warping = scaledField(query.warping, scale);
+        if (const Status found = extractByInsertion(scaled, progress); !found)
+            return found.error();
+        return whole_->wholeTetrahedra;
+    };
+    const auto scale = scaleWithin(*query.budget, scaleReached(*coarse, outside), largest, sizeAt);
+    if (!scale)
+        return scale.error();
+    whole_->scale = *scale;
+    return {};
+}
+
 Status MeshExtractor::Work::extractByInsertion(const MeshQuery& query, const Progress& progress)
 {
+    if (query.budget)
+        return extractWithinBudget(query, progress);
     prefix_.forget();
     makeWritable(false);
     const bool lifted = model_->description().domain == DomainClass::Curvilinear;

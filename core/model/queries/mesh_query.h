@@ -50,7 +50,7 @@ struct MeshQuery {
     ErrorField error = 0.0;          ///< at most this at each sample, % of the value range
     ErrorField warping = anyWarping; ///< likewise, % of the diagonal: curvilinear data only
     /// At most so many tetrahedra in the whole mesh: error and warping are multiplied by the least number, at least 1,
-    /// with which that is so (keptPercent()).
+    /// with which that is so (keptPercent()). Insertion looks for it with a few meshes and may leave a tenth unused.
     std::optional<std::uint64_t> budget;
     /// Only tetrahedra that can contain a value of one of these ranges, ends included. Empty: all.
     std::vector<ValueRange> values;

@@ -229,6 +229,31 @@ private slots:
         QVERIFY(inserted > 100);
     }
 
+    /// Found by a few meshes, not by going through all: whatever it is, it is no larger and keeps what it says.
+    void budgetsOfSharpFociAreKept()
+    {
+        std::mt19937 random(6);
+        int inserted = 0;
+        for (const Case& one : cases_) {
+            MeshExtractor extractor(one.model);
+            MeshQuery query;
+            query.error = randomRamp(random, *one.model);
+            query.warping = query.error;
+            query.budget = 1 + random() % (one.model->meshSizes().back() + 10);
+            const auto mesh = extractor.extract(query);
+            const std::uint32_t coarsest = one.model->meshSizes()[firstMesh(*one.model) - 1];
+            if (!mesh) {
+                QCOMPARE(mesh.error().kind, ErrorKind::WrongUsage);
+                QVERIFY(*query.budget < 2 * coarsest);
+                continue;
+            }
+            inserted += (*mesh)->method == VariableMethod::Insertion ? 1 : 0;
+            QVERIFY((*mesh)->mesh.tetrahedra.size() <= *query.budget);
+            QVERIFY(isProved(one, query, **mesh));
+        }
+        QVERIFY(inserted > 30);
+    }
+
 private:
     Dataset datasetOf(std::mt19937& random, int number) const
     {
