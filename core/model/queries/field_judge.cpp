@@ -83,6 +83,38 @@ FieldJudge::FieldJudge(const Model& model, const MeshQuery& query, const SitePla
         finer_.reset();
 }
 
+void FieldJudge::lookAtSites()
+{
+    const SpaceRamp* const ramp = query_.error.asSpaceRamp();
+    if (warps_ || ramp == nullptr || !(ramp->falloff > 0) || !(ramp->inner <= ramp->outer))
+        return;
+    slope_ = (ramp->outer - ramp->inner) / ramp->falloff;
+    atSites_.resize(places_.positions.size());
+    std::ranges::transform(places_.positions, atSites_.begin(),
+                           [this](const Eigen::Vector3f& place) { return query_.error.at(place.cast<double>(), 0); });
+}
+
+/// The field is nowhere less than at the corners less what it can fall within the box around them.
+FieldJudge::Quick FieldJudge::bySites(const std::array<std::uint32_t, 4>& sites, double error) const
+{
+    if (atSites_.empty())
+        return Quick::Unknown;
+    const double least =
+        std::min(std::min(atSites_[sites[0]], atSites_[sites[1]]), std::min(atSites_[sites[2]], atSites_[sites[3]]));
+    if (error > least)
+        return Quick::TooCoarse;
+    Eigen::Array3f from = places_.positions[sites[0]];
+    Eigen::Array3f to = from;
+    for (const std::uint32_t site : std::span(sites).subspan<1>()) {
+        const Eigen::Array3f place = places_.positions[site];
+        from = from.min(place);
+        to = to.max(place);
+    }
+    constexpr double roundedUp = 1 + 1e-6;
+    const double size = static_cast<double>((to - from).matrix().norm()) * roundedUp + 4 * rounding_;
+    return error <= least - slope_ * size - 1e-12 * least ? Quick::Allowed : Quick::Unknown;
+}
+
 FieldJudge::Own FieldJudge::ownOf(std::uint64_t tetrahedron, std::uint32_t destroyer) const
 {
     const double extent = model_.description().range.extent();
@@ -111,11 +143,16 @@ bool FieldJudge::isOutside(const std::array<std::uint32_t, 4>& sites, double mar
            (most.cast<double>() + margin < finer_->min().array()).any();
 }
 
-FieldJudge::Asked FieldJudge::askedOf(std::uint64_t tetrahedron, std::uint32_t creator, const Own& own) const
+/// Bounded, whatever the file says.
+std::array<std::uint32_t, 4> FieldJudge::sitesOf(std::uint64_t tetrahedron, std::uint32_t creator) const
 {
     const std::array<std::uint32_t, 3> others = model_.otherSites()[tetrahedron];
-    const std::array<std::uint32_t, 4> sites = {creator, std::min(others[0], creator), std::min(others[1], creator),
-                                                std::min(others[2], creator)};
+    return {creator, std::min(others[0], creator), std::min(others[1], creator), std::min(others[2], creator)};
+}
+
+FieldJudge::Asked FieldJudge::askedOf(std::uint64_t tetrahedron, std::uint32_t creator, const Own& own) const
+{
+    const std::array<std::uint32_t, 4> sites = sitesOf(tetrahedron, creator);
     const double margin = rounding_ + own.warping / 100 * model_.diagonal();
     if (isOutside(sites, margin))
         return {largestError_, largestWarping_};
@@ -153,6 +190,9 @@ bool FieldJudge::tooCoarse(std::uint64_t tetrahedron, std::uint32_t creator, std
     if (own.error > largestError_ || own.warping > largestWarping_)
         return true;
     if (own.error > leastError_ || own.warping > leastWarping_) {
+        const Quick quick = bySites(sitesOf(tetrahedron, creator), own.error);
+        if (quick != Quick::Unknown)
+            return quick == Quick::TooCoarse;
         const Asked asked = askedOf(tetrahedron, creator, own);
         if (own.error > asked.error || own.warping > asked.warping)
             return true;

@@ -30,6 +30,9 @@ public:
     /// `places` of all sites that are going to be corners.
     FieldJudge(const Model& model, const MeshQuery& query, const SitePlaces& places);
 
+    /// Makes tooCoarse() quicker for a ramp with a fall-off, once the places are there: 8 bytes a site.
+    void lookAtSites();
+
     /// False if the tetrahedron is allowed everywhere, which most are: one comparison, for all of a star.
     bool mayBeTooCoarse(std::uint64_t tetrahedron) const
     {
@@ -55,8 +58,11 @@ private:
         double error;
         double warping;
     };
+    std::array<std::uint32_t, 4> sitesOf(std::uint64_t tetrahedron, std::uint32_t creator) const;
     Own ownOf(std::uint64_t tetrahedron, std::uint32_t destroyer) const;
     Asked askedOf(std::uint64_t tetrahedron, std::uint32_t creator, const Own& own) const;
+    enum class Quick { TooCoarse, Allowed, Unknown };
+    Quick bySites(const std::array<std::uint32_t, 4>& sites, double error) const;
     bool isOutside(const std::array<std::uint32_t, 4>& sites, double margin) const;
     bool mustGo(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const;
 
@@ -70,8 +76,10 @@ private:
     double largestError_;
     double leastWarping_;
     double largestWarping_;
-    double rounding_;                          ///< of the positions, a length
-    std::uint16_t allowedAnywhere_;            ///< own errors as in the file, up to this one
+    Buffer<double> atSites_;        ///< what the field is at each site, if that says something of the places between
+    double slope_ = 0;              ///< by how much it changes with the distance at most
+    double rounding_;               ///< of the positions, a length
+    std::uint16_t allowedAnywhere_; ///< own errors as in the file, up to this one
     std::optional<Eigen::AlignedBox3d> finer_; ///< where the fields are not at their coarsest, if that is bounded
 };
 

@@ -147,12 +147,13 @@ Status MeshExtractor::Work::extractUniform(const MeshQuery& query, const Progres
 Status MeshExtractor::Work::extractClosedSet(const MeshQuery& query, const Progress& progress)
 {
     prefix_.forget();
-    const FieldJudge judge(*model_, query, places_);
+    FieldJudge judge(*model_, query, places_);
     const std::uint32_t finest = meshSizeAt(*model_, judge.finest()).sites;
     if (const Status linked = links_.cover(*model_, finest, progress.part(0, 0.3)); !linked)
         return linked;
     if (const Status covered = coverSites(finest); !covered)
         return covered;
+    judge.lookAtSites();
     const auto set = query.budget
                          ? closedSetWithin(*model_, links_, judge, *query.budget, progress.part(0.3, 0.8))
                          : smallestClosedSet(*model_, links_, judge, meshSizeAt(*model_, judge.coarsest()).sites,

@@ -31,7 +31,7 @@ struct Window {
 /// How a mesh of varying accuracy is found.
 enum class VariableMethod {
     Automatic, ///< the one of the two that is predicted to give the smaller mesh, where both can be used
-    ClosedSet, ///< the smallest closed set of the history's sites (DESIGN.md 1): always right, tight for graded fields
+    ClosedSet, ///< the smallest closed set of the history's sites: always right, tight for graded fields
     Insertion, ///< the sites of the focus inserted into the coarse mesh: tight for a sharp focus, lattices only
 };
 

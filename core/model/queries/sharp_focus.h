@@ -10,7 +10,7 @@
 
 namespace tetra {
 
-/// Meshes with a sharp focus, by insertion (DESIGN.md 1, MEASURED.md "Closed sets"): the Delaunay mesh of any subset
+/// Meshes with a sharp focus, by insertion: the Delaunay mesh of any subset
 /// of the points is well defined, so the sites of the fine mesh that lie in the region are inserted into the coarse
 /// mesh, in the history's order, block by block (of a box, those one step outside, too); then in rounds, wherever a
 /// sample's error is still larger than the field allows, the worst sample of that tetrahedron, until none is. What is a
