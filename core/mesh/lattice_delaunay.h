@@ -32,7 +32,7 @@ struct alignas(64) DelaunayTetrahedron {
 /// What became of a mesh that was to be taken over.
 enum class MeshLoading {
     Done,
-    NoMesh, ///< not positive, not conforming, no cover, or with a tetrahedron that reaches into two boxes
+    NoMesh,      ///< not positive, not conforming, no cover, or with a tetrahedron that reaches into two boxes
     NotDelaunay, ///< a mesh, but one with a vertex strictly inside a circumsphere
     Cancelled,
 };

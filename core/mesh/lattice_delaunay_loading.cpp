@@ -82,8 +82,8 @@ BorderFaces borderFaces(const PackedLattice& lattice, const BlockDivision& divis
 
 } // namespace
 
-MeshLoading LatticeDelaunay::load(std::span<const std::array<PackedPoint, 4>> tetrahedra,
-                                  const BlockDivision& division, const Progress& progress)
+MeshLoading LatticeDelaunay::load(std::span<const std::array<PackedPoint, 4>> tetrahedra, const BlockDivision& division,
+                                  const Progress& progress)
 {
     slotCount_ = 0;
     freeSlots_.clear();

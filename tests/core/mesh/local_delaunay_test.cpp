@@ -69,8 +69,7 @@ bool isDelaunay(const LocalDelaunay& mesh, const BlockDivision& division, std::v
 {
     vertices.insert(vertices.end(), mesh.added().begin(), mesh.added().end());
     LocalDelaunay other;
-    return other.prepare(division, {1, 1, 1}).ok() &&
-           other.load(tetrahedraOf(mesh), vertices) == MeshLoading::Done;
+    return other.prepare(division, {1, 1, 1}).ok() && other.load(tetrahedraOf(mesh), vertices) == MeshLoading::Done;
 }
 
 } // namespace
@@ -178,7 +177,8 @@ private slots:
             }
         }
         // 5: one block's mesh is none of eight.
-        QVERIFY(mesh.load(start.tetrahedra, start.vertices) == (fault == 4 ? MeshLoading::NotDelaunay : MeshLoading::NoMesh));
+        QVERIFY(mesh.load(start.tetrahedra, start.vertices) ==
+                (fault == 4 ? MeshLoading::NotDelaunay : MeshLoading::NoMesh));
         const Start right = startOf(division);
         std::stop_source stop;
         stop.request_stop();
