@@ -251,7 +251,8 @@ TETRA_SIMD_CLONES void LatticeDelaunay::gatherStar(PackedPoint point)
     for (std::size_t i = 0; i < cavityFaces_.size(); ++i) {
         CavityFace& face = cavityFaces_[i];
         const auto& back = at(face.outside).neighbours;
-        face.outsideFace = static_cast<std::uint32_t>((back[1] == face.inside) + 2 * (back[2] == face.inside) +
+        // One at most, but for the dead tetrahedron that stands for none: there any face will do.
+        face.outsideFace = static_cast<std::uint32_t>((back[1] == face.inside) | 2 * (back[2] == face.inside) |
                                                       3 * (back[3] == face.inside));
         const std::array<PackedPoint, 4>& vertices = at(face.inside).vertices;
         const auto& order = faceVertices[face.insideFace];

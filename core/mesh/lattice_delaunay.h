@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/buffer.h"
+#include "core/base/progress.h"
 #include "core/base/reserved_array.h"
 #include "core/base/result.h"
 #include "core/mesh/block_division.h"
@@ -26,6 +27,14 @@ struct alignas(64) DelaunayTetrahedron {
                                              ///< the determinant
     /// Six times the volume, a positive integer; 0 marks a dead slot.
     double determinant() const noexcept { return sphere[3]; }
+};
+
+/// What became of a mesh that was to be taken over.
+enum class MeshLoading {
+    Done,
+    NoMesh,      ///< not positive, not conforming, no cover, or with a tetrahedron that reaches into two boxes
+    NotDelaunay, ///< a mesh, but one with a vertex strictly inside a circumsphere
+    Cancelled,
 };
 
 /// Incremental Delaunay tetrahedrization of a box of lattice points, with exact arithmetic (S8; 3.1, ADD_VERTEX).
@@ -53,10 +62,10 @@ public:
     std::uint32_t addBox(const LatticeBox& box, bool centreAtOrigin);
 
     /// After prepare(), in place of addBox(): takes over a Delaunay mesh of each box of a division, tetrahedron i into
-    /// slot i, and finds their neighbours. False, and of no use, if it is no such mesh: not positive, not conforming,
-    /// not a cover, a tetrahedron that reaches into two boxes or a vertex strictly inside a circumsphere. About 5
-    /// million tetrahedra a second. May throw std::bad_alloc.
-    [[nodiscard]] bool load(std::span<const std::array<PackedPoint, 4>> tetrahedra, const BlockDivision& division);
+    /// slot i, and finds their neighbours. Of no use afterwards unless that is Done. About 5 million tetrahedra a
+    /// second. May throw std::bad_alloc.
+    [[nodiscard]] MeshLoading load(std::span<const std::array<PackedPoint, 4>> tetrahedra,
+                                   const BlockDivision& division, const Progress& progress);
     /// Goes back to a mesh that was: `tetrahedra` are all its slots, none dead; `changed` are those of its slots that
     /// were overwritten since.
     void restore(std::span<const DelaunayTetrahedron> tetrahedra, std::span<const std::uint32_t> changed);
@@ -113,8 +122,9 @@ private:
         return (tetrahedra_.data() + 1)[static_cast<std::int32_t>(slot)];
     }
 
-    bool loadTetrahedra(std::span<const std::array<PackedPoint, 4>> tetrahedra, const BlockDivision& division);
-    bool isDelaunay() const;
+    MeshLoading loadTetrahedra(std::span<const std::array<PackedPoint, 4>> tetrahedra, const BlockDivision& division,
+                               const Progress& progress);
+    MeshLoading checkDelaunay(const Progress& progress) const;
     std::uint32_t faceTowards(PackedPoint point, std::uint32_t slot) const;
     void findCavity(PackedPoint point, std::uint32_t containing);
     bool onHullPlane(PackedPoint point, const DelaunayTetrahedron& tetrahedron, std::uint32_t face) const;

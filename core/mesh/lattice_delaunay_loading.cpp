@@ -11,6 +11,9 @@ namespace {
 
 using Offset = std::array<double, 3>;
 
+/// Tetrahedra between two looks at whether the work was cancelled.
+constexpr std::size_t tetrahedraAtOnce = 1 << 16;
+
 Offset offset(const PackedLattice& lattice, PackedPoint from, PackedPoint to)
 {
     return {static_cast<double>(lattice.x(to) - lattice.x(from)), static_cast<double>(lattice.y(to) - lattice.y(from)),
@@ -79,20 +82,21 @@ BorderFaces borderFaces(const PackedLattice& lattice, const BlockDivision& divis
 
 } // namespace
 
-bool LatticeDelaunay::load(std::span<const std::array<PackedPoint, 4>> tetrahedra, const BlockDivision& division)
+MeshLoading LatticeDelaunay::load(std::span<const std::array<PackedPoint, 4>> tetrahedra, const BlockDivision& division,
+                                  const Progress& progress)
 {
     slotCount_ = 0;
     freeSlots_.clear();
     if (tetrahedra.size() > slotCapacity_ || tetrahedra.size() >= (1u << 30))
-        return false;
-    if (!loadTetrahedra(tetrahedra, division))
-        return false;
+        return MeshLoading::NoMesh;
+    if (const MeshLoading loaded = loadTetrahedra(tetrahedra, division, progress); loaded != MeshLoading::Done)
+        return loaded;
     slotCount_ = static_cast<std::uint32_t>(tetrahedra.size());
-    return isDelaunay();
+    return checkDelaunay(progress);
 }
 
-bool LatticeDelaunay::loadTetrahedra(std::span<const std::array<PackedPoint, 4>> tetrahedra,
-                                     const BlockDivision& division)
+MeshLoading LatticeDelaunay::loadTetrahedra(std::span<const std::array<PackedPoint, 4>> tetrahedra,
+                                            const BlockDivision& division, const Progress& progress)
 {
     constexpr std::size_t atOnce = 16;
     FaceMatching matching(4 * tetrahedra.size());
@@ -100,6 +104,8 @@ bool LatticeDelaunay::loadTetrahedra(std::span<const std::array<PackedPoint, 4>>
     std::array<std::uint32_t, atOnce> borders{};
     std::uint64_t volume = 0;
     for (std::size_t first = 0; first < tetrahedra.size(); first += atOnce) {
+        if (first % tetrahedraAtOnce == 0 && progress.cancelled())
+            return MeshLoading::Cancelled;
         const std::size_t count = std::min(atOnce, tetrahedra.size() - first);
         for (std::size_t i = 0; i < count; ++i) {
             const std::array<PackedPoint, 4>& vertices = tetrahedra[first + i];
@@ -107,7 +113,7 @@ bool LatticeDelaunay::loadTetrahedra(std::span<const std::array<PackedPoint, 4>>
             record = {vertices, {none, none, none, none}, sphereOf(lattice_, vertices, weights_)};
             const BorderFaces faces = borderFaces(lattice_, division, vertices);
             if (!(record.determinant() > 0) || !faces.inOneBlock)
-                return false;
+                return MeshLoading::NoMesh;
             volume += static_cast<std::uint64_t>(record.determinant());
             borders[i] = faces.bits;
             std::uint64_t sum = 0;
@@ -127,19 +133,22 @@ bool LatticeDelaunay::loadTetrahedra(std::span<const std::array<PackedPoint, 4>>
                 if (other == FaceMatching::none)
                     continue;
                 if (other / 4 == side / 4)
-                    return false;
+                    return MeshLoading::NoMesh;
                 records()[first + i].neighbours[face] = other / 4;
                 records()[other / 4].neighbours[other % 4] = static_cast<std::uint32_t>(first + i);
             }
     }
     const auto& size = lattice_.size();
-    return matching.singleCount() == 0 && volume == 6 * (size[0] - 1ull) * (size[1] - 1ull) * (size[2] - 1ull);
+    const bool covers = volume == 6 * (size[0] - 1ull) * (size[1] - 1ull) * (size[2] - 1ull);
+    return matching.singleCount() == 0 && covers ? MeshLoading::Done : MeshLoading::NoMesh;
 }
 
 /// Whether no vertex lies strictly inside the circumsphere of a neighbour: then none does anywhere.
-bool LatticeDelaunay::isDelaunay() const
+MeshLoading LatticeDelaunay::checkDelaunay(const Progress& progress) const
 {
     for (std::uint32_t slot = 0; slot < slotCount_; ++slot) {
+        if (slot % tetrahedraAtOnce == 0 && progress.cancelled())
+            return MeshLoading::Cancelled;
         const DelaunayTetrahedron& one = at(slot);
         for (const std::uint32_t neighbour : one.neighbours) {
             if (neighbour == none || neighbour < slot)
@@ -154,11 +163,13 @@ bool LatticeDelaunay::isDelaunay() const
             }
             const Offset q = offset(lattice_, one.vertices[0], opposite);
             const auto& sphere = one.sphere;
-            if (shared != 3 || sphere[3] * square(q, weights_) < sphere[0] * q[0] + sphere[1] * q[1] + sphere[2] * q[2])
-                return false;
+            if (shared != 3)
+                return MeshLoading::NoMesh;
+            if (sphere[3] * square(q, weights_) < sphere[0] * q[0] + sphere[1] * q[1] + sphere[2] * q[2])
+                return MeshLoading::NotDelaunay;
         }
     }
-    return true;
+    return MeshLoading::Done;
 }
 
 void LatticeDelaunay::restore(std::span<const DelaunayTetrahedron> tetrahedra, std::span<const std::uint32_t> changed)

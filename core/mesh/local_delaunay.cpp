@@ -46,16 +46,16 @@ void LocalDelaunay::dropMesh()
     firstTetrahedra_.clear();
 }
 
-bool LocalDelaunay::load(std::span<const std::array<std::uint32_t, 4>> tetrahedra,
-                         std::span<const PackedPoint> vertices)
+MeshLoading LocalDelaunay::load(std::span<const std::array<std::uint32_t, 4>> tetrahedra,
+                                std::span<const PackedPoint> vertices, const Progress& progress)
 {
     dropMesh();
     Buffer<std::array<PackedPoint, 4>> corners(tetrahedra.size());
     for (std::size_t i = 0; i < corners.size(); ++i)
         for (std::size_t k = 0; k < 4; ++k)
             corners[i][k] = vertices[tetrahedra[i][k]];
-    if (!mesh_.load(corners, division_))
-        return false;
+    if (const MeshLoading loaded = mesh_.load(corners, division_, progress); loaded != MeshLoading::Done)
+        return loaded;
     firstTetrahedra_.assign(mesh_.tetrahedra().begin(), mesh_.tetrahedra().end());
     firstNumbers_.assign(tetrahedra.begin(), tetrahedra.end());
     std::memcpy(static_cast<void*>(numbers_.data()), tetrahedra.data(), tetrahedra.size_bytes());
@@ -79,7 +79,7 @@ bool LocalDelaunay::load(std::span<const std::array<std::uint32_t, 4>> tetrahedr
     }
     hints_.spread();
     firstHints_ = hints_;
-    return true;
+    return MeshLoading::Done;
 }
 
 void LocalDelaunay::restore()

@@ -23,10 +23,10 @@ public:
 
     /// Comes first. Errors: too large a lattice, refused address space.
     Status prepare(const BlockDivision& division, const LatticeMetric& metric);
-    /// Takes over a mesh, tetrahedra by numbers of `vertices`. False if it is no Delaunay mesh of each block's box;
-    /// then it must be loaded again before anything else.
-    [[nodiscard]] bool load(std::span<const std::array<std::uint32_t, 4>> tetrahedra,
-                            std::span<const PackedPoint> vertices);
+    /// Takes over a Delaunay mesh of each block's box, tetrahedra by numbers of `vertices`. Unless that is Done, it
+    /// must be loaded again before anything else.
+    [[nodiscard]] MeshLoading load(std::span<const std::array<std::uint32_t, 4>> tetrahedra,
+                                   std::span<const PackedPoint> vertices, const Progress& progress = {});
     /// Back to what was loaded.
     void restore();
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -50,6 +51,12 @@ public:
     {
         const std::uint32_t row = (point >> shiftZ_) * size_[1] + (point >> shiftY_ & maskY_);
         return row * size_[0] + (point & maskX_);
+    }
+    /// The point of that number; of one that is too large, some point of the lattice.
+    PackedPoint pointAt(std::uint32_t index) const noexcept
+    {
+        const std::uint32_t row = index / size_[0];
+        return pack(index - row * size_[0], row % size_[1], std::min(row / size_[1], size_[2] - 1));
     }
 
 private:

@@ -4,6 +4,7 @@
 #include "core/base/simd.h"
 #include "core/mesh/tetrahedron_rows.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -126,6 +127,8 @@ private:
         WorstSample found;
         keepWorse(inside, largestInside, least, limits_.least, found);
         keepWorse(outside, largestOutside, most, limits_.most, found);
+        if (found.error > 0 && isCorner(found.point, tetrahedron)) // by rounding
+            return findWorst(slot, tetrahedron);
         append(found, slot, tetrahedron);
     }
 
@@ -162,18 +165,14 @@ private:
         for (std::int32_t i = 0; i < lanes; ++i)
             if (farthest.distance[i] == largest)
                 place = std::min(place, farthest.place[i]);
-        const auto number = static_cast<std::uint64_t>(place);
-        const auto& size = lattice_.size();
-        const auto row = number / size[0];
-        const WorstSample sample{error / limit,
-                                 error,
-                                 lattice_.pack(static_cast<std::uint32_t>(number % size[0]),
-                                               static_cast<std::uint32_t>(row % size[1]),
-                                               static_cast<std::uint32_t>(row / size[1])),
-                                 0,
-                                 {}};
+        const WorstSample sample{error / limit, error, lattice_.pointAt(static_cast<std::uint32_t>(place)), 0, {}};
         if (!(found.error > 0) || isWorse(sample, found))
             found = sample;
+    }
+
+    static bool isCorner(PackedPoint point, const DelaunayTetrahedron& tetrahedron)
+    {
+        return std::ranges::find(tetrahedron.vertices, point) != tetrahedron.vertices.end();
     }
 
     void append(WorstSample& found, std::uint32_t slot, const DelaunayTetrahedron& tetrahedron)
@@ -240,14 +239,14 @@ private:
                         continue;
                     const double numerator = planes_.determinant * (static_cast<double>(samples[x]) - planes_.value) -
                                              planes_.fieldX * offsetX - field;
-                    compare(std::abs(numerator) / planes_.determinant, {x, y, z}, found);
+                    compare(std::abs(numerator) / planes_.determinant, {x, y, z}, tetrahedron, found);
                 }
             }
         }
         append(found, slot, tetrahedron);
     }
 
-    void compare(double error, const Place& place, WorstSample& found) const
+    void compare(double error, const Place& place, const DelaunayTetrahedron& tetrahedron, WorstSample& found) const
     {
         if (!(error > limits_.least))
             return;
@@ -256,7 +255,7 @@ private:
                                                     static_cast<std::uint32_t>(place[2])};
         const double limit = limits_.at(point);
         const WorstSample sample{error / limit, error, lattice_.pack(point[0], point[1], point[2]), 0, {}};
-        if (error > limit && (!(found.error > 0) || isWorse(sample, found)))
+        if (error > limit && !isCorner(sample.point, tetrahedron) && (!(found.error > 0) || isWorse(sample, found)))
             found = sample;
     }
 

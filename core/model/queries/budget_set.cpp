@@ -3,6 +3,7 @@
 #include "core/model/queries/coarse_candidates.h"
 #include "core/model/queries/group_walk.h"
 #include "core/model/queries/stars.h"
+#include "core/model/site_places.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,8 @@ constexpr std::uint64_t hopelessAtLeast = 1 << 16;
 class BudgetGrowth {
 public:
     BudgetGrowth(const Model& model, const HistoryLinks& links, const FieldJudge& judge, std::uint64_t budget)
-        : model_(model), links_(links), judge_(judge), budget_(budget), set_{SiteSet(model.siteCount(), 0), 0, 0, 1}
+        : model_(model), links_(links), judge_(judge),
+          budget_(std::min(budget, model.tetrahedronCount())), set_{SiteSet(model.siteCount(), 0), 0, 0, 1}
     {
     }
 
@@ -53,6 +55,7 @@ private:
     std::vector<std::uint32_t> waiting_; ///< added, not looked at yet
     Buffer<std::uint64_t> candidates_;
     std::vector<std::uint32_t> level_; ///< added since the last finished level, the first site of each group
+    bool coverable_ = true;            ///< every site that was needed has its links
 };
 
 Result<ClosedSet> BudgetGrowth::run(const Progress& progress)
@@ -99,6 +102,8 @@ Status BudgetGrowth::finishLevel(double level, const Progress& progress)
             const std::uint32_t destroyer = queue_.back().destroyer;
             queue_.pop_back();
             addGroup(destroyer);
+        } else if (!coverable_) {
+            return inconsistentModel(model_, "its running errors do not bound the tetrahedra's own ones");
         } else {
             return {};
         }
@@ -123,11 +128,12 @@ void BudgetGrowth::refineStar(std::uint32_t site)
 
 void BudgetGrowth::addGroup(std::uint32_t site)
 {
-    if (set_.sites.contains(site))
+    if (!coverable_ || set_.sites.contains(site))
         return;
     const GroupOfSites group = groupOf(model_, site);
-    if (group.end > links_.siteCount())
-        return; // only in a file whose running errors do not bound its own ones
+    coverable_ &= group.end <= links_.siteCount();
+    if (!coverable_)
+        return;
     set_.tetrahedra += growthBy(model_, group);
     level_.push_back(group.first);
     for (std::uint32_t member = group.first; member < group.end; ++member) {

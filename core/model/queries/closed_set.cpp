@@ -82,7 +82,7 @@ void Growth::refineStar(std::uint32_t site)
 
 void Growth::addGroup(std::uint32_t site)
 {
-    if (set_.sites.contains(site))
+    if (!coverable_ || set_.sites.contains(site))
         return;
     const GroupOfSites group = groupOf(model_, site);
     coverable_ &= group.end <= links_.siteCount();

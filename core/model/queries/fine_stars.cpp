@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/queries/fine_stars.h"
 
+#include "core/model/site_places.h"
+
 #include <algorithm>
 
 namespace tetra {
 
-std::optional<FineStars> FineStars::make(const Model& model, std::uint32_t firstCreator, std::uint32_t sites)
+Result<FineStars> FineStars::make(const Model& model, std::uint32_t firstCreator, std::uint32_t sites,
+                                  const Progress& progress)
 {
+    constexpr std::uint32_t creatorsAtOnce = 1 << 16;
     FineStars stars;
     stars.firstCreator_ = firstCreator;
     stars.siteCount_ = sites;
@@ -14,13 +18,19 @@ std::optional<FineStars> FineStars::make(const Model& model, std::uint32_t first
         return stars;
     const std::span<const std::uint64_t> offsets = model.starOffsets();
     stars.starts_.reserve(sites - firstCreator + 1);
-    stars.keys_.reserve(model.meshSizes()[sites - 1]);
+    stars.keys_.reserve(std::min<std::uint64_t>(model.meshSizes()[sites - 1], model.tetrahedronCount()));
     std::uint64_t t = offsets[firstCreator];
     for (std::uint32_t creator = firstCreator; creator < sites; ++creator) {
+        if (creator % creatorsAtOnce == 0) {
+            if (progress.cancelled())
+                return cancelledError("Looking at the history");
+            progress.report(static_cast<double>(creator - firstCreator) / (sites - firstCreator),
+                            "Looking at the history");
+        }
         stars.starts_.push_back(static_cast<std::uint32_t>(stars.keys_.size()));
         const std::uint64_t end = offsets[creator + 1];
         if (end < t || end > model.tetrahedronCount())
-            return std::nullopt;
+            return inconsistentModel(model, "its star offsets make no sense");
         for (; t < end; ++t)
             if (model.destroyers()[t] >= sites) {
                 const auto& [a, b, c] = model.otherSites()[t];

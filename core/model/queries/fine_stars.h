@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/buffer.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "core/model/model.h"
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace tetra {
@@ -16,9 +16,10 @@ namespace tetra {
 class FineStars {
 public:
     FineStars() = default;
-    /// Of the first `sites` sites, but only what those from `firstCreator` on created. None if the file's numbers make
-    /// no sense.
-    static std::optional<FineStars> make(const Model& model, std::uint32_t firstCreator, std::uint32_t sites);
+    /// Of the first `sites` sites, but only what those from `firstCreator` on created. Errors: a damaged file,
+    /// cancelled.
+    static Result<FineStars> make(const Model& model, std::uint32_t firstCreator, std::uint32_t sites,
+                                  const Progress& progress);
 
     std::uint32_t firstCreator() const noexcept { return firstCreator_; }
     std::uint32_t siteCount() const noexcept { return siteCount_; }

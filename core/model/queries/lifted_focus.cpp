@@ -3,6 +3,8 @@
 
 #include "core/mesh/lattice_metric.h"
 #include "core/mesh/lifted_scan.h"
+#include "core/model/queries/coarse_mesh.h"
+#include "core/model/site_places.h"
 
 #include <algorithm>
 #include <charconv>
@@ -17,20 +19,11 @@ namespace {
 
 /// Insertions between two looks at whether the work was cancelled.
 constexpr std::size_t insertionsAtOnce = 1024;
+/// Likewise points, and tetrahedra.
+constexpr std::uint32_t pointsAtOnce = 1 << 16;
+constexpr std::size_t slotsAtOnce = 256;
 /// Larger grids would need gigabytes.
 constexpr std::uint64_t mostPoints = 1 << 25;
-
-Error damaged(const Model& model, const std::string& what)
-{
-    return {ErrorKind::BadInput, "'" + model.path().string() + "' is damaged: " + what +
-                                     ". Copy it again from where it came from, or build it again."};
-}
-
-Error tooLarge()
-{
-    return {ErrorKind::OutOfResource,
-            "The mesh of the focus became too large. Choose a larger error or a smaller focus."};
-}
 
 std::vector<Eigen::Vector3d> positionsOf(const Model& model)
 {
@@ -75,17 +68,20 @@ public:
     }
 
     Result<ExtractedMesh> extract(const MeshQuery& query, const Progress& progress, ExtractedMesh reuse);
+    /// An insertion may have been broken off: the mesh must be loaded again.
+    void forget() noexcept { coarseSites_ = 0; }
 
 private:
-    void findLimits(const MeshQuery& query);
+    Status findLimits(const MeshQuery& query, const Progress& progress);
+    Status prepare();
     Status load(std::uint32_t sites, const Progress& progress);
     Status insertSites(const Progress& progress);
-    void look(bool coarseIsKnown);
+    Status look(bool coarseIsKnown, const Progress& progress);
+    bool scan(std::span<const std::uint32_t> slots, ScannedPart part, const Progress& progress);
     Status repair(const Progress& progress);
     Status add(PackedPoint point, std::uint32_t site);
     void write(ExtractedMesh& mesh) const;
     std::uint32_t siteAt(PackedPoint point);
-    PackedPoint pointOf(std::uint32_t index) const;
 
     const Model& model_;
     BlockDivision blocks_;
@@ -94,7 +90,7 @@ private:
     bool prepared_ = false;
     LocalDelaunay mesh_;
     std::uint32_t coarseSites_ = 0; ///< of the mesh that is loaded
-    TetrahedralMesh coarse_;        ///< its positions and values
+    CoarseMesh coarse_;             ///< without its tetrahedra
     std::vector<std::uint32_t> siteOfPoint_;
     std::vector<std::uint32_t> addedSites_; ///< of mesh_.added()
 
@@ -104,14 +100,7 @@ private:
     std::vector<std::uint32_t> slots_;
 };
 
-PackedPoint LiftedFocus::Work::pointOf(std::uint32_t index) const
-{
-    const auto& size = grid_.lattice().size();
-    return grid_.lattice().pack(index % size[0], index / size[0] % size[1],
-                                std::min(index / size[0] / size[1], size[2] - 1));
-}
-
-void LiftedFocus::Work::findLimits(const MeshQuery& query)
+Status LiftedFocus::Work::findLimits(const MeshQuery& query, const Progress& progress)
 {
     const double perError = model_.description().range.extent() / 100;
     const double perWarping = model_.diagonal() / 100;
@@ -125,6 +114,8 @@ void LiftedFocus::Work::findLimits(const MeshQuery& query)
                      static_cast<std::int32_t>(size[2])};
     limits_.last = {-1, -1, -1};
     for (std::uint32_t index = 0; index < count; ++index) {
+        if (index % pointsAtOnce == 0 && progress.cancelled())
+            return cancelledError("Extracting the mesh");
         const double value = grid_[index].components[3];
         const double error = query.error.at(positions_[index], value);
         const double warping = query.warping.at(positions_[index], value);
@@ -141,36 +132,36 @@ void LiftedFocus::Work::findLimits(const MeshQuery& query)
             limits_.last[axis] = std::max(limits_.last[axis], place[axis]);
         }
     }
+    return {};
+}
+
+Status LiftedFocus::Work::prepare()
+{
+    if (prepared_)
+        return {};
+    if (!std::ranges::all_of(positions_, [](const Eigen::Vector3d& position) { return position.allFinite(); }))
+        return inconsistentModel(model_, "a sample lies nowhere");
+    siteOfPoint_.assign(positions_.size(), ExtractedMesh::noSite);
+    for (std::uint32_t site = 0; site < model_.siteCount(); ++site) {
+        const std::uint32_t point = model_.points()[site];
+        if (point >= positions_.size())
+            return inconsistentModel(model_, "a site is no point of its grid");
+        siteOfPoint_[point] = site;
+    }
+    if (const Status prepared = mesh_.prepare(blocks_, {1, 1, 1}); !prepared)
+        return prepared;
+    prepared_ = true;
+    return {};
 }
 
 Status LiftedFocus::Work::load(std::uint32_t sites, const Progress& progress)
 {
-    if (!prepared_) {
-        if (const Status prepared = mesh_.prepare(blocks_, {1, 1, 1}); !prepared)
-            return prepared;
-        siteOfPoint_.assign(positions_.size(), ExtractedMesh::noSite);
-        for (std::uint32_t site = 0; site < model_.siteCount(); ++site) {
-            const std::uint32_t point = model_.points()[site];
-            if (point >= positions_.size())
-                return damaged(model_, "a site is no point of its grid");
-            siteOfPoint_[point] = site;
-        }
-        prepared_ = true;
-    }
+    if (const Status prepared = prepare(); !prepared)
+        return prepared;
     coarseSites_ = 0;
-    Result<TetrahedralMesh> coarse = extractPrefix(model_, sites, progress, std::move(coarse_));
-    if (!coarse)
-        return coarse.error();
-    coarse_ = *std::move(coarse);
-    if (model_.description().leftHanded) // back to what is positive in computational space
-        for (std::array<std::uint32_t, 4>& tetrahedron : coarse_.tetrahedra)
-            std::swap(tetrahedron[2], tetrahedron[3]);
-    Buffer<PackedPoint> points(sites);
-    std::ranges::transform(model_.points().first(sites), points.begin(),
-                           [this](std::uint32_t point) { return pointOf(point); });
-    if (!mesh_.load(coarse_.tetrahedra, points))
-        return damaged(model_, "or of another kind than the focus needs: its coarse mesh is no Delaunay mesh");
-    Buffer<std::array<std::uint32_t, 4>>().swap(coarse_.tetrahedra);
+    if (const Status loaded = loadCoarse(model_, sites, progress, coarse_, mesh_); !loaded)
+        return loaded;
+    Buffer<std::array<std::uint32_t, 4>>().swap(coarse_.mesh.tetrahedra);
     coarseSites_ = sites;
     return {};
 }
@@ -183,7 +174,7 @@ std::uint32_t LiftedFocus::Work::siteAt(PackedPoint point)
 Status LiftedFocus::Work::add(PackedPoint point, std::uint32_t site)
 {
     if (!mesh_.add({&point, 1}))
-        return tooLarge();
+        return focusTooLarge();
     addedSites_.push_back(site);
     return {};
 }
@@ -199,26 +190,40 @@ Status LiftedFocus::Work::insertSites(const Progress& progress)
         }
         const std::uint32_t point =
             std::min<std::uint32_t>(model_.points()[site], static_cast<std::uint32_t>(keys_.size() - 1));
-        if (!(static_cast<double>(model_.runningErrors()[site]) > keys_[point]) || mesh_.isVertex(pointOf(point)))
+        if (!(static_cast<double>(model_.runningErrors()[site]) > keys_[point]) ||
+            mesh_.isVertex(grid_.lattice().pointAt(point)))
             continue;
-        if (const Status added = add(pointOf(point), site); !added)
+        if (const Status added = add(grid_.lattice().pointAt(point), site); !added)
             return added;
     }
     return {};
 }
 
+/// Adds the worst samples of these tetrahedra to worst_; false if the work was cancelled.
+bool LiftedFocus::Work::scan(std::span<const std::uint32_t> slots, ScannedPart part, const Progress& progress)
+{
+    for (std::size_t first = 0; first < slots.size(); first += slotsAtOnce) {
+        if (progress.cancelled())
+            return false;
+        scanLiftedSamples(mesh_, slots.subspan(first, std::min(slotsAtOnce, slots.size() - first)), grid_, blocks_,
+                          limits_, part, worst_);
+    }
+    return true;
+}
+
 /// Looks at what changed, and at what did not but lies where limits are not the largest.
-void LiftedFocus::Work::look(bool coarseIsKnown)
+Status LiftedFocus::Work::look(bool coarseIsKnown, const Progress& progress)
 {
     slots_.clear();
     for (std::uint32_t slot = 0; slot < mesh_.mesh().slotCount(); ++slot)
         if (!mesh_.hasChanged(slot))
             slots_.push_back(slot);
     worst_.clear();
-    scanLiftedSamples(mesh_, slots_, grid_, blocks_, limits_, coarseIsKnown ? ScannedPart::Limited : ScannedPart::All,
-                      worst_);
-    scanLiftedSamples(mesh_, mesh_.changed(), grid_, blocks_, limits_, ScannedPart::All, worst_);
+    if (!scan(slots_, coarseIsKnown ? ScannedPart::Limited : ScannedPart::All, progress) ||
+        !scan(mesh_.changed(), ScannedPart::All, progress))
+        return cancelledError("Extracting the mesh");
     mesh_.acceptChanges();
+    return {};
 }
 
 /// In rounds: the worst first, unless one before it has changed its tetrahedron; then what changed is looked at.
@@ -236,7 +241,8 @@ Status LiftedFocus::Work::repair(const Progress& progress)
                 return added;
         }
         worst_.clear();
-        scanLiftedSamples(mesh_, mesh_.changed(), grid_, blocks_, limits_, ScannedPart::All, worst_);
+        if (!scan(mesh_.changed(), ScannedPart::All, progress))
+            return cancelledError("Extracting the mesh");
         mesh_.acceptChanges();
     }
     return {};
@@ -244,40 +250,19 @@ Status LiftedFocus::Work::repair(const Progress& progress)
 
 void LiftedFocus::Work::write(ExtractedMesh& mesh) const
 {
-    mesh_.copyTetrahedra(mesh.mesh.tetrahedra);
-    if (model_.description().leftHanded)
-        for (std::array<std::uint32_t, 4>& tetrahedron : mesh.mesh.tetrahedra)
-            std::swap(tetrahedron[2], tetrahedron[3]);
+    writeRefined(model_, coarse_.mesh, mesh_, addedSites_, mesh);
     const std::span<const PackedPoint> added = mesh_.added();
-    const std::size_t count = coarseSites_ + added.size();
-    mesh.mesh.positions.resize(count);
-    mesh.mesh.values.resize(count);
-    mesh.sites.resize(count);
-    std::ranges::copy(coarse_.positions, mesh.mesh.positions.begin());
-    std::ranges::copy(coarse_.values, mesh.mesh.values.begin());
-    std::iota(mesh.sites.begin(), mesh.sites.begin() + coarseSites_, 0u);
-    std::ranges::copy(addedSites_, mesh.sites.begin() + coarseSites_);
-    mesh.points.clear();
-    if (std::ranges::find(addedSites_, ExtractedMesh::noSite) != addedSites_.end()) {
-        mesh.points.assign(count, ExtractedMesh::noSite);
-        for (std::size_t i = 0; i < added.size(); ++i)
-            if (addedSites_[i] == ExtractedMesh::noSite)
-                mesh.points[coarseSites_ + i] = grid_.lattice().index(added[i]);
-    }
     for (std::size_t i = 0; i < added.size(); ++i) {
         const std::uint32_t index = grid_.lattice().index(added[i]);
         mesh.mesh.positions[coarseSites_ + i] = positions_[index].cast<float>();
         mesh.mesh.values[coarseSites_ + i] = static_cast<float>(grid_[index].components[3]);
     }
-    mesh.wholeSites = static_cast<std::uint32_t>(count);
-    mesh.wholeTetrahedra = mesh.mesh.tetrahedra.size();
-    mesh.scale = 1;
-    mesh.method = VariableMethod::Insertion;
 }
 
 Result<ExtractedMesh> LiftedFocus::Work::extract(const MeshQuery& query, const Progress& progress, ExtractedMesh reuse)
 {
-    findLimits(query);
+    if (const Status found = findLimits(query, progress); !found)
+        return found.error();
     const Accuracy outside = {query.error.bounds().maximum, query.warping.bounds().maximum};
     const MeshSize coarse = meshSizeAt(model_, outside);
     if (coarseSites_ == coarse.sites && coarseSites_ > 0)
@@ -287,7 +272,9 @@ Result<ExtractedMesh> LiftedFocus::Work::extract(const MeshQuery& query, const P
     addedSites_.clear();
     if (const Status inserted = insertSites(progress.part(0.2, 0.9)); !inserted)
         return inserted.error();
-    look(coarse.error <= outside.error && coarse.warping <= outside.warping);
+    if (const Status looked = look(coarse.error <= outside.error && coarse.warping <= outside.warping, progress);
+        !looked)
+        return looked.error();
     if (const Status repaired = repair(progress); !repaired)
         return repaired.error();
     write(reuse);
@@ -312,8 +299,12 @@ LiftedFocus& LiftedFocus::operator=(LiftedFocus&&) noexcept = default;
 
 Result<ExtractedMesh> LiftedFocus::extract(const MeshQuery& query, const Progress& progress, ExtractedMesh reuse)
 try {
-    return work_->extract(query, progress, std::move(reuse));
+    Result<ExtractedMesh> mesh = work_->extract(query, progress, std::move(reuse));
+    if (!mesh && mesh.error().kind != ErrorKind::Cancelled)
+        work_->forget();
+    return mesh;
 } catch (const std::bad_alloc&) {
+    work_->forget();
     return Error{ErrorKind::OutOfResource,
                  "Not enough memory for the mesh of the focus. Choose a larger error or a smaller focus."};
 }

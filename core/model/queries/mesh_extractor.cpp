@@ -79,6 +79,7 @@ private:
     PrefixMesh prefix_;
     std::optional<SharpFocus> focus_;        ///< of a regular lattice
     std::optional<LiftedFocus> liftedFocus_; ///< of a curvilinear grid
+    bool insertionFitsHistory_ = true;       ///< as far as is known: its meshes are Delaunay
     std::shared_ptr<ExtractedMesh> whole_;   ///< the last mesh before values and window; null after an error
 };
 
@@ -100,9 +101,10 @@ Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::Work::extract(const 
         return std::shared_ptr<const ExtractedMesh>(whole_);
     auto part = std::make_shared<ExtractedMesh>(*whole_);
     if (!query.values.empty())
-        keepValues(part->mesh, query.values);
+        if (const Status kept = keepValues(part->mesh, query.values, progress.part(0.7, 0.8)); !kept)
+            return kept.error();
     if (query.window)
-        if (const Status kept = keepWindow(part->mesh, *query.window, progress.part(0.7, 1)); !kept)
+        if (const Status kept = keepWindow(part->mesh, *query.window, progress.part(0.8, 1)); !kept)
             return kept.error();
     dropUnusedVertices(*part);
     return std::shared_ptr<const ExtractedMesh>(std::move(part));
@@ -119,10 +121,16 @@ Status MeshExtractor::Work::extractWhole(const MeshQuery& query, const Progress&
             "Insertion is for one box, sphere or half-space of smaller error in a regular lattice or any field "
             "in a curvilinear grid, without weights, and needs the model's file to hold all "
             "samples. Use a closed set, or the automatic choice."};
-    const bool asked = query.method == VariableMethod::Insertion;
-    const bool allowed = query.method != VariableMethod::ClosedSet && canInsert(query);
-    return asked || (allowed && insertionIsBetter(query)) ? extractByInsertion(query, progress)
-                                                          : extractClosedSet(query, progress);
+    if (query.method == VariableMethod::Insertion)
+        return extractByInsertion(query, progress);
+    if (query.method == VariableMethod::Automatic && insertionFitsHistory_ && canInsert(query) &&
+        insertionIsBetter(query)) {
+        const Status inserted = extractByInsertion(query, progress);
+        if (inserted || inserted.error().kind != ErrorKind::WrongUsage)
+            return inserted;
+        insertionFitsHistory_ = false; // of another builder: only looking at its meshes tells
+    }
+    return extractClosedSet(query, progress);
 }
 
 Status MeshExtractor::Work::extractUniform(const MeshQuery& query, const Progress& progress)

@@ -15,7 +15,7 @@ using Tetrahedron = std::array<std::uint32_t, 4>;
 
 /// Tetrahedra between two looks at whether the work was cancelled.
 constexpr std::size_t tetrahedraAtOnce = 1 << 16;
-constexpr std::string_view activity = "Choosing what lies in the window";
+constexpr std::string_view activity = "Choosing from the mesh";
 
 /// Keeps those that the test is true of, in order.
 template <class Test> Status keepIf(Buffer<Tetrahedron>& tetrahedra, const Progress& progress, const Test& test)
@@ -49,15 +49,14 @@ Status keepWindowUnguarded(TetrahedralMesh& mesh, const Window& window, const Pr
 
 } // namespace
 
-void keepValues(TetrahedralMesh& mesh, std::span<const ValueRange> ranges)
+Status keepValues(TetrahedralMesh& mesh, std::span<const ValueRange> ranges, const Progress& progress)
 {
     if (ranges.empty())
-        return;
+        return {};
     const float* const values = mesh.values.data();
-    const auto kept = keepIf(mesh.tetrahedra, {}, [ranges, values](const Tetrahedron& t) {
+    return keepIf(mesh.tetrahedra, progress, [ranges, values](const Tetrahedron& t) {
         return canContain({values[t[0]], values[t[1]], values[t[2]], values[t[3]]}, ranges);
     });
-    (void)kept; // what nobody can cancel succeeds
 }
 
 Status keepWindow(TetrahedralMesh& mesh, const Window& window, const Progress& progress)

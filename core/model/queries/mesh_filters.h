@@ -10,8 +10,8 @@
 namespace tetra {
 
 /// Keeps the tetrahedra that can contain a value of one of the ranges, ends included, or all if there are no ranges;
-/// vertices stay as they are.
-void keepValues(TetrahedralMesh& mesh, std::span<const ValueRange> ranges);
+/// vertices stay as they are. Error: cancelled; what is left of the mesh is then good for nothing.
+Status keepValues(TetrahedralMesh& mesh, std::span<const ValueRange> ranges, const Progress& progress = {});
 
 /// Keeps what the window asks for. Cutting is exact in its combinatorics: a vertex on the border is within, equal edges
 /// are cut at the same place, and the quadrilaterals of neighbours get the same diagonal, so the result conforms. It

@@ -3,6 +3,7 @@
 
 #include "core/model/queries/focus_division.h"
 #include "core/model/queries/sharp_focus_work.h"
+#include "core/model/site_places.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,9 @@ constexpr std::size_t insertionsAtOnce = 4096;
 /// Of the sites that were inserted into a kept mesh, at most one in so many is one that the region no longer asks for.
 /// A tenth would start afresh at every second step of 2 % of the domain, and take twice the time.
 constexpr std::size_t surplusShare = 4;
+
+constexpr double loadingEnd = 0.4; ///< how far it is after each part
+constexpr double lookingEnd = 0.5;
 
 using Site = SiteGrid::Site;
 
@@ -58,7 +62,7 @@ Status SharpFocus::Work::makeIndex()
         return {};
     sites_ = SiteGrid::make(lattice_, model_.points());
     if (!sites_)
-        return damaged("a site is no point of its lattice");
+        return inconsistentModel(model_, "a site is no point of its lattice");
     return model_.checkIntact();
 }
 
@@ -119,35 +123,31 @@ void SharpFocus::Work::findMissing(const FocusLimits& limits, const Range& range
     }
 }
 
+Status SharpFocus::Work::prepare()
+{
+    if (prepared_)
+        return {};
+    const auto division = focusDivision(model_);
+    const auto metric = division ? latticeMetric(division->box(0).size, model_.description().lattice.spacing)
+                                 : Result<LatticeMetric>(focusTooLarge());
+    if (!metric)
+        return metric.error();
+    if (const Status prepared = mesh_.prepare(*division, *metric); !prepared)
+        return prepared;
+    prepared_ = true;
+    return {};
+}
+
 Status SharpFocus::Work::load(std::uint32_t sites, const Progress& progress)
 {
-    if (!prepared_) {
-        const auto division = focusDivision(model_);
-        const auto metric = division ? latticeMetric(division->box(0).size, model_.description().lattice.spacing)
-                                     : Result<LatticeMetric>(tooLarge());
-        if (!metric)
-            return metric.error();
-        if (const Status prepared = mesh_.prepare(*division, *metric); !prepared)
-            return prepared;
-        prepared_ = true;
-    }
+    if (const Status prepared = prepare(); !prepared)
+        return prepared;
     coarseSites_ = 0;
-    Result<TetrahedralMesh> coarse = extractPrefix(model_, sites, progress, std::move(coarse_));
-    if (!coarse)
-        return coarse.error();
-    coarse_ = *std::move(coarse);
-    Buffer<PackedPoint> points(sites);
-    const auto& size = lattice_.size();
-    for (std::uint32_t site = 0; site < sites; ++site) {
-        const std::uint32_t point = model_.points()[site];
-        points[site] =
-            lattice_.pack(point % size[0], point / size[0] % size[1], std::min(point / size[0] / size[1], size[2] - 1));
-    }
-    if (!mesh_.load(coarse_.tetrahedra, points))
-        return notDelaunay();
+    if (const Status loaded = loadCoarse(model_, sites, progress, coarse_, mesh_); !loaded)
+        return loaded;
     readBounds(sites);
-    coarseBoxes_.assign(lattice_, coarse_.tetrahedra, points);
-    Buffer<std::array<std::uint32_t, 4>>().swap(coarse_.tetrahedra);
+    coarseBoxes_.assign(lattice_, coarse_.mesh.tetrahedra, coarse_.points);
+    Buffer<std::array<std::uint32_t, 4>>().swap(coarse_.mesh.tetrahedra);
     coarseSites_ = sites;
     return {};
 }
@@ -186,31 +186,16 @@ Status SharpFocus::Work::insertMissing(const Progress& progress)
         progress.report(static_cast<double>(first) / static_cast<double>(points_.size()), "Refining the focus");
         const std::size_t count = std::min(insertionsAtOnce, points_.size() - first);
         if (!mesh_.add(std::span(points_).subspan(first, count)))
-            return tooLarge();
+            return focusTooLarge();
     }
     return {};
 }
 
 void SharpFocus::Work::write(ExtractedMesh& mesh) const
 {
-    mesh_.copyTetrahedra(mesh.mesh.tetrahedra);
-    const std::span<const PackedPoint> added = mesh_.added();
-    const std::size_t count = coarseSites_ + added.size();
-    mesh.mesh.positions.resize(count);
-    mesh.mesh.values.resize(count);
-    mesh.sites.resize(count);
-    std::ranges::copy(coarse_.positions, mesh.mesh.positions.begin());
-    std::ranges::copy(coarse_.values, mesh.mesh.values.begin());
-    std::iota(mesh.sites.begin(), mesh.sites.begin() + coarseSites_, 0u);
-    std::ranges::copy(addedSites_, mesh.sites.begin() + coarseSites_);
-    mesh.points.clear();
-    if (std::ranges::find(addedSites_, ExtractedMesh::noSite) != addedSites_.end()) {
-        mesh.points.assign(count, ExtractedMesh::noSite);
-        for (std::size_t i = 0; i < added.size(); ++i)
-            if (addedSites_[i] == ExtractedMesh::noSite)
-                mesh.points[coarseSites_ + i] = lattice_.index(added[i]);
-    }
+    writeRefined(model_, coarse_.mesh, mesh_, addedSites_, mesh);
     const Lattice& lattice = model_.description().lattice;
+    const std::span<const PackedPoint> added = mesh_.added();
     samples_.visit([&](const auto* samples) {
         for (std::size_t i = 0; i < added.size(); ++i) {
             const PackedPoint point = added[i];
@@ -221,10 +206,6 @@ void SharpFocus::Work::write(ExtractedMesh& mesh) const
             mesh.mesh.values[coarseSites_ + i] = static_cast<float>(samples[lattice_.index(point)]);
         }
     });
-    mesh.wholeSites = static_cast<std::uint32_t>(count);
-    mesh.wholeTetrahedra = mesh.mesh.tetrahedra.size();
-    mesh.scale = 1;
-    mesh.method = VariableMethod::Insertion;
 }
 
 Result<ExtractedMesh> SharpFocus::Work::extract(const SpaceRamp& error, bool fresh, const Progress& progress,
@@ -244,19 +225,19 @@ Result<ExtractedMesh> SharpFocus::Work::extract(const SpaceRamp& error, bool fre
     if (!goesOn) {
         if (coarseSites_ == range.coarse && coarseSites_ > 0)
             mesh_.restore();
-        else if (const Status loaded = load(range.coarse, progress); !loaded)
+        else if (const Status loaded = load(range.coarse, progress.part(0, loadingEnd)); !loaded)
             return loaded.error();
         bounds_.assign(coarseBounds_.begin(), coarseBounds_.end());
         addedSites_.clear();
         findMissing(limits, range);
     }
-    if (const Status known = knowStars(range); !known)
+    if (const Status known = knowStars(range, progress.part(loadingEnd, lookingEnd)); !known)
         return known.error();
-    if (const Status inserted = insertMissing(progress); !inserted)
+    if (const Status inserted = insertMissing(progress.part(lookingEnd, 1)); !inserted)
         return inserted.error();
     others_.clear();
-    lookAtOthers(limits, range.known);
-    lookAtChanges(limits, true);
+    lookAtOthers(limits, range.known, progress);
+    lookAtChanges(limits, true, progress);
     worst_.insert(worst_.end(), others_.begin(), others_.end());
     if (const Status repaired = repair(limits, progress); !repaired)
         return repaired.error();
@@ -266,26 +247,6 @@ Result<ExtractedMesh> SharpFocus::Work::extract(const SpaceRamp& error, bool fre
     present_ = error;
     presentLimits_ = std::move(limits);
     return reuse;
-}
-
-Error SharpFocus::Work::damaged(const std::string& what) const
-{
-    return {ErrorKind::BadInput, "'" + model_.path().string() + "' is damaged: " + what +
-                                     ". Copy it again from where it came from, or build it again."};
-}
-
-Error SharpFocus::Work::notDelaunay() const
-{
-    return {ErrorKind::BadInput, "'" + model_.path().string() +
-                                     "' is damaged, or of another kind than the focus needs: its coarse mesh is no "
-                                     "Delaunay mesh of its points. Copy it again from where it came from, or ask for "
-                                     "closed sets."};
-}
-
-Error SharpFocus::Work::tooLarge() const
-{
-    return {ErrorKind::OutOfResource,
-            "The mesh of the focus became too large. Choose a larger error or a smaller focus."};
 }
 
 bool SharpFocus::fits(const Model& model)

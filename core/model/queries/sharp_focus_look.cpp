@@ -21,7 +21,7 @@ constexpr std::size_t repairsAtOnce = 256;
 void SharpFocus::Work::readBounds(std::uint32_t sites)
 {
     const double extent = model_.description().range.extent();
-    coarseBounds_.assign(coarse_.tetrahedra.size(), std::numeric_limits<float>::infinity());
+    coarseBounds_.assign(coarse_.mesh.tetrahedra.size(), std::numeric_limits<float>::infinity());
     std::size_t slot = 0;
     const std::uint64_t end = std::min(model_.starOffsets()[sites], model_.tetrahedronCount());
     for (std::uint64_t t = 0; t < end && slot < coarseBounds_.size(); ++t)
@@ -30,15 +30,17 @@ void SharpFocus::Work::readBounds(std::uint32_t sites)
                 static_cast<float>(static_cast<double>(halfToFloat(model_.ownErrors()[t])) * extent * (1 + 1e-6));
 }
 
-Status SharpFocus::Work::knowStars(const Range& range)
+Status SharpFocus::Work::knowStars(const Range& range, const Progress& progress)
 {
     // Beyond what the model has the bound is not known.
     const std::uint32_t sites = range.fineKnown ? range.fine : 0;
     if (fine_ && fine_->firstCreator() == range.coarse && fine_->siteCount() == sites)
         return {};
-    fine_ = FineStars::make(model_, range.coarse, sites);
-    if (!fine_)
-        return damaged("its star offsets make no sense");
+    fine_.reset();
+    Result<FineStars> stars = FineStars::make(model_, range.coarse, sites, progress);
+    if (!stars)
+        return stars.error();
+    fine_ = *std::move(stars);
     return {};
 }
 
@@ -52,12 +54,16 @@ bool SharpFocus::Work::isKnown(std::uint32_t slot) const
 }
 
 /// Looks at slots_. In pieces whose findings are put together in order: it does not matter how many threads there are.
-void SharpFocus::Work::scan(const FocusLimits& limits, ScannedPart part, std::vector<WorstSample>& worst) const
+/// Some are missing once the work was cancelled.
+void SharpFocus::Work::scan(const FocusLimits& limits, ScannedPart part, const Progress& progress,
+                            std::vector<WorstSample>& worst) const
 {
     constexpr std::size_t pieceSlots = 512;
     const std::size_t count = (slots_.size() + pieceSlots - 1) / pieceSlots;
     std::vector<std::vector<WorstSample>> found(count);
     const auto scanPiece = [&](std::size_t piece) {
+        if (progress.cancelled())
+            return;
         const std::size_t first = piece * pieceSlots;
         scanSamples(mesh_, std::span(slots_).subspan(first, std::min(pieceSlots, slots_.size() - first)), samples_,
                     limits, part, found[piece]);
@@ -72,7 +78,7 @@ void SharpFocus::Work::scan(const FocusLimits& limits, ScannedPart part, std::ve
 }
 
 /// Looks at what changed since the last look, unless its error is known to be small enough.
-void SharpFocus::Work::lookAtChanges(const FocusLimits& limits, bool mayBeKnown)
+void SharpFocus::Work::lookAtChanges(const FocusLimits& limits, bool mayBeKnown, const Progress& progress)
 {
     worst_.clear();
     slots_.clear();
@@ -87,12 +93,12 @@ void SharpFocus::Work::lookAtChanges(const FocusLimits& limits, bool mayBeKnown)
         if (!known)
             slots_.push_back(slot);
     }
-    scan(limits, ScannedPart::All, worst_);
+    scan(limits, ScannedPart::All, progress, worst_);
     mesh_.acceptChanges();
 }
 
 /// Looks at what is inside now and did not change.
-void SharpFocus::Work::lookAtOthers(const FocusLimits& limits, bool outsideIsKnown)
+void SharpFocus::Work::lookAtOthers(const FocusLimits& limits, bool outsideIsKnown, const Progress& progress)
 {
     slots_.clear();
     const auto least = static_cast<float>(limits.least);
@@ -115,7 +121,7 @@ void SharpFocus::Work::lookAtOthers(const FocusLimits& limits, bool outsideIsKno
     for (auto slot = static_cast<std::uint32_t>(coarseBounds_.size()); slot < bounds_.size(); ++slot)
         if (isUnknown(slot))
             slots_.push_back(slot);
-    scan(limits, outsideIsKnown ? ScannedPart::Limited : ScannedPart::All, others_);
+    scan(limits, outsideIsKnown ? ScannedPart::Limited : ScannedPart::All, progress, others_);
 }
 
 /// In rounds: the worst sample of each tetrahedron that is not good enough, the worst first, unless one before it has
@@ -133,11 +139,13 @@ Status SharpFocus::Work::repair(const FocusLimits& limits, const Progress& progr
             if (!(now.determinant() > 0) || now.vertices != worst.tetrahedron)
                 continue;
             if (!mesh_.add({&worst.point, 1}))
-                return tooLarge();
+                return focusTooLarge();
             addedSites_.push_back(sites_->siteAt(lattice_, worst.point).value_or(ExtractedMesh::noSite));
         }
-        lookAtChanges(limits, false);
+        lookAtChanges(limits, false, progress);
     }
+    if (progress.cancelled()) // then nothing may have been found because nothing was looked at
+        return cancelledError("Extracting the mesh");
     return {};
 }
 

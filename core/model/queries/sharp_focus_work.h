@@ -3,6 +3,7 @@
 
 #include "core/mesh/sample_scan.h"
 #include "core/mesh/tetrahedron_boxes.h"
+#include "core/model/queries/coarse_mesh.h"
 #include "core/model/queries/fine_stars.h"
 #include "core/model/queries/focus_limits.h"
 #include "core/model/queries/sharp_focus.h"
@@ -10,7 +11,6 @@
 
 #include <limits>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace tetra {
@@ -39,22 +39,21 @@ private:
 
     Range rangeOf(const FocusLimits& limits) const;
     Status makeIndex();
+    Status prepare();
     Status load(std::uint32_t sites, const Progress& progress);
     template <class Visit> void forEachSite(const FocusLimits& limits, const Range& range, Visit&& visit) const;
     void findMissing(const FocusLimits& limits, const Range& range);
     bool canGoOn(const SpaceRamp& error, const FocusLimits& limits, const Range& range);
     Status insertMissing(const Progress& progress);
     Status repair(const FocusLimits& limits, const Progress& progress);
-    void scan(const FocusLimits& limits, ScannedPart part, std::vector<WorstSample>& worst) const;
-    void lookAtChanges(const FocusLimits& limits, bool mayBeKnown);
-    void lookAtOthers(const FocusLimits& limits, bool outsideIsKnown);
-    Status knowStars(const Range& range);
+    void scan(const FocusLimits& limits, ScannedPart part, const Progress& progress,
+              std::vector<WorstSample>& worst) const;
+    void lookAtChanges(const FocusLimits& limits, bool mayBeKnown, const Progress& progress);
+    void lookAtOthers(const FocusLimits& limits, bool outsideIsKnown, const Progress& progress);
+    Status knowStars(const Range& range, const Progress& progress);
     void readBounds(std::uint32_t sites);
     bool isKnown(std::uint32_t slot) const;
     void write(ExtractedMesh& mesh) const;
-    Error damaged(const std::string& what) const;
-    Error notDelaunay() const;
-    Error tooLarge() const;
 
     const Model& model_;
     LatticeSamples samples_;
@@ -63,7 +62,7 @@ private:
     std::optional<SiteGrid> sites_;
     LocalDelaunay mesh_;
     std::uint32_t coarseSites_ = 0; ///< of the mesh that is loaded
-    TetrahedralMesh coarse_;        ///< its positions and values
+    CoarseMesh coarse_;             ///< without its tetrahedra
     TetrahedronBoxes coarseBoxes_;
     Buffer<float> coarseBounds_;    ///< on the errors of its tetrahedra
     std::optional<FineStars> fine_; ///< of the mesh within

@@ -69,7 +69,7 @@ bool isDelaunay(const LocalDelaunay& mesh, const BlockDivision& division, std::v
 {
     vertices.insert(vertices.end(), mesh.added().begin(), mesh.added().end());
     LocalDelaunay other;
-    return other.prepare(division, {1, 1, 1}).ok() && other.load(tetrahedraOf(mesh), vertices);
+    return other.prepare(division, {1, 1, 1}).ok() && other.load(tetrahedraOf(mesh), vertices) == MeshLoading::Done;
 }
 
 } // namespace
@@ -91,13 +91,13 @@ private slots:
         LocalDelaunay mesh;
         QVERIFY(mesh.prepare(division, {1, 1, 1}).ok());
         Start start = startOf(division);
-        QVERIFY(mesh.load(start.tetrahedra, start.vertices));
+        QVERIFY(mesh.load(start.tetrahedra, start.vertices) == MeshLoading::Done);
         // From a mesh with some points, so that the first one is not as simple as the start.
         const std::vector<PackedPoint> points = otherPoints(mesh.lattice(), start, edge);
         QVERIFY(mesh.add(std::span(points).first(60)));
         start.vertices.insert(start.vertices.end(), mesh.added().begin(), mesh.added().end());
         start.tetrahedra = tetrahedraOf(mesh);
-        QVERIFY(mesh.load(start.tetrahedra, start.vertices));
+        QVERIFY(mesh.load(start.tetrahedra, start.vertices) == MeshLoading::Done);
 
         Buffer<Numbers> first;
         for (int round = 0; round < 3; ++round) {
@@ -126,7 +126,7 @@ private slots:
         LocalDelaunay mesh;
         QVERIFY(mesh.prepare(division, {1, 1, 1}).ok());
         const Start start = startOf(division);
-        QVERIFY(mesh.load(start.tetrahedra, start.vertices));
+        QVERIFY(mesh.load(start.tetrahedra, start.vertices) == MeshLoading::Done);
         for (const PackedPoint point : otherPoints(mesh.lattice(), start, 1)) {
             const std::vector<DelaunayTetrahedron> before(mesh.mesh().tetrahedra().begin(),
                                                           mesh.mesh().tetrahedra().end());
@@ -177,9 +177,13 @@ private slots:
             }
         }
         // 5: one block's mesh is none of eight.
-        QVERIFY(!mesh.load(start.tetrahedra, start.vertices));
+        QVERIFY(mesh.load(start.tetrahedra, start.vertices) ==
+                (fault == 4 ? MeshLoading::NotDelaunay : MeshLoading::NoMesh));
         const Start right = startOf(division);
-        QVERIFY(mesh.load(right.tetrahedra, right.vertices));
+        std::stop_source stop;
+        stop.request_stop();
+        QVERIFY(mesh.load(right.tetrahedra, right.vertices, {stop.get_token(), {}}) == MeshLoading::Cancelled);
+        QVERIFY(mesh.load(right.tetrahedra, right.vertices) == MeshLoading::Done);
         QVERIFY(mesh.add(otherPoints(mesh.lattice(), right, 3)));
     }
 };

@@ -66,7 +66,8 @@ struct RandomMesh {
 template <class T> std::vector<T> numbersIn(std::span<const std::byte> bytes)
 {
     std::vector<T> numbers(bytes.size() / sizeof(T));
-    std::memcpy(numbers.data(), bytes.data(), bytes.size());
+    if (!bytes.empty())
+        std::memcpy(numbers.data(), bytes.data(), bytes.size());
     return numbers;
 }
 

@@ -130,7 +130,7 @@ private slots:
                 const auto part = extractHistory(*model, {30}, {1}, values, window);
                 QVERIFY(part.ok());
                 TetrahedralMesh expected = all->mesh;
-                keepValues(expected, values);
+                QVERIFY(keepValues(expected, values).ok());
                 if (window)
                     QVERIFY(keepWindow(expected, *window).ok());
                 QVERIFY2(part->mesh.tetrahedra == expected.tetrahedra, name.c_str());

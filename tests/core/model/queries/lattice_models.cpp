@@ -82,6 +82,10 @@ Dataset randomLattice(SampleKind kind, const std::array<std::uint32_t, 3>& size,
         return made<std::uint16_t>(SampleType::UInt16, lattice, [&](const auto&) { return random() % 65536; });
     case SampleKind::Smooth:
         return made<std::uint8_t>(SampleType::UInt8, lattice, [&](const auto& c) { return 120 + 55 * wave(c); });
+    case SampleKind::Wide:
+        return made<double>(SampleType::Float64, lattice, [&](const auto&) {
+            return std::normal_distribution()(random) * std::pow(10, std::uniform_real_distribution(-8.0, 8.0)(random));
+        });
     case SampleKind::Real: break;
     }
     return made<float>(SampleType::Float32, lattice, wave);

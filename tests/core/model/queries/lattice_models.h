@@ -17,6 +17,7 @@ enum class SampleKind {
     Noise,  ///< uint16 at random
     Smooth, ///< uint8 of a few waves
     Real,   ///< float of a few waves
+    Wide,   ///< double of all magnitudes: errors are never exact
 };
 
 /// A lattice of values made from `seed`.

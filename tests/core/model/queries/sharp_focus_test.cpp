@@ -186,6 +186,23 @@ private slots:
         }
     }
 
+    /// Rounding makes errors of vertices, which must not be inserted again.
+    void roundedErrorsAreBorne()
+    {
+        const Dataset dataset = randomLattice(SampleKind::Wide, {12, 11, 13}, 4);
+        const auto model = modelOf(dataset, 0, folder());
+        const Eigen::Vector3d centre = dataset.lattice.bounds().center();
+        for (const Region& region : {Region(Sphere{centre, 1.5}), Region(Box{centre.array() - 1, centre.array() + 1}),
+                                     Region(HalfSpace{{0, 0, 1}, centre.z()})})
+            for (const double falloff : {0.0, 1.0}) {
+                const SpaceRamp ramp{region, 0, 10, falloff};
+                const auto mesh = SharpFocus(*model).extract(ramp, true);
+                QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text.c_str());
+                const SlowFocus slow(*model, *focusDivision(*model));
+                QCOMPARE(slow.faultOf(byPoints(*model, *mesh), ramp, 1e-12), std::string());
+            }
+    }
+
     void canBeCancelled()
     {
         const Case one = Cases(1).next(folder());
