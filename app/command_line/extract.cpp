@@ -4,7 +4,6 @@
 #include "app/command_line/query_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
-#include "core/base/number_text.h"
 #include "core/model/mesh_claims.h"
 #include "core/model/queries/mesh_extractor.h"
 #include "plugins/host/output_check.h"
@@ -67,13 +66,16 @@ Status checkNotEmpty(const Task& task, const TetrahedralMesh& mesh)
         return {};
     const ModelDescription& data = task.model.description();
     const auto place = [](const Eigen::Vector3d& p) {
-        return "(" + formatNumber(p[0]) + ", " + formatNumber(p[1]) + ", " + formatNumber(p[2]) + ")";
+        return "(" + rounded(p[0], 6) + ", " + rounded(p[1], 6) + ", " + rounded(p[2], 6) + ")";
     };
-    return Error{ErrorKind::WrongUsage, "No tetrahedron is in that window with such values, so nothing was written. "
-                                        "The data lie between " +
+    const bool window = task.arguments.has("window"), values = task.arguments.has("values");
+    const std::string asked = !window  ? "has such values"
+                              : values ? "is in that window with such values"
+                                       : "is in that window";
+    return Error{ErrorKind::WrongUsage, "No tetrahedron " + asked + ", so nothing was written. The data lie between " +
                                             place(data.bounds.min()) + " and " + place(data.bounds.max()) +
-                                            ", with values from " + formatNumber(data.range.minimum) + " to " +
-                                            formatNumber(data.range.maximum) + "."};
+                                            ", with values from " + rounded(data.range.minimum, 6) + " to " +
+                                            rounded(data.range.maximum, 6) + "."};
 }
 
 Outcome outcomeOf(const Task& task, const TetrahedralMesh& mesh)

@@ -3,6 +3,8 @@
 
 #include "core/base/number_text.h"
 
+#include <type_traits>
+
 namespace tetra {
 namespace {
 
@@ -11,7 +13,10 @@ constexpr double defaultError = 1;
 
 template <class T> std::string text(T number)
 {
-    return formatNumber(static_cast<double>(number));
+    if constexpr (std::is_integral_v<T>)
+        return std::to_string(number);
+    else
+        return formatNumber(number);
 }
 
 template <class T>

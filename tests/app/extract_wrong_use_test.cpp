@@ -54,20 +54,22 @@ private slots:
         row("field and focus", QStringList{"--field", "1"} + focus, "'--focus' does not go with it");
         row("field and falloff", {"--field", "1", "--falloff", "2"}, "'--falloff' does not go with it");
         row("no budget", {"--budget", "0"}, "'--budget'");
-        row("broken budget", {"--budget", "12.5"}, "'--budget'");
+        row("broken budget", {"--budget", "12.5"}, "a whole number from 1 to 1000000000000.");
         row("budget too small", {"--budget", "1"}, "budget");
         row("unknown method", focus + QStringList{"--method", "magic"}, "automatic, closed-set, insertion");
         row("method without a focus", {"--error", "1", "--method", "closed-set"}, "'--method'");
         row("insertion of what is not sharp", {"--field", "isovalues(120; 0.5, 8, 20)", "--method", "insertion"},
-            "nsertion");
+            "one box, sphere or half-space");
+        row("insertion with a budget", focus + QStringList{"--budget", "5000", "--method", "insertion"}, "no budget");
         row("border without a window", {"--border", "clipped"}, "'--window'", false);
         row("unknown border", {"--window", "0,0,0,5,5,5", "--border", "torn"}, "intersecting, contained, clipped",
             false);
         row("window of five numbers", {"--window", "0,0,0,5,5"}, "'--window'", false);
-        row("window outside", {"--window", "100,100,100,105,105,105"}, "between (0, 0, 0) and (15, 15, 15)", false);
+        row("window outside", {"--window", "100,100,100,105,105,105"},
+            "in that window, so nothing was written. The data lie between (0, 0, 0) and (15, 15, 15)", false);
         row("values of one number", {"--values", "100"}, "'--values'", false);
         row("values turned round", {"--values", "100,90"}, "'--values'", false);
-        row("values outside", {"--values", "900,901"}, "with values from", false);
+        row("values outside", {"--values", "900,901"}, "No tetrahedron has such values, so nothing was written", false);
         row("range of one", {"--range", "1"}, "'--range'", false);
         row("range of three", {"--range", "1,2,3"}, "'--range'", false);
         row("range too large", {"--range", "1,200"}, "'--range'", false);

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <new>
 #include <optional>
+#include <string>
 
 namespace tetra {
 
@@ -66,7 +67,7 @@ private:
     Status extractWhole(const MeshQuery& query, const Progress& progress);
     Status extractUniform(const MeshQuery& query, const Progress& progress);
     Status extractClosedSet(const MeshQuery& query, const Progress& progress);
-    bool canInsert(const MeshQuery& query) const;
+    const char* obstacleToInsertion(const MeshQuery& query) const;
     bool insertionIsBetter(const MeshQuery& query);
     Status extractByInsertion(const MeshQuery& query, const Progress& progress);
     Status extractWithinBudget(const MeshQuery& query, const Progress& progress);
@@ -115,15 +116,13 @@ Status MeshExtractor::Work::extractWhole(const MeshQuery& query, const Progress&
     const bool warps = model_->description().warpingWeight > 0;
     if (query.error.isConstant() && (query.warping.isConstant() || !warps))
         return extractUniform(query, progress);
-    if (query.method == VariableMethod::Insertion && !canInsert(query))
-        return Error{
-            ErrorKind::WrongUsage,
-            "Insertion is for one box, sphere or half-space of smaller error in a regular lattice or any field "
-            "in a curvilinear grid, without weights, and needs the model's file to hold all "
-            "samples. Use a closed set, or the automatic choice."};
+    const char* const obstacle = obstacleToInsertion(query);
+    if (query.method == VariableMethod::Insertion && obstacle != nullptr)
+        return Error{ErrorKind::WrongUsage,
+                     std::string("Insertion ") + obstacle + ". Use a closed set, or the automatic choice."};
     if (query.method == VariableMethod::Insertion)
         return extractByInsertion(query, progress);
-    if (query.method == VariableMethod::Automatic && insertionFitsHistory_ && canInsert(query) &&
+    if (query.method == VariableMethod::Automatic && insertionFitsHistory_ && obstacle == nullptr &&
         insertionIsBetter(query)) {
         const Status inserted = extractByInsertion(query, progress);
         if (inserted || inserted.error().kind != ErrorKind::WrongUsage)
@@ -172,13 +171,21 @@ Status MeshExtractor::Work::extractClosedSet(const MeshQuery& query, const Progr
     return extractSet(*model_, *set, places_, progress.part(0.8, 1), *whole_);
 }
 
-bool MeshExtractor::Work::canInsert(const MeshQuery& query) const
+/// Why a query cannot be answered by insertion, as the end of a sentence; null if, without looking, it can.
+const char* MeshExtractor::Work::obstacleToInsertion(const MeshQuery& query) const
 {
+    if (model_->description().domain == DomainClass::Scattered)
+        return "is for lattices and curvilinear grids, not for scattered points";
+    if (model_->samples().empty())
+        return "needs all samples of the dataset, which this model's file does not hold";
     if (LiftedFocus::fits(*model_))
-        return true;
+        return nullptr;
     const SpaceRamp* const ramp = query.error.asSpaceRamp();
-    return ramp != nullptr && ramp->inner < ramp->outer && SharpFocus::fits(*model_) &&
-           !(query.budget && scaledField(query.error, 2).asSpaceRamp() == nullptr);
+    if (ramp == nullptr || !(ramp->inner < ramp->outer))
+        return "into a lattice is for one box, sphere or half-space of smaller error";
+    if (query.budget && scaledField(query.error, 2).asSpaceRamp() == nullptr)
+        return "within a budget needs a sharp border, or an error of at least 0.001 % to fall off from";
+    return SharpFocus::fits(*model_) ? nullptr : "does not know how this model was built, or its grid is too large";
 }
 
 /// Closed sets are small for graded fields, and quick for large foci. In computational space, where much of a grid

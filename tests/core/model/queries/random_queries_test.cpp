@@ -135,6 +135,27 @@ private slots:
         }
     }
 
+    /// However large the number is.
+    void budgetsBeyondAllAreNone()
+    {
+        std::mt19937 random(6);
+        const Dataset dataset = randomDataset(random, SampleType::UInt16, Lattice{{24, 24, 24}, {1, 1, 1}, {0, 0, 0}});
+        const auto model = refinedModel(folder_.filePath("large").toStdString(), dataset);
+        MeshExtractor extractor(model);
+        MeshQuery query;
+        query.error = SpaceRamp{HalfSpace{{1, 0, 0}, 20}, 0, 5, 0};
+        query.method = VariableMethod::ClosedSet;
+        const auto without = extractor.extract(query);
+        QVERIFY((*without)->wholeTetrahedra > (1 << 16));
+        for (const std::uint64_t budget : {std::uint64_t(1) << 40, std::uint64_t(1) << 63, ~std::uint64_t(0)}) {
+            query.budget = budget;
+            const auto mesh = extractor.extract(query);
+            QVERIFY(mesh.ok());
+            QCOMPARE((*mesh)->wholeTetrahedra, (*without)->wholeTetrahedra);
+            QCOMPARE((*mesh)->scale, 1.0);
+        }
+    }
+
     /// From each accuracy to any other, by what differs: the mesh is that of the prefix.
     void uniformMeshesMove()
     {
