@@ -60,7 +60,10 @@ private slots:
         row("method without a focus", {"--error", "1", "--method", "closed-set"}, "'--method'");
         row("insertion of what is not sharp", {"--field", "isovalues(120; 0.5, 8, 20)", "--method", "insertion"},
             "one box, sphere or half-space");
-        row("insertion with a budget", focus + QStringList{"--budget", "5000", "--method", "insertion"}, "no budget");
+        row("insertion with a budget",
+            QStringList{"--focus", "sphere:8,8,8,3", "--focus-error", "0", "--falloff", "2", "--budget", "5000",
+                        "--method", "insertion"},
+            "within a budget needs a sharp border");
         row("border without a window", {"--border", "clipped"}, "'--window'", false);
         row("unknown border", {"--window", "0,0,0,5,5,5", "--border", "torn"}, "intersecting, contained, clipped",
             false);
