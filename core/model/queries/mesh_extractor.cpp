@@ -124,10 +124,9 @@ Status MeshExtractor::Work::extractWhole(const MeshQuery& query, const Progress&
         return extractByInsertion(query, progress);
     if (query.method == VariableMethod::Automatic && insertionFitsHistory_ && obstacle == nullptr &&
         insertionIsBetter(query)) {
-        const Status inserted = extractByInsertion(query, progress);
-        if (inserted || inserted.error().kind != ErrorKind::WrongUsage)
+        if (const Status inserted = extractByInsertion(query, progress);
+            inserted || inserted.error().kind != ErrorKind::WrongUsage)
             return inserted;
-        insertionFitsHistory_ = false; // of another builder: only looking at its meshes tells
     }
     return extractClosedSet(query, progress);
 }
@@ -212,12 +211,14 @@ Status MeshExtractor::Work::extractWithinBudget(const MeshQuery& query, const Pr
         return coarse.error();
     constexpr double all = 100;
     const double largest = all / std::max(query.error.bounds().minimum, leastScaledPercent);
+    int meshes = 0;
     const auto sizeAt = [&](double scale) -> Result<std::uint64_t> {
         MeshQuery scaled = query;
         scaled.budget.reset();
         scaled.error = scaledField(query.error, scale);
         scaled.warping = scaledField(query.warping, scale);
-        if (const Status found = extractByInsertion(scaled, progress); !found)
+        progress.report(1 - 1 / (1 + 0.25 * ++meshes), "Trying what the budget allows");
+        if (const Status found = extractByInsertion(scaled, progress.withCallback({})); !found)
             return found.error();
         return whole_->wholeTetrahedra;
     };
@@ -241,8 +242,11 @@ Status MeshExtractor::Work::extractByInsertion(const MeshQuery& query, const Pro
         focus_.emplace(*model_);
     auto found = lifted ? liftedFocus_->extract(query, progress, std::move(*whole_))
                         : focus_->extract(*query.error.asSpaceRamp(), false, progress, std::move(*whole_));
-    if (!found)
+    if (!found) {
+        // Of another builder: only looking at its meshes tells.
+        insertionFitsHistory_ &= found.error().kind != ErrorKind::WrongUsage;
         return found.error();
+    }
     *whole_ = std::move(*found);
     return {};
 }

@@ -42,7 +42,8 @@ public:
             return {};
         const QByteArray bytes = file.readAll();
         std::vector<T> values(static_cast<std::size_t>(bytes.size()) / sizeof(T));
-        std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+        if (!values.empty())
+            std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
         return values;
     }
 

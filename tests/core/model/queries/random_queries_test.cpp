@@ -275,6 +275,27 @@ private slots:
         QVERIFY(inserted > 30);
     }
 
+    /// What a budget does not allow says nothing of the model.
+    void impossibleBudgetsAreForgotten()
+    {
+        std::mt19937 random(7);
+        int inserted = 0;
+        for (const Case& one : cases_) {
+            MeshExtractor extractor(one.model);
+            MeshQuery query;
+            query.error = randomRamp(random, *one.model);
+            query.warping = query.error;
+            query.budget = 1;
+            QVERIFY(!extractor.extract(query).ok());
+            query.budget.reset();
+            const auto mesh = extractor.extract(query);
+            QVERIFY(mesh.ok());
+            QCOMPARE((*mesh)->method, (*MeshExtractor(one.model).extract(query))->method);
+            inserted += (*mesh)->method == VariableMethod::Insertion ? 1 : 0;
+        }
+        QVERIFY(inserted > 20);
+    }
+
 private:
     Dataset datasetOf(std::mt19937& random, int number) const
     {
