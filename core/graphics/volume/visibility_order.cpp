@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/graphics/volume/visibility_order.h"
+
+#include "core/graphics/volume/facing.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace tetra {
+namespace {
+
+/// What stands between the cells: for each cell, bit f if the neighbour across face f is in front, bit 4 + f if behind.
+/// Of the two sides of a face that of the smaller cell decides, so that both agree whatever rounding did.
+Buffer<std::uint8_t> neighbourSides(const FaceAdjacency& adjacency, const Buffer<std::uint8_t>& facing)
+{
+    Buffer<std::uint8_t> sides(facing.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, facing.size(), 1 << 12), [&](const auto& range) {
+        for (std::size_t cell = range.begin(); cell != range.end(); ++cell) {
+            unsigned bits = 0;
+            for (unsigned face = 0; face < 4; ++face) {
+                const std::uint32_t neighbour = adjacency.neighbours[cell][face];
+                if (neighbour == FaceAdjacency::none)
+                    continue;
+                const std::uint32_t other = FaceAdjacency::cellOf(neighbour);
+                const unsigned own = facing[cell] >> face & 0x11u;
+                const unsigned theirs = facing[other] >> FaceAdjacency::faceOf(neighbour) & 0x11u;
+                bits |= (cell < other ? own : (theirs >> 4 | (theirs & 1u) << 4)) << face;
+            }
+            sides[cell] = static_cast<std::uint8_t>(bits);
+        }
+    });
+    return sides;
+}
+
+/// The relations' backs by their fronts.
+struct RelationTable {
+    std::vector<std::uint32_t> first; ///< for each cell, and after the last the end; empty without relations
+    std::vector<std::uint32_t> backs;
+
+    RelationTable(std::span<const CellRelation> relations, std::size_t cells)
+    {
+        if (relations.empty())
+            return;
+        first.assign(cells + 2, 0);
+        for (const CellRelation& relation : relations)
+            ++first[relation.front + 2];
+        std::partial_sum(first.begin(), first.end(), first.begin());
+        backs.resize(relations.size());
+        for (const CellRelation& relation : relations)
+            backs[first[relation.front + 1]++] = relation.back;
+    }
+    std::span<const std::uint32_t> backsOf(std::uint32_t cell) const
+    {
+        if (first.empty())
+            return {};
+        return std::span(backs).subspan(first[cell], first[cell + 1] - first[cell]);
+    }
+};
+
+/// Takes cells that nothing unordered hides, depth first, so that what is drawn together lies together.
+class Sorter {
+public:
+    Sorter(const FaceAdjacency& adjacency, const Buffer<std::uint8_t>& sides, std::span<const CellRelation> relations)
+        : adjacency_(adjacency), sides_(sides), table_(relations, sides.size()), hiders_(sides.size()),
+          stack_(sides.size())
+    {
+        for (std::size_t cell = 0; cell < sides.size(); ++cell)
+            hiders_[cell] = static_cast<std::uint32_t>(std::popcount(sides[cell] & 15u));
+        for (const CellRelation& relation : relations)
+            ++hiders_[relation.back];
+        for (std::size_t cell = sides.size(); cell-- > 0;)
+            if (hiders_[cell] == 0)
+                stack_[waiting_++] = static_cast<std::uint32_t>(cell);
+        order_.cells.resize(sides.size());
+    }
+
+    VisibilityOrder sorted(std::span<const std::array<std::uint32_t, 4>> tetrahedra,
+                           std::span<const ProjectedVertex> vertices)
+    {
+        takeFree();
+        if (taken_ < order_.cells.size())
+            breakCycles(tetrahedra, vertices);
+        return std::move(order_);
+    }
+
+private:
+    static constexpr std::uint32_t done = 0xffffffff;
+
+    void takeFree()
+    {
+        while (waiting_ > 0) {
+            const std::uint32_t cell = stack_[--waiting_];
+            order_.cells[taken_++] = cell;
+            hiders_[cell] = done;
+            for (unsigned behind = sides_[cell] >> 4; behind != 0; behind &= behind - 1) {
+                const auto face = static_cast<std::size_t>(std::countr_zero(behind));
+                release(FaceAdjacency::cellOf(adjacency_.neighbours[cell][face]));
+            }
+            for (const std::uint32_t back : table_.backsOf(cell))
+                release(back);
+        }
+    }
+
+    void release(std::uint32_t cell)
+    {
+        if (hiders_[cell] != done && --hiders_[cell] == 0)
+            stack_[waiting_++] = cell;
+    }
+
+    void breakCycles(std::span<const std::array<std::uint32_t, 4>> tetrahedra,
+                     std::span<const ProjectedVertex> vertices)
+    {
+        std::vector<std::pair<float, std::uint32_t>> left;
+        for (std::uint32_t cell = 0; cell < hiders_.size(); ++cell)
+            if (hiders_[cell] != done) {
+                float depth = 0;
+                for (const std::uint32_t vertex : tetrahedra[cell])
+                    depth += vertices[vertex].w;
+                left.emplace_back(std::isnan(depth) ? 0 : depth, cell);
+            }
+        std::ranges::sort(left);
+        for (const auto& [depth, cell] : left)
+            if (hiders_[cell] != done) {
+                ++order_.brokenCycles;
+                stack_[waiting_++] = cell;
+                takeFree();
+            }
+    }
+
+    const FaceAdjacency& adjacency_;
+    const Buffer<std::uint8_t>& sides_;
+    RelationTable table_;
+    Buffer<std::uint32_t> hiders_; ///< how many cells that are not in the order yet lie in front of each, or done
+    Buffer<std::uint32_t> stack_;
+    std::size_t waiting_ = 0; ///< on the stack
+    std::size_t taken_ = 0;
+    VisibilityOrder order_;
+};
+
+} // namespace
+
+VisibilityOrder orderByAdjacency(std::span<const std::array<std::uint32_t, 4>> tetrahedra,
+                                 const FaceAdjacency& adjacency, std::span<const ProjectedVertex> vertices,
+                                 bool perspective, std::span<const CellRelation> relations)
+{
+    const Buffer<std::uint8_t> sides = neighbourSides(adjacency, faceFacing(tetrahedra, vertices, perspective));
+    return Sorter(adjacency, sides, relations).sorted(tetrahedra, vertices);
+}
+
+} // namespace tetra
