@@ -114,11 +114,14 @@ CellSetup cellOfLane(const SetupLanes& lanes, std::size_t lane, const SetupSourc
     for (std::size_t face = 0; face < 4; ++face) {
         const AffineFunction bound = {lanes.bound[0][face][lane], lanes.bound[1][face][lane],
                                       lanes.bound[2][face][lane]};
-        if (lanes.outside[face][lane] > 0)
-            setup.fronts[fronts++ % 3] = bound;
-        else
-            setup.backs[backs++ % 3] = bound;
+        const bool isFront = lanes.outside[face][lane] > 0;
+        AffineFunction& slot = isFront     ? setup.fronts[std::min<std::size_t>(fronts, 2)]
+                               : backs < 3 ? setup.backs[backs]
+                                           : setup.fronts[0];
+        slot = bound;
+        (isFront ? fronts : backs) += 1;
     }
+    setup.around = backs > 3;
     const CellClass ofCell = source.classes[binned.cell];
     setup.slope = {lanes.slope[0][lane], lanes.slope[1][lane], lanes.slope[2][lane]};
     setup.constant = lanes.constant[lane];
@@ -131,7 +134,7 @@ CellSetup cellOfLane(const SetupLanes& lanes, std::size_t lane, const SetupSourc
     setup.right = binned.right;
     setup.bottom = binned.bottom;
     const float volume = lanes.volume[lane];
-    setup.flat = !(volume > 1e-35f) || fronts > 3 || backs > 3;
+    setup.flat = !(volume > 1e-35f) || fronts > 3;
     setup.simple = ofCell.first == ofCell.last && volume > thinnestCell * lanes.edgeBox[lane];
     if (setup.simple)
         (source.perspective ? setup.constant : setup.slope.c) -= source.segments[ofCell.first].origin;

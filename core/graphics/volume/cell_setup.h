@@ -32,6 +32,7 @@ struct CellSetup {
     bool simple;                           ///< in one segment, from whose origin values count; else from 0
     bool thick;                            ///< the optical depth may be above 1
     bool flat;                             ///< to be left out
+    bool around; ///< the eye is inside: all its faces are backs, the fourth of them in fronts[0]
 };
 
 /// All that cells are set up from.

@@ -136,9 +136,14 @@ constexpr float deepest = 24;
 [[gnu::always_inline]] inline void keepDepth(SampleBlock& block, Float8 lightBefore, Float8 enter, Float8 leave)
 {
     const Int8 here = (lightBefore > 0.5f) & (block.light <= 0.5f);
-    const Float8 fallen = lightBefore - block.light;
-    const Float8 share = (lightBefore - 0.5f) / (here ? fallen : Float8{} + 1.0f);
-    block.depth = here ? enter + share * (leave - enter) : block.depth;
+    if (!any(here))
+        return;
+    for (int lane = 0; lane < 8; ++lane)
+        if (here[lane] != 0) {
+            const float left = std::max(block.light[lane], 1e-12f);
+            const float share = std::log(2 * lightBefore[lane]) / std::log(lightBefore[lane] / left);
+            block.depth[lane] = enter[lane] + share * (leave[lane] - enter[lane]);
+        }
 }
 
 template <bool perspective, bool depth>
@@ -195,8 +200,12 @@ drawCell(const CellSetup& cell, const TileShading& shading, SampleBlock* blocks,
             now[i] = rows[i];
         SampleBlock* block = blocks + row * columns + cell.left;
         for (int column = cell.left; column < cell.right; ++column, ++block) {
-            const Float8 front = smaller(smaller(now[0], now[1]), smaller(now[2], Float8{} + shading.nearestBound));
-            const Float8 back = larger(larger(now[3], now[4]), now[5]);
+            Float8 front = smaller(smaller(now[0], now[1]), smaller(now[2], Float8{} + shading.nearestBound));
+            Float8 back = larger(larger(now[3], now[4]), now[5]);
+            if (cell.around) [[unlikely]] {
+                front = Float8{} + shading.nearestBound;
+                back = larger(back, now[0]);
+            }
             const Int8 inside = (front > back) & (block->light > darkness);
             if (any(inside))
                 shadeBlock<perspective, depth>(*block, cell, shading, inside, front, back, now[6]);
