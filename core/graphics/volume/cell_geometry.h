@@ -38,6 +38,23 @@ struct CellPlanes {
     d = __builtin_shufflevector(cd01, cd23, 2, 3, 10, 11, 6, 7, 14, 15);
 }
 
+/// The inverse: row i gets lane i of each.
+[[gnu::always_inline]] inline void transposeBack(Float8 a, Float8 b, Float8 c, Float8 d, Float4 (&rows)[8])
+{
+    const Float8 abLow = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+    const Float8 abHigh = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+    const Float8 cdLow = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13);
+    const Float8 cdHigh = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
+    const Float8 pairs[4] = {__builtin_shufflevector(abLow, cdLow, 0, 1, 8, 9, 4, 5, 12, 13),
+                             __builtin_shufflevector(abLow, cdLow, 2, 3, 10, 11, 6, 7, 14, 15),
+                             __builtin_shufflevector(abHigh, cdHigh, 0, 1, 8, 9, 4, 5, 12, 13),
+                             __builtin_shufflevector(abHigh, cdHigh, 2, 3, 10, 11, 6, 7, 14, 15)};
+    for (int i = 0; i < 4; ++i) {
+        rows[i] = __builtin_shufflevector(pairs[i], pairs[i], 0, 1, 2, 3);
+        rows[i + 4] = __builtin_shufflevector(pairs[i], pairs[i], 4, 5, 6, 7);
+    }
+}
+
 /// Lane i gets the corners of cells[i].
 [[gnu::always_inline]] inline void loadCorners(const ProjectedVertex* vertices,
                                                const std::array<std::uint32_t, 4>* const (&cells)[8],

@@ -13,14 +13,11 @@ constexpr float thinnestCell = 1e-5f;
 /// A face's bound rises by no more than this a sample, so that faces seen edge-on have one.
 constexpr float steepestBound = 1e7f;
 
-struct SetupLanes {
-    Float8 bound[3][4]; ///< a, b, c of each face
-    Float8 outside[4];  ///< positive if the face is seen from outside
-    Float8 slope[3];
-    Float8 constant;
-    Float8 smallest, largest;
-    Float8 chord; ///< not less than the longest way through the cell, in w
-    Float8 volume, edgeBox;
+/// Eight cells; a row for each.
+struct SetupRows {
+    Float4 faces[4][8]; ///< a, b, c of the bound, and positive if the face is seen from outside
+    Float4 slopes[8];   ///< a, b, c, and the constant
+    Float4 values[8];   ///< smallest, largest, the longest way through the cell in w, and above 0 if it is not thin
 };
 
 [[gnu::always_inline]] inline Float8 smaller(Float8 a, Float8 b)
@@ -40,8 +37,7 @@ struct SetupLanes {
     return larger(larger(of[0], of[1]), larger(of[2], of[3])) - smaller(smaller(of[0], of[1]), smaller(of[2], of[3]));
 }
 
-[[gnu::always_inline]] inline void makeBounds(const CellPlanes& planes, Float8 sign, bool perspective,
-                                              SetupLanes& lanes)
+[[gnu::always_inline]] inline void makeBounds(const CellPlanes& planes, Float8 sign, bool perspective, SetupRows& rows)
 {
     for (int face = 0; face < 4; ++face) {
         // Inside is a x + b y + c >= outside * q.
@@ -52,15 +48,12 @@ struct SetupLanes {
         const Float8 steep = outside < 0.0f ? smaller(outside, -least) : larger(outside, least);
         const Float8 safe = magnitude(steep) > 1e-36f ? steep : Float8{} + 1e-36f;
         const Float8 scale = 1.0f / safe;
-        lanes.bound[0][face] = a * scale;
-        lanes.bound[1][face] = b * scale;
-        lanes.bound[2][face] = c * scale;
-        lanes.outside[face] = safe;
+        transposeBack(a * scale, b * scale, c * scale, safe, rows.faces[face]);
     }
 }
 
 [[gnu::always_inline]] inline void makeField(const CellCorners& c, const CellPlanes& planes, bool perspective,
-                                             SetupLanes& lanes)
+                                             SetupRows& rows)
 {
     const Float8 safe = magnitude(planes.volume) > 1e-36f ? planes.volume : Float8{} + 1e-36f;
     const Float8 scale = 1.0f / safe;
@@ -72,17 +65,17 @@ struct SetupLanes {
         w += difference * planes.w[i];
     }
     const Float8 atOrigin = c.value[0] - (u * c.u[0] + v * c.v[0] + w * c.w[0]);
-    lanes.slope[0] = u;
-    lanes.slope[1] = v;
-    lanes.slope[2] = perspective ? w : atOrigin;
-    lanes.constant = perspective ? atOrigin : -w;
-    lanes.smallest = smaller(smaller(c.value[0], c.value[1]), smaller(c.value[2], c.value[3]));
-    lanes.largest = larger(larger(c.value[0], c.value[1]), larger(c.value[2], c.value[3]));
+    transposeBack(u, v, perspective ? w : atOrigin, perspective ? atOrigin : -w, rows.slopes);
+    const Float8 volume = magnitude(planes.volume);
+    const Float8 thin = extent(c.u) * extent(c.v) * extent(c.w) * thinnestCell;
+    transposeBack(smaller(smaller(c.value[0], c.value[1]), smaller(c.value[2], c.value[3])),
+                  larger(larger(c.value[0], c.value[1]), larger(c.value[2], c.value[3])), extent(c.w),
+                  volume > 1e-35f ? volume - thin : Float8{} - farBound, rows.values);
 }
 
-/// Eight cells; `binned` has that many.
-TETRA_SIMD_CLONES void setUpLanes(const SetupSource& source, const TileFrame& frame, const BinnedCell* binned,
-                                  SetupLanes& lanes)
+/// `binned` are eight cells.
+TETRA_SIMD_CLONES void setUpRows(const SetupSource& source, const TileFrame& frame, const BinnedCell* binned,
+                                 SetupRows& rows)
 {
     const bool perspective = source.perspective;
     const std::array<std::uint32_t, 4>* cells[8];
@@ -96,53 +89,58 @@ TETRA_SIMD_CLONES void setUpLanes(const SetupSource& source, const TileFrame& fr
     }
     CellPlanes planes;
     makePlanes(corners, planes);
-    const Float8 sign = planes.volume < 0.0f ? Float8{} - 1.0f : Float8{} + 1.0f;
-    makeBounds(planes, sign, perspective, lanes);
-    makeField(corners, planes, perspective, lanes);
-    lanes.chord = extent(corners.w);
-    lanes.volume = magnitude(planes.volume);
-    lanes.edgeBox = extent(corners.u) * extent(corners.v) * extent(corners.w);
+    makeBounds(planes, planes.volume < 0.0f ? Float8{} - 1.0f : Float8{} + 1.0f, perspective, rows);
+    makeField(corners, planes, perspective, rows);
 }
 
-CellSetup cellOfLane(const SetupLanes& lanes, std::size_t lane, const SetupSource& source, const TileFrame& frame,
-                     const BinnedCell& binned)
+AffineFunction functionOf(const Float4& row)
 {
-    CellSetup setup;
-    std::fill(std::begin(setup.fronts), std::end(setup.fronts), AffineFunction{0, 0, farBound});
-    std::fill(std::begin(setup.backs), std::end(setup.backs), AffineFunction{0, 0, -farBound});
-    std::size_t fronts = 0, backs = 0;
-    for (std::size_t face = 0; face < 4; ++face) {
-        const AffineFunction bound = {lanes.bound[0][face][lane], lanes.bound[1][face][lane],
-                                      lanes.bound[2][face][lane]};
-        const bool isFront = lanes.outside[face][lane] > 0;
-        AffineFunction& slot = isFront     ? setup.fronts[std::min<std::size_t>(fronts, 2)]
-                               : backs < 3 ? setup.backs[backs]
-                                           : setup.fronts[0];
-        slot = bound;
-        (isFront ? fronts : backs) += 1;
+    return {row[0], row[1], row[2], row[3]};
+}
+
+/// Puts the faces' bounds where they belong and tells how many of them are fronts.
+std::size_t arrangeFaces(const SetupRows& rows, std::size_t row, CellSetup& setup)
+{
+    for (std::size_t i = 0; i < 3; ++i) {
+        setup.functions[i] = {0, 0, farBound, 0};
+        setup.functions[3 + i] = {0, 0, -farBound, 0};
     }
-    setup.around = backs > 3;
+    std::size_t fronts = 0, backs = 0;
+    for (const auto& face : rows.faces) {
+        // Of four of one kind the last goes to where the other kind has none.
+        constexpr std::size_t places[2][4] = {{3, 4, 5, 0}, {0, 1, 2, 3}};
+        const bool front = face[row][3] > 0;
+        setup.functions[places[front][front ? fronts : backs]] = functionOf(face[row]);
+        fronts += front;
+        backs += !front;
+    }
+    return fronts;
+}
+
+void finish(const SetupRows& rows, std::size_t row, const SetupSource& source, const TileFrame& frame,
+            const BinnedCell& binned, CellSetup& setup)
+{
+    const std::size_t fronts = arrangeFaces(rows, row, setup);
     const CellClass ofCell = source.classes[binned.cell];
-    setup.slope = {lanes.slope[0][lane], lanes.slope[1][lane], lanes.slope[2][lane]};
-    setup.constant = lanes.constant[lane];
-    setup.smallest = lanes.smallest[lane];
-    setup.largest = lanes.largest[lane];
+    setup.functions[6] = functionOf(rows.slopes[row]);
+    setup.constant = rows.slopes[row][3];
+    setup.smallest = rows.values[row][0];
+    setup.largest = rows.values[row][1];
     setup.firstSegment = ofCell.first;
     setup.lastSegment = ofCell.last;
     setup.left = binned.left;
     setup.top = binned.top;
     setup.right = binned.right;
     setup.bottom = binned.bottom;
-    const float volume = lanes.volume[lane];
-    setup.flat = !(volume > 1e-35f) || fronts > 3;
-    setup.simple = ofCell.first == ofCell.last && volume > thinnestCell * lanes.edgeBox[lane];
+    setup.flat = rows.values[row][3] == -farBound || fronts > 3;
+    setup.around = fronts == 0;
+    setup.simple = ofCell.first == ofCell.last && rows.values[row][3] > 0;
     if (setup.simple)
-        (source.perspective ? setup.constant : setup.slope.c) -= source.segments[ofCell.first].origin;
+        (source.perspective ? setup.constant : setup.functions[6].c) -= source.segments[ofCell.first].origin;
     float extinction = 0;
     for (std::size_t segment = ofCell.first; segment <= ofCell.last; ++segment)
         extinction = std::max(extinction, source.segments[segment].largestExtinction);
-    setup.thick = extinction * lanes.chord[lane] * frame.longestRay > 1;
-    return setup;
+    setup.thick = extinction * rows.values[row][2] * frame.longestRay > 1;
 }
 
 } // namespace
@@ -155,10 +153,10 @@ void setUpCells(const SetupSource& source, const TileFrame& frame, std::span<con
         BinnedCell eight[8];
         for (std::size_t lane = 0; lane < 8; ++lane)
             eight[lane] = cells[first + std::min(lane, count - 1)];
-        SetupLanes lanes;
-        setUpLanes(source, frame, eight, lanes);
-        for (std::size_t lane = 0; lane < count; ++lane)
-            setups[first + lane] = cellOfLane(lanes, lane, source, frame, eight[lane]);
+        SetupRows rows;
+        setUpRows(source, frame, eight, rows);
+        for (std::size_t row = 0; row < count; ++row)
+            finish(rows, row, source, frame, eight[row], setups[first + row]);
     }
 }
 

@@ -12,8 +12,9 @@
 namespace tetra {
 
 /// a x + b y + c; x and y in samples from a tile's first.
-struct AffineFunction {
+struct alignas(16) AffineFunction {
     float a, b, c;
+    float unused;
 };
 
 /// A cell made ready to be drawn in a tile.
@@ -22,9 +23,9 @@ struct AffineFunction {
 /// the cell for q between the largest bound of the faces that it leaves by and the smallest of those it enters by.
 /// The value along the ray is slope(x, y) / q + constant in perspective, else slope(x, y) + constant * q.
 struct CellSetup {
-    AffineFunction fronts[3]; ///< bounds of the faces seen from outside; unused ones do not bind
-    AffineFunction backs[3];
-    AffineFunction slope;
+    /// 0 to 2: bounds of the faces seen from outside, the fronts; 3 to 5: of the others, the backs; those that are not
+    /// needed are last and do not bind. 6: the slope.
+    AffineFunction functions[7];
     float constant;
     float smallest, largest; ///< values
     std::uint16_t firstSegment, lastSegment;
@@ -32,7 +33,7 @@ struct CellSetup {
     bool simple;                           ///< in one segment, from whose origin values count; else from 0
     bool thick;                            ///< the optical depth may be above 1
     bool flat;                             ///< to be left out
-    bool around; ///< the eye is inside: all its faces are backs, the fourth of them in fronts[0]
+    bool around; ///< the eye is inside: all its faces are backs, the fourth of them in functions[0]
 };
 
 /// All that cells are set up from.

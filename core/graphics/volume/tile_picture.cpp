@@ -34,6 +34,7 @@ VolumeTilePainter::VolumeTilePainter(const SetupSource& source, const VolumeView
 
 void VolumeTilePainter::clear(const SampleRectangle& tile)
 {
+    firstLit_ = 0;
     std::ranges::fill(blocks_, SampleBlock{{}, {}, {}, {}, {}, Float8{} + noDepth});
     for (int y = 0; y < tile.height(); ++y)
         for (int x = 0; x < tile.width(); ++x) {
@@ -46,15 +47,18 @@ void VolumeTilePainter::clear(const SampleRectangle& tile)
         }
 }
 
-bool VolumeTilePainter::allDark() const
+bool VolumeTilePainter::allDark()
 {
-    Float8 most = {};
-    for (const SampleBlock& block : blocks_)
-        most = most > block.light ? most : block.light;
-    for (std::size_t lane = 0; lane < 8; ++lane)
-        if (most[lane] > darkness)
-            return false;
-    return true;
+    const auto lit = [](const SampleBlock& block) {
+        for (std::size_t lane = 0; lane < 8; ++lane)
+            if (block.light[lane] > darkness)
+                return true;
+        return false;
+    };
+    // What is dark stays dark.
+    while (firstLit_ < blocks_.size() && !lit(blocks_[firstLit_]))
+        ++firstLit_;
+    return firstLit_ == blocks_.size();
 }
 
 void VolumeTilePainter::write(const SampleRectangle& tile, VolumePicture& picture) const

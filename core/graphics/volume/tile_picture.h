@@ -28,13 +28,14 @@ public:
 
 private:
     void clear(const SampleRectangle& tile);
-    bool allDark() const;
+    bool allDark();
     void write(const SampleRectangle& tile, VolumePicture& picture) const;
 
     const SetupSource& source_;
     const VolumeView& view_;
     std::vector<SampleBlock> blocks_;
     std::vector<CellSetup> setups_;
+    std::size_t firstLit_ = 0; ///< all blocks before it are opaque
 };
 
 } // namespace tetra

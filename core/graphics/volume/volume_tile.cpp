@@ -104,25 +104,27 @@ constexpr float deepest = 24;
     valueIn = smaller(larger(valueIn, lowest), highest);
     valueOut = smaller(larger(valueOut, lowest), highest);
     const Float8 rise = valueOut - valueIn;
-    const Int8 level = rise == 0.0f;
-    const Float8 perRise = 1.0f / (level ? Float8{} + 1.0f : rise);
-    const Int8 inside = length > 0.0f;
+    // Where the value hardly changes, the whole ray goes to the segment of its start.
+    constexpr float levelRise = 1e-8f;
+    const Int8 level = (rise < levelRise) & (rise > -levelRise);
+    const Float8 perRise = 1.0f / (level ? Float8{} + levelRise : rise);
+    const Int8 falls = perRise < 0.0f;
     for (const bool upwards : {true, false}) {
-        const Int8 mask = inside & (upwards ? (rise >= 0.0f) : (rise < 0.0f));
-        if (!any(mask))
+        const Float8 here = (falls ^ (upwards ? 0 : -1)) ? Float8{} : length;
+        if (!any(here > 0.0f))
             continue;
+        Float8 shareBefore = {};
+        Float8 from = valueIn;
         for (int i = 0; i <= cell.lastSegment - cell.firstSegment; ++i) {
             const ScaledSegment& segment = segments[upwards ? cell.firstSegment + i : cell.lastSegment - i];
-            if (segment.transparent)
-                continue;
-            const Float8 begin = Float8{} + segment.begin;
-            const Float8 end = Float8{} + segment.end;
-            const Float8 from = smaller(larger(valueIn, begin), end);
-            const Float8 to = smaller(larger(valueOut, begin), end);
-            const Int8 levelHere = level & (valueIn >= begin) & (valueIn < end);
-            const Float8 share = levelHere ? Float8{} + 1.0f : (to - from) * perRise;
-            const Float8 part = mask ? length * share : Float8{};
-            addSlab(block, segment, cell.thick, from - segment.origin, to - segment.origin, part);
+            const float knot = upwards ? segment.end : segment.begin;
+            const Float8 share = smaller(larger((knot - valueIn) * perRise, Float8{}), Float8{} + 1.0f);
+            const Float8 to = valueIn + share * rise;
+            if (!segment.transparent)
+                addSlab(block, segment, cell.thick, from - segment.origin, to - segment.origin,
+                        here * (share - shareBefore));
+            shareBefore = share;
+            from = to;
         }
     }
 }
@@ -176,44 +178,97 @@ template <bool perspective, bool depth>
         keepDepth(block, lightBefore, enter, leave);
 }
 
+/// The columns of blocks that a wide cell covers in each row of them. A sample is covered if all bounds of fronts lie
+/// above all bounds of backs there; each such pair is a half-plane, and there are four at most.
+class CoveredColumns {
+public:
+    [[gnu::always_inline]] explicit CoveredColumns(const CellSetup& cell)
+    {
+        const bool oneFront = cell.functions[1].c == farBound;
+        const bool oneBack = cell.functions[4].c == -farBound;
+        for (int i = 0; i < 4; ++i) {
+            const AffineFunction& front = cell.functions[oneFront ? 0 : oneBack ? i % 3 : i / 2];
+            const AffineFunction& back = cell.functions[3 + (oneFront ? i % 3 : oneBack ? 0 : i % 2)];
+            perX_[i] = front.a - back.a;
+            perY_[i] = front.b - back.b;
+            atOrigin_[i] = front.c - back.c;
+        }
+        const Int4 rising = perX_ > 0.0f;
+        const Int4 falling = perX_ < 0.0f;
+        // Where a half-plane has no end on a side, this puts it far away.
+        const Float4 reciprocal = -1.0f / (rising | falling ? perX_ : Float4{} + 1.0f);
+        toLeft_ = rising ? reciprocal : Float4{};
+        toRight_ = falling ? reciprocal : Float4{};
+        leftEnd_ = rising ? Float4{} - margin : Float4{} - farAway;
+        rightEnd_ = falling ? Float4{} + margin : Float4{} + farAway;
+    }
+
+    /// Narrows [left, right) for a row of blocks.
+    [[gnu::always_inline]] void narrow(int row, int& left, int& right) const
+    {
+        const Float4 top = atOrigin_ + perY_ * static_cast<float>(row * blockHeight);
+        const Float4 bottom = top + perY_ * (blockHeight - 1);
+        const Float4 highest = top > bottom ? top : bottom;
+        const Float4 from = highest * toLeft_ + leftEnd_;
+        const Float4 to = highest * toRight_ + rightEnd_;
+        const float first = std::max(std::max(from[0], from[1]), std::max(from[2], from[3]));
+        const float last = std::min(std::min(to[0], to[1]), std::min(to[2], to[3]));
+        left = std::max(left, static_cast<int>(std::clamp(first, 0.0f, farAway)) / blockWidth);
+        right = std::min(right, (static_cast<int>(std::clamp(last, -1.0f, farAway) + 1) + blockWidth - 1) / blockWidth);
+    }
+
+private:
+    static constexpr float margin = 0.05f;
+    static constexpr float farAway = 1e6f;
+    Float4 perX_, perY_, atOrigin_;
+    Float4 toLeft_, toRight_, leftEnd_, rightEnd_;
+};
+
+/// Cells with fewer columns of blocks are tested block by block.
+constexpr int wideCell = 4;
+
+template <bool perspective, bool depth>
+[[gnu::always_inline]] inline void drawRow(const CellSetup& cell, const TileShading& shading, SampleBlock* block,
+                                           const Float8 (&atStart)[7], int skipped, int count)
+{
+    Float8 now[7];
+    float step[7];
+    for (int i = 0; i < 7; ++i) {
+        step[i] = cell.functions[i].a * blockWidth;
+        now[i] = atStart[i] + step[i] * static_cast<float>(skipped);
+    }
+    for (; count > 0; --count, ++block) {
+        Float8 front = smaller(smaller(now[0], now[1]), smaller(now[2], Float8{} + shading.nearestBound));
+        Float8 back = larger(larger(now[3], now[4]), now[5]);
+        if (cell.around) [[unlikely]] {
+            front = Float8{} + shading.nearestBound;
+            back = larger(back, now[0]);
+        }
+        const Int8 inside = (front > back) & (block->light > darkness);
+        if (any(inside))
+            shadeBlock<perspective, depth>(*block, cell, shading, inside, front, back, now[6]);
+        for (int i = 0; i < 7; ++i)
+            now[i] += step[i];
+    }
+}
+
 template <bool perspective, bool depth> [[gnu::always_inline]] inline void
 drawCell(const CellSetup& cell, const TileShading& shading, SampleBlock* blocks, int columns)
 {
     const float x = static_cast<float>(cell.left * blockWidth);
     const float y = static_cast<float>(cell.top * blockHeight);
     Float8 rows[7];
-    float right[7], down[7];
-    const auto start = [&](int i, const AffineFunction& function) __attribute__((always_inline))
-    {
-        rows[i] = atLanes(function, x, y);
-        right[i] = function.a * blockWidth;
-        down[i] = function.b * blockHeight;
-    };
-    for (int i = 0; i < 3; ++i) {
-        start(i, cell.fronts[i]);
-        start(i + 3, cell.backs[i]);
-    }
-    start(6, cell.slope);
+    for (int i = 0; i < 7; ++i)
+        rows[i] = atLanes(cell.functions[i], x, y);
+    const bool wide = cell.right - cell.left >= wideCell && !cell.around;
+    const CoveredColumns covered(cell);
     for (int row = cell.top; row < cell.bottom; ++row) {
-        Float8 now[7];
+        int left = cell.left, right = cell.right;
+        if (wide)
+            covered.narrow(row, left, right);
+        drawRow<perspective, depth>(cell, shading, blocks + row * columns + left, rows, left - cell.left, right - left);
         for (int i = 0; i < 7; ++i)
-            now[i] = rows[i];
-        SampleBlock* block = blocks + row * columns + cell.left;
-        for (int column = cell.left; column < cell.right; ++column, ++block) {
-            Float8 front = smaller(smaller(now[0], now[1]), smaller(now[2], Float8{} + shading.nearestBound));
-            Float8 back = larger(larger(now[3], now[4]), now[5]);
-            if (cell.around) [[unlikely]] {
-                front = Float8{} + shading.nearestBound;
-                back = larger(back, now[0]);
-            }
-            const Int8 inside = (front > back) & (block->light > darkness);
-            if (any(inside))
-                shadeBlock<perspective, depth>(*block, cell, shading, inside, front, back, now[6]);
-            for (int i = 0; i < 7; ++i)
-                now[i] += right[i];
-        }
-        for (int i = 0; i < 7; ++i)
-            rows[i] += down[i];
+            rows[i] += cell.functions[i].b * blockHeight;
     }
 }
 
