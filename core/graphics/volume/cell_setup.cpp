@@ -2,6 +2,7 @@
 #include "core/graphics/volume/cell_setup.h"
 
 #include "core/graphics/volume/cell_geometry.h"
+#include "core/graphics/volume/slab_integral.h"
 
 #include <algorithm>
 
@@ -117,6 +118,21 @@ std::size_t arrangeFaces(const SetupRows& rows, std::size_t row, CellSetup& setu
     return fronts;
 }
 
+Direction directionOf(const CellSetup& setup, bool perspective)
+{
+    if (!perspective)
+        return setup.constant < 0 ? Direction::Rising : Direction::Falling;
+    // An affine function has its extremes at the corners of the box.
+    const auto& [a, b, c, unused] = setup.functions[6];
+    const float left = a * static_cast<float>(setup.left * blockWidth);
+    const float right = a * static_cast<float>(setup.right * blockWidth);
+    const float top = b * static_cast<float>(setup.top * blockHeight) + c;
+    const float bottom = b * static_cast<float>(setup.bottom * blockHeight) + c;
+    if (std::min(left, right) + std::min(top, bottom) > 0)
+        return Direction::Rising;
+    return std::max(left, right) + std::max(top, bottom) < 0 ? Direction::Falling : Direction::Mixed;
+}
+
 void finish(const SetupRows& rows, std::size_t row, const SetupSource& source, const TileFrame& frame,
             const BinnedCell& binned, CellSetup& setup)
 {
@@ -140,7 +156,9 @@ void finish(const SetupRows& rows, std::size_t row, const SetupSource& source, c
     float extinction = 0;
     for (std::size_t segment = ofCell.first; segment <= ofCell.last; ++segment)
         extinction = std::max(extinction, source.segments[segment].largestExtinction);
-    setup.thick = extinction * rows.values[row][2] * frame.longestRay > 1;
+    const float depth = extinction * rows.values[row][2] * frame.longestRay;
+    setup.thickness = depth <= faintDepth ? Thickness::Faint : depth <= 1 ? Thickness::Thin : Thickness::Thick;
+    setup.direction = setup.simple ? Direction::Mixed : directionOf(setup, source.perspective);
 }
 
 } // namespace

@@ -17,6 +17,20 @@ struct alignas(16) AffineFunction {
     float unused;
 };
 
+/// The largest optical depth that a ray through a cell may have.
+enum class Thickness : std::uint8_t {
+    Faint, ///< up to faintDepth
+    Thin,  ///< up to 1
+    Thick,
+};
+
+/// How the value changes along the rays through a cell, away from the eye.
+enum class Direction : std::uint8_t {
+    Rising,
+    Falling,
+    Mixed, ///< one or the other from ray to ray
+};
+
 /// A cell made ready to be drawn in a tile.
 ///
 /// With q = 1 / w in perspective, else -w, each face's plane is affine in the tile: q = bound(x, y). A ray is inside
@@ -30,9 +44,10 @@ struct CellSetup {
     float smallest, largest; ///< values
     std::uint16_t firstSegment, lastSegment;
     std::uint8_t left, top, right, bottom; ///< blocks of the tile
-    bool simple;                           ///< in one segment, from whose origin values count; else from 0
-    bool thick;                            ///< the optical depth may be above 1
-    bool flat;                             ///< to be left out
+    Thickness thickness;
+    Direction direction;
+    bool simple; ///< in one segment, from whose origin values count; else from 0
+    bool flat;   ///< to be left out
     bool around; ///< the eye is inside: all its faces are backs, the fourth of them in functions[0]
 };
 

@@ -33,4 +33,14 @@ struct SlabLight {
     light.weight = p * (0.5f * depth + half * odd + ofDepth + ofHalf);
 }
 
+/// The same for optical depths up to `faintDepth`, where shorter series have errors as small.
+inline constexpr float faintDepth = 0.125f;
+
+[[gnu::always_inline]] inline void faintSlabLight(Float8 depth, Float8 half, SlabLight& light)
+{
+    const Float8 p = 1.0f + depth * (-0.5f + depth * (1 / 6.0f - (1 / 24.0f) * depth));
+    light.opacity = depth * p;
+    light.weight = p * (depth * (0.5f - (1 / 12.0f) * depth) + half * (1 / 6.0f + (1 / 60.0f) * half));
+}
+
 } // namespace tetra

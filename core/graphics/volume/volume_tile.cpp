@@ -41,25 +41,34 @@ constexpr float deepest = 24;
 #endif
 }
 
-/// Adds a slab whose optical depth is at most 1; values count from the segment's origin.
-[[gnu::always_inline]] inline void addThinSlab(SampleBlock& block, const ScaledSegment& segment, Float8 valueIn,
-                                               Float8 valueOut, Float8 length)
+/// What has reached the eye of a block's rays so far.
+struct Gathered {
+    Float8 red, green, blue, light;
+};
+
+/// Adds a slab whose optical depth is at most 1, or faintDepth; values count from the segment's origin.
+template <bool faint> [[gnu::always_inline]] inline void addThinSlab(Gathered& gathered, const ScaledSegment& segment,
+                                                                     Float8 valueIn, Float8 valueOut, Float8 length)
 {
     const Float8 in = segment.halfExtinction + segment.halfExtinctionPerValue * valueIn;
     const Float8 out = segment.halfExtinction + segment.halfExtinctionPerValue * valueOut;
+    const Float8 depth = larger(length * (in + out), Float8{});
     SlabLight slab;
-    slabLight(larger(length * (in + out), Float8{}), length * (out - in), slab);
-    const Float8 opacity = slab.opacity * block.light;
-    const Float8 weight = slab.weight * block.light;
+    if constexpr (faint)
+        faintSlabLight(depth, length * (out - in), slab);
+    else
+        slabLight(depth, length * (out - in), slab);
+    const Float8 opacity = slab.opacity * gathered.light;
+    const Float8 weight = slab.weight * gathered.light;
     const Float8 value = valueIn * opacity + (valueOut - valueIn) * weight;
-    block.red += segment.colour[0] * opacity + segment.colourPerValue[0] * value;
-    block.green += segment.colour[1] * opacity + segment.colourPerValue[1] * value;
-    block.blue += segment.colour[2] * opacity + segment.colourPerValue[2] * value;
-    block.light -= opacity;
+    gathered.red += segment.colour[0] * opacity + segment.colourPerValue[0] * value;
+    gathered.green += segment.colour[1] * opacity + segment.colourPerValue[1] * value;
+    gathered.blue += segment.colour[2] * opacity + segment.colourPerValue[2] * value;
+    gathered.light -= opacity;
 }
 
 /// Adds a slab of any optical depth, cut into thin ones.
-[[gnu::always_inline]] inline void addThickSlab(SampleBlock& block, const ScaledSegment& segment, Float8 valueIn,
+[[gnu::always_inline]] inline void addThickSlab(Gathered& gathered, const ScaledSegment& segment, Float8 valueIn,
                                                 Float8 valueOut, Float8 length)
 {
     const Float8 in = segment.halfExtinction + segment.halfExtinctionPerValue * valueIn;
@@ -82,21 +91,43 @@ constexpr float deepest = 24;
     const Float8 step = (valueOut - valueIn) * (1 / count);
     const Float8 part = length * (1 / count);
     for (float i = 0; i < count; ++i)
-        addThinSlab(block, segment, valueIn + i * step, valueIn + (i + 1) * step, part);
+        addThinSlab<false>(gathered, segment, valueIn + i * step, valueIn + (i + 1) * step, part);
 }
 
-[[gnu::always_inline]] inline void addSlab(SampleBlock& block, const ScaledSegment& segment, bool thick, Float8 valueIn,
-                                           Float8 valueOut, Float8 length)
+[[gnu::always_inline]] inline void addSlab(Gathered& gathered, const ScaledSegment& segment, Thickness thickness,
+                                           Float8 valueIn, Float8 valueOut, Float8 length)
 {
-    if (thick) [[unlikely]]
-        addThickSlab(block, segment, valueIn, valueOut, length);
+    if (thickness == Thickness::Faint)
+        addThinSlab<true>(gathered, segment, valueIn, valueOut, length);
+    else if (thickness == Thickness::Thin)
+        addThinSlab<false>(gathered, segment, valueIn, valueOut, length);
     else
-        addThinSlab(block, segment, valueIn, valueOut, length);
+        addThickSlab(gathered, segment, valueIn, valueOut, length);
+}
+
+/// Adds the slabs of rays that meet a cell's segments upwards, or downwards.
+[[gnu::always_inline]] inline void addSlicesOneWay(Gathered& gathered, const ScaledSegment* segments,
+                                                   const CellSetup& cell, bool upwards, Float8 valueIn, Float8 rise,
+                                                   Float8 perRise, Float8 length)
+{
+    Float8 shareBefore = {};
+    Float8 from = valueIn;
+    for (int i = 0; i <= cell.lastSegment - cell.firstSegment; ++i) {
+        const ScaledSegment& segment = segments[upwards ? cell.firstSegment + i : cell.lastSegment - i];
+        const float knot = upwards ? segment.end : segment.begin;
+        const Float8 share = smaller(larger((knot - valueIn) * perRise, Float8{}), Float8{} + 1.0f);
+        const Float8 to = valueIn + share * rise;
+        if (!segment.transparent)
+            addSlab(gathered, segment, cell.thickness, from - segment.origin, to - segment.origin,
+                    length * (share - shareBefore));
+        shareBefore = share;
+        from = to;
+    }
 }
 
 /// Adds the part of a ray through a cell with the knots of several segments: a slab for each, in the order in which the
 /// ray meets them (R22).
-[[gnu::always_inline]] inline void addSlices(SampleBlock& block, const ScaledSegment* segments, const CellSetup& cell,
+[[gnu::always_inline]] inline void addSlices(Gathered& gathered, const ScaledSegment* segments, const CellSetup& cell,
                                              Float8 valueIn, Float8 valueOut, Float8 length)
 {
     const Float8 lowest = Float8{} + cell.smallest;
@@ -106,27 +137,15 @@ constexpr float deepest = 24;
     const Float8 rise = valueOut - valueIn;
     // Where the value hardly changes, the whole ray goes to the segment of its start.
     constexpr float levelRise = 1e-8f;
+    const bool down = cell.direction == Direction::Falling;
     const Int8 level = (rise < levelRise) & (rise > -levelRise);
-    const Float8 perRise = 1.0f / (level ? Float8{} + levelRise : rise);
+    const Float8 perRise = 1.0f / (level ? Float8{} + (down ? -levelRise : levelRise) : rise);
+    if (cell.direction != Direction::Mixed)
+        return addSlicesOneWay(gathered, segments, cell, !down, valueIn, rise, perRise, length);
     const Int8 falls = perRise < 0.0f;
-    for (const bool upwards : {true, false}) {
-        const Float8 here = (falls ^ (upwards ? 0 : -1)) ? Float8{} : length;
-        if (!any(here > 0.0f))
-            continue;
-        Float8 shareBefore = {};
-        Float8 from = valueIn;
-        for (int i = 0; i <= cell.lastSegment - cell.firstSegment; ++i) {
-            const ScaledSegment& segment = segments[upwards ? cell.firstSegment + i : cell.lastSegment - i];
-            const float knot = upwards ? segment.end : segment.begin;
-            const Float8 share = smaller(larger((knot - valueIn) * perRise, Float8{}), Float8{} + 1.0f);
-            const Float8 to = valueIn + share * rise;
-            if (!segment.transparent)
-                addSlab(block, segment, cell.thick, from - segment.origin, to - segment.origin,
-                        here * (share - shareBefore));
-            shareBefore = share;
-            from = to;
-        }
-    }
+    addSlicesOneWay(gathered, segments, cell, true, valueIn, rise, perRise, falls ? Float8{} : length);
+    if (any(falls & (length > 0.0f)))
+        addSlicesOneWay(gathered, segments, cell, false, valueIn, rise, perRise, falls ? length : Float8{});
 }
 
 [[gnu::always_inline]] inline Float8 atLanes(const AffineFunction& function, float x, float y)
@@ -135,15 +154,15 @@ constexpr float deepest = 24;
 }
 
 /// Marks where the light fell to a half inside a cell.
-[[gnu::always_inline]] inline void keepDepth(SampleBlock& block, Float8 lightBefore, Float8 enter, Float8 leave)
+[[gnu::always_inline]] inline void keepDepth(SampleBlock& block, Float8 light, Float8 enter, Float8 leave)
 {
-    const Int8 here = (lightBefore > 0.5f) & (block.light <= 0.5f);
+    const Int8 here = (block.light > 0.5f) & (light <= 0.5f);
     if (!any(here))
         return;
     for (int lane = 0; lane < 8; ++lane)
         if (here[lane] != 0) {
-            const float left = std::max(block.light[lane], 1e-12f);
-            const float share = std::log(2 * lightBefore[lane]) / std::log(lightBefore[lane] / left);
+            const float left = std::max(light[lane], 1e-12f);
+            const float share = std::log(2 * block.light[lane]) / std::log(block.light[lane] / left);
             block.depth[lane] = enter[lane] + share * (leave[lane] - enter[lane]);
         }
 }
@@ -169,13 +188,17 @@ template <bool perspective, bool depth>
         valueOut = slope + cell.constant * back;
     }
     const Float8 length = (leave - enter) * block.ray;
-    const Float8 lightBefore = block.light;
+    Gathered gathered = {block.red, block.green, block.blue, block.light};
     if (cell.simple)
-        addSlab(block, shading.segments[cell.firstSegment], cell.thick, valueIn, valueOut, length);
+        addSlab(gathered, shading.segments[cell.firstSegment], cell.thickness, valueIn, valueOut, length);
     else
-        addSlices(block, shading.segments, cell, valueIn, valueOut, length);
+        addSlices(gathered, shading.segments, cell, valueIn, valueOut, length);
     if constexpr (depth)
-        keepDepth(block, lightBefore, enter, leave);
+        keepDepth(block, gathered.light, enter, leave);
+    block.red = gathered.red;
+    block.green = gathered.green;
+    block.blue = gathered.blue;
+    block.light = gathered.light;
 }
 
 /// The columns of blocks that a wide cell covers in each row of them. A sample is covered if all bounds of fronts lie
@@ -224,60 +247,104 @@ private:
     Float4 toLeft_, toRight_, leftEnd_, rightEnd_;
 };
 
-/// Cells with fewer columns of blocks are tested block by block.
-constexpr int wideCell = 4;
+/// A block that a cell covers, to be shaded.
+struct CoveredBlock {
+    Float8 front, back, slope;
+    SampleBlock* block;
+    const CellSetup* cell;
+};
 
-template <bool perspective, bool depth>
-[[gnu::always_inline]] inline void drawRow(const CellSetup& cell, const TileShading& shading, SampleBlock* block,
-                                           const Float8 (&atStart)[7], int skipped, int count)
-{
-    Float8 now[7];
-    float step[7];
-    for (int i = 0; i < 7; ++i) {
-        step[i] = cell.functions[i].a * blockWidth;
-        now[i] = atStart[i] + step[i] * static_cast<float>(skipped);
+/// Blocks are first found and then shaded, many at a time: whether a block is covered is hard to predict, and a wrong
+/// guess costs as much as half the shading.
+template <bool perspective, bool depth> class BlockQueue {
+public:
+    [[gnu::always_inline]] BlockQueue(const TileShading& shading, SampleBlock* blocks, int columns)
+        : shading_(shading), blocks_(blocks), columns_(columns)
+    {
     }
-    for (; count > 0; --count, ++block) {
-        Float8 front = smaller(smaller(now[0], now[1]), smaller(now[2], Float8{} + shading.nearestBound));
-        Float8 back = larger(larger(now[3], now[4]), now[5]);
-        if (cell.around) [[unlikely]] {
-            front = Float8{} + shading.nearestBound;
-            back = larger(back, now[0]);
+
+    [[gnu::always_inline]] void add(const CellSetup& cell)
+    {
+        const float x = static_cast<float>(cell.left * blockWidth);
+        const float y = static_cast<float>(cell.top * blockHeight);
+        Float8 rows[7];
+        for (int i = 0; i < 7; ++i)
+            rows[i] = atLanes(cell.functions[i], x, y);
+        const bool wide = cell.right - cell.left >= wideCell && !cell.around;
+        if (wide) {
+            const CoveredColumns covered(cell);
+            for (int row = cell.top; row < cell.bottom; ++row) {
+                int left = cell.left, right = cell.right;
+                covered.narrow(row, left, right);
+                addRow(cell, rows, row, left, right);
+            }
+        } else {
+            for (int row = cell.top; row < cell.bottom; ++row)
+                addRow(cell, rows, row, cell.left, cell.right);
         }
-        const Int8 inside = (front > back) & (block->light > darkness);
-        if (any(inside))
-            shadeBlock<perspective, depth>(*block, cell, shading, inside, front, back, now[6]);
-        for (int i = 0; i < 7; ++i)
-            now[i] += step[i];
     }
-}
 
-template <bool perspective, bool depth> [[gnu::always_inline]] inline void
-drawCell(const CellSetup& cell, const TileShading& shading, SampleBlock* blocks, int columns)
-{
-    const float x = static_cast<float>(cell.left * blockWidth);
-    const float y = static_cast<float>(cell.top * blockHeight);
-    Float8 rows[7];
-    for (int i = 0; i < 7; ++i)
-        rows[i] = atLanes(cell.functions[i], x, y);
-    const bool wide = cell.right - cell.left >= wideCell && !cell.around;
-    const CoveredColumns covered(cell);
-    for (int row = cell.top; row < cell.bottom; ++row) {
-        int left = cell.left, right = cell.right;
-        if (wide)
-            covered.narrow(row, left, right);
-        drawRow<perspective, depth>(cell, shading, blocks + row * columns + left, rows, left - cell.left, right - left);
-        for (int i = 0; i < 7; ++i)
-            rows[i] += cell.functions[i].b * blockHeight;
+    [[gnu::always_inline]] void shade()
+    {
+        for (int i = 0; i < count_; ++i) {
+            const CoveredBlock& one = queue_[i];
+            shadeBlock<perspective, depth>(*one.block, *one.cell, shading_, one.front > one.back, one.front, one.back,
+                                           one.slope);
+        }
+        count_ = 0;
     }
-}
+
+private:
+    /// Cells with fewer columns of blocks are tested block by block.
+    static constexpr int wideCell = 4;
+    static constexpr int capacity = 128;
+    static constexpr int longestRow = 64;
+
+    /// Also moves `rows` on to the next row.
+    [[gnu::always_inline]] void addRow(const CellSetup& cell, Float8 (&rows)[7], int row, int left, int right)
+    {
+        if (count_ > capacity - longestRow)
+            shade();
+        Float8 now[7];
+        float step[7];
+        for (int i = 0; i < 7; ++i) {
+            step[i] = cell.functions[i].a * blockWidth;
+            now[i] = rows[i] + step[i] * static_cast<float>(left - cell.left);
+            rows[i] += cell.functions[i].b * blockHeight;
+        }
+        SampleBlock* block = blocks_ + row * columns_ + left;
+        for (int column = left; column < right; ++column, ++block) {
+            CoveredBlock& next = queue_[count_];
+            next.front = smaller(smaller(now[0], now[1]), smaller(now[2], Float8{} + shading_.nearestBound));
+            next.back = larger(larger(now[3], now[4]), now[5]);
+            if (cell.around) [[unlikely]] {
+                next.front = Float8{} + shading_.nearestBound;
+                next.back = larger(next.back, now[0]);
+            }
+            next.slope = now[6];
+            next.block = block;
+            next.cell = &cell;
+            count_ += any((next.front > next.back) & (block->light > darkness)) ? 1 : 0;
+            for (int i = 0; i < 7; ++i)
+                now[i] += step[i];
+        }
+    }
+
+    const TileShading& shading_;
+    SampleBlock* blocks_;
+    int columns_;
+    int count_ = 0;
+    CoveredBlock queue_[capacity + 1];
+};
 
 template <bool perspective, bool depth> [[gnu::always_inline]] inline void
 drawAll(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks, int columns)
 {
+    BlockQueue<perspective, depth> queue(shading, blocks, columns);
     for (const CellSetup& cell : cells)
         if (!cell.flat)
-            drawCell<perspective, depth>(cell, shading, blocks, columns);
+            queue.add(cell);
+    queue.shade();
 }
 
 TETRA_SIMD_CLONES void drawPerspective(std::span<const CellSetup> cells, const TileShading& shading,

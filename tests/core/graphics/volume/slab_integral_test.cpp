@@ -39,6 +39,11 @@ private slots:
                 slabLight(Float8{} + depth, Float8{} + half, light);
                 QVERIFY(std::abs(light.opacity[3] + std::expm1(-double(depth))) < 3e-7);
                 QVERIFY(std::abs(light.weight[3] - weightOf(depth, half)) < 1.2e-5);
+                if (depth > faintDepth)
+                    continue;
+                faintSlabLight(Float8{} + depth, Float8{} + half, light);
+                QVERIFY(std::abs(light.opacity[3] + std::expm1(-double(depth))) < 5e-7);
+                QVERIFY(std::abs(light.weight[3] - weightOf(depth, half)) < 4e-6);
             }
     }
 };
