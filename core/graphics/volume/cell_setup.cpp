@@ -96,7 +96,9 @@ TETRA_SIMD_CLONES void setUpRows(const SetupSource& source, const TileFrame& fra
 
 AffineFunction functionOf(const Float4& row)
 {
-    return {row[0], row[1], row[2], row[3]};
+    AffineFunction function;
+    std::memcpy(&function, &row, sizeof function);
+    return function;
 }
 
 /// Puts the faces' bounds where they belong and tells how many of them are fronts.
@@ -166,6 +168,10 @@ void finish(const SetupRows& rows, std::size_t row, const SetupSource& source, c
 void setUpCells(const SetupSource& source, const TileFrame& frame, std::span<const BinnedCell> cells,
                 std::span<CellSetup> setups)
 {
+    for (const BinnedCell& cell : cells) {
+        __builtin_prefetch(&source.tetrahedra[cell.cell]);
+        __builtin_prefetch(&source.classes[cell.cell]);
+    }
     for (std::size_t first = 0; first < cells.size(); first += 8) {
         const std::size_t count = std::min<std::size_t>(8, cells.size() - first);
         BinnedCell eight[8];

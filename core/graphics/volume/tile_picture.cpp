@@ -11,7 +11,7 @@ namespace {
 constexpr int columns = volumeTileSide / blockWidth;
 constexpr int rows = volumeTileSide / blockHeight;
 /// Cells between two looks whether all is opaque, and whether to stop.
-constexpr std::size_t batch = 256;
+constexpr std::size_t batch = 64;
 
 /// Where a sample of a tile is kept.
 struct BlockLane {

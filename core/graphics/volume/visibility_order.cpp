@@ -67,15 +67,17 @@ struct RelationTable {
 class Sorter {
 public:
     Sorter(const FaceAdjacency& adjacency, const Buffer<std::uint8_t>& sides, std::span<const CellRelation> relations)
-        : adjacency_(adjacency), sides_(sides), table_(relations, sides.size()), hiders_(sides.size()),
-          stack_(sides.size())
+        : adjacency_(adjacency), table_(relations, sides.size()), cells_(sides.size()), stack_(sides.size())
     {
         for (std::size_t cell = 0; cell < sides.size(); ++cell)
-            hiders_[cell] = static_cast<std::uint32_t>(std::popcount(sides[cell] & 15u));
+            cells_[cell] = {sides[cell], static_cast<std::uint8_t>(std::popcount(sides[cell] & 15u))};
+        if (!relations.empty())
+            relationsLeft_.assign(sides.size(), 0);
         for (const CellRelation& relation : relations)
-            ++hiders_[relation.back];
+            if (relationsLeft_[relation.back]++ == 0)
+                ++cells_[relation.back].hiders;
         for (std::size_t cell = sides.size(); cell-- > 0;)
-            if (hiders_[cell] == 0)
+            if (cells_[cell].hiders == 0)
                 stack_[waiting_++] = static_cast<std::uint32_t>(cell);
         order_.cells.resize(sides.size());
     }
@@ -90,35 +92,46 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t done = 0xffffffff;
+    static constexpr std::uint8_t done = 0xff;
+
+    struct CellState {
+        std::uint8_t sides;
+        /// How many neighbours in front are not in the order yet, one more if relations are left; or done.
+        std::uint8_t hiders;
+    };
 
     void takeFree()
     {
         while (waiting_ > 0) {
             const std::uint32_t cell = stack_[--waiting_];
             order_.cells[taken_++] = cell;
-            hiders_[cell] = done;
-            for (unsigned behind = sides_[cell] >> 4; behind != 0; behind &= behind - 1) {
-                const auto face = static_cast<std::size_t>(std::countr_zero(behind));
-                release(FaceAdjacency::cellOf(adjacency_.neighbours[cell][face]));
-            }
+            const auto& neighbours = adjacency_.neighbours[cell];
+            const unsigned sides = cells_[cell].sides;
+            cells_[cell].hiders = done;
+            for (std::size_t face = 0; face < 4; ++face)
+                if ((sides >> face & 16u) != 0)
+                    release(FaceAdjacency::cellOf(neighbours[face]));
             for (const std::uint32_t back : table_.backsOf(cell))
-                release(back);
+                if (--relationsLeft_[back] == 0)
+                    release(back);
         }
     }
 
     void release(std::uint32_t cell)
     {
-        if (hiders_[cell] != done && --hiders_[cell] == 0)
+        CellState& state = cells_[cell];
+        if (state.hiders != done && --state.hiders == 0) {
             stack_[waiting_++] = cell;
+            __builtin_prefetch(&adjacency_.neighbours[cell]);
+        }
     }
 
     void breakCycles(std::span<const std::array<std::uint32_t, 4>> tetrahedra,
                      std::span<const ProjectedVertex> vertices)
     {
         std::vector<std::pair<float, std::uint32_t>> left;
-        for (std::uint32_t cell = 0; cell < hiders_.size(); ++cell)
-            if (hiders_[cell] != done) {
+        for (std::uint32_t cell = 0; cell < cells_.size(); ++cell)
+            if (cells_[cell].hiders != done) {
                 float depth = 0;
                 for (const std::uint32_t vertex : tetrahedra[cell])
                     depth += vertices[vertex].w;
@@ -126,7 +139,7 @@ private:
             }
         std::ranges::sort(left);
         for (const auto& [depth, cell] : left)
-            if (hiders_[cell] != done) {
+            if (cells_[cell].hiders != done) {
                 ++order_.brokenCycles;
                 stack_[waiting_++] = cell;
                 takeFree();
@@ -134,9 +147,9 @@ private:
     }
 
     const FaceAdjacency& adjacency_;
-    const Buffer<std::uint8_t>& sides_;
     RelationTable table_;
-    Buffer<std::uint32_t> hiders_; ///< how many cells that are not in the order yet lie in front of each, or done
+    Buffer<CellState> cells_;
+    std::vector<std::uint32_t> relationsLeft_; ///< for each cell, how many of its relations' fronts are not taken yet
     Buffer<std::uint32_t> stack_;
     std::size_t waiting_ = 0; ///< on the stack
     std::size_t taken_ = 0;

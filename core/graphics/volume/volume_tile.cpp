@@ -205,6 +205,7 @@ template <bool perspective, bool depth>
 /// above all bounds of backs there; each such pair is a half-plane, and there are four at most.
 class CoveredColumns {
 public:
+    CoveredColumns() = default;
     [[gnu::always_inline]] explicit CoveredColumns(const CellSetup& cell)
     {
         const bool oneFront = cell.functions[1].c == farBound;
@@ -268,19 +269,28 @@ public:
         const float x = static_cast<float>(cell.left * blockWidth);
         const float y = static_cast<float>(cell.top * blockHeight);
         Float8 rows[7];
-        for (int i = 0; i < 7; ++i)
+        float right[7], down[7];
+        for (int i = 0; i < 7; ++i) {
             rows[i] = atLanes(cell.functions[i], x, y);
-        const bool wide = cell.right - cell.left >= wideCell && !cell.around;
-        if (wide) {
-            const CoveredColumns covered(cell);
-            for (int row = cell.top; row < cell.bottom; ++row) {
-                int left = cell.left, right = cell.right;
-                covered.narrow(row, left, right);
-                addRow(cell, rows, row, left, right);
+            right[i] = cell.functions[i].a * blockWidth;
+            down[i] = cell.functions[i].b * blockHeight;
+        }
+        const int width = cell.right - cell.left;
+        const bool wide = width >= wideCell && !cell.around;
+        const CoveredColumns covered = wide ? CoveredColumns(cell) : CoveredColumns();
+        for (int row = cell.top; row < cell.bottom; ++row) {
+            int left = cell.left, end = cell.right;
+            Float8 now[7];
+            for (int i = 0; i < 7; ++i)
+                now[i] = rows[i];
+            if (wide) {
+                covered.narrow(row, left, end);
+                for (int i = 0; i < 7; ++i)
+                    now[i] += right[i] * static_cast<float>(left - cell.left);
             }
-        } else {
-            for (int row = cell.top; row < cell.bottom; ++row)
-                addRow(cell, rows, row, cell.left, cell.right);
+            addRow(cell, now, right, blocks_ + row * columns_ + left, end - left);
+            for (int i = 0; i < 7; ++i)
+                rows[i] += down[i];
         }
     }
 
@@ -300,20 +310,12 @@ private:
     static constexpr int capacity = 128;
     static constexpr int longestRow = 64;
 
-    /// Also moves `rows` on to the next row.
-    [[gnu::always_inline]] void addRow(const CellSetup& cell, Float8 (&rows)[7], int row, int left, int right)
+    [[gnu::always_inline]] void addRow(const CellSetup& cell, Float8 (&now)[7], const float (&right)[7],
+                                       SampleBlock* block, int count)
     {
         if (count_ > capacity - longestRow)
             shade();
-        Float8 now[7];
-        float step[7];
-        for (int i = 0; i < 7; ++i) {
-            step[i] = cell.functions[i].a * blockWidth;
-            now[i] = rows[i] + step[i] * static_cast<float>(left - cell.left);
-            rows[i] += cell.functions[i].b * blockHeight;
-        }
-        SampleBlock* block = blocks_ + row * columns_ + left;
-        for (int column = left; column < right; ++column, ++block) {
+        for (; count > 0; --count, ++block) {
             CoveredBlock& next = queue_[count_];
             next.front = smaller(smaller(now[0], now[1]), smaller(now[2], Float8{} + shading_.nearestBound));
             next.back = larger(larger(now[3], now[4]), now[5]);
@@ -326,7 +328,7 @@ private:
             next.cell = &cell;
             count_ += any((next.front > next.back) & (block->light > darkness)) ? 1 : 0;
             for (int i = 0; i < 7; ++i)
-                now[i] += step[i];
+                now[i] += right[i];
         }
     }
 
