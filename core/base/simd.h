@@ -6,8 +6,14 @@
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&               \
     !defined(__SANITIZE_THREAD__)
 #define TETRA_SIMD_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+/// The same without the widest, for functions that have a sibling for it:
+#define TETRA_SIMD_CLONES_TO_8 __attribute__((target_clones("arch=x86-64-v3", "default")))
+/// which is marked with this and may be called if hasSimd16(). Vectors of 16 floats belong there only: compilers do
+/// badly when they have to do them in pieces.
+#define TETRA_SIMD_16 __attribute__((target("arch=x86-64-v4")))
 #else
 #define TETRA_SIMD_CLONES
+#define TETRA_SIMD_CLONES_TO_8
 #endif
 
 namespace tetra {
@@ -15,6 +21,8 @@ namespace tetra {
 /// Vectors of the compiler; wider ones than the machine has are done in pieces. For use inside functions only: how they
 /// are passed differs between instruction sets.
 using Float8 = float __attribute__((vector_size(32)));
+using Float16 = float __attribute__((vector_size(64)));
+using Int16 = int __attribute__((vector_size(64)));
 using Float4 = float __attribute__((vector_size(16)));
 using Int8 = int __attribute__((vector_size(32)));
 using Double8 = double __attribute__((vector_size(64)));
@@ -22,5 +30,15 @@ using Long8 = long __attribute__((vector_size(64)));
 using Double4 = double __attribute__((vector_size(32)));
 using Long4 = long __attribute__((vector_size(32)));
 using Int4 = int __attribute__((vector_size(16)));
+
+#if defined(TETRA_SIMD_16)
+/// Whether this machine has what TETRA_SIMD_16 asks for.
+inline bool hasSimd16() noexcept
+{
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+           __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl");
+}
+#endif
 
 } // namespace tetra

@@ -10,9 +10,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace tetra {
 namespace {
+
+using Eigen::Vector3d;
 
 /// A face of the boundary in the picture.
 struct BoundaryFace {
@@ -70,45 +73,62 @@ std::vector<std::vector<std::uint32_t>> dealFaces(const std::vector<BoundaryFace
     return tiles;
 }
 
-/// Calls visit(sample, q, enters) for the samples of `tile` whose rays pass the face.
-template <class Visit> void passFace(const BoundaryFace& face, const ProjectedVertices& projected,
-                                     const VolumeView& view, const SampleRectangle& tile, Visit&& visit)
-{
-    using Eigen::Vector3d;
-    Vector3d corners[3];
-    for (std::size_t i = 0; i < 3; ++i) {
-        const ProjectedVertex& vertex = projected.vertices[face.corners[i]];
-        corners[i] = {vertex.u, vertex.v, vertex.w};
-    }
-    const Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-    const double offset = normal.dot(corners[0]);
-    // As in CellSetup: the bound of q is plane . (x, y, 1).
-    const double outside = view.perspective ? offset : normal.z();
-    if (outside == 0)
-        return;
-    const Vector3d plane = (view.perspective ? normal : Vector3d(normal.x(), normal.y(), -offset)) / outside;
-    Vector3d sides[3];
-    for (std::size_t i = 0; i < 3; ++i) {
-        Vector3d a = corners[i], b = corners[(i + 1) % 3];
-        if (!view.perspective)
-            a.z() = b.z() = 1;
-        sides[i] = a.cross(b);
-    }
-    const SampleRectangle box = intersection(face.box, tile);
-    for (int y = box.top; y < box.bottom; ++y)
-        for (int x = box.left; x < box.right; ++x) {
-            const Vector3d ray(x + view.firstX(), y + view.firstY(), 1);
-            const double a = sides[0].dot(ray), b = sides[1].dot(ray), c = sides[2].dot(ray);
-            if (!((a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0)))
-                continue;
-            const double q = plane.dot(ray);
-            if (view.perspective && !(q > 0 && q * view.nearest < 1))
-                continue;
-            // The normal looks out of the domain.
-            visit(static_cast<std::uint32_t>((y - tile.top) * tile.width() + x - tile.left), static_cast<float>(q),
-                  outside < 0);
+/// A face made ready to be drawn in a picture.
+class ScreenFace {
+public:
+    ScreenFace(const BoundaryFace& face, const ProjectedVertices& projected, const VolumeView& view) : box_(face.box)
+    {
+        Vector3d corners[3];
+        for (std::size_t i = 0; i < 3; ++i) {
+            const ProjectedVertex& vertex = projected.vertices[face.corners[i]];
+            corners[i] = {vertex.u, vertex.v, vertex.w};
         }
-}
+        const Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+        const double offset = normal.dot(corners[0]);
+        // As in CellSetup: q is plane_ . (x, y, 1).
+        outside_ = view.perspective ? offset : normal.z();
+        plane_ = (view.perspective ? normal : Vector3d(normal.x(), normal.y(), -offset)) / outside_;
+        for (std::size_t i = 0; i < 3; ++i) {
+            Vector3d a = corners[i], b = corners[(i + 1) % 3];
+            if (!view.perspective)
+                a.z() = b.z() = 1;
+            sides_[i] = a.cross(b) * (outside_ < 0 ? -1 : 1);
+        }
+    }
+
+    bool edgeOn() const { return !(outside_ != 0); }
+    /// Rays come into the domain through it: its normal, which looks out of the domain, looks to the eye.
+    bool isEntry() const { return outside_ < 0; }
+    double nearness(const Vector3d& ray) const { return plane_.dot(ray); }
+
+    /// Calls visit(y, first, end) for the samples of `tile` whose rays pass it, a row at a time.
+    template <class Visit> void forEachRow(const VolumeView& view, const SampleRectangle& tile, Visit&& visit) const
+    {
+        const SampleRectangle box = intersection(box_, tile);
+        for (int y = box.top; y < box.bottom; ++y) {
+            double first = box.left, last = box.right - 1;
+            for (const Vector3d& side : sides_) {
+                // Inside is perX x + atStart >= 0.
+                const double perX = side.x();
+                const double atStart = side.dot(Vector3d(view.firstX(), y + view.firstY(), 1));
+                if (perX > 0)
+                    first = std::max(first, -atStart / perX);
+                else if (perX < 0)
+                    last = std::min(last, -atStart / perX);
+                else if (atStart < 0)
+                    last = -1;
+            }
+            if (first <= last)
+                visit(y, static_cast<int>(std::ceil(first)), static_cast<int>(std::floor(last)) + 1);
+        }
+    }
+
+private:
+    SampleRectangle box_;
+    double outside_;
+    Vector3d plane_;
+    Vector3d sides_[3];
+};
 
 /// The relations of one tile; keeps its memory from tile to tile.
 class TileRelations {
@@ -121,21 +141,9 @@ public:
 
     void find(const SampleRectangle& tile, std::span<const std::uint32_t> faces, std::vector<CellRelation>& relations)
     {
-        entries_.assign(static_cast<std::size_t>(tile.width() * tile.height()), 0);
-        for (const std::uint32_t face : faces)
-            passFace(faces_[face], projected_, view_, tile, [&](std::uint32_t sample, float, bool enters) {
-                entries_[sample] = static_cast<std::uint8_t>(std::min(entries_[sample] + (enters ? 1 : 0), 2));
-            });
-        // Of a cut domain the first entry may lie before the near plane.
-        const int enough = cut_ ? 1 : 2;
-        if (std::ranges::none_of(entries_, [&](std::uint8_t count) { return count >= enough; }))
+        if (!countEntries(tile, faces))
             return;
-        passages_.clear();
-        for (const std::uint32_t face : faces)
-            passFace(faces_[face], projected_, view_, tile, [&](std::uint32_t sample, float q, bool enters) {
-                if (entries_[sample] >= enough)
-                    passages_.push_back({sample, q, enters, faces_[face].cell});
-            });
+        collectPassages(tile, faces);
         std::ranges::sort(passages_, std::less<>());
         const std::size_t before = relations.size();
         for (std::size_t i = 1; i < passages_.size(); ++i)
@@ -148,6 +156,46 @@ public:
     }
 
 private:
+    /// Of a cut domain the first entry may lie before the near plane.
+    std::uint8_t enough() const { return cut_ ? 1 : 2; }
+
+    /// Returns whether a sample has enough of them for a gap.
+    bool countEntries(const SampleRectangle& tile, std::span<const std::uint32_t> faces)
+    {
+        entries_.assign(static_cast<std::size_t>(tile.width() * tile.height()), 0);
+        for (const std::uint32_t index : faces) {
+            const ScreenFace face(faces_[index], projected_, view_);
+            if (face.edgeOn() || !face.isEntry())
+                continue;
+            face.forEachRow(view_, tile, [&](int y, int first, int end) {
+                std::uint8_t* row = &entries_[static_cast<std::size_t>((y - tile.top) * tile.width())];
+                for (int x = first - tile.left; x < end - tile.left; ++x)
+                    row[x] = std::min<std::uint8_t>(row[x] + 1, 2);
+            });
+        }
+        return std::ranges::any_of(entries_, [&](std::uint8_t count) { return count >= enough(); });
+    }
+
+    void collectPassages(const SampleRectangle& tile, std::span<const std::uint32_t> faces)
+    {
+        passages_.clear();
+        for (const std::uint32_t index : faces) {
+            const ScreenFace face(faces_[index], projected_, view_);
+            if (face.edgeOn())
+                continue;
+            face.forEachRow(view_, tile, [&](int y, int first, int end) {
+                for (int x = first; x < end; ++x) {
+                    const auto sample = static_cast<std::uint32_t>((y - tile.top) * tile.width() + x - tile.left);
+                    if (entries_[sample] < enough())
+                        continue;
+                    const double q = face.nearness({x + view_.firstX(), y + view_.firstY(), 1});
+                    if (!view_.perspective || (q > 0 && q * view_.nearest < 1))
+                        passages_.push_back({sample, static_cast<float>(q), face.isEntry(), faces_[index].cell});
+                }
+            });
+        }
+    }
+
     const std::vector<BoundaryFace>& faces_;
     const ProjectedVertices& projected_;
     const VolumeView& view_;

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/graphics/volume/volume_tile.h"
 
-#include "core/graphics/volume/slab_integral.h"
+#include "core/graphics/volume/slab_shading.h"
 
 #include <algorithm>
 #include <cmath>
-
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#endif
 
 namespace tetra {
 namespace {
@@ -16,137 +12,6 @@ namespace {
 static_assert(blockWidth == 4 && blockHeight == 2, "lanes are named by their place in the block");
 constexpr Float8 laneX = {0, 1, 2, 3, 0, 1, 2, 3};
 constexpr Float8 laneY = {0, 0, 0, 0, 1, 1, 1, 1};
-
-/// Beyond this optical depth nothing of a slab is seen.
-constexpr float deepest = 24;
-
-[[gnu::always_inline]] inline Float8 smaller(Float8 a, Float8 b)
-{
-    return a < b ? a : b;
-}
-[[gnu::always_inline]] inline Float8 larger(Float8 a, Float8 b)
-{
-    return a > b ? a : b;
-}
-
-[[gnu::always_inline]] inline bool any(Int8 mask)
-{
-    const Int4 low = __builtin_shufflevector(mask, mask, 0, 1, 2, 3);
-    const Int4 high = __builtin_shufflevector(mask, mask, 4, 5, 6, 7);
-    const Int4 both = low | high;
-#if defined(__SSE2__)
-    return _mm_movemask_ps((__m128)both) != 0;
-#else
-    return (both[0] | both[1] | both[2] | both[3]) != 0;
-#endif
-}
-
-/// What has reached the eye of a block's rays so far.
-struct Gathered {
-    Float8 red, green, blue, light;
-};
-
-/// Adds a slab whose optical depth is at most 1, or faintDepth; values count from the segment's origin.
-template <bool faint> [[gnu::always_inline]] inline void addThinSlab(Gathered& gathered, const ScaledSegment& segment,
-                                                                     Float8 valueIn, Float8 valueOut, Float8 length)
-{
-    const Float8 in = segment.halfExtinction + segment.halfExtinctionPerValue * valueIn;
-    const Float8 out = segment.halfExtinction + segment.halfExtinctionPerValue * valueOut;
-    const Float8 depth = larger(length * (in + out), Float8{});
-    SlabLight slab;
-    if constexpr (faint)
-        faintSlabLight(depth, length * (out - in), slab);
-    else
-        slabLight(depth, length * (out - in), slab);
-    const Float8 opacity = slab.opacity * gathered.light;
-    const Float8 weight = slab.weight * gathered.light;
-    const Float8 value = valueIn * opacity + (valueOut - valueIn) * weight;
-    gathered.red += segment.colour[0] * opacity + segment.colourPerValue[0] * value;
-    gathered.green += segment.colour[1] * opacity + segment.colourPerValue[1] * value;
-    gathered.blue += segment.colour[2] * opacity + segment.colourPerValue[2] * value;
-    gathered.light -= opacity;
-}
-
-/// Adds a slab of any optical depth, cut into thin ones.
-[[gnu::always_inline]] inline void addThickSlab(Gathered& gathered, const ScaledSegment& segment, Float8 valueIn,
-                                                Float8 valueOut, Float8 length)
-{
-    const Float8 in = segment.halfExtinction + segment.halfExtinctionPerValue * valueIn;
-    const Float8 out = segment.halfExtinction + segment.halfExtinctionPerValue * valueOut;
-    float parts = 1;
-    for (int lane = 0; lane < 8; ++lane) {
-        // With s from 0 to 1 along the slab the optical depth before s is s (atStart + s rise).
-        const float atStart = std::max(2 * length[lane] * in[lane], 0.0f);
-        const float rise = length[lane] * (out[lane] - in[lane]);
-        float share = 1;
-        if (atStart + rise > deepest) {
-            share = 2 * deepest / (atStart + std::sqrt(std::max(atStart * atStart + 4 * rise * deepest, 0.0f)));
-            share = std::min(share, 1.0f);
-            length[lane] *= share;
-            valueOut[lane] = valueIn[lane] + share * (valueOut[lane] - valueIn[lane]);
-        }
-        parts = std::max({parts, share * atStart, share * (atStart + 2 * share * rise)});
-    }
-    const float count = std::ceil(parts);
-    const Float8 step = (valueOut - valueIn) * (1 / count);
-    const Float8 part = length * (1 / count);
-    for (float i = 0; i < count; ++i)
-        addThinSlab<false>(gathered, segment, valueIn + i * step, valueIn + (i + 1) * step, part);
-}
-
-[[gnu::always_inline]] inline void addSlab(Gathered& gathered, const ScaledSegment& segment, Thickness thickness,
-                                           Float8 valueIn, Float8 valueOut, Float8 length)
-{
-    if (thickness == Thickness::Faint)
-        addThinSlab<true>(gathered, segment, valueIn, valueOut, length);
-    else if (thickness == Thickness::Thin)
-        addThinSlab<false>(gathered, segment, valueIn, valueOut, length);
-    else
-        addThickSlab(gathered, segment, valueIn, valueOut, length);
-}
-
-/// Adds the slabs of rays that meet a cell's segments upwards, or downwards.
-[[gnu::always_inline]] inline void addSlicesOneWay(Gathered& gathered, const ScaledSegment* segments,
-                                                   const CellSetup& cell, bool upwards, Float8 valueIn, Float8 rise,
-                                                   Float8 perRise, Float8 length)
-{
-    Float8 shareBefore = {};
-    Float8 from = valueIn;
-    for (int i = 0; i <= cell.lastSegment - cell.firstSegment; ++i) {
-        const ScaledSegment& segment = segments[upwards ? cell.firstSegment + i : cell.lastSegment - i];
-        const float knot = upwards ? segment.end : segment.begin;
-        const Float8 share = smaller(larger((knot - valueIn) * perRise, Float8{}), Float8{} + 1.0f);
-        const Float8 to = valueIn + share * rise;
-        if (!segment.transparent)
-            addSlab(gathered, segment, cell.thickness, from - segment.origin, to - segment.origin,
-                    length * (share - shareBefore));
-        shareBefore = share;
-        from = to;
-    }
-}
-
-/// Adds the part of a ray through a cell with the knots of several segments: a slab for each, in the order in which the
-/// ray meets them (R22).
-[[gnu::always_inline]] inline void addSlices(Gathered& gathered, const ScaledSegment* segments, const CellSetup& cell,
-                                             Float8 valueIn, Float8 valueOut, Float8 length)
-{
-    const Float8 lowest = Float8{} + cell.smallest;
-    const Float8 highest = Float8{} + cell.largest;
-    valueIn = smaller(larger(valueIn, lowest), highest);
-    valueOut = smaller(larger(valueOut, lowest), highest);
-    const Float8 rise = valueOut - valueIn;
-    // Where the value hardly changes, the whole ray goes to the segment of its start.
-    constexpr float levelRise = 1e-8f;
-    const bool down = cell.direction == Direction::Falling;
-    const Int8 level = (rise < levelRise) & (rise > -levelRise);
-    const Float8 perRise = 1.0f / (level ? Float8{} + (down ? -levelRise : levelRise) : rise);
-    if (cell.direction != Direction::Mixed)
-        return addSlicesOneWay(gathered, segments, cell, !down, valueIn, rise, perRise, length);
-    const Int8 falls = perRise < 0.0f;
-    addSlicesOneWay(gathered, segments, cell, true, valueIn, rise, perRise, falls ? Float8{} : length);
-    if (any(falls & (length > 0.0f)))
-        addSlicesOneWay(gathered, segments, cell, false, valueIn, rise, perRise, falls ? length : Float8{});
-}
 
 [[gnu::always_inline]] inline Float8 atLanes(const AffineFunction& function, float x, float y)
 {
@@ -167,38 +32,99 @@ template <bool faint> [[gnu::always_inline]] inline void addThinSlab(Gathered& g
         }
 }
 
-template <bool perspective, bool depth>
-[[gnu::always_inline]] inline void shadeBlock(SampleBlock& block, const CellSetup& cell, const TileShading& shading,
-                                              Int8 inside, Float8 front, Float8 back, Float8 slope)
+/// Rays that may pass a cell.
+template <class Lanes> struct CellRays {
+    Lanes front, back, slope; ///< of CellSetup
+    Lanes ray;                ///< of SampleBlock
+    Lanes enter, leave;       ///< w where they come in and go out
+};
+
+template <bool perspective, class Lanes> [[gnu::always_inline]] inline void
+shade(CellRays<Lanes>& rays, const CellSetup& cell, const ScaledSegment* segments, Gathered<Lanes>& gathered)
 {
-    const Float8 ones = Float8{} + 1.0f;
-    front = inside ? front : ones;
-    back = inside ? back : ones;
-    Float8 enter, leave, valueIn, valueOut;
+    const Lanes ones = Lanes{} + 1.0f;
+    const Lanes front = rays.front > rays.back ? rays.front : ones;
+    const Lanes back = rays.front > rays.back ? rays.back : ones;
+    Lanes valueIn, valueOut;
     if constexpr (perspective) {
-        const Float8 both = 1.0f / (front * back);
-        enter = back * both;
-        leave = front * both;
-        valueIn = slope * enter + cell.constant;
-        valueOut = slope * leave + cell.constant;
+        const Lanes both = 1.0f / (front * back);
+        rays.enter = back * both;
+        rays.leave = front * both;
+        valueIn = rays.slope * rays.enter + cell.constant;
+        valueOut = rays.slope * rays.leave + cell.constant;
     } else {
-        enter = -front;
-        leave = -back;
-        valueIn = slope + cell.constant * front;
-        valueOut = slope + cell.constant * back;
+        rays.enter = -front;
+        rays.leave = -back;
+        valueIn = rays.slope + cell.constant * front;
+        valueOut = rays.slope + cell.constant * back;
     }
-    const Float8 length = (leave - enter) * block.ray;
-    Gathered gathered = {block.red, block.green, block.blue, block.light};
+    const Lanes length = (rays.leave - rays.enter) * rays.ray;
     if (cell.simple)
-        addSlab(gathered, shading.segments[cell.firstSegment], cell.thickness, valueIn, valueOut, length);
+        addSlab(gathered, segments[cell.firstSegment], cell.thickness, valueIn, valueOut, length);
     else
-        addSlices(gathered, shading.segments, cell, valueIn, valueOut, length);
+        addSlices(gathered, segments, cell, valueIn, valueOut, length);
+}
+
+[[gnu::always_inline]] inline void store(SampleBlock& block, Float8 red, Float8 green, Float8 blue, Float8 light)
+{
+    block.red = red;
+    block.green = green;
+    block.blue = blue;
+    block.light = light;
+}
+
+/// A block that a cell covers, to be shaded.
+struct CoveredBlock {
+    Float8 front, back, slope;
+    SampleBlock* block;
+    const CellSetup* cell;
+};
+
+template <bool perspective, bool depth>
+[[gnu::always_inline]] inline void shadeOne(const CoveredBlock& covered, const ScaledSegment* segments)
+{
+    SampleBlock& block = *covered.block;
+    CellRays<Float8> rays = {covered.front, covered.back, covered.slope, block.ray, {}, {}};
+    Gathered<Float8> gathered = {block.red, block.green, block.blue, block.light};
+    shade<perspective>(rays, *covered.cell, segments, gathered);
     if constexpr (depth)
-        keepDepth(block, gathered.light, enter, leave);
-    block.red = gathered.red;
-    block.green = gathered.green;
-    block.blue = gathered.blue;
-    block.light = gathered.light;
+        keepDepth(block, gathered.light, rays.enter, rays.leave);
+    store(block, gathered.red, gathered.green, gathered.blue, gathered.light);
+}
+
+[[gnu::always_inline]] inline Float16 joined(Float8 low, Float8 high)
+{
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+}
+[[gnu::always_inline]] inline Float8 lowHalf(Float16 lanes)
+{
+    return __builtin_shufflevector(lanes, lanes, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+[[gnu::always_inline]] inline Float8 highHalf(Float16 lanes)
+{
+    return __builtin_shufflevector(lanes, lanes, 8, 9, 10, 11, 12, 13, 14, 15);
+}
+
+/// Two blocks of one cell.
+template <bool perspective, bool depth> [[gnu::always_inline]] inline void
+shadeTwo(const CoveredBlock& one, const CoveredBlock& other, const ScaledSegment* segments)
+{
+    SampleBlock &a = *one.block, &b = *other.block;
+    CellRays<Float16> rays = {joined(one.front, other.front),
+                              joined(one.back, other.back),
+                              joined(one.slope, other.slope),
+                              joined(a.ray, b.ray),
+                              {},
+                              {}};
+    Gathered<Float16> gathered = {joined(a.red, b.red), joined(a.green, b.green), joined(a.blue, b.blue),
+                                  joined(a.light, b.light)};
+    shade<perspective>(rays, *one.cell, segments, gathered);
+    if constexpr (depth) {
+        keepDepth(a, lowHalf(gathered.light), lowHalf(rays.enter), lowHalf(rays.leave));
+        keepDepth(b, highHalf(gathered.light), highHalf(rays.enter), highHalf(rays.leave));
+    }
+    store(a, lowHalf(gathered.red), lowHalf(gathered.green), lowHalf(gathered.blue), lowHalf(gathered.light));
+    store(b, highHalf(gathered.red), highHalf(gathered.green), highHalf(gathered.blue), highHalf(gathered.light));
 }
 
 /// The columns of blocks that a wide cell covers in each row of them. A sample is covered if all bounds of fronts lie
@@ -248,16 +174,10 @@ private:
     Float4 toLeft_, toRight_, leftEnd_, rightEnd_;
 };
 
-/// A block that a cell covers, to be shaded.
-struct CoveredBlock {
-    Float8 front, back, slope;
-    SampleBlock* block;
-    const CellSetup* cell;
-};
-
 /// Blocks are first found and then shaded, many at a time: whether a block is covered is hard to predict, and a wrong
 /// guess costs as much as half the shading.
-template <bool perspective, bool depth> class BlockQueue {
+/// `pairs`: two blocks of a cell at a time, for machines whose vectors are that long.
+template <bool perspective, bool depth, bool pairs> class BlockQueue {
 public:
     [[gnu::always_inline]] BlockQueue(const TileShading& shading, SampleBlock* blocks, int columns)
         : shading_(shading), blocks_(blocks), columns_(columns)
@@ -296,10 +216,17 @@ public:
 
     [[gnu::always_inline]] void shade()
     {
-        for (int i = 0; i < count_; ++i) {
-            const CoveredBlock& one = queue_[i];
-            shadeBlock<perspective, depth>(*one.block, *one.cell, shading_, one.front > one.back, one.front, one.back,
-                                           one.slope);
+        int i = 0;
+        while (i < count_) {
+            const CoveredBlock* next = queue_ + i;
+            if constexpr (pairs)
+                if (i + 1 < count_ && next[0].cell == next[1].cell) {
+                    shadeTwo<perspective, depth>(next[0], next[1], shading_.segments);
+                    i += 2;
+                    continue;
+                }
+            shadeOne<perspective, depth>(*next, shading_.segments);
+            ++i;
         }
         count_ = 0;
     }
@@ -339,45 +266,53 @@ private:
     CoveredBlock queue_[capacity + 1];
 };
 
-template <bool perspective, bool depth> [[gnu::always_inline]] inline void
+template <bool perspective, bool depth, bool pairs> [[gnu::always_inline]] inline void
 drawAll(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks, int columns)
 {
-    BlockQueue<perspective, depth> queue(shading, blocks, columns);
+    BlockQueue<perspective, depth, pairs> queue(shading, blocks, columns);
     for (const CellSetup& cell : cells)
         if (!cell.flat)
             queue.add(cell);
     queue.shade();
 }
 
-TETRA_SIMD_CLONES void drawPerspective(std::span<const CellSetup> cells, const TileShading& shading,
+/// By projection and whether depth is wanted.
+template <bool pairs> [[gnu::always_inline]] inline void
+drawAny(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks, int columns)
+{
+    if (shading.perspective && !shading.depth)
+        drawAll<true, false, pairs>(cells, shading, blocks, columns);
+    else if (shading.perspective)
+        drawAll<true, true, pairs>(cells, shading, blocks, columns);
+    else if (!shading.depth)
+        drawAll<false, false, pairs>(cells, shading, blocks, columns);
+    else
+        drawAll<false, true, pairs>(cells, shading, blocks, columns);
+}
+
+TETRA_SIMD_CLONES_TO_8 void drawSingly(std::span<const CellSetup> cells, const TileShading& shading,
                                        SampleBlock* blocks, int columns)
 {
-    drawAll<true, false>(cells, shading, blocks, columns);
+    drawAny<false>(cells, shading, blocks, columns);
 }
-TETRA_SIMD_CLONES void drawPerspectiveDepth(std::span<const CellSetup> cells, const TileShading& shading,
-                                            SampleBlock* blocks, int columns)
+
+#if defined(TETRA_SIMD_16)
+TETRA_SIMD_16 void drawInPairs(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks,
+                               int columns)
 {
-    drawAll<true, true>(cells, shading, blocks, columns);
+    drawAny<true>(cells, shading, blocks, columns);
 }
-TETRA_SIMD_CLONES void drawOrthographic(std::span<const CellSetup> cells, const TileShading& shading,
-                                        SampleBlock* blocks, int columns)
-{
-    drawAll<false, false>(cells, shading, blocks, columns);
-}
-TETRA_SIMD_CLONES void drawOrthographicDepth(std::span<const CellSetup> cells, const TileShading& shading,
-                                             SampleBlock* blocks, int columns)
-{
-    drawAll<false, true>(cells, shading, blocks, columns);
-}
+#endif
 
 } // namespace
 
 void drawCells(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks, int columns)
 {
-    if (shading.perspective)
-        (shading.depth ? drawPerspectiveDepth : drawPerspective)(cells, shading, blocks, columns);
-    else
-        (shading.depth ? drawOrthographicDepth : drawOrthographic)(cells, shading, blocks, columns);
+#if defined(TETRA_SIMD_16)
+    if (hasSimd16())
+        return drawInPairs(cells, shading, blocks, columns);
+#endif
+    drawSingly(cells, shading, blocks, columns);
 }
 
 } // namespace tetra

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The closed form of a slab against its integral (S15).
+#include "core/base/simd.h"
 #include "core/graphics/volume/slab_integral.h"
 
 #include <QTest>
@@ -35,7 +36,7 @@ private slots:
         for (int i = 0; i <= 40; ++i)
             for (int j = -20; j <= 20; ++j) {
                 const float depth = static_cast<float>(i) / 40, half = depth * static_cast<float>(j) / 20;
-                SlabLight light;
+                SlabLight<Float8> light;
                 slabLight(Float8{} + depth, Float8{} + half, light);
                 QVERIFY(std::abs(light.opacity[3] + std::expm1(-double(depth))) < 3e-7);
                 QVERIFY(std::abs(light.weight[3] - weightOf(depth, half)) < 1.2e-5);
