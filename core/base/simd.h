@@ -6,14 +6,12 @@
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&               \
     !defined(__SANITIZE_THREAD__)
 #define TETRA_SIMD_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-/// The same without the widest, for functions that have a sibling for it:
-#define TETRA_SIMD_CLONES_TO_8 __attribute__((target_clones("arch=x86-64-v3", "default")))
-/// which is marked with this and may be called if hasSimd16(). Vectors of 16 floats belong there only: compilers do
-/// badly when they have to do them in pieces.
+/// For siblings of a function that use vectors of 8 or 16 floats, which may be called if hasSimd8() or hasSimd16(). To
+/// choose between such vectors, and to compare them, is slow where compilers have to do it in pieces.
+#define TETRA_SIMD_8 __attribute__((target("arch=x86-64-v3")))
 #define TETRA_SIMD_16 __attribute__((target("arch=x86-64-v4")))
 #else
 #define TETRA_SIMD_CLONES
-#define TETRA_SIMD_CLONES_TO_8
 #endif
 
 namespace tetra {
@@ -32,10 +30,17 @@ using Long4 = long __attribute__((vector_size(32)));
 using Int4 = int __attribute__((vector_size(16)));
 
 #if defined(TETRA_SIMD_16)
+/// Whether this machine has what TETRA_SIMD_8 asks for.
+inline bool hasSimd8() noexcept
+{
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2") &&
+           __builtin_cpu_supports("lzcnt") && __builtin_cpu_supports("movbe") && __builtin_cpu_supports("f16c");
+}
+
 /// Whether this machine has what TETRA_SIMD_16 asks for.
 inline bool hasSimd16() noexcept
 {
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+    return hasSimd8() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
            __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
            __builtin_cpu_supports("avx512vl");
 }

@@ -15,7 +15,7 @@
 namespace tetra {
 
 /// Light through the slabs of a cell, for several rays at once. For use inside functions compiled for several
-/// instruction sets; Lanes is Float8 or Float16.
+/// instruction sets; Lanes is Float4, Float8 or Float16.
 
 /// Beyond this optical depth nothing of a slab is seen.
 inline constexpr float deepestSlab = 24;
@@ -29,18 +29,23 @@ template <class Lanes> [[gnu::always_inline]] inline Lanes larger(Lanes a, Lanes
     return a > b ? a : b;
 }
 
-[[gnu::always_inline]] inline bool any(Int8 mask)
+[[gnu::always_inline]] inline bool any(Int4 mask)
 {
-    const Int4 low = __builtin_shufflevector(mask, mask, 0, 1, 2, 3);
-    const Int4 high = __builtin_shufflevector(mask, mask, 4, 5, 6, 7);
-    const Int4 both = low | high;
 #if defined(__SSE2__)
-    return _mm_movemask_ps((__m128)both) != 0;
+    return _mm_movemask_ps((__m128)mask) != 0;
 #else
-    return (both[0] | both[1] | both[2] | both[3]) != 0;
+    return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
 #endif
 }
+[[gnu::always_inline]] inline bool any(Int8 mask)
+{
+    return any(__builtin_shufflevector(mask, mask, 0, 1, 2, 3) | __builtin_shufflevector(mask, mask, 4, 5, 6, 7));
+}
 
+[[gnu::always_inline]] inline bool anyPositive(Float4 lanes)
+{
+    return any(lanes > 0.0f);
+}
 [[gnu::always_inline]] inline bool anyPositive(Float8 lanes)
 {
     return any(lanes > 0.0f);
@@ -51,7 +56,7 @@ template <class Lanes> [[gnu::always_inline]] inline Lanes larger(Lanes a, Lanes
                               __builtin_shufflevector(lanes, lanes, 8, 9, 10, 11, 12, 13, 14, 15)));
 }
 
-/// What has reached the eye of some rays so far: of a block's, or of two blocks'.
+/// What has reached the eye of some rays so far: of half a block, a block, or two.
 template <class Lanes> struct Gathered {
     Lanes red, green, blue, light;
 };

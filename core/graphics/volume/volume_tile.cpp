@@ -4,6 +4,7 @@
 #include "core/graphics/volume/slab_shading.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace tetra {
@@ -21,11 +22,8 @@ constexpr Float8 laneY = {0, 0, 0, 0, 1, 1, 1, 1};
 /// Marks where the light fell to a half inside a cell.
 [[gnu::always_inline]] inline void keepDepth(SampleBlock& block, Float8 light, Float8 enter, Float8 leave)
 {
-    const Int8 here = (block.light > 0.5f) & (light <= 0.5f);
-    if (!any(here))
-        return;
     for (int lane = 0; lane < 8; ++lane)
-        if (here[lane] != 0) {
+        if (block.light[lane] > 0.5f && light[lane] <= 0.5f) {
             const float left = std::max(light[lane], 1e-12f);
             const float share = std::log(2 * block.light[lane]) / std::log(block.light[lane] / left);
             block.depth[lane] = enter[lane] + share * (leave[lane] - enter[lane]);
@@ -80,6 +78,19 @@ struct CoveredBlock {
     const CellSetup* cell;
 };
 
+/// The halves of a block's vector; through memory, as machines without such vectors have it there.
+struct Halves {
+    Float4 low, high;
+};
+[[gnu::always_inline]] inline Halves halvesOf(Float8 lanes)
+{
+    return std::bit_cast<Halves>(lanes);
+}
+[[gnu::always_inline]] inline Float8 whole(Float4 low, Float4 high)
+{
+    return std::bit_cast<Float8>(Halves{low, high});
+}
+
 template <bool perspective, bool depth>
 [[gnu::always_inline]] inline void shadeOne(const CoveredBlock& covered, const ScaledSegment* segments)
 {
@@ -90,6 +101,26 @@ template <bool perspective, bool depth>
     if constexpr (depth)
         keepDepth(block, gathered.light, rays.enter, rays.leave);
     store(block, gathered.red, gathered.green, gathered.blue, gathered.light);
+}
+
+template <bool perspective, bool depth>
+[[gnu::always_inline]] inline void shadeHalves(const CoveredBlock& covered, const ScaledSegment* segments)
+{
+    SampleBlock& block = *covered.block;
+    const Halves front = halvesOf(covered.front), back = halvesOf(covered.back), slope = halvesOf(covered.slope);
+    const Halves ray = halvesOf(block.ray), light = halvesOf(block.light);
+    const Halves red = halvesOf(block.red), green = halvesOf(block.green), blue = halvesOf(block.blue);
+    CellRays<Float4> rays[2] = {{front.low, back.low, slope.low, ray.low, {}, {}},
+                                {front.high, back.high, slope.high, ray.high, {}, {}}};
+    Gathered<Float4> gathered[2] = {{red.low, green.low, blue.low, light.low},
+                                    {red.high, green.high, blue.high, light.high}};
+    for (int half = 0; half < 2; ++half)
+        shade<perspective>(rays[half], *covered.cell, segments, gathered[half]);
+    if constexpr (depth)
+        keepDepth(block, whole(gathered[0].light, gathered[1].light), whole(rays[0].enter, rays[1].enter),
+                  whole(rays[0].leave, rays[1].leave));
+    store(block, whole(gathered[0].red, gathered[1].red), whole(gathered[0].green, gathered[1].green),
+          whole(gathered[0].blue, gathered[1].blue), whole(gathered[0].light, gathered[1].light));
 }
 
 [[gnu::always_inline]] inline Float16 joined(Float8 low, Float8 high)
@@ -174,10 +205,28 @@ private:
     Float4 toLeft_, toRight_, leftEnd_, rightEnd_;
 };
 
+/// Where the rays of a block are inside a cell.
+template <class Lanes> struct BlockTest {
+    Lanes front, back;
+    decltype(Lanes{} > Lanes{}) covered; ///< and light still comes through
+
+    [[gnu::always_inline]] BlockTest(Lanes front0, Lanes front1, Lanes front2, Lanes back0, Lanes back1, Lanes back2,
+                                     Lanes light, float nearest, bool around)
+        : front(smaller(smaller(front0, front1), smaller(front2, Lanes{} + nearest))),
+          back(larger(larger(back0, back1), back2))
+    {
+        if (around) [[unlikely]] {
+            front = Lanes{} + nearest;
+            back = larger(back, front0);
+        }
+        covered = (front > back) & (light > darkness);
+    }
+};
+
 /// Blocks are first found and then shaded, many at a time: whether a block is covered is hard to predict, and a wrong
 /// guess costs as much as half the shading.
-/// `pairs`: two blocks of a cell at a time, for machines whose vectors are that long.
-template <bool perspective, bool depth, bool pairs> class BlockQueue {
+/// `lanes`: how many rays the machine does at a time, 4, 8 or 16.
+template <bool perspective, bool depth, int lanes> class BlockQueue {
 public:
     [[gnu::always_inline]] BlockQueue(const TileShading& shading, SampleBlock* blocks, int columns)
         : shading_(shading), blocks_(blocks), columns_(columns)
@@ -219,13 +268,16 @@ public:
         int i = 0;
         while (i < count_) {
             const CoveredBlock* next = queue_ + i;
-            if constexpr (pairs)
+            if constexpr (lanes == 16)
                 if (i + 1 < count_ && next[0].cell == next[1].cell) {
                     shadeTwo<perspective, depth>(next[0], next[1], shading_.segments);
                     i += 2;
                     continue;
                 }
-            shadeOne<perspective, depth>(*next, shading_.segments);
+            if constexpr (lanes == 4)
+                shadeHalves<perspective, depth>(*next, shading_.segments);
+            else
+                shadeOne<perspective, depth>(*next, shading_.segments);
             ++i;
         }
         count_ = 0;
@@ -244,16 +296,30 @@ private:
             shade();
         for (; count > 0; --count, ++block) {
             CoveredBlock& next = queue_[count_];
-            next.front = smaller(smaller(now[0], now[1]), smaller(now[2], Float8{} + shading_.nearestBound));
-            next.back = larger(larger(now[3], now[4]), now[5]);
-            if (cell.around) [[unlikely]] {
-                next.front = Float8{} + shading_.nearestBound;
-                next.back = larger(next.back, now[0]);
+            bool covers;
+            if constexpr (lanes == 4) {
+                Halves parts[6];
+                for (int i = 0; i < 6; ++i)
+                    parts[i] = halvesOf(now[i]);
+                const Halves light = halvesOf(block->light);
+                const BlockTest<Float4> low(parts[0].low, parts[1].low, parts[2].low, parts[3].low, parts[4].low,
+                                            parts[5].low, light.low, shading_.nearestBound, cell.around);
+                const BlockTest<Float4> high(parts[0].high, parts[1].high, parts[2].high, parts[3].high, parts[4].high,
+                                             parts[5].high, light.high, shading_.nearestBound, cell.around);
+                next.front = whole(low.front, high.front);
+                next.back = whole(low.back, high.back);
+                covers = any(low.covered | high.covered);
+            } else {
+                const BlockTest<Float8> test(now[0], now[1], now[2], now[3], now[4], now[5], block->light,
+                                             shading_.nearestBound, cell.around);
+                next.front = test.front;
+                next.back = test.back;
+                covers = any(test.covered);
             }
             next.slope = now[6];
             next.block = block;
             next.cell = &cell;
-            count_ += any((next.front > next.back) & (block->light > darkness)) ? 1 : 0;
+            count_ += covers ? 1 : 0;
             for (int i = 0; i < 7; ++i)
                 now[i] += right[i];
         }
@@ -266,10 +332,10 @@ private:
     CoveredBlock queue_[capacity + 1];
 };
 
-template <bool perspective, bool depth, bool pairs> [[gnu::always_inline]] inline void
+template <bool perspective, bool depth, int lanes> [[gnu::always_inline]] inline void
 drawAll(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks, int columns)
 {
-    BlockQueue<perspective, depth, pairs> queue(shading, blocks, columns);
+    BlockQueue<perspective, depth, lanes> queue(shading, blocks, columns);
     for (const CellSetup& cell : cells)
         if (!cell.flat)
             queue.add(cell);
@@ -277,30 +343,34 @@ drawAll(std::span<const CellSetup> cells, const TileShading& shading, SampleBloc
 }
 
 /// By projection and whether depth is wanted.
-template <bool pairs> [[gnu::always_inline]] inline void
+template <int lanes> [[gnu::always_inline]] inline void
 drawAny(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks, int columns)
 {
     if (shading.perspective && !shading.depth)
-        drawAll<true, false, pairs>(cells, shading, blocks, columns);
+        drawAll<true, false, lanes>(cells, shading, blocks, columns);
     else if (shading.perspective)
-        drawAll<true, true, pairs>(cells, shading, blocks, columns);
+        drawAll<true, true, lanes>(cells, shading, blocks, columns);
     else if (!shading.depth)
-        drawAll<false, false, pairs>(cells, shading, blocks, columns);
+        drawAll<false, false, lanes>(cells, shading, blocks, columns);
     else
-        drawAll<false, true, pairs>(cells, shading, blocks, columns);
+        drawAll<false, true, lanes>(cells, shading, blocks, columns);
 }
 
-TETRA_SIMD_CLONES_TO_8 void drawSingly(std::span<const CellSetup> cells, const TileShading& shading,
-                                       SampleBlock* blocks, int columns)
+void drawByFours(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks, int columns)
 {
-    drawAny<false>(cells, shading, blocks, columns);
+    drawAny<4>(cells, shading, blocks, columns);
 }
 
 #if defined(TETRA_SIMD_16)
-TETRA_SIMD_16 void drawInPairs(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks,
+TETRA_SIMD_8 void drawByEights(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks,
                                int columns)
 {
-    drawAny<true>(cells, shading, blocks, columns);
+    drawAny<8>(cells, shading, blocks, columns);
+}
+TETRA_SIMD_16 void drawBySixteens(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks,
+                                  int columns)
+{
+    drawAny<16>(cells, shading, blocks, columns);
 }
 #endif
 
@@ -310,9 +380,11 @@ void drawCells(std::span<const CellSetup> cells, const TileShading& shading, Sam
 {
 #if defined(TETRA_SIMD_16)
     if (hasSimd16())
-        return drawInPairs(cells, shading, blocks, columns);
+        return drawBySixteens(cells, shading, blocks, columns);
+    if (hasSimd8())
+        return drawByEights(cells, shading, blocks, columns);
 #endif
-    drawSingly(cells, shading, blocks, columns);
+    drawByFours(cells, shading, blocks, columns);
 }
 
 } // namespace tetra
