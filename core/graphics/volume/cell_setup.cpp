@@ -11,6 +11,8 @@ namespace {
 
 /// Of a cell whose volume is less than this part of the box of its edges, the gradient is not trusted.
 constexpr float thinnestCell = 1e-5f;
+/// A cell is flat if its volume could be rounding: if moving its corners by this part of their distances could undo it.
+constexpr float roundingShare = 2.5e-7f;
 /// A face's bound rises by no more than this a sample, so that faces seen edge-on have one.
 constexpr float steepestBound = 1e7f;
 
@@ -54,7 +56,7 @@ struct SetupRows {
 }
 
 [[gnu::always_inline]] inline void makeField(const CellCorners& c, const CellPlanes& planes, bool perspective,
-                                             SetupRows& rows)
+                                             Float8 roundingVolume, SetupRows& rows)
 {
     const Float8 safe = magnitude(planes.volume) > 1e-36f ? planes.volume : Float8{} + 1e-36f;
     const Float8 scale = 1.0f / safe;
@@ -71,7 +73,8 @@ struct SetupRows {
     const Float8 thin = extent(c.u) * extent(c.v) * extent(c.w) * thinnestCell;
     transposeBack(smaller(smaller(c.value[0], c.value[1]), smaller(c.value[2], c.value[3])),
                   larger(larger(c.value[0], c.value[1]), larger(c.value[2], c.value[3])), extent(c.w),
-                  volume > 1e-35f ? volume - thin : Float8{} - farBound, rows.values);
+                  volume > larger(roundingVolume, Float8{} + 1e-35f) ? volume - thin : Float8{} - farBound,
+                  rows.values);
 }
 
 /// `binned` are eight cells.
@@ -84,6 +87,9 @@ TETRA_SIMD_CLONES void setUpRows(const SetupSource& source, const TileFrame& fra
         cells[lane] = source.tetrahedra.data() + binned[lane].cell;
     CellCorners corners;
     loadCorners(source.vertices.data(), cells, corners);
+    const Float8 farW = magnitude(corners.w[0]) + extent(corners.w);
+    const Float8 farU = magnitude(corners.u[0]) + extent(corners.u);
+    const Float8 farV = magnitude(corners.v[0]) + extent(corners.v);
     for (int i = 0; i < 4; ++i) {
         corners.u[i] -= perspective ? corners.w[i] * frame.x : Float8{} + frame.x;
         corners.v[i] -= perspective ? corners.w[i] * frame.y : Float8{} + frame.y;
@@ -91,7 +97,10 @@ TETRA_SIMD_CLONES void setUpRows(const SetupSource& source, const TileFrame& fra
     CellPlanes planes;
     makePlanes(corners, planes);
     makeBounds(planes, planes.volume < 0.0f ? Float8{} - 1.0f : Float8{} + 1.0f, perspective, rows);
-    makeField(corners, planes, perspective, rows);
+    const Float8 widthU = extent(corners.u), widthV = extent(corners.v), widthW = extent(corners.w);
+    const Float8 roundingVolume =
+        roundingShare * (farU * widthV * widthW + farV * widthU * widthW + farW * widthU * widthV);
+    makeField(corners, planes, perspective, roundingVolume, rows);
 }
 
 AffineFunction functionOf(const Float4& row)
