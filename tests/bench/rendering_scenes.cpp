@@ -74,8 +74,16 @@ TransferFunction colourful(float smallest, float largest, double unitDistance)
     return function;
 }
 
+/// Our cameras have z up, VTK's y: turned like this, both show the same by default.
+void turnUp(TetrahedralMesh& mesh)
+{
+    for (Eigen::Vector3f& position : mesh.positions)
+        position = {position.x(), -position.z(), position.y()};
+}
+
 RenderingScene sceneOf(const QString& name, TetrahedralMesh mesh, int frames)
 {
+    turnUp(mesh);
     Eigen::AlignedBox3d bounds;
     for (const Eigen::Vector3f& position : mesh.positions)
         bounds.extend(Eigen::Vector3d(position.cast<double>()));

@@ -43,6 +43,17 @@ QJsonObject jsonOf(const RenderingScene& scene, int size)
             {"cameras", cameras}};
 }
 
+QJsonObject runScript(const QString& folder, int threads)
+{
+    QProcess process;
+    process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    const QString cores = threads == 1 ? "0" : QString("0-%1").arg(threads - 1);
+    process.start("xvfb-run", {"-a", "taskset", "-c", cores, "/usr/bin/python3",
+                               TAN_SOURCE_DIR "/tests/bench/vtk_volume.py", folder});
+    process.waitForFinished(-1);
+    return QJsonDocument::fromJson(process.readAllStandardOutput()).object();
+}
+
 } // namespace
 
 std::map<QString, double> timeVtk(const RenderingScene& scene, int size, int threads, const QString& pictureFolder)
@@ -54,13 +65,10 @@ std::map<QString, double> timeVtk(const RenderingScene& scene, int size, int thr
     const QByteArray json = QJsonDocument(jsonOf(scene, size)).toJson();
     write<char>(folder.filePath("scene.json"), std::span(json.constData(), std::size_t(json.size())));
 
-    QProcess process;
-    process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    const QString cores = threads == 1 ? "0" : QString("0-%1").arg(threads - 1);
-    process.start("xvfb-run", {"-a", "taskset", "-c", cores, "/usr/bin/python3",
-                               TAN_SOURCE_DIR "/tests/bench/vtk_volume.py", folder.path()});
-    process.waitForFinished(-1);
-    const QJsonObject result = QJsonDocument::fromJson(process.readAllStandardOutput()).object();
+    // Of several who start an Xvfb at once one may find that another took its number.
+    QJsonObject result;
+    for (int attempt = 0; attempt < 3 && result.isEmpty(); ++attempt)
+        result = runScript(folder.path(), threads);
     if (result.isEmpty())
         std::fprintf(stderr, "No comparison with VTK: it needs the packages python3-vtk9 and xvfb.\n");
     std::map<QString, double> medians;

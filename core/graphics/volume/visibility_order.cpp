@@ -15,11 +15,18 @@
 namespace tetra {
 namespace {
 
-/// What stands between the cells: for each cell, bit f if the neighbour across face f is in front, bit 4 + f if behind.
+/// A cell while cells are taken.
+struct CellState {
+    static constexpr std::uint8_t done = 0xff;
+    std::uint8_t sides; ///< bit f: the neighbour across face f is in front; bit 4 + f: it is behind
+    /// How many neighbours in front are not in the order yet, one more if relations are left; or done.
+    std::uint8_t hiders;
+};
+
 /// Of the two sides of a face that of the smaller cell decides, so that both agree whatever rounding did.
-Buffer<std::uint8_t> neighbourSides(const FaceAdjacency& adjacency, const Buffer<std::uint8_t>& facing)
+Buffer<CellState> neighbourSides(const FaceAdjacency& adjacency, const Buffer<std::uint8_t>& facing)
 {
-    Buffer<std::uint8_t> sides(facing.size());
+    Buffer<CellState> states(facing.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, facing.size(), 1 << 12), [&](const auto& range) {
         for (std::size_t cell = range.begin(); cell != range.end(); ++cell) {
             unsigned bits = 0;
@@ -32,10 +39,10 @@ Buffer<std::uint8_t> neighbourSides(const FaceAdjacency& adjacency, const Buffer
                 const unsigned theirs = facing[other] >> FaceAdjacency::faceOf(neighbour) & 0x11u;
                 bits |= (cell < other ? own : (theirs >> 4 | (theirs & 1u) << 4)) << face;
             }
-            sides[cell] = static_cast<std::uint8_t>(bits);
+            states[cell] = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(std::popcount(bits & 15u))};
         }
     });
-    return sides;
+    return states;
 }
 
 /// The relations' backs by their fronts.
@@ -66,20 +73,18 @@ struct RelationTable {
 /// Takes cells that nothing unordered hides, depth first, so that what is drawn together lies together.
 class Sorter {
 public:
-    Sorter(const FaceAdjacency& adjacency, const Buffer<std::uint8_t>& sides, std::span<const CellRelation> relations)
-        : adjacency_(adjacency), table_(relations, sides.size()), cells_(sides.size()), stack_(sides.size())
+    Sorter(const FaceAdjacency& adjacency, Buffer<CellState> cells, std::span<const CellRelation> relations)
+        : adjacency_(adjacency), table_(relations, cells.size()), cells_(std::move(cells)), stack_(cells_.size())
     {
-        for (std::size_t cell = 0; cell < sides.size(); ++cell)
-            cells_[cell] = {sides[cell], static_cast<std::uint8_t>(std::popcount(sides[cell] & 15u))};
         if (!relations.empty())
-            relationsLeft_.assign(sides.size(), 0);
+            relationsLeft_.assign(cells_.size(), 0);
         for (const CellRelation& relation : relations)
             if (relationsLeft_[relation.back]++ == 0)
                 ++cells_[relation.back].hiders;
-        for (std::size_t cell = sides.size(); cell-- > 0;)
+        for (std::size_t cell = cells_.size(); cell-- > 0;)
             if (cells_[cell].hiders == 0)
                 stack_[waiting_++] = static_cast<std::uint32_t>(cell);
-        order_.cells.resize(sides.size());
+        order_.cells.resize(cells_.size());
     }
 
     VisibilityOrder sorted(std::span<const std::array<std::uint32_t, 4>> tetrahedra,
@@ -92,13 +97,7 @@ public:
     }
 
 private:
-    static constexpr std::uint8_t done = 0xff;
-
-    struct CellState {
-        std::uint8_t sides;
-        /// How many neighbours in front are not in the order yet, one more if relations are left; or done.
-        std::uint8_t hiders;
-    };
+    static constexpr std::uint8_t done = CellState::done;
 
     void takeFree()
     {
@@ -162,8 +161,8 @@ VisibilityOrder orderByAdjacency(std::span<const std::array<std::uint32_t, 4>> t
                                  const FaceAdjacency& adjacency, std::span<const ProjectedVertex> vertices,
                                  bool perspective, std::span<const CellRelation> relations)
 {
-    const Buffer<std::uint8_t> sides = neighbourSides(adjacency, faceFacing(tetrahedra, vertices, perspective));
-    return Sorter(adjacency, sides, relations).sorted(tetrahedra, vertices);
+    const Buffer<std::uint8_t> facing = faceFacing(tetrahedra, vertices, perspective);
+    return Sorter(adjacency, neighbourSides(adjacency, facing), relations).sorted(tetrahedra, vertices);
 }
 
 } // namespace tetra

@@ -21,6 +21,8 @@ namespace tetra {
 ///     const auto transfer = makeVolumeTransfer(*tetrahedra, function);
 ///     const auto order = orderForCamera(*mesh, camera, options);
 ///     const auto picture = drawVolume(*mesh, *transfer, order->cells, camera, options);
+///
+/// While the camera hardly moves the order can be used again: orderDrift() says how little it moved.
 
 struct VolumeOptions {
     int width = 512; ///< in samples

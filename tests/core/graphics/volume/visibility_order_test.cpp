@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The order of the cells by adjacency (S14): every face right, gaps, cycles.
 #include "core/graphics/volume/boundary_convexity.h"
+#include "core/graphics/volume/order_drift.h"
 #include "core/graphics/volume/volume_renderer.h"
 #include "tests/core/graphics/lattice_mesh.h"
 #include "tests/core/graphics/volume/volume_meshes.h"
@@ -76,6 +77,7 @@ private slots:
     void everyFaceIsRight();
     void tellsConvexDomains();
     void cyclesAreCountedAndResolved();
+    void driftIsTheAngleOfTheEye();
 };
 
 void VisibilityOrderTest::facesAreMatched()
@@ -184,6 +186,25 @@ void VisibilityOrderTest::cyclesAreCountedAndResolved()
     QCOMPARE(order.cells[0], nearest);
     QCOMPARE(order.cells[1], (nearest + 1) % 3);
     QCOMPARE(order.cells[2], (nearest + 2) % 3);
+}
+
+void VisibilityOrderTest::driftIsTheAngleOfTheEye()
+{
+    const Eigen::AlignedBox3d bounds(Vector3d(0, 0, 0), Vector3d(1, 1, 1));
+    Camera camera = fitted({}, bounds);
+    Camera wider = camera;
+    wider.fieldOfView = 50;
+    QCOMPARE(orderDrift(bounds, camera, wider), 0.0);
+    camera.elevation = 0;
+    const double turn = orderDrift(bounds, camera, turned(camera, 2, 0));
+    QVERIFY(turn >= 2 - 1e-9 && turn < 3);
+    QVERIFY(orderDrift(bounds, camera, zoomed(camera, 0.9)) > 0.1);
+    QCOMPARE(orderDrift(bounds, camera, zoomed(camera, 0.01)), 180.0);
+    Camera parallel = camera;
+    parallel.perspective = false;
+    QCOMPARE(orderDrift(bounds, camera, parallel), 180.0);
+    QCOMPARE(orderDrift(bounds, parallel, panned(zoomed(parallel, 0.5), 0.1, 0.2)), 0.0);
+    QVERIFY(std::abs(orderDrift(bounds, parallel, turned(parallel, 2, 0)) - 2) < 1e-9);
 }
 
 QTEST_GUILESS_MAIN(VisibilityOrderTest)
