@@ -10,8 +10,11 @@
 /// choose between such vectors, and to compare them, is slow where compilers have to do it in pieces.
 #define TETRA_SIMD_8 __attribute__((target("arch=x86-64-v3")))
 #define TETRA_SIMD_16 __attribute__((target("arch=x86-64-v4")))
+/// For what such functions call with vectors: it must become part of them.
+#define TETRA_SIMD_INLINE [[gnu::always_inline]] inline
 #else
 #define TETRA_SIMD_CLONES
+#define TETRA_SIMD_INLINE inline
 #endif
 
 namespace tetra {

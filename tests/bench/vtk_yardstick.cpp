@@ -78,9 +78,11 @@ std::map<QString, double> timeVtk(const RenderingScene& scene, int size, int thr
             seconds.push_back(value.toDouble());
         if (!seconds.empty())
             medians[mapper] = median(seconds);
-        const QString picture = QString("%1 %2 %3.png").arg(scene.name).arg(size).arg(mapper);
-        if (!pictureFolder.isEmpty() && threads == 1)
-            QFile::copy(folder.filePath(mapper + ".png"), pictureFolder + '/' + picture);
+        const QString picture = QString("%1/%2 %3 %4.png").arg(pictureFolder, scene.name).arg(size).arg(mapper);
+        if (!pictureFolder.isEmpty() && threads == 1) {
+            QFile::remove(picture);
+            QFile::copy(folder.filePath(mapper + ".png"), picture);
+        }
     }
     return medians;
 }

@@ -23,7 +23,7 @@ struct CellPlanes {
 };
 
 /// For use inside functions compiled for several instruction sets.
-[[gnu::always_inline]] inline void transpose(const Float4 (&rows)[8], Float8& a, Float8& b, Float8& c, Float8& d)
+TETRA_SIMD_INLINE void transpose(const Float4 (&rows)[8], Float8& a, Float8& b, Float8& c, Float8& d)
 {
     Float8 pairs[4];
     for (int i = 0; i < 4; ++i)
@@ -39,7 +39,7 @@ struct CellPlanes {
 }
 
 /// The inverse: row i gets lane i of each.
-[[gnu::always_inline]] inline void transposeBack(Float8 a, Float8 b, Float8 c, Float8 d, Float4 (&rows)[8])
+TETRA_SIMD_INLINE void transposeBack(Float8 a, Float8 b, Float8 c, Float8 d, Float4 (&rows)[8])
 {
     const Float8 abLow = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
     const Float8 abHigh = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
@@ -56,9 +56,8 @@ struct CellPlanes {
 }
 
 /// Lane i gets the corners of cells[i].
-[[gnu::always_inline]] inline void loadCorners(const ProjectedVertex* vertices,
-                                               const std::array<std::uint32_t, 4>* const (&cells)[8],
-                                               CellCorners& corners)
+TETRA_SIMD_INLINE void loadCorners(const ProjectedVertex* vertices,
+                                   const std::array<std::uint32_t, 4>* const (&cells)[8], CellCorners& corners)
 {
     for (std::size_t corner = 0; corner < 4; ++corner) {
         Float4 rows[8];
@@ -68,7 +67,7 @@ struct CellPlanes {
     }
 }
 
-[[gnu::always_inline]] inline void makePlanes(const CellCorners& c, CellPlanes& planes)
+TETRA_SIMD_INLINE void makePlanes(const CellCorners& c, CellPlanes& planes)
 {
     Float8 eu[4], ev[4], ew[4]; // edges from corner 0
     for (int i = 1; i < 4; ++i) {

@@ -23,24 +23,24 @@ struct SetupRows {
     Float4 values[8];   ///< smallest, largest, the longest way through the cell in w, and above 0 if it is not thin
 };
 
-[[gnu::always_inline]] inline Float8 smaller(Float8 a, Float8 b)
+TETRA_SIMD_INLINE Float8 smaller(Float8 a, Float8 b)
 {
     return a < b ? a : b;
 }
-[[gnu::always_inline]] inline Float8 larger(Float8 a, Float8 b)
+TETRA_SIMD_INLINE Float8 larger(Float8 a, Float8 b)
 {
     return a > b ? a : b;
 }
-[[gnu::always_inline]] inline Float8 magnitude(Float8 a)
+TETRA_SIMD_INLINE Float8 magnitude(Float8 a)
 {
     return larger(a, -a);
 }
-[[gnu::always_inline]] inline Float8 extent(const Float8 (&of)[4])
+TETRA_SIMD_INLINE Float8 extent(const Float8 (&of)[4])
 {
     return larger(larger(of[0], of[1]), larger(of[2], of[3])) - smaller(smaller(of[0], of[1]), smaller(of[2], of[3]));
 }
 
-[[gnu::always_inline]] inline void makeBounds(const CellPlanes& planes, Float8 sign, bool perspective, SetupRows& rows)
+TETRA_SIMD_INLINE void makeBounds(const CellPlanes& planes, Float8 sign, bool perspective, SetupRows& rows)
 {
     for (int face = 0; face < 4; ++face) {
         // Inside is a x + b y + c >= outside * q.
@@ -55,8 +55,8 @@ struct SetupRows {
     }
 }
 
-[[gnu::always_inline]] inline void makeField(const CellCorners& c, const CellPlanes& planes, bool perspective,
-                                             Float8 roundingVolume, SetupRows& rows)
+TETRA_SIMD_INLINE void makeField(const CellCorners& c, const CellPlanes& planes, bool perspective,
+                                 Float8 roundingVolume, SetupRows& rows)
 {
     const Float8 safe = magnitude(planes.volume) > 1e-36f ? planes.volume : Float8{} + 1e-36f;
     const Float8 scale = 1.0f / safe;

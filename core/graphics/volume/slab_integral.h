@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/simd.h"
+
 namespace tetra {
 
 /// What several slabs, in each of which extinction and colour are affine along the ray, do to light: `opacity` is
@@ -16,7 +18,7 @@ template <class Lanes> struct SlabLight {
 ///     opacity = T p(T),   weight = integral of u d(1 - e^-depth(u)) = p(T) (T / 2 + half / 6 + X(T, half)).
 /// p and X are polynomials fitted on that domain, X with the terms that the series of the integral has; the largest
 /// errors are 1e-7 of the opacity and 9e-6 of the weight.
-template <class Lanes> [[gnu::always_inline]] inline void slabLight(Lanes depth, Lanes half, SlabLight<Lanes>& light)
+template <class Lanes> TETRA_SIMD_INLINE void slabLight(Lanes depth, Lanes half, SlabLight<Lanes>& light)
 {
     const Lanes p =
         1.0f + depth * (-0.4999960023f +
@@ -34,8 +36,7 @@ template <class Lanes> [[gnu::always_inline]] inline void slabLight(Lanes depth,
 /// The same for optical depths up to `faintDepth`, where shorter series have errors as small.
 inline constexpr float faintDepth = 0.125f;
 
-template <class Lanes>
-[[gnu::always_inline]] inline void faintSlabLight(Lanes depth, Lanes half, SlabLight<Lanes>& light)
+template <class Lanes> TETRA_SIMD_INLINE void faintSlabLight(Lanes depth, Lanes half, SlabLight<Lanes>& light)
 {
     const Lanes p = 1.0f + depth * (-0.5f + depth * (1 / 6.0f - (1 / 24.0f) * depth));
     light.opacity = depth * p;

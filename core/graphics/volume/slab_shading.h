@@ -20,16 +20,16 @@ namespace tetra {
 /// Beyond this optical depth nothing of a slab is seen.
 inline constexpr float deepestSlab = 24;
 
-template <class Lanes> [[gnu::always_inline]] inline Lanes smaller(Lanes a, Lanes b)
+template <class Lanes> TETRA_SIMD_INLINE Lanes smaller(Lanes a, Lanes b)
 {
     return a < b ? a : b;
 }
-template <class Lanes> [[gnu::always_inline]] inline Lanes larger(Lanes a, Lanes b)
+template <class Lanes> TETRA_SIMD_INLINE Lanes larger(Lanes a, Lanes b)
 {
     return a > b ? a : b;
 }
 
-[[gnu::always_inline]] inline bool any(Int4 mask)
+TETRA_SIMD_INLINE bool any(Int4 mask)
 {
 #if defined(__SSE2__)
     return _mm_movemask_ps((__m128)mask) != 0;
@@ -37,20 +37,20 @@ template <class Lanes> [[gnu::always_inline]] inline Lanes larger(Lanes a, Lanes
     return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
 #endif
 }
-[[gnu::always_inline]] inline bool any(Int8 mask)
+TETRA_SIMD_INLINE bool any(Int8 mask)
 {
     return any(__builtin_shufflevector(mask, mask, 0, 1, 2, 3) | __builtin_shufflevector(mask, mask, 4, 5, 6, 7));
 }
 
-[[gnu::always_inline]] inline bool anyPositive(Float4 lanes)
+TETRA_SIMD_INLINE bool anyPositive(Float4 lanes)
 {
     return any(lanes > 0.0f);
 }
-[[gnu::always_inline]] inline bool anyPositive(Float8 lanes)
+TETRA_SIMD_INLINE bool anyPositive(Float8 lanes)
 {
     return any(lanes > 0.0f);
 }
-[[gnu::always_inline]] inline bool anyPositive(Float16 lanes)
+TETRA_SIMD_INLINE bool anyPositive(Float16 lanes)
 {
     return anyPositive(larger(__builtin_shufflevector(lanes, lanes, 0, 1, 2, 3, 4, 5, 6, 7),
                               __builtin_shufflevector(lanes, lanes, 8, 9, 10, 11, 12, 13, 14, 15)));
@@ -62,7 +62,7 @@ template <class Lanes> struct Gathered {
 };
 
 /// Adds a slab whose optical depth is at most 1, or faintDepth; values count from the segment's origin.
-template <bool faint, class Lanes> [[gnu::always_inline]] inline void
+template <bool faint, class Lanes> TETRA_SIMD_INLINE void
 addThinSlab(Gathered<Lanes>& gathered, const ScaledSegment& segment, Lanes valueIn, Lanes valueOut, Lanes length)
 {
     const Lanes in = segment.halfExtinction + segment.halfExtinctionPerValue * valueIn;
@@ -83,8 +83,8 @@ addThinSlab(Gathered<Lanes>& gathered, const ScaledSegment& segment, Lanes value
 }
 
 /// Adds a slab of any optical depth, cut into thin ones.
-template <class Lanes> [[gnu::always_inline]] inline void
-addThickSlab(Gathered<Lanes>& gathered, const ScaledSegment& segment, Lanes valueIn, Lanes valueOut, Lanes length)
+template <class Lanes> TETRA_SIMD_INLINE void addThickSlab(Gathered<Lanes>& gathered, const ScaledSegment& segment,
+                                                           Lanes valueIn, Lanes valueOut, Lanes length)
 {
     const Lanes in = segment.halfExtinction + segment.halfExtinctionPerValue * valueIn;
     const Lanes out = segment.halfExtinction + segment.halfExtinctionPerValue * valueOut;
@@ -109,9 +109,8 @@ addThickSlab(Gathered<Lanes>& gathered, const ScaledSegment& segment, Lanes valu
         addThinSlab<false>(gathered, segment, valueIn + i * step, valueIn + (i + 1) * step, part);
 }
 
-template <class Lanes> [[gnu::always_inline]] inline void addSlab(Gathered<Lanes>& gathered,
-                                                                  const ScaledSegment& segment, Thickness thickness,
-                                                                  Lanes valueIn, Lanes valueOut, Lanes length)
+template <class Lanes> TETRA_SIMD_INLINE void addSlab(Gathered<Lanes>& gathered, const ScaledSegment& segment,
+                                                      Thickness thickness, Lanes valueIn, Lanes valueOut, Lanes length)
 {
     if (thickness == Thickness::Faint)
         addThinSlab<true>(gathered, segment, valueIn, valueOut, length);
@@ -122,10 +121,9 @@ template <class Lanes> [[gnu::always_inline]] inline void addSlab(Gathered<Lanes
 }
 
 /// Adds the slabs of rays that meet a cell's segments upwards, or downwards.
-template <class Lanes>
-[[gnu::always_inline]] inline void addSlicesOneWay(Gathered<Lanes>& gathered, const ScaledSegment* segments,
-                                                   const CellSetup& cell, bool upwards, Lanes valueIn, Lanes rise,
-                                                   Lanes perRise, Lanes length)
+template <class Lanes> TETRA_SIMD_INLINE void addSlicesOneWay(Gathered<Lanes>& gathered, const ScaledSegment* segments,
+                                                              const CellSetup& cell, bool upwards, Lanes valueIn,
+                                                              Lanes rise, Lanes perRise, Lanes length)
 {
     Lanes shareBefore = {};
     Lanes from = valueIn;
@@ -144,9 +142,9 @@ template <class Lanes>
 
 /// Adds the part of a ray through a cell with the knots of several segments: a slab for each, in the order in which the
 /// ray meets them (R22).
-template <class Lanes>
-[[gnu::always_inline]] inline void addSlices(Gathered<Lanes>& gathered, const ScaledSegment* segments,
-                                             const CellSetup& cell, Lanes valueIn, Lanes valueOut, Lanes length)
+template <class Lanes> TETRA_SIMD_INLINE void addSlices(Gathered<Lanes>& gathered, const ScaledSegment* segments,
+                                                        const CellSetup& cell, Lanes valueIn, Lanes valueOut,
+                                                        Lanes length)
 {
     const Lanes lowest = Lanes{} + cell.smallest;
     const Lanes highest = Lanes{} + cell.largest;

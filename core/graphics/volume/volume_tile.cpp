@@ -14,13 +14,13 @@ static_assert(blockWidth == 4 && blockHeight == 2, "lanes are named by their pla
 constexpr Float8 laneX = {0, 1, 2, 3, 0, 1, 2, 3};
 constexpr Float8 laneY = {0, 0, 0, 0, 1, 1, 1, 1};
 
-[[gnu::always_inline]] inline Float8 atLanes(const AffineFunction& function, float x, float y)
+TETRA_SIMD_INLINE Float8 atLanes(const AffineFunction& function, float x, float y)
 {
     return function.a * (laneX + x) + (function.b * (laneY + y) + function.c);
 }
 
 /// Marks where the light fell to a half inside a cell.
-[[gnu::always_inline]] inline void keepDepth(SampleBlock& block, Float8 light, Float8 enter, Float8 leave)
+TETRA_SIMD_INLINE void keepDepth(SampleBlock& block, Float8 light, Float8 enter, Float8 leave)
 {
     for (int lane = 0; lane < 8; ++lane)
         if (block.light[lane] > 0.5f && light[lane] <= 0.5f) {
@@ -37,7 +37,7 @@ template <class Lanes> struct CellRays {
     Lanes enter, leave;       ///< w where they come in and go out
 };
 
-template <bool perspective, class Lanes> [[gnu::always_inline]] inline void
+template <bool perspective, class Lanes> TETRA_SIMD_INLINE void
 shade(CellRays<Lanes>& rays, const CellSetup& cell, const ScaledSegment* segments, Gathered<Lanes>& gathered)
 {
     const Lanes ones = Lanes{} + 1.0f;
@@ -63,7 +63,7 @@ shade(CellRays<Lanes>& rays, const CellSetup& cell, const ScaledSegment* segment
         addSlices(gathered, segments, cell, valueIn, valueOut, length);
 }
 
-[[gnu::always_inline]] inline void store(SampleBlock& block, Float8 red, Float8 green, Float8 blue, Float8 light)
+TETRA_SIMD_INLINE void store(SampleBlock& block, Float8 red, Float8 green, Float8 blue, Float8 light)
 {
     block.red = red;
     block.green = green;
@@ -82,17 +82,17 @@ struct CoveredBlock {
 struct Halves {
     Float4 low, high;
 };
-[[gnu::always_inline]] inline Halves halvesOf(Float8 lanes)
+TETRA_SIMD_INLINE Halves halvesOf(Float8 lanes)
 {
     return std::bit_cast<Halves>(lanes);
 }
-[[gnu::always_inline]] inline Float8 whole(Float4 low, Float4 high)
+TETRA_SIMD_INLINE Float8 whole(Float4 low, Float4 high)
 {
     return std::bit_cast<Float8>(Halves{low, high});
 }
 
 template <bool perspective, bool depth>
-[[gnu::always_inline]] inline void shadeOne(const CoveredBlock& covered, const ScaledSegment* segments)
+TETRA_SIMD_INLINE void shadeOne(const CoveredBlock& covered, const ScaledSegment* segments)
 {
     SampleBlock& block = *covered.block;
     CellRays<Float8> rays = {covered.front, covered.back, covered.slope, block.ray, {}, {}};
@@ -104,7 +104,7 @@ template <bool perspective, bool depth>
 }
 
 template <bool perspective, bool depth>
-[[gnu::always_inline]] inline void shadeHalves(const CoveredBlock& covered, const ScaledSegment* segments)
+TETRA_SIMD_INLINE void shadeHalves(const CoveredBlock& covered, const ScaledSegment* segments)
 {
     SampleBlock& block = *covered.block;
     const Halves front = halvesOf(covered.front), back = halvesOf(covered.back), slope = halvesOf(covered.slope);
@@ -123,22 +123,22 @@ template <bool perspective, bool depth>
           whole(gathered[0].blue, gathered[1].blue), whole(gathered[0].light, gathered[1].light));
 }
 
-[[gnu::always_inline]] inline Float16 joined(Float8 low, Float8 high)
+TETRA_SIMD_INLINE Float16 joined(Float8 low, Float8 high)
 {
     return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
 }
-[[gnu::always_inline]] inline Float8 lowHalf(Float16 lanes)
+TETRA_SIMD_INLINE Float8 lowHalf(Float16 lanes)
 {
     return __builtin_shufflevector(lanes, lanes, 0, 1, 2, 3, 4, 5, 6, 7);
 }
-[[gnu::always_inline]] inline Float8 highHalf(Float16 lanes)
+TETRA_SIMD_INLINE Float8 highHalf(Float16 lanes)
 {
     return __builtin_shufflevector(lanes, lanes, 8, 9, 10, 11, 12, 13, 14, 15);
 }
 
 /// Two blocks of one cell.
-template <bool perspective, bool depth> [[gnu::always_inline]] inline void
-shadeTwo(const CoveredBlock& one, const CoveredBlock& other, const ScaledSegment* segments)
+template <bool perspective, bool depth>
+TETRA_SIMD_INLINE void shadeTwo(const CoveredBlock& one, const CoveredBlock& other, const ScaledSegment* segments)
 {
     SampleBlock &a = *one.block, &b = *other.block;
     CellRays<Float16> rays = {joined(one.front, other.front),
@@ -163,7 +163,7 @@ shadeTwo(const CoveredBlock& one, const CoveredBlock& other, const ScaledSegment
 class CoveredColumns {
 public:
     CoveredColumns() = default;
-    [[gnu::always_inline]] explicit CoveredColumns(const CellSetup& cell)
+    TETRA_SIMD_INLINE explicit CoveredColumns(const CellSetup& cell)
     {
         const bool oneFront = cell.functions[1].c == farBound;
         const bool oneBack = cell.functions[4].c == -farBound;
@@ -185,7 +185,7 @@ public:
     }
 
     /// Narrows [left, right) for a row of blocks.
-    [[gnu::always_inline]] void narrow(int row, int& left, int& right) const
+    TETRA_SIMD_INLINE void narrow(int row, int& left, int& right) const
     {
         const Float4 top = atOrigin_ + perY_ * static_cast<float>(row * blockHeight);
         const Float4 bottom = top + perY_ * (blockHeight - 1);
@@ -210,8 +210,8 @@ template <class Lanes> struct BlockTest {
     Lanes front, back;
     decltype(Lanes{} > Lanes{}) covered; ///< and light still comes through
 
-    [[gnu::always_inline]] BlockTest(Lanes front0, Lanes front1, Lanes front2, Lanes back0, Lanes back1, Lanes back2,
-                                     Lanes light, float nearest, bool around)
+    TETRA_SIMD_INLINE BlockTest(Lanes front0, Lanes front1, Lanes front2, Lanes back0, Lanes back1, Lanes back2,
+                                Lanes light, float nearest, bool around)
         : front(smaller(smaller(front0, front1), smaller(front2, Lanes{} + nearest))),
           back(larger(larger(back0, back1), back2))
     {
@@ -228,12 +228,12 @@ template <class Lanes> struct BlockTest {
 /// `lanes`: how many rays the machine does at a time, 4, 8 or 16.
 template <bool perspective, bool depth, int lanes> class BlockQueue {
 public:
-    [[gnu::always_inline]] BlockQueue(const TileShading& shading, SampleBlock* blocks, int columns)
+    TETRA_SIMD_INLINE BlockQueue(const TileShading& shading, SampleBlock* blocks, int columns)
         : shading_(shading), blocks_(blocks), columns_(columns)
     {
     }
 
-    [[gnu::always_inline]] void add(const CellSetup& cell)
+    TETRA_SIMD_INLINE void add(const CellSetup& cell)
     {
         const float x = static_cast<float>(cell.left * blockWidth);
         const float y = static_cast<float>(cell.top * blockHeight);
@@ -263,7 +263,7 @@ public:
         }
     }
 
-    [[gnu::always_inline]] void shade()
+    TETRA_SIMD_INLINE void shade()
     {
         int i = 0;
         while (i < count_) {
@@ -289,8 +289,8 @@ private:
     static constexpr int capacity = 128;
     static constexpr int longestRow = 64;
 
-    [[gnu::always_inline]] void addRow(const CellSetup& cell, Float8 (&now)[7], const float (&right)[7],
-                                       SampleBlock* block, int count)
+    TETRA_SIMD_INLINE void addRow(const CellSetup& cell, Float8 (&now)[7], const float (&right)[7], SampleBlock* block,
+                                  int count)
     {
         if (count_ > capacity - longestRow)
             shade();
@@ -332,7 +332,7 @@ private:
     CoveredBlock queue_[capacity + 1];
 };
 
-template <bool perspective, bool depth, int lanes> [[gnu::always_inline]] inline void
+template <bool perspective, bool depth, int lanes> TETRA_SIMD_INLINE void
 drawAll(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks, int columns)
 {
     BlockQueue<perspective, depth, lanes> queue(shading, blocks, columns);
@@ -343,8 +343,8 @@ drawAll(std::span<const CellSetup> cells, const TileShading& shading, SampleBloc
 }
 
 /// By projection and whether depth is wanted.
-template <int lanes> [[gnu::always_inline]] inline void
-drawAny(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks, int columns)
+template <int lanes> TETRA_SIMD_INLINE void drawAny(std::span<const CellSetup> cells, const TileShading& shading,
+                                                    SampleBlock* blocks, int columns)
 {
     if (shading.perspective && !shading.depth)
         drawAll<true, false, lanes>(cells, shading, blocks, columns);
