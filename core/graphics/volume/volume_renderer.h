@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/buffer.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/graphics/camera.h"
+#include "core/graphics/volume/visibility_order.h"
+#include "core/graphics/volume/volume_mesh.h"
+
+#include <array>
+#include <cstddef>
+
+namespace tetra {
+
+/// Direct volume rendering of a tetrahedral mesh on the CPU (R20, R22): the volume-rendering integral of the
+/// piecewise-linear field through a piecewise-linear transfer function, exact in each cell, along one ray a sample
+/// (S15). A mesh, its transfer function and a visibility order are made once each and used while they fit:
+///
+///     const auto mesh = makeVolumeMesh(tetrahedra);
+///     const auto transfer = makeVolumeTransfer(*tetrahedra, function);
+///     const auto order = orderForCamera(*mesh, camera, options);
+///     const auto picture = drawVolume(*mesh, *transfer, order->cells, camera, options);
+///
+/// While the camera hardly moves the order can be used again: orderDrift() says how little it moved.
+
+struct VolumeOptions {
+    int width = 512; ///< in samples
+    int height = 512;
+    int threads = 0;    ///< 0 or too many means all of the machine
+    bool depth = false; ///< make `depth` too
+};
+
+/// A picture over nothing: rows from top to bottom.
+struct VolumePicture {
+    int width = 0;
+    int height = 0;
+    Buffer<std::array<float, 4>> samples; ///< red, green, blue times opacity, and opacity
+    /// If wanted: the distance from the eye along the view's axis, in the units of the dataset, at which half of the
+    /// light from behind is gone; infinity where it never is.
+    Buffer<float> depth;
+    std::size_t drawnCells = 0; ///< once for each tile of the picture that a cell was drawn in
+};
+
+/// The order in which the cells are to be drawn for a camera: orderByAdjacency(), with the gaps of a domain that is not
+/// convex as they are in each sample of the picture. For a convex domain it depends on the place of the eye alone (in
+/// orthographic views on the direction), for others on the whole camera and the picture's size. Errors: wrong options,
+/// cancelled, not enough memory.
+Result<VisibilityOrder> orderForCamera(const VolumeMesh& mesh, const Camera& camera, const VolumeOptions& options,
+                                       const Progress& progress = {});
+
+/// Draws the cells in `order`, whichever it is: numbers of cells, front to back. A cell that is not finite, has no
+/// volume or a value that is not finite is left out. O(cells + samples they cover), the same picture with any number of
+/// threads. Errors: wrong options, an order or a transfer function of another mesh, cancelled, not enough memory.
+Result<VolumePicture> drawVolume(const VolumeMesh& mesh, const VolumeTransfer& transfer,
+                                 std::span<const std::uint32_t> order, const Camera& camera,
+                                 const VolumeOptions& options, const Progress& progress = {});
+
+} // namespace tetra

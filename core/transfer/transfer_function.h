@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+
+#include <array>
+#include <vector>
+
+namespace tetra {
+
+/// A control point of a transfer function.
+struct TransferPoint {
+    double value = 0;                     ///< of the field
+    std::array<float, 3> colour{1, 1, 1}; ///< sRGB, each channel in [0, 1]
+    float opacity = 0;                    ///< in [0, 1], of the unit distance
+    bool operator==(const TransferPoint&) const = default;
+};
+
+/// What a value of the field looks like (R18): colour and extinction, linear between the control points and constant
+/// beyond the first and the last. A value with value semantics.
+///
+/// Points are in ascending order of value. Two points of one value are a step (R22): the first ends what lies below,
+/// the second begins what lies above, and the value itself belongs to the upper side, as it does for isosurfaces (S16).
+///
+/// Opacity is what a layer of `unitDistance` would have if the value did not change in it; the extinction there is
+/// -ln(1 - opacity) / unitDistance. It is the extinction that is linear between the points, so that the optical depth
+/// of a slab is exact in closed form (S15). An opacity of 1 counts as `largestOpacity`.
+struct TransferFunction {
+    std::vector<TransferPoint> points; ///< none: everything is transparent
+    double unitDistance = 1;           ///< in the units of the dataset
+    bool operator==(const TransferFunction&) const = default;
+};
+
+/// Of a unit distance of this opacity one part in 16 million shines through.
+inline constexpr double largestOpacity = 1 - 1.0 / (1 << 24);
+
+/// What a place in the field looks like.
+struct TransferSample {
+    std::array<double, 3> colour{0, 0, 0};
+    double extinction = 0; ///< per unit of length of the dataset
+};
+
+/// An error if the points are not in order, more than two have one value, a number is not finite or out of its range.
+Status checkTransferFunction(const TransferFunction& function);
+
+double extinctionOf(double opacity, double unitDistance) noexcept;
+
+/// O(log points). NaN is transparent.
+TransferSample evaluate(const TransferFunction& function, double value);
+
+} // namespace tetra

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/transfer/transfer_text.h"
+
+#include "core/base/json.h"
+#include "core/base/number_text.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace tetra {
+namespace {
+
+constexpr std::string_view formatName = "tan-transfer-function";
+constexpr int formatVersion = 1;
+
+Error wrong(const JsonValue& value, std::string_view what)
+{
+    return {ErrorKind::BadInput,
+            "The transfer function cannot be read: " + std::string(what) + " (" + describePlace(value.place) + ")."};
+}
+
+template <class Number> Status readNumber(const JsonValue& value, std::string_view name, Number& number)
+{
+    const JsonValue::Number* text = value.number();
+    const auto parsed = text != nullptr ? parseNumber<Number>(text->text) : std::nullopt;
+    if (!parsed)
+        return wrong(value, std::string(name) + " must be a number that fits");
+    number = *parsed;
+    return {};
+}
+
+Status checkMembers(const JsonValue& object, std::initializer_list<std::string_view> needed,
+                    std::initializer_list<std::string_view> optional, std::string_view what)
+{
+    if (object.object() == nullptr)
+        return wrong(object, std::string(what) + " must be an object, in braces");
+    for (const std::string_view name : needed)
+        if (object.find(name) == nullptr)
+            return wrong(object, std::string(what) + " has no \"" + std::string(name) + "\"");
+    for (const auto& [name, value] : *object.object())
+        if (std::ranges::find(needed, name) == needed.end() && std::ranges::find(optional, name) == optional.end())
+            return wrong(value, "\"" + name + "\" is not known here");
+    return {};
+}
+
+Status readColour(const JsonValue& value, std::array<float, 3>& colour)
+{
+    const JsonArray* channels = value.array();
+    if (channels == nullptr || channels->size() != colour.size())
+        return wrong(value, "a colour must be three numbers in brackets");
+    for (std::size_t channel = 0; channel < colour.size(); ++channel)
+        if (Status status = readNumber((*channels)[channel], "a channel", colour[channel]); !status)
+            return status;
+    return {};
+}
+
+Status readPoint(const JsonValue& value, TransferPoint& point)
+{
+    if (Status status = checkMembers(value, {"value", "colour", "opacity"}, {}, "a point"); !status)
+        return status;
+    if (Status status = readNumber(*value.find("value"), "\"value\"", point.value); !status)
+        return status;
+    if (Status status = readNumber(*value.find("opacity"), "\"opacity\"", point.opacity); !status)
+        return status;
+    return readColour(*value.find("colour"), point.colour);
+}
+
+Status readFormat(const JsonValue& root)
+{
+    const std::string* format = root.find("format")->string();
+    if (format == nullptr || *format != formatName)
+        return wrong(*root.find("format"), "\"format\" is not \"" + std::string(formatName) + "\"");
+    int version = 0;
+    if (Status status = readNumber(*root.find("version"), "\"version\"", version); !status)
+        return status;
+    if (version != formatVersion)
+        return wrong(*root.find("version"), "this program knows version " + std::to_string(formatVersion) + " only");
+    return {};
+}
+
+} // namespace
+
+std::string transferFunctionToText(const TransferFunction& function)
+{
+    std::string text = "{\n  \"format\": " + jsonString(formatName) +
+                       ",\n  \"version\": " + std::to_string(formatVersion) +
+                       ",\n  \"unitDistance\": " + formatNumber(function.unitDistance) + ",\n  \"points\": [";
+    std::string_view separator = "\n";
+    for (const TransferPoint& point : function.points) {
+        const auto& [red, green, blue] = point.colour;
+        text += separator;
+        text += "    {\"value\": " + formatNumber(point.value) + ", \"colour\": [" + formatNumber(red) + ", " +
+                formatNumber(green) + ", " + formatNumber(blue) + "], \"opacity\": " + formatNumber(point.opacity) +
+                "}";
+        separator = ",\n";
+    }
+    return text + "\n  ]\n}\n";
+}
+
+Result<TransferFunction> transferFunctionFromText(std::string_view text)
+{
+    const Result<JsonValue> parsed = parseJson(text);
+    if (!parsed)
+        return Error{ErrorKind::BadInput, "The transfer function cannot be read. " + parsed.error().text};
+    const JsonValue& root = *parsed;
+    if (Status status = checkMembers(root, {"format", "version", "points"}, {"unitDistance"}, "the text"); !status)
+        return status.error();
+    if (Status status = readFormat(root); !status)
+        return status.error();
+
+    TransferFunction function;
+    if (const JsonValue* distance = root.find("unitDistance"))
+        if (Status status = readNumber(*distance, "\"unitDistance\"", function.unitDistance); !status)
+            return status.error();
+    const JsonArray* points = root.find("points")->array();
+    if (points == nullptr)
+        return wrong(*root.find("points"), "\"points\" must be a list, in brackets");
+    for (const JsonValue& value : *points)
+        if (Status status = readPoint(value, function.points.emplace_back()); !status)
+            return status.error();
+    if (Status status = checkTransferFunction(function); !status)
+        return wrong(*root.find("points"), status.error().text);
+    return function;
+}
+
+} // namespace tetra

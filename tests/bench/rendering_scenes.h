@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/graphics/camera.h"
+#include "core/mesh/tetrahedral_mesh.h"
+#include "core/transfer/transfer_function.h"
+
+#include <QString>
+
+#include <memory>
+#include <vector>
+
+namespace tetra {
+
+/// What the rendering benchmark draws.
+struct RenderingScene {
+    QString name;
+    std::shared_ptr<const TetrahedralMesh> mesh;
+    TransferFunction function;
+    std::vector<Camera> cameras; ///< one a frame, 7 degrees apart
+};
+
+/// The Marschner-Lobb signal on `cells` cubed cells, each cut in five, and the BluntFin dataset likewise where its
+/// files are at hand.
+std::vector<RenderingScene> renderingScenes(std::uint32_t cells, int frames);
+
+} // namespace tetra

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/bench/vtk_yardstick.h"
+
+#include "tests/bench/bench_report.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include <cstdio>
+#include <span>
+
+namespace tetra {
+namespace {
+
+template <class Element> void write(const QString& path, std::span<const Element> elements)
+{
+    QFile file(path);
+    if (file.open(QIODevice::WriteOnly))
+        file.write(reinterpret_cast<const char*>(elements.data()), qint64(elements.size_bytes()));
+}
+
+QJsonArray jsonOf(const Eigen::Vector3d& point)
+{
+    return {point.x(), point.y(), point.z()};
+}
+
+QJsonObject jsonOf(const RenderingScene& scene, int size)
+{
+    QJsonArray points, cameras;
+    for (const TransferPoint& point : scene.function.points)
+        points.append(QJsonObject{{"value", point.value},
+                                  {"colour", QJsonArray{point.colour[0], point.colour[1], point.colour[2]}},
+                                  {"opacity", point.opacity}});
+    for (const Camera& camera : scene.cameras)
+        cameras.append(QJsonObject{{"eye", jsonOf(eyePosition(camera))}, {"target", jsonOf(camera.target)}});
+    return {{"width", size},
+            {"height", size},
+            {"points", points},
+            {"unitDistance", scene.function.unitDistance},
+            {"cameras", cameras}};
+}
+
+QJsonObject runScript(const QString& folder, int threads)
+{
+    QProcess process;
+    process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    const QString cores = threads == 1 ? "0" : QString("0-%1").arg(threads - 1);
+    process.start("xvfb-run", {"-a", "taskset", "-c", cores, "/usr/bin/python3",
+                               TAN_SOURCE_DIR "/tests/bench/vtk_volume.py", folder});
+    process.waitForFinished(-1);
+    return QJsonDocument::fromJson(process.readAllStandardOutput()).object();
+}
+
+} // namespace
+
+std::map<QString, double> timeVtk(const RenderingScene& scene, int size, int threads, const QString& pictureFolder)
+{
+    const QTemporaryDir folder;
+    write<Eigen::Vector3f>(folder.filePath("positions"), scene.mesh->positions);
+    write<float>(folder.filePath("values"), scene.mesh->values);
+    write<std::array<std::uint32_t, 4>>(folder.filePath("tetrahedra"), scene.mesh->tetrahedra);
+    const QByteArray json = QJsonDocument(jsonOf(scene, size)).toJson();
+    write<char>(folder.filePath("scene.json"), std::span(json.constData(), std::size_t(json.size())));
+
+    // Of several who start an Xvfb at once one may find that another took its number.
+    QJsonObject result;
+    for (int attempt = 0; attempt < 3 && result.isEmpty(); ++attempt)
+        result = runScript(folder.path(), threads);
+    if (result.isEmpty())
+        std::fprintf(stderr, "No comparison with VTK: it needs the packages python3-vtk9 and xvfb.\n");
+    std::map<QString, double> medians;
+    for (const QString& mapper : result.keys()) {
+        std::vector<double> seconds;
+        for (const QJsonValue& value : result[mapper].toArray())
+            seconds.push_back(value.toDouble());
+        if (!seconds.empty())
+            medians[mapper] = median(seconds);
+        const QString picture = QString("%1/%2 %3 %4.png").arg(pictureFolder, scene.name).arg(size).arg(mapper);
+        if (!pictureFolder.isEmpty() && threads == 1) {
+            QFile::remove(picture);
+            QFile::copy(folder.filePath(mapper + ".png"), picture);
+        }
+    }
+    return medians;
+}
+
+} // namespace tetra

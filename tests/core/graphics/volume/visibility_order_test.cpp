@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The order of the cells by adjacency (S14): every face right, gaps, cycles.
+#include "core/graphics/volume/boundary_convexity.h"
+#include "core/graphics/volume/order_drift.h"
+#include "core/graphics/volume/volume_renderer.h"
+#include "tests/core/graphics/lattice_mesh.h"
+#include "tests/core/graphics/volume/volume_meshes.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+
+using namespace tetra;
+using namespace tetra::testing;
+using Eigen::Vector3d;
+
+namespace {
+
+VolumeMesh volumeOf(const TetrahedralMesh& mesh)
+{
+    return makeVolumeMesh(std::make_shared<const TetrahedralMesh>(mesh)).value();
+}
+
+std::vector<std::size_t> ranksOf(const VisibilityOrder& order)
+{
+    std::vector<std::size_t> ranks(order.cells.size(), order.cells.size());
+    for (std::size_t i = 0; i < order.cells.size(); ++i)
+        ranks[order.cells[i]] = i;
+    return ranks;
+}
+
+/// The height of the eye over a face, seen from outside, as a part of the face's size; by the sine of the angle.
+double heightOfEye(const TetrahedralMesh& mesh, std::size_t cell, std::size_t face, const Camera& camera)
+{
+    const auto at = [&](std::size_t i) -> Vector3d {
+        return mesh.positions[mesh.tetrahedra[cell][cornersOfFace[face][i]]].cast<double>();
+    };
+    const Vector3d normal = (at(1) - at(0)).cross(at(2) - at(0)).normalized();
+    const Vector3d back = viewMatrix(camera).block<1, 3>(2, 0).transpose();
+    return camera.perspective ? normal.dot((eyePosition(camera) - at(0)).normalized()) : normal.dot(back);
+}
+
+/// Three blades around an axis, each before the next.
+TetrahedralMesh pinwheel()
+{
+    TetrahedralMesh mesh;
+    for (int blade = 0; blade < 3; ++blade) {
+        const Eigen::AngleAxisf turn(static_cast<float>(blade) * 2.0943951f, Eigen::Vector3f::UnitY());
+        const auto base = static_cast<std::uint32_t>(mesh.positions.size());
+        for (const Eigen::Vector3f& corner :
+             {Eigen::Vector3f(-1, -0.3f, 0.4f), {1.2f, 0.3f, 0.4f}, {1.2f, 0.35f, 0.6f}, {1.2f, 0.5f, 0.4f}})
+            mesh.positions.push_back(turn * corner);
+        mesh.tetrahedra.push_back({base, base + 1, base + 2, base + 3});
+    }
+    for (auto& cell : mesh.tetrahedra) {
+        const auto edge = [&](std::size_t i) -> Eigen::Vector3f {
+            return mesh.positions[cell[i]] - mesh.positions[cell[0]];
+        };
+        if (edge(1).dot(edge(2).cross(edge(3))) < 0)
+            std::swap(cell[2], cell[3]);
+    }
+    mesh.values.assign(mesh.positions.size(), 0.5f);
+    return mesh;
+}
+
+} // namespace
+
+class VisibilityOrderTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void facesAreMatched();
+    void surplusFacesAreCounted();
+    void everyFaceIsRight();
+    void tellsConvexDomains();
+    void cyclesAreCountedAndResolved();
+    void driftIsTheAngleOfTheEye();
+};
+
+void VisibilityOrderTest::facesAreMatched()
+{
+    std::mt19937 random(2);
+    for (const NamedMesh& named : volumeMeshes()) {
+        TetrahedralMesh mesh = named.mesh;
+        std::ranges::shuffle(mesh.tetrahedra, random);
+        const FaceAdjacency adjacency = matchFaces(mesh.tetrahedra, mesh.positions.size());
+        std::map<std::array<std::uint32_t, 3>, std::vector<std::uint32_t>> faces;
+        for (std::uint32_t cell = 0; cell < mesh.tetrahedra.size(); ++cell)
+            for (std::uint32_t face = 0; face < 4; ++face) {
+                std::array<std::uint32_t, 3> corners{};
+                for (std::size_t i = 0; i < 3; ++i)
+                    corners[i] = mesh.tetrahedra[cell][(face + 1 + i) % 4];
+                std::ranges::sort(corners);
+                faces[corners].push_back(cell * 4 + face);
+            }
+        QCOMPARE(adjacency.surplusFaces, std::size_t(0));
+        for (const auto& [corners, names] : faces)
+            for (std::size_t i = 0; i < names.size(); ++i) {
+                const std::uint32_t expected = names.size() == 2 ? names[1 - i] : FaceAdjacency::none;
+                QCOMPARE(adjacency.neighbours[names[i] / 4][names[i] % 4], expected);
+            }
+    }
+}
+
+void VisibilityOrderTest::surplusFacesAreCounted()
+{
+    const std::vector<std::array<std::uint32_t, 4>> cells = {{0, 1, 2, 3}, {0, 1, 2, 4}, {2, 1, 0, 5}, {6, 7, 8, 9}};
+    const FaceAdjacency adjacency = matchFaces(cells, 10);
+    QCOMPARE(adjacency.surplusFaces, std::size_t(1));
+    QCOMPARE(adjacency.neighbours[0][3], 1u * 4 + 3);
+    QCOMPARE(adjacency.neighbours[1][3], 0u * 4 + 3);
+    QCOMPARE(adjacency.neighbours[2][3], FaceAdjacency::none);
+    QCOMPARE(matchFaces({}, 0).neighbours.size(), std::size_t(0));
+}
+
+void VisibilityOrderTest::everyFaceIsRight()
+{
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> angle(-90, 90), share(0.05, 3);
+    for (const NamedMesh& named : volumeMeshes()) {
+        const VolumeMesh volume = volumeOf(named.mesh);
+        for (int round = 0; round < 12; ++round) {
+            Camera camera = fitted({}, volume.bounds);
+            camera.perspective = round % 2 == 0;
+            camera = zoomed(turned(camera, 2 * angle(random), angle(random)), share(random));
+            const VisibilityOrder order = orderForCamera(volume, camera, {64, 64}).value();
+            QCOMPARE(order.brokenCycles, std::size_t(0));
+            const auto ranks = ranksOf(order);
+            QVERIFY(std::ranges::none_of(ranks, [&](std::size_t rank) { return rank == ranks.size(); }));
+            for (std::size_t cell = 0; cell < ranks.size(); ++cell)
+                for (std::size_t face = 0; face < 4; ++face) {
+                    const std::uint32_t neighbour = volume.adjacency.neighbours[cell][face];
+                    const double height = heightOfEye(named.mesh, cell, face, camera);
+                    if (neighbour != FaceAdjacency::none && std::abs(height) > 1e-4)
+                        QCOMPARE(ranks[neighbour / 4]<ranks[cell], height> 0);
+                }
+        }
+    }
+}
+
+void VisibilityOrderTest::tellsConvexDomains()
+{
+    const auto isConvex = [](const TetrahedralMesh& mesh) { return volumeOf(mesh).convex; };
+    QVERIFY(isConvex(oneCell()));
+    QVERIFY(isConvex(refinedLattice()));
+    QVERIFY(isConvex(randomLattice(1)));
+    QVERIFY(!isConvex(irregularWithHole()));
+    QVERIFY(!isConvex({}));
+
+    TetrahedralMesh two = oneCell();
+    for (std::size_t i = 0; i < 4; ++i) {
+        two.positions.push_back(two.positions[i] + Eigen::Vector3f(5, 0, 0));
+        two.values.push_back(0);
+    }
+    two.tetrahedra.push_back({4, 5, 6, 7});
+    QVERIFY(!isConvex(two));
+
+    TetrahedralMesh dented = latticeMesh(2, 1, Split::Six, [](const Vector3d&) { return 0; });
+    QVERIFY(isConvex(dented));
+    dented.positions[4].z() += 0.01f; // in the middle of the lower side, inwards
+    QVERIFY(!isConvex(dented));
+}
+
+void VisibilityOrderTest::cyclesAreCountedAndResolved()
+{
+    const TetrahedralMesh mesh = pinwheel();
+    const VolumeMesh volume = volumeOf(mesh);
+    // Each is before the next by decree: no sight has to agree.
+    const std::vector<CellRelation> circle = {{0, 1}, {1, 2}, {2, 0}};
+    std::vector<ProjectedVertex> vertices;
+    for (const auto& position : mesh.positions)
+        vertices.push_back({position.x(), position.y(), 5 + position.z(), 0});
+    const VisibilityOrder order = orderByAdjacency(mesh.tetrahedra, volume.adjacency, vertices, true, circle);
+    QCOMPARE(order.brokenCycles, std::size_t(1));
+    const auto depth = [&](std::uint32_t cell) {
+        float sum = 0;
+        for (const std::uint32_t vertex : mesh.tetrahedra[cell])
+            sum += vertices[vertex].w;
+        return sum;
+    };
+    std::vector<std::uint32_t> cells = {0, 1, 2};
+    const std::uint32_t nearest = *std::ranges::min_element(cells, {}, depth);
+    QCOMPARE(order.cells[0], nearest);
+    QCOMPARE(order.cells[1], (nearest + 1) % 3);
+    QCOMPARE(order.cells[2], (nearest + 2) % 3);
+}
+
+void VisibilityOrderTest::driftIsTheAngleOfTheEye()
+{
+    const Eigen::AlignedBox3d bounds(Vector3d(0, 0, 0), Vector3d(1, 1, 1));
+    Camera camera = fitted({}, bounds);
+    Camera wider = camera;
+    wider.fieldOfView = 50;
+    QCOMPARE(orderDrift(bounds, camera, wider), 0.0);
+    camera.elevation = 0;
+    const double turn = orderDrift(bounds, camera, turned(camera, 2, 0));
+    QVERIFY(turn >= 2 - 1e-9 && turn < 3);
+    QVERIFY(orderDrift(bounds, camera, zoomed(camera, 0.9)) > 0.1);
+    QCOMPARE(orderDrift(bounds, camera, zoomed(camera, 0.01)), 180.0);
+    Camera parallel = camera;
+    parallel.perspective = false;
+    QCOMPARE(orderDrift(bounds, camera, parallel), 180.0);
+    QCOMPARE(orderDrift(bounds, parallel, panned(zoomed(parallel, 0.5), 0.1, 0.2)), 0.0);
+    QVERIFY(std::abs(orderDrift(bounds, parallel, turned(parallel, 2, 0)) - 2) < 1e-9);
+}
+
+QTEST_GUILESS_MAIN(VisibilityOrderTest)
+#include "visibility_order_test.moc"

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The transfer function as a value (R18): steps, extinction, segments, and what to begin with.
+#include "core/transfer/default_transfer_functions.h"
+#include "core/transfer/transfer_segments.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace tetra;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
+
+TransferFunction stepAtFive()
+{
+    return {{{0, {0, 0, 0}, 0}, {5, {1, 0, 0}, 0.5f}, {5, {0, 0, 1}, 0.25f}, {10, {0, 1, 1}, 0}}, 2};
+}
+
+TransferFunction randomFunction(std::mt19937& random)
+{
+    std::uniform_real_distribution<float> unit(0, 1);
+    TransferFunction function;
+    function.unitDistance = 0.1 + unit(random);
+    const int count = static_cast<int>(random() % 8);
+    for (int i = 0; i < count; ++i) {
+        const double value = std::round(20 * unit(random)) - 10;
+        if (std::ranges::count(function.points, value, &TransferPoint::value) < 2)
+            function.points.push_back({value, {unit(random), unit(random), unit(random)}, unit(random)});
+    }
+    std::ranges::stable_sort(function.points, {}, &TransferPoint::value);
+    return function;
+}
+
+double largestDifference(const TransferSample& a, const TransferSample& b)
+{
+    double largest = std::abs(a.extinction - b.extinction);
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        largest = std::max(largest, std::abs(a.colour[channel] - b.colour[channel]));
+    return largest;
+}
+
+TransferSample inSegment(const TransferSegment& segment, double value)
+{
+    TransferSample sample = segment.atOrigin;
+    const double offset = value - segment.origin;
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        sample.colour[channel] += offset * segment.perValue.colour[channel];
+    sample.extinction += offset * segment.perValue.extinction;
+    return sample;
+}
+
+} // namespace
+
+class TransferFunctionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void extinctionGivesTheOpacityOfTheUnitDistance()
+    {
+        for (const double opacity : {0.0, 0.01, 0.5, 0.999})
+            QVERIFY(std::abs(1 - std::exp(-extinctionOf(opacity, 0.3) * 0.3) - opacity) < 1e-12);
+        QVERIFY(std::isfinite(extinctionOf(1, 1)));
+    }
+
+    void isLinearBetweenPointsAndConstantBeyond()
+    {
+        const TransferFunction function = stepAtFive();
+        QCOMPARE(evaluate(function, -3).extinction, 0.0);
+        QCOMPARE(evaluate(function, 2.5).colour[0], 0.5);
+        QCOMPARE(evaluate(function, 2.5).extinction, extinctionOf(0.5, 2) / 2);
+        QCOMPARE(evaluate(function, 12).colour[1], 1.0);
+        QCOMPARE(evaluate(function, 12).extinction, 0.0);
+    }
+
+    void aStepBelongsToTheUpperSide()
+    {
+        const TransferFunction function = stepAtFive();
+        QCOMPARE(evaluate(function, 5).colour[2], 1.0);
+        QCOMPARE(evaluate(function, 5).extinction, extinctionOf(0.25, 2));
+        QVERIFY(evaluate(function, std::nextafter(5.0, 0.0)).colour[0] > 0.999);
+    }
+
+    void nothingAndNanAreTransparent()
+    {
+        QCOMPARE(evaluate({}, 1).extinction, 0.0);
+        QCOMPARE(evaluate(stepAtFive(), notANumber).extinction, 0.0);
+    }
+
+    void segmentsCoverAllValuesAndAgreeWithTheFunction()
+    {
+        std::mt19937 random(5);
+        std::uniform_real_distribution<double> value(-12, 12);
+        for (int round = 0; round < 200; ++round) {
+            const TransferFunction function = randomFunction(random);
+            QVERIFY(checkTransferFunction(function).ok());
+            const auto segments = transferSegments(function);
+            QCOMPARE(segments.front().begin, -infinity);
+            QCOMPARE(segments.back().end, infinity);
+            for (std::size_t i = 1; i < segments.size(); ++i)
+                QCOMPARE(segments[i].begin, segments[i - 1].end);
+            for (int i = 0; i < 20; ++i) {
+                const double at = i % 4 == 0 ? std::round(value(random)) : value(random);
+                const auto segment = std::ranges::find_if(
+                    segments, [&](const TransferSegment& one) { return at >= one.begin && at < one.end; });
+                QVERIFY(segment != segments.end());
+                QVERIFY(largestDifference(inSegment(*segment, at), evaluate(function, at)) < 1e-11);
+            }
+        }
+    }
+
+    void refusesWhatIsNoFunction_data();
+    void refusesWhatIsNoFunction();
+    void defaultsCoverTheRange();
+};
+
+void TransferFunctionTest::refusesWhatIsNoFunction_data()
+{
+    QTest::addColumn<TransferFunction>("function");
+    QTest::addColumn<QString>("word");
+    QTest::newRow("order") << TransferFunction{{{1, {}, 0}, {0, {}, 0}}, 1} << "ascending";
+    QTest::newRow("three of one value") << TransferFunction{{{1, {}, 0}, {1, {}, 0}, {1, {}, 0}}, 1} << "third";
+    QTest::newRow("NaN value") << TransferFunction{{{notANumber, {}, 0}}, 1} << "finite";
+    QTest::newRow("infinite value") << TransferFunction{{{infinity, {}, 0}}, 1} << "finite";
+    QTest::newRow("colour") << TransferFunction{{{1, {0, 2, 0}, 0}}, 1} << "colour";
+    QTest::newRow("opacity") << TransferFunction{{{1, {}, -0.1f}}, 1} << "opacity";
+    QTest::newRow("NaN opacity") << TransferFunction{{{1, {}, std::nanf("")}}, 1} << "opacity";
+    QTest::newRow("unit distance") << TransferFunction{{}, 0} << "unit distance";
+    QTest::newRow("infinite unit distance") << TransferFunction{{}, infinity} << "unit distance";
+}
+
+void TransferFunctionTest::refusesWhatIsNoFunction()
+{
+    QFETCH(TransferFunction, function);
+    QFETCH(QString, word);
+    const Status status = checkTransferFunction(function);
+    QVERIFY(!status.ok());
+    QVERIFY2(QString::fromStdString(status.error().text).contains(word), status.error().text.c_str());
+}
+
+void TransferFunctionTest::defaultsCoverTheRange()
+{
+    for (const auto make : {sequentialTransferFunction, divergingTransferFunction}) {
+        const TransferFunction function = make(-3, 17, 0.5);
+        QVERIFY(checkTransferFunction(function).ok());
+        QCOMPARE(function.points.front().value, -3.0);
+        QCOMPARE(function.points.back().value, 17.0);
+        QCOMPARE(function.unitDistance, 0.5);
+        for (const auto& [smallest, largest] : {std::pair{4.0, 4.0}, {infinity, -infinity}, {notANumber, 1.0}})
+            QVERIFY(checkTransferFunction(make(smallest, largest, 1)).ok());
+    }
+    // Lightness rises with the value, so that the order of the colours is seen without telling hues apart.
+    const TransferFunction function = sequentialTransferFunction(0, 1, 1);
+    const auto lightness = [](const TransferPoint& point) {
+        return 0.2126f * point.colour[0] + 0.7152f * point.colour[1] + 0.0722f * point.colour[2];
+    };
+    QVERIFY(std::ranges::is_sorted(function.points, {}, lightness));
+}
+
+QTEST_GUILESS_MAIN(TransferFunctionTest)
+#include "transfer_function_test.moc"
