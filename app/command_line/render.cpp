@@ -125,7 +125,8 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, const RenderReq
     if (!shown)
         return shown.error();
     const ModelDescription& description = shown->model->description();
-    const auto values = pluginValues(invocation.arguments, renderer.plugin->parameters(description.range));
+    const auto values =
+        pluginValues(invocation.arguments, renderer.plugin->parameters({description.range, description.bounds}));
     if (!values)
         return values.error();
     const Eigen::AlignedBox3d bounds = description.bounds;

@@ -19,6 +19,9 @@ struct Picture {
     int width = 0;
     int height = 0;
     std::vector<std::array<std::uint8_t, 4>> pixels;
+    /// If wanted: for each pixel the distance from the eye along the view's axis, in the units of the dataset, at which
+    /// half of the light from behind is gone; infinity where it never is.
+    std::vector<float> depth{};
 };
 
 } // namespace tetra

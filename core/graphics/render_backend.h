@@ -19,16 +19,33 @@ struct PictureOptions {
     bool transparentBackground = false;
     int samplesPerAxis = 2; ///< a pixel is the mean of this many squared samples: 1 (fast, no antialiasing) to 4
     int threads = 0;        ///< of the CPU back end; 0 or too many means all of the machine
+    bool depth = false;     ///< make Picture::depth, too
+    /// In degrees: a volume may be drawn in the visibility order of an earlier picture whose camera differed by no more
+    /// than this (orderDrift). 0 for exact pictures; a few degrees while the camera moves.
+    double orderTolerance = 0;
+};
+
+/// What the last picture took, for the cost model of progressive rendering (R23) and for people.
+struct RenderStatistics {
+    std::size_t cells = 0;        ///< tetrahedra of the volume that were drawn, once for each tile of the CPU back end
+    std::size_t fragments = 0;    ///< samples of the picture times the cells drawn there, as far as they are counted
+    std::size_t brokenCycles = 0; ///< of the visibility order (S14)
+    bool orderReused = false;
+    double orderSeconds = 0;
+    double setUpSeconds = 0; ///< projecting, binning
+    double fillSeconds = 0;
 };
 
 /// Turns a scene into a picture (B4). The CPU back end is the reference; the OpenGL one draws the same within 2/255.
-/// One object is used from one thread at a time.
+/// One object is used from one thread at a time; it keeps what the next picture of the same scene can use.
 class RenderBackend {
 public:
     virtual ~RenderBackend() = default;
     virtual std::string_view id() const noexcept = 0; ///< "cpu" or "gl"
     virtual Result<Picture> render(const Scene& scene, const Camera& camera, const PictureOptions& options,
                                    const Progress& progress = {}) = 0;
+    /// Of the last picture that was finished.
+    virtual RenderStatistics statistics() const = 0;
 };
 
 /// Needs nothing but memory.

@@ -10,9 +10,13 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace tetra {
+
+struct VolumeMesh;
+struct VolumeTransfer;
 
 /// Triangles with shared vertices and a unit normal at each.
 struct TriangleMesh {
@@ -36,11 +40,33 @@ struct LineSet {
     float width = 1; ///< in pixels of the picture
 };
 
+/// A field seen through its transfer function as a translucent cloud (R20), in core/graphics/volume/volume_mesh.h.
+struct Volume {
+    std::shared_ptr<const VolumeMesh> mesh;
+    std::shared_ptr<const VolumeTransfer> transfer; ///< of that mesh
+    bool shaded = false;                            ///< lit from both sides, as a surface across the gradient would be
+};
+
+/// How a volume is drawn where surfaces lie in it (R21).
+enum class HybridOrder {
+    Exact,    ///< a surface ends one piece of a ray through a cell and begins the next
+    WithCell, ///< as in the paper: what lies in a cell is drawn before the cell
+};
+
+/// A half-space: points with normal . x >= offset are shown.
+struct ClipPlane {
+    Eigen::Vector3d normal{1, 0, 0};
+    double offset = 0;
+};
+
 /// What a renderer makes and a back end draws: an immutable value, shared between threads as shared_ptr<const Scene>.
 struct Scene {
     std::vector<Surface> surfaces;
     std::vector<LineSet> lines;
     Eigen::AlignedBox3d bounds; ///< of the domain; depth is scaled by it, and what lies outside may be cut off
+    std::optional<Volume> volume{};
+    HybridOrder hybridOrder = HybridOrder::Exact;
+    std::vector<ClipPlane> clipPlanes{}; ///< cut surfaces and the volume, not lines
 };
 
 /// The twelve edges of a box, as the outline of a domain.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/transfer/transfer_function.h"
+
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -20,7 +22,7 @@ struct Isovalue {
 };
 
 /// The value of a plugin's parameter.
-using ParameterValue = std::variant<bool, std::int64_t, double, std::string, std::vector<Isovalue>>;
+using ParameterValue = std::variant<bool, std::int64_t, double, std::string, std::vector<Isovalue>, TransferFunction>;
 /// Values by parameter id; what is missing has its default.
 using ParameterValues = std::map<std::string, ParameterValue>;
 

@@ -13,6 +13,12 @@
 
 namespace tetra {
 
+/// What is known of a field before its mesh is: for fitting defaults. Empty if nothing is known.
+struct FieldExtent {
+    ValueRange range{};
+    Eigen::AlignedBox3d bounds{}; ///< of the domain
+};
+
 /// A mesh being looked at: holds what is worth keeping between two changes of the parameters (gradients, surfaces).
 /// Used from one thread at a time, which need not be the same.
 class RendererSession {
@@ -27,8 +33,8 @@ public:
 class Renderer {
 public:
     virtual ~Renderer() = default;
-    /// Fitting defaults for this range of values.
-    virtual std::vector<Parameter> parameters(const ValueRange& range) const = 0;
+    /// With defaults that fit the field.
+    virtual std::vector<Parameter> parameters(const FieldExtent& field) const = 0;
     /// `bounds` is the domain's box, whose outline belongs to the scene.
     virtual std::unique_ptr<RendererSession> open(std::shared_ptr<const TetrahedralMesh> mesh,
                                                   const Eigen::AlignedBox3d& bounds) const = 0;

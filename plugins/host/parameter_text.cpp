@@ -2,6 +2,7 @@
 #include "plugins/host/parameter_text.h"
 
 #include "core/base/number_text.h"
+#include "core/transfer/transfer_text.h"
 #include "plugins/host/colour_text.h"
 
 #include <algorithm>
@@ -74,6 +75,7 @@ struct TypeName {
     std::string operator()(double) const { return "a number"; }
     std::string operator()(const std::string&) const { return "a text"; }
     std::string operator()(const std::vector<Isovalue>&) const { return "isovalues V[:COLOUR[:OPACITY]], V"; }
+    std::string operator()(const TransferFunction&) const { return "a transfer function as JSON"; }
 };
 
 struct ToText {
@@ -88,6 +90,7 @@ struct ToText {
             text += (text.empty() ? "" : ",") + isovalueText(isovalue);
         return text;
     }
+    std::string operator()(const TransferFunction& function) const { return transferFunctionToText(function); }
 };
 
 } // namespace
@@ -132,6 +135,12 @@ Result<ParameterValue> parseParameter(const Parameter& parameter, std::string_vi
         return parseNumberOf<double>(parameter, text);
     if (std::holds_alternative<std::vector<Isovalue>>(parameter.defaultValue))
         return parseIsovalues(parameter, text);
+    if (std::holds_alternative<TransferFunction>(parameter.defaultValue)) {
+        auto function = transferFunctionFromText(text);
+        if (!function)
+            return function.error();
+        return ParameterValue(*std::move(function));
+    }
     if (!parameter.choices.empty() && std::ranges::find(parameter.choices, text) == parameter.choices.end())
         return notIn(parameter, text);
     if (parameter.mistake)

@@ -87,7 +87,7 @@ std::set<std::string> textsOf(PluginHost& host)
             texts.insert(filter);
     }
     for (const auto& renderer : host.renderers())
-        collect(texts, renderer.plugin->parameters({0, 1}));
+        collect(texts, renderer.plugin->parameters({{0, 1}, {}}));
     for (const PluginStatus& plugin : host.plugins())
         texts.insert({plugin.metadata.name, plugin.metadata.description});
     texts.erase("");

@@ -74,6 +74,13 @@ Control controlFor(const Parameter& parameter, const std::string& value)
     return {box, [box] { return box->currentData().toString().toStdString(); }};
 }
 
+Control controlFor(const Parameter& parameter, const TransferFunction& value)
+{
+    Q_UNUSED(parameter);
+    Q_UNUSED(value);
+    return {nullptr, {}};
+}
+
 Control controlFor(const Parameter& parameter, const std::vector<Isovalue>& value)
 {
     Q_UNUSED(parameter);

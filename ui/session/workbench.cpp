@@ -90,7 +90,7 @@ void Workbench::modelRead(const Result<std::shared_ptr<const Model>>& model)
         return emit failed(tr("No renderer plugin could be loaded, so there is no way to show a model. %1")
                                .arg(QString::fromStdString(host_.explainMissing(PluginKind::Renderer))));
     renderer_ = renderers.front().plugin;
-    const auto parameters = renderer_->parameters((*model)->description().range);
+    const auto parameters = renderer_->parameters({(*model)->description().range, (*model)->description().bounds});
     const Parameter* isovalues = isovalueParameter(parameters);
     if (*model != look_)
         addRecentFile(pathText((*model)->path()));
@@ -273,7 +273,7 @@ void Workbench::requestScene()
     if (!session_.model() || renderer_ == nullptr)
         return;
     SceneRequest request{session_.model(), renderer_, meshQuery(session_.view().query(), *session_.model()), {}, {}};
-    const auto parameters = renderer_->parameters(session_.range());
+    const auto parameters = renderer_->parameters({session_.range(), session_.model()->description().bounds});
     if (const Parameter* isovalues = isovalueParameter(parameters))
         request.values[isovalues->id] = session_.view().isovalues();
     sceneBuilder_.request(std::move(request));

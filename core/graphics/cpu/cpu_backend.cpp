@@ -84,6 +84,8 @@ class CpuBackend final : public RenderBackend {
 public:
     std::string_view id() const noexcept override { return "cpu"; }
 
+    RenderStatistics statistics() const override { return {}; }
+
     Result<Picture> render(const Scene& scene, const Camera& camera, const PictureOptions& options,
                            const Progress& progress) override
     {

@@ -93,6 +93,8 @@ public:
         }
     }
 
+    RenderStatistics statistics() const override { return {}; }
+
 private:
     std::unique_ptr<EglContext> context_;
     GlFunctions gl_;

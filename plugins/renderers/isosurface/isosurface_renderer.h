@@ -11,7 +11,10 @@ std::vector<Parameter> isosurfaceParameters(const ValueRange& range);
 /// Isosurfaces by marching tetrahedra, several at once (R19), and the domain's outline.
 class IsosurfaceRenderer : public Renderer {
 public:
-    std::vector<Parameter> parameters(const ValueRange& range) const override { return isosurfaceParameters(range); }
+    std::vector<Parameter> parameters(const FieldExtent& field) const override
+    {
+        return isosurfaceParameters(field.range);
+    }
     std::unique_ptr<RendererSession> open(std::shared_ptr<const TetrahedralMesh> mesh,
                                           const Eigen::AlignedBox3d& bounds) const override;
 };

@@ -36,6 +36,7 @@ private slots:
                                                     0.1,
                                                     1e300,
                                                     std::string("a text"),
+                                                    TransferFunction{{{0.1, {0, 0.5f, 1}, 0.25f}, {3, {}, 1}}, 2.5},
                                                     std::vector{isovalue, isovalue}};
         for (const ParameterValue& value : values) {
             const auto read = parseParameter(described(value), parameterText(value));

@@ -55,7 +55,7 @@ class IsosurfaceRendererTest : public QObject {
 private slots:
     void defaultsFitTheRange()
     {
-        const auto parameters = IsosurfaceRenderer().parameters({-10, 30});
+        const auto parameters = IsosurfaceRenderer().parameters({{-10, 30}});
         QCOMPARE(parameters.size(), std::size_t(2));
         QCOMPARE(parameters[0].id, std::string("isovalues"));
         const auto isovalues = parameterValue<std::vector<Isovalue>>(parameters, {}, "isovalues");
