@@ -3,6 +3,7 @@
 
 #include "core/base/buffer.h"
 #include "core/graphics/picture.h"
+#include "core/mesh/region.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -11,6 +12,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <variant>
 #include <vector>
 
 namespace tetra {
@@ -47,6 +49,15 @@ struct Volume {
     bool shaded = false;                            ///< lit from both sides, as a surface across the gradient would be
 };
 
+/// A part of a volume that is drawn from a finer mesh (R24). Along each ray the optical depth of the fine volume counts
+/// by its weight, and that of the other by the rest to one, so that no band shows (S18). The weight is 1 in the region
+/// and falls with the distance from it, to 0 at `border`.
+struct FocusVolume {
+    Volume fine; ///< fills all that is nearer to the region than `border`, as far as the domain does
+    std::variant<Box, Sphere> region;
+    double border = 0; ///< in the units of the dataset; 0 is a sharp one
+};
+
 /// How a volume is drawn where surfaces lie in it (R21).
 enum class HybridOrder {
     Exact,    ///< a surface ends one piece of a ray through a cell and begins the next
@@ -65,6 +76,7 @@ struct Scene {
     std::vector<LineSet> lines;
     Eigen::AlignedBox3d bounds; ///< of the domain; depth is scaled by it, and what lies outside may be cut off
     std::optional<Volume> volume{};
+    std::optional<FocusVolume> focus{}; ///< of the volume, which it must have then
     HybridOrder hybridOrder = HybridOrder::Exact;
     std::vector<ClipPlane> clipPlanes{}; ///< cut surfaces and the volume, not lines
 };

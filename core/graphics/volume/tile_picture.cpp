@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/graphics/volume/tile_picture.h"
 
+#include "core/graphics/volume/block_lane.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,21 +15,9 @@ constexpr int rows = volumeTileSide / blockHeight;
 /// Cells between two looks whether all is opaque, and whether to stop.
 constexpr std::size_t batch = 64;
 
-/// Where a sample of a tile is kept.
-struct BlockLane {
-    std::size_t block;
-    std::size_t lane;
-
-    BlockLane(int x, int y)
-        : block(static_cast<std::size_t>(y / blockHeight * columns + x / blockWidth)),
-          lane(static_cast<std::size_t>(y % blockHeight * blockWidth + x % blockWidth))
-    {
-    }
-};
-
 bool isLimited(const TileSurroundings& surroundings)
 {
-    return surroundings.clips != nullptr || surroundings.surfaces != nullptr;
+    return surroundings.clips != nullptr || surroundings.surfaces != nullptr || surroundings.focus != nullptr;
 }
 
 } // namespace
@@ -130,24 +120,34 @@ void VolumeTilePainter::finish(const SampleRectangle& tile, const TileShading& s
         }
 }
 
-DrawnTile VolumeTilePainter::paint(const SampleRectangle& tile, std::span<const BinnedCell> cells,
-                                   const TileSurroundings& surroundings, const Progress& progress)
+void VolumeTilePainter::draw(const SetupSource& source, std::span<const BinnedCell> cells, const SampleRectangle& tile,
+                             const TileShading& shading, const Progress& progress, DrawnTile& drawn)
 {
-    clear(tile);
     const TileFrame frame = frameOf(tile);
-    if (isLimited(surroundings))
-        setLimits(tile, surroundings);
-    const TileShading shading = shadingOf(surroundings);
-    DrawnTile drawn;
-    while (drawn.cells < cells.size() && !progress.cancelled()) {
-        const auto next = cells.subspan(drawn.cells, std::min(batch, cells.size() - drawn.cells));
-        setUpCells(source_, frame, next, setups_);
+    for (std::size_t first = 0; first < cells.size() && !progress.cancelled(); first += batch) {
+        const auto next = cells.subspan(first, std::min(batch, cells.size() - first));
+        setUpCells(source, frame, next, setups_);
         drawn.fragments += drawCells(std::span(setups_).first(next.size()), shading, blocks_.data(), columns);
         drawn.cells += next.size();
         if (allDark())
             break;
     }
-    finish(tile, shading);
+}
+
+DrawnTile VolumeTilePainter::paint(const SampleRectangle& tile, std::span<const BinnedCell> cells,
+                                   const TileSurroundings& surroundings, const Progress& progress)
+{
+    clear(tile);
+    if (isLimited(surroundings))
+        setLimits(tile, surroundings);
+    DrawnTile drawn;
+    if (surroundings.focus != nullptr && setPassages(tile, *surroundings.focus->rays))
+        drawWithFocus(tile, cells, surroundings, progress, drawn);
+    else {
+        const TileShading shading = shadingOf(surroundings);
+        draw(source_, cells, tile, shading, progress, drawn);
+        finish(tile, shading);
+    }
     drawn.fragments *= blockWidth * blockHeight;
     drawn.colours = colours_;
     drawn.depth = depth_;

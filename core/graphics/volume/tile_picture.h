@@ -5,6 +5,7 @@
 #include "core/graphics/cpu/clip_bounds.h"
 #include "core/graphics/cpu/surface_fragments.h"
 #include "core/graphics/cpu/tile_bins.h"
+#include "core/graphics/volume/border_fragments.h"
 #include "core/graphics/volume/cell_bins.h"
 #include "core/graphics/volume/cell_setup.h"
 #include "core/graphics/volume/volume_tile.h"
@@ -19,12 +20,22 @@ namespace tetra {
 /// cells lie in more than one tile.
 inline constexpr int volumeTileSide = 64;
 
+/// The fine volume of a focus in a tile.
+struct FocusTile {
+    const FocusRays* rays = nullptr;
+    const SetupSource* source = nullptr; ///< with the other volume's segments
+    std::span<const BinnedCell> cells;   ///< front to back
+    /// Where the vertices of both volumes are, to tell the cells that lie in the region as a whole.
+    std::span<const Eigen::Vector3f> positions, finePositions;
+};
+
 /// What is drawn in a tile along with cells. The bounds and the surfaces are of the same view.
 struct TileSurroundings {
     const ClipBounds* clips = nullptr;          ///< if any
     const SurfaceFragments* surfaces = nullptr; ///< if any
     bool splitCells = true;                     ///< HybridOrder::Exact
     bool depth = false;                         ///< wanted
+    const FocusTile* focus = nullptr;           ///< if any
 };
 
 /// A tile that was drawn, row by row.
@@ -48,6 +59,14 @@ public:
 private:
     void clear(const SampleRectangle& tile);
     void setLimits(const SampleRectangle& tile, const TileSurroundings& surroundings);
+    void draw(const SetupSource& source, std::span<const BinnedCell> cells, const SampleRectangle& tile,
+              const TileShading& shading, const Progress& progress, DrawnTile& drawn);
+    bool setPassages(const SampleRectangle& tile, const FocusRays& rays);
+    void collectBorderOf(const SampleRectangle& tile, std::span<const BinnedCell> cells, const FocusTile& focus,
+                         bool fine, const Progress& progress);
+    void putBorderAmong(const SampleRectangle& tile, const SurfaceFragments* surfaces);
+    void drawWithFocus(const SampleRectangle& tile, std::span<const BinnedCell> cells,
+                       const TileSurroundings& surroundings, const Progress& progress, DrawnTile& drawn);
     TileShading shadingOf(const TileSurroundings& surroundings);
     TileFrame frameOf(const SampleRectangle& tile) const;
     bool allDark();
@@ -59,6 +78,9 @@ private:
     std::vector<BlockLimits> limits_; ///< of the blocks, if there were any
     std::vector<CellSetup> setups_;
     std::size_t firstLit_ = 0; ///< all blocks before it are opaque
+    std::vector<BlockPassage> passages_;   ///< of the blocks, if the tile meets a focus
+    std::vector<BorderFragment> border_;   ///< of the tile
+    SurfaceFragments amongBorder_;         ///< surfaces, and the border's fragments
     std::vector<PremultipliedColour> colours_;
     std::vector<float> depth_;
 };
