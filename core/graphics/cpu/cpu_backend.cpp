@@ -42,6 +42,8 @@ public:
             return status.error();
         if (hasVolume(scene) && !belongTogether(*scene.volume->mesh, *scene.volume->transfer, {}))
             return Error{ErrorKind::WrongUsage, "The scene's volume and its transfer function do not belong together."};
+        if (hasFocus(scene) && !belongTogether(*scene.focus->fine.mesh, *scene.focus->fine.transfer, {}))
+            return Error{ErrorKind::WrongUsage, "The focus' volume and its transfer function do not belong together."};
         return onThreads(options.threads, [&] { return draw(scene, camera, options, progress); });
     }
 
@@ -59,14 +61,13 @@ private:
         RenderStatistics statistics;
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const auto share = [&](double part) { return (static_cast<double>(i) + part) / double(parts.size()); };
-            if (hasVolume(scene)) {
-                const KeptOrder::Request request{scene.volume->mesh, camera, view, parts[i], options.orderTolerance};
-                if (Status status = order(request, progress.part(share(0), share(0.1)), statistics); !status)
-                    return status.error();
-            }
+            const KeptOrder::Request request{nullptr, camera, view, parts[i], options.orderTolerance};
+            if (Status status = orderCells(scene, request, progress.part(share(0), share(0.1)), statistics); !status)
+                return status.error();
             const PartView part{parts[i], partOf(transform, parts[i]), partOf(view, parts[i])};
             const Progress drawing = progress.part(share(hasVolume(scene) ? 0.1 : 0), share(1));
-            Status status = drawPart(scene, part, order_.cells(), options, drawing, picture, statistics);
+            Status status =
+                drawPart(scene, part, {order_.cells(), fineOrder_.cells()}, options, drawing, picture, statistics);
             if (!status)
                 return status.error();
         }
@@ -74,17 +75,29 @@ private:
         return picture;
     }
 
-    Status order(const KeptOrder::Request& request, const Progress& progress, RenderStatistics& statistics)
+    Status orderCells(const Scene& scene, KeptOrder::Request request, const Progress& progress,
+                      RenderStatistics& statistics)
     {
         const auto start = std::chrono::steady_clock::now();
-        Status status = order_.prepare(request, progress);
+        Status status;
+        if (hasVolume(scene)) {
+            request.mesh = scene.volume->mesh;
+            status = order_.prepare(request, progress);
+            statistics.orderReused = order_.reused();
+            statistics.brokenCycles = std::max(statistics.brokenCycles, order_.brokenCycles());
+        }
+        if (status && hasFocus(scene)) {
+            request.mesh = scene.focus->fine.mesh;
+            status = fineOrder_.prepare(request, progress);
+            statistics.orderReused = statistics.orderReused && fineOrder_.reused();
+            statistics.brokenCycles = std::max(statistics.brokenCycles, fineOrder_.brokenCycles());
+        }
         statistics.orderSeconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        statistics.orderReused = order_.reused();
-        statistics.brokenCycles = std::max(statistics.brokenCycles, order_.brokenCycles());
         return status;
     }
 
     KeptOrder order_;
+    KeptOrder fineOrder_;
     RenderStatistics statistics_;
 };
 

@@ -45,6 +45,13 @@ PremultipliedColour backgroundOf(const PictureOptions& options)
     return {options.background.red, options.background.green, options.background.blue, 1};
 }
 
+/// The fine volume of a focus, ready to be drawn.
+struct ProjectedFocus {
+    ProjectedVolume volume;
+    SetupSource source;
+    FocusRays rays;
+};
+
 /// A part of a scene made ready to be drawn.
 struct ProjectedPart {
     DrawList list;
@@ -52,13 +59,14 @@ struct ProjectedPart {
     ClipBounds clips;
     std::optional<ProjectedVolume> volume;
     SetupSource source; ///< of the volume
+    std::optional<ProjectedFocus> focus;
 };
 
 /// Draws tiles on one thread.
 class PartPainter {
 public:
     PartPainter(const ProjectedPart& part, const Scene& scene, const PartView& view, const PictureOptions& options)
-        : part_(part), view_(view), options_(options), surfaces_(part.list, view.surfaces, part.clips)
+        : part_(part), scene_(scene), view_(view), options_(options), surfaces_(part.list, view.surfaces, part.clips)
     {
         if (part.volume)
             volume_.emplace(part.source, view.volume);
@@ -70,11 +78,11 @@ public:
     void paint(const SampleRectangle& tile, std::size_t number, const Progress& progress, Picture& picture)
     {
         const auto triangles = part_.bins.trianglesOf(number);
-        const bool cells = part_.volume && !part_.volume->bins.cellsOf(number).empty();
+        const bool cells = hasCells(number);
         if (cells || !triangles.empty())
             surfaces_.draw(tile, triangles);
         if (cells)
-            paintBoth(tile, part_.volume->bins.cellsOf(number), triangles.empty(), progress);
+            paintBoth(tile, number, triangles.empty(), progress);
         else
             paintSurfaces(tile, triangles.empty());
         const int samples = options_.samplesPerAxis;
@@ -105,16 +113,27 @@ private:
         fragments_ += surfaces_.fragmentCount();
     }
 
-    void paintBoth(const SampleRectangle& tile, std::span<const BinnedCell> cells, bool noSurfaces,
-                   const Progress& progress)
+    bool hasCells(std::size_t tile) const
+    {
+        return part_.volume && (!part_.volume->bins.cellsOf(tile).empty() ||
+                                (part_.focus && !part_.focus->volume.bins.cellsOf(tile).empty()));
+    }
+
+    void paintBoth(const SampleRectangle& tile, std::size_t number, bool noSurfaces, const Progress& progress)
     {
         TileSurroundings surroundings = surroundings_;
+        FocusTile focus;
+        if (part_.focus) {
+            focus = {&part_.focus->rays, &part_.focus->source, part_.focus->volume.bins.cellsOf(number),
+                     scene_.volume->mesh->mesh->positions, scene_.focus->fine.mesh->mesh->positions};
+            surroundings.focus = &focus;
+        }
         if (!noSurfaces) {
             const SurfaceFragments& fragments = surfaces_.fragments();
             surroundings.surfaces = fragments.empty ? nullptr : &fragments;
             fragments_ += surfaces_.fragmentCount();
         }
-        const DrawnTile drawn = volume_->paint(tile, cells, surroundings, progress);
+        const DrawnTile drawn = volume_->paint(tile, part_.volume->bins.cellsOf(number), surroundings, progress);
         cells_ += drawn.cells;
         fragments_ += drawn.fragments;
         colours_.assign(drawn.colours.begin(), drawn.colours.end());
@@ -136,6 +155,7 @@ private:
     }
 
     const ProjectedPart& part_;
+    const Scene& scene_;
     const PartView& view_;
     const PictureOptions& options_;
     TileSurroundings surroundings_;
@@ -159,8 +179,13 @@ bool hasVolume(const Scene& scene)
     return scene.volume && scene.volume->mesh && scene.volume->transfer;
 }
 
-Status drawPart(const Scene& scene, const PartView& view, std::span<const std::uint32_t> order,
-                const PictureOptions& options, const Progress& progress, Picture& picture, RenderStatistics& statistics)
+bool hasFocus(const Scene& scene)
+{
+    return hasVolume(scene) && scene.focus && scene.focus->fine.mesh && scene.focus->fine.transfer;
+}
+
+Status drawPart(const Scene& scene, const PartView& view, const VolumeOrders& orders, const PictureOptions& options,
+                const Progress& progress, Picture& picture, RenderStatistics& statistics)
 {
     Stopwatch watch;
     progress.report(0, activity);
@@ -171,11 +196,20 @@ Status drawPart(const Scene& scene, const PartView& view, std::span<const std::u
     if (progress.cancelled())
         return cancelledError(activity);
     TileBins bins(*list, grid);
-    ProjectedPart part{std::move(list).value(), std::move(bins), ClipBounds(scene.clipPlanes, view.volume), {}, {}};
+    ProjectedPart part{std::move(list).value(), std::move(bins), ClipBounds(scene.clipPlanes, view.volume), {}, {}, {}};
     if (hasVolume(scene)) {
         const Volume& volume = *scene.volume;
-        part.volume = projectVolume(*volume.mesh, *volume.transfer, order, view.volume, grid, progress);
+        part.volume = projectVolume(*volume.mesh, *volume.transfer, orders.volume, view.volume, grid, progress);
         part.source = setupSourceOf(*volume.mesh, *volume.transfer, *part.volume, view.volume, volume.shaded);
+    }
+    if (hasFocus(scene)) {
+        const Volume& fine = scene.focus->fine;
+        part.focus.emplace(ProjectedFocus{
+            projectVolume(*fine.mesh, *fine.transfer, orders.fine, view.volume, grid, progress),
+            {},
+            FocusRays(*scene.focus, view.volume),
+        });
+        part.focus->source = setupSourceOf(*fine.mesh, *fine.transfer, part.focus->volume, view.volume, fine.shaded);
     }
     if (progress.cancelled())
         return cancelledError(activity);

@@ -27,12 +27,19 @@ int tileSideFor(int samplesPerAxis);
 /// The scene has a volume to be seen.
 bool hasVolume(const Scene& scene);
 
+/// That volume has a focus with a fine volume.
+bool hasFocus(const Scene& scene);
+
+/// The visibility orders of the scene's volume and of the fine one in its focus; empty if there is none.
+struct VolumeOrders {
+    std::span<const std::uint32_t> volume, fine;
+};
+
 /// Draws a part of the scene into its place in the picture: surfaces and lines by tiles, and where there are cells of
-/// the volume, both together, front to back (R21). `order` is the volume's. Adds to the statistics. On all threads of
+/// the volume, both together, front to back (R21). Adds to the statistics. On all threads of
 /// the current arena, the same picture with any number. Errors: a scene whose indices lead nowhere, cancelled. May
 /// throw std::bad_alloc.
-Status drawPart(const Scene& scene, const PartView& view, std::span<const std::uint32_t> order,
-                const PictureOptions& options, const Progress& progress, Picture& picture,
-                RenderStatistics& statistics);
+Status drawPart(const Scene& scene, const PartView& view, const VolumeOrders& orders, const PictureOptions& options,
+                const Progress& progress, Picture& picture, RenderStatistics& statistics);
 
 } // namespace tetra

@@ -33,9 +33,10 @@ TETRA_SIMD_INLINE CellPassage passageOf(const CellSetup& cell, float x, float y,
 }
 
 /// Shades the rays of a block from `from` to `to`, and adds what they gather.
-template <bool perspective> TETRA_SIMD_INLINE void
-collectLayer(const CellSetup& cell, bool fine, const BorderTile& tile, int column, int row, const CellPassage& passage,
-             Float8 from, Float8 to, std::vector<BorderFragment>& fragments)
+template <bool perspective> TETRA_SIMD_INLINE void collectLayer(const CellSetup& cell, bool fine,
+                                                                const BorderTile& tile, int column, int row,
+                                                                const CellPassage& passage, Float8 from, Float8 to,
+                                                                std::vector<BorderFragment>& fragments)
 {
     from = larger(from, passage.enter);
     to = smaller(to, passage.leave);
@@ -78,8 +79,8 @@ template <bool perspective> TETRA_SIMD_INLINE void collectBlock(const CellSetup&
     const BlockPassage& region = tile.passages[static_cast<std::size_t>(row * tile.columns + column)];
     if (!anyPositive(region.leave - region.enter))
         return;
-    const CellPassage passage = passageOf(cell, static_cast<float>(column * blockWidth),
-                                          static_cast<float>(row * blockHeight), perspective);
+    const CellPassage passage =
+        passageOf(cell, static_cast<float>(column * blockWidth), static_cast<float>(row * blockHeight), perspective);
     const Float8 ends[2][2] = {{region.enter, region.in}, {region.out, region.leave}};
     for (const auto& [first, last] : ends) {
         const Float8 step = (last - first) * (1.0f / layers);

@@ -31,7 +31,7 @@ bool liesWithin(const std::array<std::uint32_t, 4>& cell, std::span<const Eigen:
 /// False if no ray of the tile meets the focus. What clip planes hide is left out of the passages.
 bool VolumeTilePainter::setPassages(const SampleRectangle& tile, const FocusRays& rays)
 {
-    passages_.assign(blocks_.size(), {{}, {}, {}, {}});
+    passages_.assign(blocks_.size(), BlockPassage{{}, {}, {}, {}});
     bool any = false;
     for (int y = 0; y < tile.height(); ++y)
         for (int x = 0; x < tile.width(); ++x) {
@@ -60,8 +60,8 @@ void VolumeTilePainter::collectBorderOf(const SampleRectangle& tile, std::span<c
 {
     const SetupSource& source = fine ? *focus.source : source_;
     const auto positions = fine ? focus.finePositions : focus.positions;
-    const BorderTile border{focus.rays,      tile,    passages_,       blocks_, volumeTileSide / blockWidth,
-                            source.segments.data(), view_.perspective};
+    const BorderTile border{
+        focus.rays, tile, passages_, blocks_, volumeTileSide / blockWidth, source.segments.data(), view_.perspective};
     const TileFrame frame = frameOf(tile);
     std::vector<BinnedCell> outside;
     for (std::size_t first = 0; first < cells.size() && !progress.cancelled(); first += batch) {

@@ -77,10 +77,10 @@ private:
     std::vector<SampleBlock> blocks_;
     std::vector<BlockLimits> limits_; ///< of the blocks, if there were any
     std::vector<CellSetup> setups_;
-    std::size_t firstLit_ = 0; ///< all blocks before it are opaque
-    std::vector<BlockPassage> passages_;   ///< of the blocks, if the tile meets a focus
-    std::vector<BorderFragment> border_;   ///< of the tile
-    SurfaceFragments amongBorder_;         ///< surfaces, and the border's fragments
+    std::size_t firstLit_ = 0;           ///< all blocks before it are opaque
+    std::vector<BlockPassage> passages_; ///< of the blocks, if the tile meets a focus
+    std::vector<BorderFragment> border_; ///< of the tile
+    SurfaceFragments amongBorder_;       ///< surfaces, and the border's fragments
     std::vector<PremultipliedColour> colours_;
     std::vector<float> depth_;
 };
