@@ -9,6 +9,7 @@
 #include "app/command_line/render_request.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
+#include "core/graphics/volume/volume_histogram.h"
 #include "core/model/queries/mesh_extractor.h"
 
 #include <QFile>
@@ -60,6 +61,18 @@ Result<Camera> cameraOf(const Arguments& arguments, const Eigen::AlignedBox3d& b
     return given ? cameraFor(*given, bounds) : Result<Camera>(fitted(Camera(), bounds));
 }
 
+/// With the defaults that fit the mesh where the arguments say nothing.
+ParameterValues completed(ParameterValues values, const Renderer& renderer, const ModelDescription& data,
+                          const TetrahedralMesh& mesh)
+{
+    constexpr int parts = 256;
+    const ValueRange& range = data.range;
+    for (const Parameter& parameter :
+         renderer.parameters({range, data.bounds, volumeHistogram(mesh, range.minimum, range.maximum, parts)}))
+        values.try_emplace(parameter.id, parameter.defaultValue);
+    return values;
+}
+
 Result<PreparedScene> prepareScene(const Invocation& invocation, const RenderRequest& request,
                                    const Provided<Renderer>& renderer)
 {
@@ -86,7 +99,8 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, const RenderReq
 
     const auto sceneStart = Clock::now();
     const auto session = renderer.plugin->open({*extracted, &found.mesh}, data.bounds);
-    const auto scene = session->prepare(*values, *camera, invocation.progress.part(0.3, 0.6));
+    const auto scene = session->prepare(completed(*values, *renderer.plugin, data, found.mesh), *camera,
+                                        invocation.progress.part(0.3, 0.6));
     if (!scene)
         return scene.error();
     figures["scene_seconds"] = secondsSince(sceneStart);
