@@ -158,7 +158,7 @@ void RayIntegrator::march(Light& light, const Piece& piece, double from, double 
 {
     const double whole = piece.leave - piece.enter;
     const double length = (to - from) * whole;
-    const int steps = static_cast<int>(std::clamp(length * mostExtinction_ * 30, 12.0, 3000.0));
+    const int steps = static_cast<int>(std::clamp(length * mostExtinction_ * 30, 30.0, 3000.0));
     for (int i = 0; i < steps && light.left > 1e-9; ++i) {
         const double begin = std::lerp(from, to, double(i) / steps), end = std::lerp(from, to, (i + 1.0) / steps);
         step(light, length / steps, std::lerp(piece.valueIn, piece.valueOut, begin),
@@ -174,7 +174,6 @@ void RayIntegrator::meet(Light& light, const IsoLayer& layer, double at) const
     light.left *= 1 - layer.opacity;
     if (before > 0.5 && light.left <= 0.5)
         light.halfAt = at;
-    ++light.crossings;
 }
 
 /// A piece with the layers in it.
@@ -213,18 +212,19 @@ RayIntegrator::Sample RayIntegrator::trace(double column, double row) const
         const Vector3d place = ray.start + light.halfAt * ray.direction;
         depth = -(viewMatrix(camera_) * place.homogeneous()).z();
     }
-    return {{light.colour[0], light.colour[1], light.colour[2], 1 - light.left}, depth, light.crossings};
+    return {{light.colour[0], light.colour[1], light.colour[2], 1 - light.left}, depth};
 }
 
 bool RayIntegrator::isDoubtful(int column, int row) const
 {
-    if (scene_.layers.empty())
-        return false;
     constexpr double aside = 0.002;
-    const int crossings = trace(column, row).crossings;
-    for (const auto& [x, y] : {std::pair{aside, aside}, {aside, -aside}, {-aside, aside}, {-aside, -aside}})
-        if (trace(column + x, row + y).crossings != crossings)
-            return true;
+    const std::array<double, 4> here = sample(column, row);
+    for (const auto& [x, y] : {std::pair{aside, aside}, {aside, -aside}, {-aside, aside}, {-aside, -aside}}) {
+        const std::array<double, 4> there = trace(column + x, row + y).colour;
+        for (std::size_t channel = 0; channel < 4; ++channel)
+            if (std::abs(here[channel] - there[channel]) > 1.0 / 255)
+                return true;
+    }
     return false;
 }
 

@@ -43,12 +43,12 @@ public:
     struct Sample {
         std::array<double, 4> colour; ///< red, green, blue times opacity, and opacity
         double depth;                 ///< of Picture
-        int crossings;                ///< of layers
     };
     /// At a place a little beside the sample, too.
     Sample trace(double column, double row) const;
     std::array<double, 4> sample(int column, int row) const { return trace(column, row).colour; }
-    /// The ray passes so near to the edge of a layer that rounding the corners of triangles decides what it meets.
+    /// The picture changes so much beside the sample, at the edge of a layer or where two faces meet, that rounding
+    /// decides what the ray meets.
     bool isDoubtful(int column, int row) const;
 
 private:
@@ -74,7 +74,6 @@ private:
         std::array<double, 3> colour{0, 0, 0};
         double left = 1;
         double halfAt = -1; ///< along the ray; negative where there is none
-        int crossings = 0;
     };
 
     void addCell(const TetrahedralMesh& mesh, const std::array<std::uint32_t, 4>& corners);
