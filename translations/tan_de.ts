@@ -771,6 +771,14 @@
         <translation>Zeigt das Feld als durchscheinende Wolke: Eine Transferfunktion gibt jedem Wert Farbe und Deckkraft.</translation>
     </message>
     <message>
+        <source>Focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>Shows the field as a volume that is finer inside the focus than outside, blended at its border.</source>
+        <translation>Zeigt das Feld als Volumen, das im Fokus feiner ist als außerhalb und an dessen Rand überblendet.</translation>
+    </message>
+    <message>
         <source>Volume with isosurfaces</source>
         <translation>Volumen mit Isoflächen</translation>
     </message>

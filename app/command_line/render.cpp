@@ -11,6 +11,7 @@
 #include "app/command_line/table.h"
 #include "core/graphics/volume/volume_histogram.h"
 #include "core/model/queries/mesh_extractor.h"
+#include "core/model/queries/two_resolutions.h"
 
 #include <QFile>
 
@@ -73,6 +74,38 @@ ParameterValues completed(ParameterValues values, const Renderer& renderer, cons
     return values;
 }
 
+/// The mesh that was asked for, and with a renderer that blends a focus (R24) the one inside it.
+struct ShownMeshes {
+    std::shared_ptr<const ExtractedMesh> mesh;
+    std::optional<FocusMesh> focus;
+
+    std::size_t tetrahedra() const
+    {
+        return mesh->mesh.tetrahedra.size() + (focus ? focus->mesh->tetrahedra.size() : 0);
+    }
+};
+
+Result<ShownMeshes> extractMeshes(const std::shared_ptr<const Model>& model, const MeshQuery& query, bool blendsFocus,
+                                  const Progress& progress)
+{
+    MeshExtractor extractor(model);
+    const auto two = blendsFocus ? twoResolutions(query) : std::nullopt;
+    if (blendsFocus && !two)
+        return Error{ErrorKind::WrongUsage, "This mode draws one mesh inside a focus and another outside: give "
+                                            "'--focus', '--focus-error' and '--error', and no '--budget'."};
+    const auto mesh = extractor.extract(two ? two->outside : query, progress.part(0, two ? 0.5 : 1));
+    if (!mesh)
+        return mesh.error();
+    ShownMeshes shown{*mesh, {}};
+    if (two) {
+        const auto fine = extractor.extract(two->inside, progress.part(0.5, 1));
+        if (!fine)
+            return fine.error();
+        shown.focus = FocusMesh{{*fine, &(*fine)->mesh}, two->region, two->border};
+    }
+    return shown;
+}
+
 Result<PreparedScene> prepareScene(const Invocation& invocation, const RenderRequest& request,
                                    const Provided<Renderer>& renderer)
 {
@@ -88,23 +121,27 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, const RenderReq
     const auto camera = cameraOf(invocation.arguments, data.bounds);
     if (!camera)
         return camera.error();
-    const auto extracted = MeshExtractor(*model).extract(request.query, invocation.progress.part(0, 0.3));
-    if (!extracted)
-        return extracted.error();
-    const ExtractedMesh& found = **extracted;
+    const auto shown =
+        extractMeshes(*model, request.query, renderer.plugin->blendsFocus(), invocation.progress.part(0, 0.3));
+    if (!shown)
+        return shown.error();
+    const ExtractedMesh& found = *shown->mesh;
     if (const Status some = checkNotEmpty(invocation.arguments, **model, found.mesh); !some)
         return some.error();
     QJsonObject figures = figuresOf(**model, request.query, found);
     figures["extraction_seconds"] = secondsSince(start);
 
     const auto sceneStart = Clock::now();
-    const auto session = renderer.plugin->open({*extracted, &found.mesh}, data.bounds);
+    const std::shared_ptr<const TetrahedralMesh> mesh(shown->mesh, &found.mesh);
+    const auto session = shown->focus ? renderer.plugin->openWithFocus(mesh, *shown->focus, data.bounds)
+                                      : renderer.plugin->open(mesh, data.bounds);
     const auto scene = session->prepare(completed(*values, *renderer.plugin, data, found.mesh), *camera,
                                         invocation.progress.part(0.3, 0.6));
     if (!scene)
         return scene.error();
     figures["scene_seconds"] = secondsSince(sceneStart);
-    return PreparedScene{*scene, *camera, figures, found.mesh.tetrahedra.size()};
+    figures["tetrahedra"] = static_cast<qint64>(shown->tetrahedra());
+    return PreparedScene{*scene, *camera, figures, shown->tetrahedra()};
 }
 
 std::size_t triangleCount(const Scene& scene)
@@ -160,6 +197,9 @@ Syntax renderSyntax(PluginHost& host)
              "A volume through a transfer function of your own, with light."},
             {"tan render engine.tan --mode hybrid --isovalue 180:gold --clip 0,-1,0,-128 -o engine.png",
              "A surface in a volume, cut open at the plane y = 128."},
+            {"tan render engine.tan --mode focus --error 4 --focus sphere:90,60,60,40 --focus-error 0.5 --falloff 10 "
+             "-o engine.png",
+             "A volume that is fine inside a ball and coarse outside, blended over a length of 10."},
             {"tan render engine.tan --camera top --size 1920x1080 --background black -o engine.png", "From above."}}};
     addPluginOptions(syntax, rendererParameters(host));
     for (auto options : {pictureOptions(), fieldOptions(), partOptions()})

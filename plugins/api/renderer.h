@@ -12,6 +12,9 @@
 
 #include <QtPlugin>
 
+#include <memory>
+#include <variant>
+
 namespace tetra {
 
 /// What is known of a field: for fitting defaults. Empty if nothing is known.
@@ -20,6 +23,13 @@ struct FieldExtent {
     Eigen::AlignedBox3d bounds{}; ///< of the domain
     /// How the values share the domain's volume, if a mesh is there already (volumeHistogram()).
     ValueHistogram volumes{};
+};
+
+/// The mesh of a part of the domain in a resolution of its own (R24).
+struct FocusMesh {
+    std::shared_ptr<const TetrahedralMesh> mesh; ///< fills all that is nearer to the region than `border`
+    std::variant<Box, Sphere> region;
+    double border = 0; ///< see FocusVolume
 };
 
 /// A mesh being looked at: holds what is worth keeping between two changes of the parameters (gradients, surfaces).
@@ -41,6 +51,15 @@ public:
     /// `bounds` is the domain's box, whose outline belongs to the scene.
     virtual std::unique_ptr<RendererSession> open(std::shared_ptr<const TetrahedralMesh> mesh,
                                                   const Eigen::AlignedBox3d& bounds) const = 0;
+    /// Whether it wants a focus as a mesh of its own, to blend the two, rather than one mesh of varying resolution.
+    virtual bool blendsFocus() const { return false; }
+    /// Called in place of open() if there is a focus and it blendsFocus(): `mesh` is of the resolution outside.
+    virtual std::unique_ptr<RendererSession> openWithFocus(std::shared_ptr<const TetrahedralMesh> mesh,
+                                                           [[maybe_unused]] FocusMesh focus,
+                                                           const Eigen::AlignedBox3d& bounds) const
+    {
+        return open(std::move(mesh), bounds);
+    }
 };
 
 } // namespace tetra

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/graphics/volume/volume_maker.h"
+#include "plugins/api/renderer.h"
+
+#include <optional>
+
+namespace tetra {
+
+/// Keeps what VolumeMaker keeps of both meshes.
+class FocusSession : public RendererSession {
+public:
+    /// `defaults` are the parameters for this mesh.
+    FocusSession(std::shared_ptr<const TetrahedralMesh> mesh, std::optional<FocusMesh> focus,
+                 const Eigen::AlignedBox3d& bounds, std::vector<Parameter> defaults);
+
+    /// The camera does not matter: the back end puts the cells in order.
+    Result<std::shared_ptr<const Scene>> prepare(const ParameterValues& values, const Camera& camera,
+                                                 const Progress& progress) override;
+
+private:
+    Eigen::AlignedBox3d bounds_;
+    std::vector<Parameter> defaults_;
+    VolumeMaker volume_;
+    std::optional<FocusMesh> focus_;
+    std::optional<VolumeMaker> fine_; ///< of the focus
+};
+
+} // namespace tetra

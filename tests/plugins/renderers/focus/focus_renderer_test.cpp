@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The focus renderer: two meshes become two volumes of one transfer function (R24).
+#include "core/graphics/volume/volume_mesh.h"
+#include "plugins/renderers/focus/focus_renderer.h"
+#include "tests/core/graphics/lattice_mesh.h"
+
+#include <QJsonObject>
+#include <QPluginLoader>
+#include <QTest>
+
+using namespace tetra;
+using testing::latticeMesh;
+using testing::Split;
+
+namespace {
+
+std::shared_ptr<const TetrahedralMesh> cone(std::uint32_t cells)
+{
+    return std::make_shared<const TetrahedralMesh>(
+        latticeMesh(cells, 1, Split::Six, [](const Eigen::Vector3d& p) { return (p.array() - 0.5).matrix().norm(); }));
+}
+
+const Eigen::AlignedBox3d unitBox(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1));
+const Sphere ball{{0.5, 0.5, 0.5}, 0.25};
+const TransferFunction step{{{0.2, {1, 0, 0}, 0}, {0.2, {0, 1, 0}, 0.5f}}, 0.1};
+
+std::shared_ptr<const Scene> prepared(RendererSession& session, const ParameterValues& values)
+{
+    auto scene = session.prepare(values, {}, {});
+    if (!scene)
+        qFatal("%s", scene.error().text.c_str());
+    return *scene;
+}
+
+} // namespace
+
+class FocusRendererTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void withoutAFocusItIsAVolume()
+    {
+        const auto mesh = cone(4);
+        QVERIFY(FocusRenderer().blendsFocus());
+        const auto scene = prepared(*FocusRenderer().open(mesh, unitBox), {});
+        QCOMPARE(scene->volume->mesh->mesh, mesh);
+        QVERIFY(!scene->focus);
+    }
+
+    void bothMeshesAreInTheScene()
+    {
+        const auto coarse = cone(3), fine = cone(6);
+        const auto session = FocusRenderer().openWithFocus(coarse, {fine, ball, 0.1}, unitBox);
+        const auto scene = prepared(*session, {{"transfer", step}, {"shaded", true}});
+        QCOMPARE(scene->volume->mesh->mesh, coarse);
+        QCOMPARE(scene->focus->fine.mesh->mesh, fine);
+        QVERIFY(scene->volume->shaded && scene->focus->fine.shaded);
+        QCOMPARE(scene->focus->fine.transfer->classes.size(), fine->tetrahedra.size());
+        QCOMPARE(scene->focus->border, 0.1);
+        QVERIFY(std::get<Sphere>(scene->focus->region) == ball);
+    }
+
+    void meshesAreMadeReadyOnce()
+    {
+        const auto session = FocusRenderer().openWithFocus(cone(3), {cone(6), ball, 0.1}, unitBox);
+        const auto first = prepared(*session, {});
+        const auto second = prepared(*session, {{"transfer", step}});
+        QCOMPARE(first->volume->mesh, second->volume->mesh);
+        QCOMPARE(first->focus->fine.mesh, second->focus->fine.mesh);
+        QVERIFY(first->focus->fine.transfer != second->focus->fine.transfer);
+    }
+
+    void wrongClipPlanesAreAnError()
+    {
+        const auto session = FocusRenderer().openWithFocus(cone(3), {cone(6), ball, 0.1}, unitBox);
+        const auto scene = session->prepare({{"clip", std::string("1,2")}}, {}, {});
+        QVERIFY(!scene && !scene.error().text.empty());
+    }
+
+    void isAPlugin()
+    {
+        QPluginLoader loader(TAN_PLUGIN_FILE);
+        QCOMPARE(loader.metaData()["MetaData"].toObject()["id"].toString(), QString("focus"));
+        const auto* renderer = qobject_cast<Renderer*>(loader.instance());
+        QVERIFY2(renderer != nullptr, qPrintable(loader.errorString()));
+        QVERIFY(renderer->blendsFocus());
+    }
+};
+
+QTEST_GUILESS_MAIN(FocusRendererTest)
+#include "focus_renderer_test.moc"
