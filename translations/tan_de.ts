@@ -179,6 +179,10 @@
         <source>&amp;Region</source>
         <translation>Be&amp;reich</translation>
     </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AddIsovalue</name>
@@ -192,6 +196,21 @@
     <message>
         <source>change of isovalue</source>
         <translation>Änderung des Isowerts</translation>
+    </message>
+</context>
+<context>
+    <name>ChangeLook</name>
+    <message>
+        <source>change of rendering mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of transfer function</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of rendering</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -233,6 +252,41 @@
     </message>
 </context>
 <context>
+    <name>Docks</name>
+    <message>
+        <source>Build</source>
+        <translation type="unfinished">Bauen</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation type="unfinished">Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Rendering</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Isovalues</source>
+        <translation type="unfinished">Isowerte</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation type="unfinished">Fokus</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation type="unfinished">Bereich</translation>
+    </message>
+</context>
+<context>
     <name>FileDialogs</name>
     <message>
         <source>Open a Dataset or a Model</source>
@@ -261,6 +315,10 @@
     <message>
         <source>PLY files (*.ply)</source>
         <translation>PLY-Dateien (*.ply)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished">Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -771,6 +829,37 @@
     </message>
 </context>
 <context>
+    <name>ViewPanel</name>
+    <message>
+        <source>Front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tetra::AccuracyBox</name>
     <message>
         <source> %</source>
@@ -1234,18 +1323,6 @@ Verwerfung %2</translation>
         <translation>Bild</translation>
     </message>
     <message>
-        <source>Build</source>
-        <translation>Bauen</translation>
-    </message>
-    <message>
-        <source>Accuracy</source>
-        <translation>Genauigkeit</translation>
-    </message>
-    <message>
-        <source>Isovalues</source>
-        <translation>Isowerte</translation>
-    </message>
-    <message>
         <source>One file can be open at a time; of those dropped, %1 was opened.</source>
         <translation>Es kann nur eine Datei zugleich offen sein; von den abgelegten wurde %1 geöffnet.</translation>
     </message>
@@ -1282,14 +1359,6 @@ Verwerfung %2</translation>
         <translation>Die Datei sagt nicht, wie ihre Abtastwerte angeordnet sind. Beschreiben Sie sie im Feld links.</translation>
     </message>
     <message>
-        <source>Focus</source>
-        <translation>Fokus</translation>
-    </message>
-    <message>
-        <source>Region</source>
-        <translation>Bereich</translation>
-    </message>
-    <message>
         <source>Saving the mesh</source>
         <translation>Netz wird gespeichert</translation>
     </message>
@@ -1310,6 +1379,13 @@ Verwerfung %2</translation>
     <message>
         <source>%1 times</source>
         <translation>%1-mal</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ModeActions</name>
+    <message>
+        <source>Show %1 (%2)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1473,6 +1549,41 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::RenderingPanel</name>
+    <message>
+        <source>What is shown of the data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rendering mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Automatic (%1 frames/s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> frames/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures a second while something moves. If there is not time enough they are drawn smaller and of fewer tetrahedra; the picture at rest is always the full one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame rate while moving</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>While movin&amp;g</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tetra::StatusLine</name>
     <message>
         <source>The picture at the chosen accuracy is being made</source>
@@ -1493,10 +1604,6 @@ Verwerfung %2</translation>
     <message>
         <source>Time for taking the mesh out of the model</source>
         <translation>Zeit, um das Netz aus dem Modell zu holen</translation>
-    </message>
-    <message>
-        <source>Time for drawing the last picture</source>
-        <translation>Zeit, um das letzte Bild zu zeichnen</translation>
     </message>
     <message>
         <source>Memory that the program occupies, mapped files included</source>
@@ -1526,12 +1633,337 @@ Verwerfung %2</translation>
         <source>%1 a frame</source>
         <translation>%1 je Bild</translation>
     </message>
+    <message>
+        <source>Time for drawing the last picture; while it moves the frames a second, and how much smaller and of how many tetrahedra they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>size 1/%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tetra::TaskLine</name>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::TransferCanvas</name>
+    <message>
+        <source>Transfer function</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opacity against value. Drag points, double click to add one, Delete removes it; arrow keys move it (finer with Ctrl), Tab goes to the next. Behind: how often the values occur in the mesh.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point %1 of %2: value %3, opacity %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tetra::TransferPanel</name>
+    <message>
+        <source>S&amp;tep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ad&amp;d</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lo&amp;garithmic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value of the point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value of the selected point, in the units of the data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opacity of the point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opacity of the selected point, in percent of the light that a unit distance takes away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation type="unfinished"> %</translation>
+    </message>
+    <message>
+        <source>Colour of the selected point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the point two sides: what lies below its value ends there, and what lies above begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a point after the selected one, or double click in the plot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the selected point (Del)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The thickness, in the units of the data, that a layer must have for the opacities to hold: less makes everything denser</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show how often values occur on a logarithmic scale, so that rare ones are seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Transfer functions to begin with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change all points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take a transfer function from a JSON file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the transfer function as a JSON file, which “tan render” takes, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Val&amp;ue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O&amp;pacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U&amp;nit distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Sequential: opaque where values are large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Diverging: opaque at both ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;More opaque</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Less opaque</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Swap &amp;ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spread over all &amp;values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load Transfer Function</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Transfer functions (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save Transfer Function</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ViewPanel</name>
+    <message>
+        <source>&amp;Load…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Azimuth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction around the z axis, in degrees; 0 looks along y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height above the xy plane, in degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the eye to the target, in the units of the data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle that the shorter side of the picture spans, in degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether what is farther away looks smaller (Ctrl+P)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point that is looked at, in the units of the data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A&amp;zimuth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E&amp;levation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D&amp;istance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pro&amp;jection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from this side</source>
+        <translation type="unfinished">Blick von dieser Seite</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the whole domain (Home)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour behind what is shown, also in saved pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Background colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Usual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The colour that fits the window, light or dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the camera from a JSON file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the camera as a JSON file, which “tan render --camera” takes, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bac&amp;kground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load Camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cameras (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save Camera</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
