@@ -5,6 +5,7 @@
 #include "core/graphics/palette.h"
 #include "core/graphics/scene.h"
 #include "core/transfer/default_transfer_functions.h"
+#include "core/transfer/fitted_transfer_function.h"
 #include "plugins/api/renderer.h"
 
 #include <algorithm>
@@ -33,17 +34,19 @@ inline Parameter isovaluesParameter(const ValueRange& range)
     return parameter;
 }
 
-/// TransferFunction; by default one that fits the field.
+/// TransferFunction; by default one that fits the field, the better the more is known of it.
 inline Parameter transferParameter(const FieldExtent& field)
 {
     constexpr double unitsInDiagonal = 40;
     const double diagonal = field.bounds.isEmpty() ? 0 : field.bounds.diagonal().norm();
+    const double unitDistance = diagonal > 0 ? diagonal / unitsInDiagonal : 1;
     Parameter parameter;
     parameter.id = transferId;
     parameter.label = "Transfer function";
     parameter.explanation = "The colour and the opacity of each value.";
-    parameter.defaultValue = sequentialTransferFunction(field.range.minimum, field.range.maximum,
-                                                        diagonal > 0 ? diagonal / unitsInDiagonal : 1);
+    parameter.defaultValue = field.volumes.counts.empty()
+                                 ? sequentialTransferFunction(field.range.minimum, field.range.maximum, unitDistance)
+                                 : fittedTransferFunction(field.volumes, unitDistance);
     return parameter;
 }
 
@@ -91,9 +94,9 @@ inline Parameter clipParameter()
 inline FieldExtent extentOf(const TetrahedralMesh& mesh, const Eigen::AlignedBox3d& bounds)
 {
     if (mesh.values.empty())
-        return {{}, bounds};
+        return {{}, bounds, {}};
     const auto [smallest, largest] = std::ranges::minmax(mesh.values);
-    return {{smallest, largest}, bounds};
+    return {{smallest, largest}, bounds, {}};
 }
 
 /// A scene with nothing in it but the domain's outline and the clip planes, if they are among the parameters. The error
