@@ -66,14 +66,13 @@ Result<VisibilityOrder> makeOrder(const VolumeMesh& mesh, const VolumeView& view
 {
     progress.report(0, ordering);
     const TetrahedralMesh& cells = *mesh.mesh;
-    const ProjectedVertices projected = projectVertices(cells, view, {});
     std::vector<CellRelation> relations;
     if (!mesh.convex)
-        relations = boundaryRelations(cells.tetrahedra, mesh.adjacency, projected, view, gridOf(view), progress);
+        relations = boundaryRelations(cells.tetrahedra, mesh.adjacency, projectVertices(cells, view, {}), view,
+                                      gridOf(view), progress);
     if (progress.cancelled())
         return cancelledError(ordering);
-    VisibilityOrder order =
-        orderByAdjacency(cells.tetrahedra, mesh.adjacency, projected.vertices, view.perspective, relations);
+    VisibilityOrder order = orderByAdjacency(cells, mesh.adjacency, {view.eye, view.perspective}, relations);
     progress.report(1, ordering);
     return order;
 }
