@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstring>
 
 namespace tetra {
 namespace {
@@ -20,104 +22,146 @@ struct alignas(16) PaddedPosition {
     float x, y, z, unused;
 };
 
-struct Vectors {
-    Double8 x, y, z;
+/// Eight vectors, in single or double precision.
+template <class Lanes> struct Vectors {
+    Lanes x, y, z;
 };
 
 TETRA_SIMD_INLINE void loadCorner(const PaddedPosition* positions, const std::array<std::uint32_t, 4>* cells,
-                                  std::size_t corner, Vectors& vectors)
+                                  std::size_t corner, Vectors<Float8>& vectors)
 {
     Float4 rows[lanes];
     for (std::size_t lane = 0; lane < lanes; ++lane)
         std::memcpy(&rows[lane], &positions[cells[lane][corner]], sizeof rows[lane]);
-    Float8 x, y, z, unused;
-    transpose(rows, x, y, z, unused);
-    vectors.x = __builtin_convertvector(x, Double8);
-    vectors.y = __builtin_convertvector(y, Double8);
-    vectors.z = __builtin_convertvector(z, Double8);
+    Float8 unused;
+    transpose(rows, vectors.x, vectors.y, vectors.z, unused);
 }
 
-TETRA_SIMD_INLINE void subtract(const Vectors& one, const Vectors& other, Vectors& difference)
+TETRA_SIMD_INLINE void convert(const Vectors<Float8>& from, Vectors<Float8>& to)
+{
+    to = from;
+}
+
+TETRA_SIMD_INLINE void convert(const Vectors<Float8>& from, Vectors<Double8>& to)
+{
+    to.x = __builtin_convertvector(from.x, Double8);
+    to.y = __builtin_convertvector(from.y, Double8);
+    to.z = __builtin_convertvector(from.z, Double8);
+}
+
+template <class Lanes>
+TETRA_SIMD_INLINE void subtract(const Vectors<Lanes>& one, const Vectors<Lanes>& other, Vectors<Lanes>& difference)
 {
     difference.x = one.x - other.x;
     difference.y = one.y - other.y;
     difference.z = one.z - other.z;
 }
 
-TETRA_SIMD_INLINE void cross(const Vectors& a, const Vectors& b, Vectors& product)
+template <class Lanes>
+TETRA_SIMD_INLINE void cross(const Vectors<Lanes>& a, const Vectors<Lanes>& b, Vectors<Lanes>& product)
 {
     product.x = a.y * b.z - a.z * b.y;
     product.y = a.z * b.x - a.x * b.z;
     product.z = a.x * b.y - a.y * b.x;
 }
 
-TETRA_SIMD_INLINE void dot(const Vectors& a, const Vectors& b, Double8& product)
+template <class Lanes> TETRA_SIMD_INLINE void dot(const Vectors<Lanes>& a, const Vectors<Lanes>& b, Lanes& product)
 {
     product = a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 /// All but the sign.
+TETRA_SIMD_INLINE void magnitude(const Float8& of, Float8& result)
+{
+    result = (Float8)((Int8)of & 0x7fffffff);
+}
+
 TETRA_SIMD_INLINE void magnitude(const Double8& of, Double8& result)
 {
-    constexpr long mask = 0x7fffffffffffffff;
-    result = (Double8)((Long8)of & mask);
+    result = (Double8)((Long8)of & 0x7fffffffffffffff);
 }
 
-/// 1 where a value is negative. Comparing vectors that are done in pieces is slow.
-TETRA_SIMD_INLINE void signs(const Double8& of, Long8& result)
+/// `bit` where a value is negative. Comparing vectors that are done in pieces is slow.
+TETRA_SIMD_INLINE void signs(const Float8& of, int bit, Int8& result)
 {
-    result = (Long8)of >> 63 & 1;
+    result = (Int8)of >> 31 & bit;
 }
 
-/// What rounding may do to the heights below, many times over.
-TETRA_SIMD_INLINE void toleranceOf(const Vectors (&edges)[3], const Vectors& toEye, Double8& tolerance)
+TETRA_SIMD_INLINE void signs(const Double8& of, int bit, Long8& result)
 {
-    constexpr double rounding = 1e-14;
-    Double8 part, lengths = {}, distance = {};
-    for (const Vectors& edge : edges)
-        for (const Double8* component : {&edge.x, &edge.y, &edge.z}) {
-            magnitude(*component, part);
-            lengths += part;
-        }
-    for (const Double8* component : {&toEye.x, &toEye.y, &toEye.z}) {
-        magnitude(*component, part);
-        distance += part;
-    }
-    tolerance = lengths * lengths * distance * rounding;
+    result = (Long8)of >> 63 & long(bit);
 }
 
-TETRA_SIMD_INLINE void faceEight(const std::array<std::uint32_t, 4>* cells, const PaddedPosition* positions,
-                                 const double* eye, double perspective, std::uint8_t* facing)
+template <class Lanes> TETRA_SIMD_INLINE void addMagnitudes(const Vectors<Lanes>& of, Lanes& sum)
 {
-    Vectors origin, edges[3], toEye, normals[3];
-    loadCorner(positions, cells, 0, origin);
+    Lanes part;
+    magnitude(of.x, part);
+    sum += part;
+    magnitude(of.y, part);
+    sum += part;
+    magnitude(of.z, part);
+    sum += part;
+}
+
+/// What is known of eight cells: `Bits` gets the facing of each, `rounding` many times what one operation errs.
+template <class Lanes, class Bits, class Scalar> TETRA_SIMD_INLINE void
+faceEight(const Vectors<Float8> (&corners)[4], const double* eye, double perspective, Scalar rounding, Bits& bits)
+{
+    Vectors<Lanes> origin, edges[3], toEye, normals[3];
+    convert(corners[0], origin);
+    Lanes lengths = {}, distance = {};
     for (std::size_t i = 0; i < 3; ++i) {
-        Vectors corner;
-        loadCorner(positions, cells, i + 1, corner);
+        Vectors<Lanes> corner;
+        convert(corners[i + 1], corner);
         subtract(corner, origin, edges[i]);
+        addMagnitudes(edges[i], lengths);
     }
-    toEye.x = eye[0] - perspective * origin.x;
-    toEye.y = eye[1] - perspective * origin.y;
-    toEye.z = eye[2] - perspective * origin.z;
+    const auto scale = static_cast<Scalar>(perspective);
+    toEye.x = static_cast<Scalar>(eye[0]) - scale * origin.x;
+    toEye.y = static_cast<Scalar>(eye[1]) - scale * origin.y;
+    toEye.z = static_cast<Scalar>(eye[2]) - scale * origin.z;
+    addMagnitudes(toEye, distance);
+    // What the eye's own rounding may do.
+    distance += static_cast<Scalar>(std::abs(eye[0]) + std::abs(eye[1]) + std::abs(eye[2]));
     // Outwards, those of the faces opposite to corners 1, 2, 3; with that opposite to 0 their sum is zero.
     cross(edges[2], edges[1], normals[0]);
     cross(edges[0], edges[2], normals[1]);
     cross(edges[1], edges[0], normals[2]);
-    Double8 heights[4], minusVolume, tolerance;
+    Lanes heights[4], minusVolume;
     for (std::size_t i = 0; i < 3; ++i)
         dot(normals[i], toEye, heights[i + 1]);
     dot(normals[0], edges[0], minusVolume);
-    heights[0] = perspective * minusVolume - (heights[1] + heights[2] + heights[3]);
-    toleranceOf(edges, toEye, tolerance);
-    Long8 bits = {};
+    heights[0] = scale * minusVolume - (heights[1] + heights[2] + heights[3]);
+    const Lanes tolerance = lengths * lengths * distance * rounding;
+    bits = Bits{};
     for (int face = 0; face < 4; ++face) {
-        Long8 outside, inside;
-        signs(tolerance - heights[face], outside);
-        signs(tolerance + heights[face], inside);
-        bits |= outside << face | inside << (4 + face);
+        Bits outside, inside;
+        signs(tolerance - heights[face], 1 << face, outside);
+        signs(tolerance + heights[face], 16 << face, inside);
+        bits |= outside | inside;
     }
-    using Byte8 = unsigned char __attribute__((vector_size(8)));
-    const Byte8 bytes = __builtin_convertvector(bits, Byte8);
+}
+
+using Byte8 = unsigned char __attribute__((vector_size(8)));
+
+/// In single precision; where that cannot tell, in double.
+TETRA_SIMD_INLINE void faceEight(const std::array<std::uint32_t, 4>* cells, const PaddedPosition* positions,
+                                 const double* eye, double perspective, std::uint8_t* facing)
+{
+    Vectors<Float8> corners[4];
+    for (std::size_t i = 0; i < 4; ++i)
+        loadCorner(positions, cells, i, corners[i]);
+    Int8 quick;
+    faceEight<Float8>(corners, eye, perspective, 1e-6f, quick);
+    Byte8 bytes = __builtin_convertvector(quick, Byte8);
+    std::uint64_t known = 0;
+    std::memcpy(&known, &bytes, lanes);
+    constexpr std::uint64_t allFaces = 0x0f0f0f0f0f0f0f0f;
+    if (((known ^ known >> 4) & allFaces) != allFaces) {
+        Long8 sure;
+        faceEight<Double8>(corners, eye, perspective, 1e-14, sure);
+        bytes = __builtin_convertvector(sure, Byte8);
+    }
     std::memcpy(facing, &bytes, lanes);
 }
 

@@ -18,7 +18,7 @@ struct EyePoint {
 
 /// For each cell, bit f: its face f is seen from outside by the eye; bit 4 + f: from inside. In double precision from
 /// the positions themselves, so both cells of a face agree, unless the eye lies in the face's plane but for rounding (a
-/// sine of 1e-14 for cells that are not flat): then neither is set, in one of them at least. O(cells), on all threads
+/// sine of 1e-12 for cells that are not flat): then neither is set, in one of them at least. O(cells), on all threads
 /// of the current arena.
 Buffer<std::uint8_t> faceFacing(const TetrahedralMesh& mesh, const EyePoint& eye);
 
