@@ -15,52 +15,62 @@ namespace tetra {
 /// clear().
 class EdgeTable {
 public:
-    static std::uint64_t hashOf(std::uint64_t key) noexcept
-    {
-        const std::uint64_t mixed = key * 0x9e3779b97f4a7c15u;
-        return (mixed ^ mixed >> 32) * 0xd6e8feb86659fd93u;
-    }
+    /// What takes keys, small enough to be kept in registers.
+    struct Numbering {
+        std::uint32_t* slots;
+        std::uint64_t* keys;
+        std::size_t mask;
+        int shift;
+        std::uint32_t count;
+
+        /// Whether the key is new is hard to predict, so that decides no branch.
+        std::uint32_t numberOf(std::uint64_t key) noexcept
+        {
+            keys[count] = key;
+            for (std::size_t slot = placeOf(key, shift);; slot = (slot + 1) & mask) {
+                const std::uint32_t known = slots[slot];
+                const std::uint32_t number = std::min(known, count); // unknown is the largest number
+                slots[slot] = number;
+                if (keys[number] == key) {
+                    count += number == count ? 1 : 0;
+                    return number;
+                }
+            }
+        }
+    };
 
     void clear()
     {
         count_ = 0;
         makeSlots(smallestTable);
     }
-    /// Makes room for so many more keys; numberOf() needs it.
-    void reserve(std::size_t more)
+    /// Makes room for so many more keys. Hand back with end() what took them.
+    Numbering begin(std::size_t more)
     {
-        const std::size_t most = count_ + more;
+        const std::size_t most = count_ + more + 1;
         if (keys_.size() < most)
             keys_.resize(std::max(most, 2 * keys_.size()));
-        if (slots_.size() < 2 * most)
-            makeSlots(std::bit_ceil(2 * most));
+        if (slots_.size() < roomForOne * most)
+            makeSlots(std::bit_ceil(roomForOne * most));
+        return {slots_.data(), keys_.data(), slots_.size() - 1, 64 - std::countr_zero(slots_.size()), count_};
     }
-    std::uint32_t numberOf(std::uint64_t key) noexcept
-    {
-        for (std::size_t slot = hashOf(key) >> shift_;; slot = (slot + 1) & (slots_.size() - 1)) {
-            const std::uint32_t number = slots_[slot];
-            if (number == empty) {
-                slots_[slot] = count_;
-                keys_[count_] = key;
-                return count_++;
-            }
-            if (keys_[number] == key)
-                return number;
-        }
-    }
+    void end(const Numbering& numbering) { count_ = numbering.count; }
     std::span<const std::uint64_t> keys() const noexcept { return {keys_.data(), count_}; }
 
 private:
-    static constexpr std::uint32_t empty = std::numeric_limits<std::uint32_t>::max();
+    static constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
     static constexpr std::size_t smallestTable = 1 << 12;
+    static constexpr std::size_t roomForOne = 3;
+
+    static std::size_t placeOf(std::uint64_t key, int shift) noexcept { return key * 0x9e3779b97f4a7c15u >> shift; }
 
     void makeSlots(std::size_t size)
     {
-        slots_.assign(size, empty);
-        shift_ = 64 - std::countr_zero(size);
+        slots_.assign(size, unknown);
+        const int shift = 64 - std::countr_zero(size);
         for (std::uint32_t number = 0; number < count_; ++number) {
-            std::size_t slot = hashOf(keys_[number]) >> shift_;
-            while (slots_[slot] != empty)
+            std::size_t slot = placeOf(keys_[number], shift);
+            while (slots_[slot] != unknown)
                 slot = (slot + 1) & (size - 1);
             slots_[slot] = number;
         }
@@ -69,7 +79,6 @@ private:
     Buffer<std::uint64_t> keys_;
     Buffer<std::uint32_t> slots_;
     std::uint32_t count_ = 0;
-    int shift_ = 64;
 };
 
 } // namespace tetra

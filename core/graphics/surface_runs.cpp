@@ -17,6 +17,7 @@ namespace tetra {
 namespace {
 
 using Cell = std::array<std::uint32_t, 4>;
+using Triangle = std::array<std::uint32_t, 3>;
 
 /// The smallest float that is inside.
 float smallestInside(double isovalue)
@@ -43,20 +44,34 @@ Buffer<std::uint8_t> classifyVertices(const TetrahedralMesh& mesh, double isoval
     return inside;
 }
 
-/// A tetrahedron that the surface crosses: where it is among others, times 16, plus its marching case.
+/// A tetrahedron that the surface crosses: where it is in its chunk, times 16, plus its marching case.
 using Crossed = std::uint32_t;
 
+/// Those of a chunk, by how many corners their piece of the surface has.
+struct CrossedChunk {
+    std::array<Crossed, rangedChunkSize + 1> triangles;
+    std::array<Crossed, rangedChunkSize + 1> quadrilaterals;
+    std::size_t triangleCount = 0;
+    std::size_t quadrilateralCount = 0;
+};
+
 /// Written always and kept only if crossed: cheaper than a branch that is hard to predict.
-std::size_t findCrossed(std::span<const Cell> cells, const std::uint8_t* inside, Crossed* found)
+void findCrossed(std::span<const Cell> cells, const std::uint8_t* inside, CrossedChunk& found)
 {
-    std::size_t size = 0;
+    constexpr unsigned threeCorners = 0b0110100110010110; // a bit for each case: one corner inside, or three
+    std::size_t triangles = 0, both = 0;
+    constexpr unsigned crossing = 0b0111111111111110;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const auto& [a, b, c, d] = cells[i];
         const unsigned bits = static_cast<unsigned>(inside[a] | inside[b] << 1 | inside[c] << 2 | inside[d] << 3);
-        found[size] = static_cast<Crossed>(i << 4 | bits);
-        size += bits - 1u < 14u ? 1 : 0;
+        const auto crossed = static_cast<Crossed>(i << 4 | bits);
+        found.triangles[triangles] = crossed;
+        found.quadrilaterals[both - triangles] = crossed;
+        both += crossing >> bits & 1;
+        triangles += threeCorners >> bits & 1;
     }
-    return size;
+    found.triangleCount = triangles;
+    found.quadrilateralCount = both - triangles;
 }
 
 /// What a thread keeps from run to run.
@@ -78,31 +93,40 @@ public:
 private:
     void marchChunk(std::span<const Cell> cells)
     {
-        std::array<Crossed, rangedChunkSize> crossed;
-        const std::size_t count = findCrossed(cells, inside_, crossed.data());
-        edges_.reserve(4 * count);
-        std::size_t size = triangles_.size();
-        triangles_.resize(size + 2 * count);
-        for (std::size_t i = 0; i < count; ++i) {
-            const Cell& cell = cells[crossed[i] / 16];
-            const MarchingCase& marching = marchingCases[crossed[i] % 16];
-            std::array<std::uint32_t, 4> corners{};
-            for (std::size_t corner = 0; corner < static_cast<std::size_t>(marching.corners); ++corner) {
-                const std::uint32_t a = cell[marching.edges[corner][0]];
-                const std::uint32_t b = cell[marching.edges[corner][1]];
-                corners[corner] = edges_.numberOf(EdgeKey(std::min(a, b)) << 32 | std::max(a, b));
-            }
-            triangles_[size++] = {corners[0], corners[1], corners[2]};
-            triangles_[size] = {corners[0], corners[2], corners[3]};
-            size += marching.corners == 4 ? 1 : 0;
+        CrossedChunk crossed;
+        findCrossed(cells, inside_, crossed);
+        auto edges = edges_.begin(3 * crossed.triangleCount + 4 * crossed.quadrilateralCount);
+        const std::size_t size = triangles_.size();
+        triangles_.resize(size + crossed.triangleCount + 2 * crossed.quadrilateralCount);
+        Triangle* next = triangles_.data() + size;
+        for (std::size_t i = 0; i < crossed.triangleCount; ++i)
+            *next++ = cornersOf<3>(cells, crossed.triangles[i], edges);
+        for (std::size_t i = 0; i < crossed.quadrilateralCount; ++i) {
+            const auto [a, b, c, d] = cornersOf<4>(cells, crossed.quadrilaterals[i], edges);
+            *next++ = {a, b, c};
+            *next++ = {a, c, d};
         }
-        triangles_.resize(size);
+        edges_.end(edges);
+    }
+
+    template <std::size_t count> static std::array<std::uint32_t, count>
+    cornersOf(std::span<const Cell> cells, Crossed crossed, EdgeTable::Numbering& edges)
+    {
+        const Cell& cell = cells[crossed / 16];
+        const MarchingCase& marching = marchingCases[crossed % 16];
+        std::array<std::uint32_t, count> corners;
+        for (std::size_t corner = 0; corner < count; ++corner) {
+            const std::uint32_t a = cell[marching.edges[corner][0]];
+            const std::uint32_t b = cell[marching.edges[corner][1]];
+            corners[corner] = edges.numberOf(EdgeKey(std::min(a, b)) << 32 | std::max(a, b));
+        }
+        return corners;
     }
 
     const TetrahedralMesh& mesh_;
     const std::uint8_t* inside_;
     EdgeTable edges_;
-    Buffer<std::array<std::uint32_t, 3>> triangles_;
+    Buffer<Triangle> triangles_;
 };
 
 } // namespace

@@ -28,7 +28,7 @@ std::size_t partOf(EdgeKey edge, const IsosurfaceIndex* index) noexcept
         if ((index->inOneRun[a] | index->inOneRun[b]) != 0)
             return partCount;
     }
-    return EdgeTable::hashOf(edge) & (partCount - 1);
+    return (edge ^ edge >> 29) * 0xbf58476d1ce4e5b9u >> (64 - partBits);
 }
 
 /// Edges that several runs may have, dealt to the parts; inside a part in the order of the runs.
@@ -89,9 +89,10 @@ void numberDealt(const DealtEdges& dealt, std::size_t owned, SurfaceVertices& re
         EdgeTable table;
         for (std::size_t part = range.begin(); part != range.end(); ++part) {
             table.clear();
-            table.reserve(dealt.firstOfPart[part + 1] - dealt.firstOfPart[part]);
+            auto numbering = table.begin(dealt.firstOfPart[part + 1] - dealt.firstOfPart[part]);
             for (std::size_t i = dealt.firstOfPart[part]; i < dealt.firstOfPart[part + 1]; ++i)
-                result.numbers[dealt.indices[i]] = table.numberOf(dealt.edges[i]);
+                result.numbers[dealt.indices[i]] = numbering.numberOf(dealt.edges[i]);
+            table.end(numbering);
             unique[part].assign(table.keys().begin(), table.keys().end());
         }
     });
