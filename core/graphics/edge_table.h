@@ -60,7 +60,7 @@ public:
 private:
     static constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
     static constexpr std::size_t smallestTable = 1 << 12;
-    static constexpr std::size_t roomForOne = 3;
+    static constexpr std::size_t roomForOne = 8;
 
     static std::size_t placeOf(std::uint64_t key, int shift) noexcept { return key * 0x9e3779b97f4a7c15u >> shift; }
 
