@@ -762,6 +762,62 @@
         <source>mach</source>
         <translation>mach</translation>
     </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Shows the field as a translucent cloud: a transfer function gives each value its colour and opacity.</source>
+        <translation>Zeigt das Feld als durchscheinende Wolke: Eine Transferfunktion gibt jedem Wert Farbe und Deckkraft.</translation>
+    </message>
+    <message>
+        <source>Volume with isosurfaces</source>
+        <translation>Volumen mit Isoflächen</translation>
+    </message>
+    <message>
+        <source>Shows the field as a translucent cloud with surfaces of chosen values in it.</source>
+        <translation>Zeigt das Feld als durchscheinende Wolke, in der Flächen gewählter Werte liegen.</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Transferfunktion</translation>
+    </message>
+    <message>
+        <source>The colour and the opacity of each value.</source>
+        <translation>Farbe und Deckkraft jedes Wertes.</translation>
+    </message>
+    <message>
+        <source>Shaded</source>
+        <translation>Beleuchtet</translation>
+    </message>
+    <message>
+        <source>Lights the volume, as if a surface lay across the direction in which its values change most.</source>
+        <translation>Beleuchtet das Volumen, als läge quer zur Richtung, in der sich seine Werte am stärksten ändern, eine Fläche.</translation>
+    </message>
+    <message>
+        <source>Clip planes</source>
+        <translation>Schnittebenen</translation>
+    </message>
+    <message>
+        <source>Cuts away what lies before a plane: nx,ny,nz,offset shows the points with nx x + ny y + nz z &gt;= offset.</source>
+        <translation>Schneidet weg, was vor einer Ebene liegt: nx,ny,nz,Abstand zeigt die Punkte mit nx x + ny y + nz z &gt;= Abstand.</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>How surfaces and volume are put in order: &apos;exact&apos;, or as the paper did &apos;with-cell&apos;, where the part of a surface in a cell is drawn before the cell.</source>
+        <translation>Wie Flächen und Volumen geordnet werden: &apos;exakt&apos; oder wie im Aufsatz &apos;mit der Zelle&apos;, wo das Stück einer Fläche in einer Zelle vor der Zelle gezeichnet wird.</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>exakt</translation>
+    </message>
+    <message>
+        <source>with-cell</source>
+        <translation>mit der Zelle</translation>
+    </message>
 </context>
 <context>
     <name>RemoveIsovalue</name>

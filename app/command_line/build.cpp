@@ -17,8 +17,6 @@
 namespace tetra {
 namespace {
 
-constexpr std::int64_t mostThreads = 1024;
-
 /// Before anything long is done.
 Status checkOutputs(const std::filesystem::path& input, const std::filesystem::path& output)
 {
@@ -73,10 +71,7 @@ Syntax buildSyntax(PluginHost& host)
                      .placeholder = "",
                      .explanation =
                          "When the build is interrupted, keep what is finished as a model of less accuracy."},
-                    {.name = "threads",
-                     .placeholder = "N",
-                     .explanation = "The most threads to use.",
-                     .byDefault = "as many as the machine has"},
+                    threadsOption(),
                     {.name = "resume",
                      .placeholder = "",
                      .explanation = "Go on with what an interrupted build of the same model left behind; the result is "
@@ -93,7 +88,7 @@ Result<Outcome> runBuild(const Invocation& invocation)
     const Arguments& arguments = invocation.arguments;
     const std::string& input = arguments.positionals[0];
     const std::string output = *arguments.value("output");
-    const auto threads = wholeNumberOption(arguments, "threads", 0, 1, mostThreads);
+    const auto threads = threadsOf(arguments);
     if (!threads)
         return threads.error();
     std::optional<tbb::global_control> limit;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/extracted_content.h"
 #include "app/command_line/option_values.h"
+#include "app/command_line/queried_mesh.h"
 #include "app/command_line/query_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
@@ -59,25 +60,6 @@ Status checkRangeStandsAlone(const Arguments& arguments)
     return {};
 }
 
-/// An empty mesh is hardly what was meant.
-Status checkNotEmpty(const Task& task, const TetrahedralMesh& mesh)
-{
-    if (!mesh.tetrahedra.empty())
-        return {};
-    const ModelDescription& data = task.model.description();
-    const auto place = [](const Eigen::Vector3d& p) {
-        return "(" + rounded(p[0], 6) + ", " + rounded(p[1], 6) + ", " + rounded(p[2], 6) + ")";
-    };
-    const bool window = task.arguments.has("window"), values = task.arguments.has("values");
-    const std::string asked = !window  ? "has such values"
-                              : values ? "is in that window with such values"
-                                       : "is in that window";
-    return Error{ErrorKind::WrongUsage, "No tetrahedron " + asked + ", so nothing was written. The data lie between " +
-                                            place(data.bounds.min()) + " and " + place(data.bounds.max()) +
-                                            ", with values from " + rounded(data.range.minimum, 6) + " to " +
-                                            rounded(data.range.maximum, 6) + "."};
-}
-
 Outcome outcomeOf(const Task& task, const TetrahedralMesh& mesh)
 {
     return {.figures = {{"file", QFile::decodeName(task.output.c_str())},
@@ -94,25 +76,20 @@ Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::share
     if (!extracted)
         return extracted.error();
     const ExtractedMesh& found = **extracted;
-    if (const Status some = checkNotEmpty(task, found.mesh); !some)
+    if (const Status some = checkNotEmpty(task.arguments, task.model, found.mesh); !some)
         return some.error();
     if (const Status written =
             writeMeshFile(task.output, contentOf(task.model, query, found), task.progress.part(extractionEnd, 1));
         !written)
         return written.error();
     Outcome outcome = outcomeOf(task, found.mesh);
-    const bool warps = task.model.description().warpingWeight > 0;
-    const Accuracy kept = keptEverywhere(query, found.scale);
-    outcome.figures["error"] = kept.error;
-    outcome.figures["warping"] = warps ? kept.warping : 0;
-    outcome.figures["scale"] = found.scale;
-    outcome.figures["method"] = QString::fromStdString(std::string(methodName(found.method)));
-    outcome.figures["whole_sites"] = static_cast<qint64>(found.wholeSites);
-    outcome.figures["whole_tetrahedra"] = static_cast<qint64>(found.wholeTetrahedra);
+    const QJsonObject figures = figuresOf(task.model, query, found);
+    for (auto figure = figures.begin(); figure != figures.end(); ++figure)
+        outcome.figures[figure.key()] = figure.value();
     if (found.mesh.tetrahedra.size() != found.wholeTetrahedra)
         outcome.text += " of " + std::to_string(found.wholeTetrahedra);
     if (found.scale > 1)
-        outcome.text += ", with errors of up to " + rounded(kept.error) + " %";
+        outcome.text += ", with errors of up to " + rounded(keptEverywhere(query, found.scale).error) + " %";
     return outcome;
 }
 
@@ -139,7 +116,7 @@ Result<Outcome> extractRange(const Task& task)
         extractHistory(task.model, (*ends)[0], (*ends)[1], *values, *window, task.progress.part(0, extractionEnd));
     if (!part)
         return part.error();
-    if (const Status some = checkNotEmpty(task, part->mesh); !some)
+    if (const Status some = checkNotEmpty(task.arguments, task.model, part->mesh); !some)
         return some.error();
     const Lives lives = livesOf(task.model, *part);
     if (const Status written =

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::string_view defaultLevels = "4,3,2,1,.5,.2,.1,0";
 constexpr double defaultError = 1;
+constexpr std::int64_t mostThreads = 1024;
 
 template <class T> std::string text(T number)
 {
@@ -112,6 +113,22 @@ Result<std::vector<Accuracy>> levelsOf(const Arguments& arguments)
         levels.push_back({.error = error, .warping = *warping});
     }
     return levels;
+}
+
+Option threadsOption()
+{
+    return {.name = "threads",
+            .placeholder = "N",
+            .explanation = "The most threads to use.",
+            .byDefault = "as many as the machine has"};
+}
+
+Result<int> threadsOf(const Arguments& arguments)
+{
+    const auto threads = wholeNumberOption(arguments, "threads", 0, 1, mostThreads);
+    if (!threads)
+        return threads.error();
+    return static_cast<int>(*threads);
 }
 
 Option outputOption(std::string placeholder, std::string explanation, bool required)

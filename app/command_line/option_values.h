@@ -29,6 +29,10 @@ Result<Accuracy> accuracyOption(const Arguments& arguments);
 Option levelsOption();
 Result<std::vector<Accuracy>> levelsOf(const Arguments& arguments);
 
+/// --threads, the most to use; 0 without it.
+Option threadsOption();
+Result<int> threadsOf(const Arguments& arguments);
+
 /// --output, -o.
 Option outputOption(std::string placeholder, std::string explanation, bool required = true);
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/plugin_options.h"
 
+#include "core/transfer/transfer_text.h"
 #include "plugins/host/parameter_text.h"
 
+#include <QFile>
+
 #include <algorithm>
+#include <filesystem>
 
 namespace tetra {
 namespace {
@@ -21,6 +25,11 @@ bool isOnByDefault(const Parameter& parameter)
 bool isIsovalues(const Parameter& parameter)
 {
     return std::holds_alternative<std::vector<Isovalue>>(parameter.defaultValue);
+}
+
+bool isTransferFunction(const Parameter& parameter)
+{
+    return std::holds_alternative<TransferFunction>(parameter.defaultValue);
 }
 
 bool isList(const Parameter& parameter)
@@ -43,6 +52,8 @@ std::string placeholder(const Parameter& parameter)
         return "";
     if (isIsovalues(parameter))
         return "V[:COLOUR[:OPACITY]]";
+    if (isTransferFunction(parameter))
+        return "FILE";
     if (!parameter.choices.empty()) {
         std::string choices;
         for (const std::string& choice : parameter.choices)
@@ -62,17 +73,39 @@ Option optionOf(const Parameter& parameter)
         option.explanation = "Turns this off: " + parameter.explanation;
     if (isIsovalues(parameter))
         option.explanation += " COLOUR is #rrggbb or a name (orange, silver ...), OPACITY above 0 and at most 1.";
+    if (isTransferFunction(parameter)) {
+        option.explanation += " A JSON file (docs/formats.md).";
+        option.byDefault = "one that fits the data";
+    } else if (!isSwitch(parameter) && !isList(parameter))
+        option.byDefault = parameterText(parameter.defaultValue);
     if (!parameter.unit.empty())
         option.explanation += " In " + parameter.unit + ".";
-    if (!isSwitch(parameter) && !isList(parameter))
-        option.byDefault = parameterText(parameter.defaultValue);
     return option;
+}
+
+/// Errors name the file, and the line and the column of what is wrong in it.
+Result<ParameterValue> readTransferFunction(const std::string& path)
+{
+    constexpr qint64 largestFile = 16 << 20;
+    QFile file{std::filesystem::path(path)};
+    if (!file.open(QIODevice::ReadOnly))
+        return Error{ErrorKind::BadInput,
+                     "The transfer function '" + path + "' cannot be read: " + file.errorString().toStdString() + "."};
+    if (file.size() > largestFile)
+        return Error{ErrorKind::BadInput, "'" + path + "' is too large for a transfer function."};
+    const QByteArray text = file.readAll();
+    auto function = transferFunctionFromText({text.constData(), static_cast<std::size_t>(text.size())});
+    if (!function)
+        return Error{ErrorKind::BadInput, "'" + path + "': " + function.error().text};
+    return ParameterValue(*std::move(function));
 }
 
 Result<ParameterValue> parseOption(const Arguments& arguments, const Parameter& parameter, const std::string& name)
 {
     if (isSwitch(parameter))
         return ParameterValue(!isOnByDefault(parameter));
+    if (isTransferFunction(parameter))
+        return readTransferFunction(*arguments.value(name));
     const char separator = parameter.separator != 0 ? parameter.separator : ',';
     std::string text;
     for (const std::string& value : arguments.values(name)) {

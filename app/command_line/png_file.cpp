@@ -13,8 +13,12 @@ namespace tetra {
 
 Status writePng(const std::filesystem::path& path, const Picture& picture)
 {
-    const QImage image(reinterpret_cast<const uchar*>(picture.pixels.data()), picture.width, picture.height,
-                       QImage::Format_RGBA8888);
+    return writePng(path, QImage(reinterpret_cast<const uchar*>(picture.pixels.data()), picture.width, picture.height,
+                                 QImage::Format_RGBA8888));
+}
+
+Status writePng(const std::filesystem::path& path, const QImage& image)
+{
     QByteArray bytes;
     QBuffer buffer(&bytes);
     if (!buffer.open(QIODevice::WriteOnly) || !image.save(&buffer, "PNG"))

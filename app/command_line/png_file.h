@@ -6,9 +6,12 @@
 
 #include <filesystem>
 
+class QImage;
+
 namespace tetra {
 
 /// Writes a picture as PNG, safely (FileWriter).
 Status writePng(const std::filesystem::path& path, const Picture& picture);
+Status writePng(const std::filesystem::path& path, const QImage& image);
 
 } // namespace tetra

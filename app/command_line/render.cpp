@@ -1,99 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/camera_option.h"
-#include "app/command_line/model_mesh.h"
+#include "app/command_line/depth_file.h"
 #include "app/command_line/option_values.h"
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/png_file.h"
+#include "app/command_line/queried_mesh.h"
+#include "app/command_line/query_options.h"
+#include "app/command_line/render_request.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
-#include "core/base/number_text.h"
-#include "core/graphics/render_backend.h"
-#include "plugins/host/colour_text.h"
-#include "plugins/host/output_check.h"
+#include "core/graphics/volume/volume_histogram.h"
+#include "core/model/queries/mesh_extractor.h"
 
 #include <QFile>
 
-#include <array>
+#include <tbb/global_control.h>
+
+#include <algorithm>
 #include <chrono>
 
 namespace tetra {
 namespace {
 
 constexpr std::string_view defaultMode = "isosurface";
-constexpr std::string_view defaultBackend = "cpu";
-constexpr std::string_view defaultSize = "1024x768";
-constexpr int largestSide = 16384;
 
-/// What is asked for, as far as it can be known without the model.
-struct RenderRequest {
-    std::filesystem::path input;
-    std::filesystem::path output;
-    Accuracy accuracy;
-    PictureOptions picture;
-    std::string backend;
-};
+using Clock = std::chrono::steady_clock;
 
-Status parseSize(const std::string& text, PictureOptions& picture)
+double secondsSince(Clock::time_point start)
 {
-    const auto cross = text.find('x');
-    if (cross != std::string::npos) {
-        const auto width = parseNumber<int>(std::string_view(text).substr(0, cross));
-        const auto height = parseNumber<int>(std::string_view(text).substr(cross + 1));
-        if (width && height && *width > 0 && *height > 0 && *width <= largestSide && *height <= largestSide) {
-            picture.width = *width;
-            picture.height = *height;
-            return {};
-        }
-    }
-    return Error{ErrorKind::WrongUsage, "'" + text +
-                                            "' does not fit '--size': it takes WIDTHxHEIGHT in pixels, each from "
-                                            "1 to " +
-                                            std::to_string(largestSide) + ", like " + std::string(defaultSize) + "."};
-}
-
-Status parseBackground(const std::string& text, PictureOptions& picture)
-{
-    if (text == "transparent") {
-        picture.transparentBackground = true;
-        return {};
-    }
-    const auto colour = parseColour(text);
-    if (!colour)
-        return colour.error();
-    picture.background = *colour;
-    return {};
-}
-
-Status checkOutputName(const RenderRequest& request)
-{
-    if (request.output.extension() != ".png")
-        return Error{ErrorKind::WrongUsage,
-                     "'" + request.output.string() +
-                         "' does not end in .png, the one format in which pictures are written."};
-    return checkOutput(request.output, std::array{request.input});
-}
-
-Result<RenderRequest> requestOf(const Arguments& arguments)
-{
-    RenderRequest request;
-    request.input = arguments.positionals[0];
-    request.output = *arguments.value("output");
-    const auto accuracy = accuracyOption(arguments);
-    if (!accuracy)
-        return accuracy.error();
-    request.accuracy = *accuracy;
-    if (const Status size = parseSize(arguments.value("size").value_or(std::string(defaultSize)), request.picture);
-        !size)
-        return size.error();
-    if (const Status colour = parseBackground(arguments.value("background").value_or("white"), request.picture);
-        !colour)
-        return colour.error();
-    request.backend = arguments.value("backend").value_or(std::string(defaultBackend));
-    if (request.backend != "cpu" && request.backend != "gl")
-        return Error{ErrorKind::WrongUsage, "'" + request.backend + "' does not fit '--backend': it takes cpu or gl."};
-    if (const Status named = checkOutputName(request); !named)
-        return named.error();
-    return request;
+    return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 Result<std::unique_ptr<RenderBackend>> makeBackend(const std::string& id)
@@ -112,33 +47,64 @@ std::vector<Parameter> rendererParameters(PluginHost& host)
     return all;
 }
 
+/// What is drawn, and what there is to tell of how it was made.
 struct PreparedScene {
     std::shared_ptr<const Scene> scene;
     Camera camera;
-    MeshSize size;
+    QJsonObject figures;
+    std::size_t tetrahedra = 0;
 };
+
+Result<Camera> cameraOf(const Arguments& arguments, const Eigen::AlignedBox3d& bounds)
+{
+    const auto given = arguments.value("camera");
+    return given ? cameraFor(*given, bounds) : Result<Camera>(fitted(Camera(), bounds));
+}
+
+/// With the defaults that fit the mesh where the arguments say nothing.
+ParameterValues completed(ParameterValues values, const Renderer& renderer, const ModelDescription& data,
+                          const TetrahedralMesh& mesh)
+{
+    constexpr int parts = 256;
+    const ValueRange& range = data.range;
+    for (const Parameter& parameter :
+         renderer.parameters({range, data.bounds, volumeHistogram(mesh, range.minimum, range.maximum, parts)}))
+        values.try_emplace(parameter.id, parameter.defaultValue);
+    return values;
+}
 
 Result<PreparedScene> prepareScene(const Invocation& invocation, const RenderRequest& request,
                                    const Provided<Renderer>& renderer)
 {
-    const auto shown = openModelMesh(request.input, request.accuracy, invocation.progress.part(0, 0.3));
-    if (!shown)
-        return shown.error();
-    const ModelDescription& description = shown->model->description();
-    const auto values =
-        pluginValues(invocation.arguments, renderer.plugin->parameters({description.range, description.bounds}));
+    const auto start = Clock::now();
+    const auto model = Model::open(request.input);
+    if (!model)
+        return model.error();
+    const ModelDescription& data = (*model)->description();
+    // What does not fit is told before the work begins.
+    const auto values = pluginValues(invocation.arguments, renderer.plugin->parameters({data.range, data.bounds}));
     if (!values)
         return values.error();
-    const Eigen::AlignedBox3d bounds = description.bounds;
-    const auto cameraText = invocation.arguments.value("camera");
-    const auto camera = cameraText ? cameraFor(*cameraText, bounds) : Result<Camera>(fitted(Camera(), bounds));
+    const auto camera = cameraOf(invocation.arguments, data.bounds);
     if (!camera)
         return camera.error();
-    const auto session = renderer.plugin->open(shown->mesh, bounds);
-    const auto scene = session->prepare(*values, *camera, invocation.progress.part(0.3, 0.6));
+    const auto extracted = MeshExtractor(*model).extract(request.query, invocation.progress.part(0, 0.3));
+    if (!extracted)
+        return extracted.error();
+    const ExtractedMesh& found = **extracted;
+    if (const Status some = checkNotEmpty(invocation.arguments, **model, found.mesh); !some)
+        return some.error();
+    QJsonObject figures = figuresOf(**model, request.query, found);
+    figures["extraction_seconds"] = secondsSince(start);
+
+    const auto sceneStart = Clock::now();
+    const auto session = renderer.plugin->open({*extracted, &found.mesh}, data.bounds);
+    const auto scene = session->prepare(completed(*values, *renderer.plugin, data, found.mesh), *camera,
+                                        invocation.progress.part(0.3, 0.6));
     if (!scene)
         return scene.error();
-    return PreparedScene{*scene, *camera, shown->size};
+    figures["scene_seconds"] = secondsSince(sceneStart);
+    return PreparedScene{*scene, *camera, figures, found.mesh.tetrahedra.size()};
 }
 
 std::size_t triangleCount(const Scene& scene)
@@ -149,52 +115,63 @@ std::size_t triangleCount(const Scene& scene)
     return count;
 }
 
+void addStatistics(QJsonObject& figures, const RenderStatistics& statistics)
+{
+    figures["cells_drawn"] = static_cast<qint64>(statistics.cells);
+    figures["fragments"] = static_cast<qint64>(statistics.fragments);
+    figures["broken_cycles"] = static_cast<qint64>(statistics.brokenCycles);
+    figures["order_seconds"] = statistics.orderSeconds;
+    figures["set_up_seconds"] = statistics.setUpSeconds;
+    figures["fill_seconds"] = statistics.fillSeconds;
+}
+
+Status writeFiles(const RenderRequest& request, const Picture& picture, QJsonObject& figures)
+{
+    if (request.depth) {
+        const auto scale = writeDepth(*request.depth, picture);
+        if (!scale)
+            return scale.error();
+        figures["depth_file"] = QFile::decodeName(request.depth->c_str());
+        figures["nearest"] = scale->nearest;
+        figures["farthest"] = scale->farthest;
+    }
+    return writePng(request.output, picture);
+}
+
 } // namespace
 
 Syntax renderSyntax(PluginHost& host)
 {
     Syntax syntax{
         .purpose = "draw a model into a PNG picture",
-        .explanation = "Works without a display, with the processor alone or with OpenGL.",
+        .explanation =
+            "Works without a display, with the processor alone or with OpenGL. What is drawn is a mesh as "
+            "'tan extract' takes it from the model: of one accuracy, with a focus, of so many tetrahedra, or "
+            "a part of it.",
         .positionals = {{"MODEL", "The model."}},
         .options = {{.name = "mode",
                      .placeholder = idChoices(host.renderers()),
                      .explanation = "What to show.",
-                     .byDefault = std::string(defaultMode)},
-                    errorOption(),
-                    warpingOption(),
-                    {.name = "camera",
-                     .placeholder = "VIEW or FILE",
-                     .explanation = "A view (" + cameraNames() +
-                                    "), or a JSON file with any of azimuth, elevation, fieldOfView (in degrees), "
-                                    "perspective (true or false), target ([x, y, z]) and distance.",
-                     .byDefault = "from the front, right and above"},
-                    {.name = "size",
-                     .placeholder = "WxH",
-                     .explanation = "Of the picture, in pixels.",
-                     .byDefault = std::string(defaultSize)},
-                    {.name = "backend",
-                     .placeholder = "cpu|gl",
-                     .explanation = "Who draws: the processor, or OpenGL 3.3.",
-                     .byDefault = std::string(defaultBackend)},
-                    {.name = "background",
-                     .placeholder = "COLOUR",
-                     .explanation = "transparent, #rrggbb, or one of " + colourNames() + ".",
-                     .byDefault = "white"},
-                    outputOption("FILE.png", "The picture to write.")},
+                     .byDefault = std::string(defaultMode)}},
         .examples = {
             {"tan render engine.tan --error 0.5 --isovalue 100:silver:0.4 --isovalue 180:#ff8000 -o engine.png",
              "A translucent surface around a solid one."},
+            {"tan render engine.tan --mode volume --transfer bones.json --shaded -o engine.png",
+             "A volume through a transfer function of your own, with light."},
+            {"tan render engine.tan --mode hybrid --isovalue 180:gold --clip 0,-1,0,-128 -o engine.png",
+             "A surface in a volume, cut open at the plane y = 128."},
             {"tan render engine.tan --camera top --size 1920x1080 --background black -o engine.png", "From above."}}};
     addPluginOptions(syntax, rendererParameters(host));
+    for (auto options : {pictureOptions(), fieldOptions(), partOptions()})
+        std::ranges::move(options, std::back_inserter(syntax.options));
     return syntax;
 }
 
 Result<Outcome> runRender(const Invocation& invocation)
 {
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     const Arguments& arguments = invocation.arguments;
-    const auto request = requestOf(arguments);
+    const auto request = renderRequestOf(arguments);
     if (!request)
         return request.error();
     const auto renderer = invocation.host.renderer(arguments.value("mode").value_or(std::string(defaultMode)));
@@ -207,31 +184,38 @@ Result<Outcome> runRender(const Invocation& invocation)
     const auto backend = makeBackend(request->backend);
     if (!backend)
         return backend.error();
+    std::optional<tbb::global_control> limit;
+    if (request->picture.threads > 0)
+        limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(request->picture.threads));
 
     const auto prepared = prepareScene(invocation, *request, *renderer);
     if (!prepared)
         return prepared.error();
+    const auto pictureStart = Clock::now();
     const auto picture =
         (*backend)->render(*prepared->scene, prepared->camera, request->picture, invocation.progress.part(0.6, 1));
     if (!picture)
         return picture.error();
-    if (const Status written = writePng(request->output, *picture); !written)
+    QJsonObject figures = prepared->figures;
+    figures["picture_seconds"] = secondsSince(pictureStart);
+    addStatistics(figures, (*backend)->statistics());
+    if (const Status written = writeFiles(*request, *picture, figures); !written)
         return written.error();
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 
     const std::size_t triangles = triangleCount(*prepared->scene);
-    return Outcome{.figures = {{"file", QFile::decodeName(request->output.c_str())},
-                               {"width", picture->width},
-                               {"height", picture->height},
-                               {"sites", static_cast<qint64>(prepared->size.sites)},
-                               {"tetrahedra", static_cast<qint64>(prepared->size.tetrahedra)},
-                               {"triangles", static_cast<qint64>(triangles)},
-                               {"backend", QString::fromStdString(request->backend)},
-                               {"seconds", elapsed.count()}},
+    const double seconds = secondsSince(start);
+    figures["file"] = QFile::decodeName(request->output.c_str());
+    figures["mode"] = QString::fromStdString(renderer->id);
+    figures["width"] = picture->width;
+    figures["height"] = picture->height;
+    figures["triangles"] = static_cast<qint64>(triangles);
+    figures["backend"] = QString::fromStdString(request->backend);
+    figures["seconds"] = seconds;
+    return Outcome{.figures = figures,
                    .text = request->output.string() + ": " + std::to_string(picture->width) + " x " +
                            std::to_string(picture->height) + " pixels, " + std::to_string(triangles) +
-                           " triangles from " + std::to_string(prepared->size.tetrahedra) + " tetrahedra, in " +
-                           rounded(elapsed.count(), 3) + " s\n"};
+                           " triangles from " + std::to_string(prepared->tetrahedra) + " tetrahedra, in " +
+                           rounded(seconds, 3) + " s\n"};
 }
 
 } // namespace tetra

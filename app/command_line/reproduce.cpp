@@ -52,25 +52,27 @@ Result<std::vector<std::filesystem::path>> writeAll(const Reproduction& reproduc
 
 Syntax reproduceSyntax(PluginHost&)
 {
-    return {.purpose = "make the tables of the paper again",
-            .explanation =
-                "Builds the models of the paper (Cignoni and others, Multiresolution Representation and Visualization "
-                "of Volume Data, 1997) from their datasets, and prints the sizes of their meshes beside the paper's. "
-                "Tables 1 to 3: curvilinear grids, regular grids, regular grids in blocks. Table 4: isosurfaces. Into "
-                "the folder go the tables as text, Markdown and JSON, Figures 10 and 11 as PNG and SVG, and the "
-                "models. What has no data is skipped, and said so.",
-            .positionals = {},
-            .options = {{.name = "tables",
-                         .placeholder = "N[,N...]",
-                         .explanation = "Which of the paper's tables.",
-                         .byDefault = "1,2,3,4"},
-                        {.name = "data",
-                         .placeholder = "DIR",
-                         .explanation = "The folder with the paper's figures (paper/table1.csv ...) and the datasets "
-                                        "(bluntfin, post, sod, buckyball).",
-                         .required = true},
-                        outputOption("DIR", "The folder to write into; it is made if it does not exist.")},
-            .examples = {{"tan reproduce --tables 1,2,3 --data data -o reproduction", "The sizes of all models."}}};
+    return {
+        .purpose = "make the tables of the paper again",
+        .explanation =
+            "Builds the models of the paper (Cignoni and others, Multiresolution Representation and Visualization "
+            "of Volume Data, 1997) from their datasets, and prints the sizes of their meshes beside the paper's. "
+            "Tables 1 to 3: curvilinear grids, regular grids, regular grids in blocks. Table 4: isosurfaces, and how "
+            "long pictures of surfaces, volumes and both take. Into "
+            "the folder go the tables as text, Markdown and JSON, Figures 10 and 11 as PNG and SVG, and the "
+            "models. What has no data is skipped, and said so.",
+        .positionals = {},
+        .options = {{.name = "tables",
+                     .placeholder = "N[,N...]",
+                     .explanation = "Which of the paper's tables.",
+                     .byDefault = "1,2,3,4"},
+                    {.name = "data",
+                     .placeholder = "DIR",
+                     .explanation = "The folder with the paper's figures (paper/table1.csv ...) and the datasets "
+                                    "(bluntfin, post, sod, buckyball).",
+                     .required = true},
+                    outputOption("DIR", "The folder to write into; it is made if it does not exist.")},
+        .examples = {{"tan reproduce --tables 1,2,3 --data data -o reproduction", "The sizes of all models."}}};
 }
 
 Result<Outcome> runReproduce(const Invocation& invocation)

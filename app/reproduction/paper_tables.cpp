@@ -140,7 +140,8 @@ Result<std::vector<PaperSurface>> readPaperSurfaces(const std::filesystem::path&
                             file->number<double>(row, "max_warping_delta_percent_of_bbox_diagonal"),
                             file->number<std::uint64_t>(row, "vertices"),
                             file->number<std::uint64_t>(row, "tetrahedra"),
-                            file->number<std::uint64_t>(row, "isosurface_triangles")});
+                            file->number<std::uint64_t>(row, "isosurface_triangles"),
+                            file->number<double>(row, "direct_volume_rendering_seconds")});
     if (file->problem())
         return *file->problem();
     return surfaces;

@@ -39,6 +39,7 @@ struct PaperSurface {
     std::uint64_t sites = 0;
     std::uint64_t tetrahedra = 0;
     std::uint64_t triangles = 0;
+    double volumeSeconds = 0; ///< of direct volume rendering on a MIPS R4000
 };
 
 /// The models of table 1, 2 or 3 in a folder that holds table1.csv and so on, each with its levels in the order of the

@@ -66,8 +66,13 @@ QJsonObject surfaceFigures(const ReproducedSurface& surface)
 {
     QJsonObject paper = meshFigures(surface.paper.sites, surface.paper.tetrahedra);
     paper["triangles"] = static_cast<qint64>(surface.paper.triangles);
+    paper["volume_seconds"] = surface.paper.volumeSeconds;
     QJsonObject ours = meshFigures(surface.sites, surface.tetrahedra);
     ours["triangles"] = static_cast<qint64>(surface.triangles);
+    ours["extraction_seconds"] = surface.extractionSeconds;
+    ours["surface_seconds"] = surface.times.surface;
+    ours["volume_seconds"] = surface.times.volume;
+    ours["hybrid_seconds"] = surface.times.hybrid;
     return {{"dataset", toQString(surface.paper.dataset)},
             {"variant", toQString(surface.variant)},
             {"isovalue", surface.paper.isovalue},

@@ -5,6 +5,8 @@
 #include "core/model/extraction.h"
 #include "plugins/host/model_building.h"
 
+#include <chrono>
+
 namespace tetra {
 
 namespace {
@@ -81,20 +83,33 @@ Result<ReproducedModel> build(PluginHost& host, const Job& job, const std::files
     return result;
 }
 
-Result<ReproducedSurface> measure(const ReproducedModel& model, const PaperSurface& paper, const Progress& progress)
+Result<ReproducedSurface> measure(PluginHost& host, const ReproducedModel& model, const PaperSurface& paper,
+                                  const Progress& progress)
 {
     const MeshSize size = meshSizeAt(*model.model, {.error = paper.error, .warping = paper.warping});
-    const auto mesh = extractPrefix(*model.model, size.sites, progress);
-    if (!mesh)
-        return mesh.error();
-    const auto gradients = vertexGradients(*mesh);
-    const auto surface = extractIsosurface(*mesh, gradients, paper.isovalue, progress);
+    auto extracted = extractPrefix(*model.model, size.sites, progress);
+    if (!extracted)
+        return extracted.error();
+    const auto mesh = std::make_shared<const TetrahedralMesh>(*std::move(extracted));
+    const auto start = std::chrono::steady_clock::now();
+    const auto surface = extractIsosurface(*mesh, vertexGradients(*mesh), paper.isovalue, progress);
     if (!surface)
         return surface.error();
-    return ReproducedSurface{paper, model.experiment.variant, size.sites, size.tetrahedra, surface->triangles.size()};
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    const auto times = measureDrawing(host, model.model->description(), mesh, paper.isovalue, progress);
+    if (!times)
+        return times.error();
+    return ReproducedSurface{.paper = paper,
+                             .variant = model.experiment.variant,
+                             .sites = size.sites,
+                             .tetrahedra = size.tetrahedra,
+                             .triangles = surface->triangles.size(),
+                             .extractionSeconds = elapsed.count(),
+                             .times = *times};
 }
 
-Status measureSurfaces(Reproduction& reproduction, const std::filesystem::path& paper, const Progress& progress)
+Status measureSurfaces(PluginHost& host, Reproduction& reproduction, const std::filesystem::path& paper,
+                       const Progress& progress)
 {
     const auto rows = readPaperSurfaces(paper);
     if (!rows)
@@ -102,7 +117,7 @@ Status measureSurfaces(Reproduction& reproduction, const std::filesystem::path& 
     for (const ReproducedModel& model : reproduction.models)
         for (const PaperSurface& row : *rows)
             if (model.table == 1 && model.paper.dataset == row.dataset && model.model) {
-                auto surface = measure(model, row, progress);
+                auto surface = measure(host, model, row, progress);
                 if (!surface)
                     return surface.error();
                 reproduction.surfaces.push_back(*std::move(surface));
@@ -137,7 +152,8 @@ Result<Reproduction> reproduce(PluginHost& host, const std::filesystem::path& da
         reproduction.models.push_back(*std::move(model));
     }
     if (tables.contains(4))
-        if (const Status measured = measureSurfaces(reproduction, data / "paper", progress.part(0.95, 1)); !measured)
+        if (const Status measured = measureSurfaces(host, reproduction, data / "paper", progress.part(0.95, 1));
+            !measured)
             return measured.error();
     return reproduction;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/reproduction/drawing_times.h"
 #include "app/reproduction/experiment.h"
 #include "app/reproduction/paper_tables.h"
 #include "core/base/progress.h"
@@ -39,6 +40,8 @@ struct ReproducedSurface {
     std::uint64_t sites = 0;
     std::uint64_t tetrahedra = 0;
     std::uint64_t triangles = 0;
+    double extractionSeconds = 0; ///< of the surface, with its normals
+    DrawingTimes times;
 };
 
 struct Reproduction {

@@ -15,6 +15,7 @@ struct Camera {
     double elevation = 20;   ///< above the xy plane, kept within [-90, 90]
     double fieldOfView = 30; ///< across the shorter side of the picture, in (0, 180)
     bool perspective = true; ///< else orthographic, showing the same part of the plane through the target
+    bool operator==(const Camera&) const = default;
 };
 
 /// The camera that shows the whole of `bounds` in a picture of any shape, from the direction of `camera`. It fits the

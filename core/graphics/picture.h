@@ -12,6 +12,7 @@ struct Colour {
     float red = 0;
     float green = 0;
     float blue = 0;
+    bool operator==(const Colour&) const = default;
 };
 
 /// A finished picture: rows from top to bottom, 8-bit sRGB with straight (not premultiplied) alpha.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/graphics/isovalue.h"
 #include "core/transfer/transfer_function.h"
 
 #include <cstdint>
@@ -11,15 +12,6 @@
 #include <vector>
 
 namespace tetra {
-
-/// One isosurface to show (R19).
-struct Isovalue {
-    double value = 0;                            ///< in units of the data
-    float red = 0.9f, green = 0.6f, blue = 0.2f; ///< sRGB, [0, 1]
-    float opacity = 1;                           ///< (0, 1]
-    bool visible = true;
-    bool operator==(const Isovalue&) const = default;
-};
 
 /// The value of a plugin's parameter.
 using ParameterValue = std::variant<bool, std::int64_t, double, std::string, std::vector<Isovalue>, TransferFunction>;

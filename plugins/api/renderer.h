@@ -7,16 +7,19 @@
 #include "core/graphics/camera.h"
 #include "core/graphics/scene.h"
 #include "core/mesh/tetrahedral_mesh.h"
+#include "core/transfer/value_histogram.h"
 #include "plugins/api/parameter.h"
 
 #include <QtPlugin>
 
 namespace tetra {
 
-/// What is known of a field before its mesh is: for fitting defaults. Empty if nothing is known.
+/// What is known of a field: for fitting defaults. Empty if nothing is known.
 struct FieldExtent {
     ValueRange range{};
     Eigen::AlignedBox3d bounds{}; ///< of the domain
+    /// How the values share the domain's volume, if a mesh is there already (volumeHistogram()).
+    ValueHistogram volumes{};
 };
 
 /// A mesh being looked at: holds what is worth keeping between two changes of the parameters (gradients, surfaces).

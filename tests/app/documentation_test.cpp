@@ -2,6 +2,7 @@
 /// docs/command-line.md and the README say the truth about `tan`: every example is accepted.
 #include "app/command_line/arguments.h"
 #include "app/command_line/subcommand.h"
+#include "core/transfer/transfer_text.h"
 
 #include <QFile>
 #include <QRegularExpression>
@@ -77,6 +78,38 @@ private slots:
     {
         QVERIFY(!mistakeIn({"buidl"}).isEmpty());
         QVERIFY(!mistakeIn({"build", "a.nrrd", "-o", "b.tan", "--eror", "1"}).isEmpty());
+    }
+
+    /// What can be said to `tan render` stands in its chapter, each mode and each option.
+    void theChapterOfRenderIsComplete()
+    {
+        const QString chapter = contentOf("docs/command-line.md").section("## tan render\n", 1).section("\n## ", 0, 0);
+        const auto render = std::ranges::find(subcommands(), "render", &Subcommand::name);
+        for (const Option& option : render->syntax(*host_).options) {
+            const QString name = "--" + QString::fromStdString(option.name);
+            const bool ofTheFocus = name.startsWith("--focus-") || name == "--falloff"; // explained with `tan extract`
+            QVERIFY2(ofTheFocus || name == "--output" || chapter.contains(name), qPrintable(name));
+        }
+        for (const auto& renderer : host_->renderers())
+            QVERIFY2(chapter.contains("`" + QString::fromStdString(renderer.id) + "`"), renderer.id.c_str());
+    }
+
+    /// The transfer functions that the documentation shows are some.
+    void transferFunctionsOfTheDocumentationAreRead()
+    {
+        static const QRegularExpression indented("^    \\{\\n.*?^    \\}$",
+                                                 QRegularExpression::MultilineOption |
+                                                     QRegularExpression::DotMatchesEverythingOption);
+        const QString chapter =
+            contentOf("docs/formats.md").section("## Transfer functions\n", 1).section("\n## ", 0, 0);
+        const QString shown = indented.match(chapter).captured();
+        QVERIFY(!shown.isEmpty());
+        for (const QString& text : {shown, contentOf("docs/pictures/bluntfin-transfer.json"),
+                                    contentOf("docs/pictures/buckyball-transfer.json")}) {
+            const auto function = transferFunctionFromText(text.toStdString());
+            QVERIFY2(function.ok(), function.ok() ? "" : function.error().text.c_str());
+            QVERIFY(function->points.size() >= 3);
+        }
     }
 
     void everySubcommandHasAChapterWithExamples()

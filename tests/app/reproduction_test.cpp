@@ -20,6 +20,16 @@ constexpr const char* table2 =
     "BuckyBall,32,32,32,32768,472130,25868,1318,4.0,42468,7125,21\n"
     "BuckyBall,32,32,32,32768,472130,25868,1318,0.0,176687,32768,100\n";
 
+constexpr const char* table1 =
+    "dataset,dim_i,dim_j,dim_k,dataset_sites,model_total_tetrahedra,construction_peak_ram_kb,"
+    "construction_time_cpu_seconds,max_warping_delta_percent_of_bbox_diagonal,"
+    "max_error_epsilon_percent_of_value_range,lod_tetrahedra,lod_sites,lod_sites_percent_as_printed\n"
+    "BluntFin,40,32,32,40960,590831,35300,1704,1.0,1.0,80883,14162,34\n";
+const QString table4 = "dataset,isosurface_threshold,max_warping_delta_percent_of_bbox_diagonal,"
+                       "max_error_epsilon_percent_of_value_range,vertices,tetrahedra,isosurface_triangles,"
+                       "direct_volume_rendering_seconds\n"
+                       "BluntFin,";
+
 } // namespace
 
 class ReproductionTest : public QObject {
@@ -62,6 +72,39 @@ private slots:
         QCOMPARE(rows[1]["ours"]["sites"].toInt(), level["sites"].toInt());
         QCOMPARE(rows[1]["ours"]["tetrahedra"].toInt(), level["tetrahedra"].toInt());
         QVERIFY(level["sites"].toInt() > 8);
+    }
+
+    /// Table 4 on a small grid: triangles as 'tan isosurface' finds them, and times.
+    void drawsTheModelsOfTable4()
+    {
+        QVERIFY(QDir().mkpath(path("data/bluntfin")));
+        QCOMPARE(runTan({"sample", "bent-duct", "--size", "8", "-o", "duct.xyz"}, folder_.path()).exitCode, 0);
+        QVERIFY(QFile::rename(path("duct.xyz"), path("data/bluntfin/bluntfinxyz.bin")));
+        QVERIFY(QFile::rename(path("duct.q"), path("data/bluntfin/bluntfinq.bin")));
+        const Run info = runTan({"info", "data/bluntfin/bluntfinxyz.bin", "--json"}, folder_.path());
+        const QJsonArray range = info.json()["range"].toArray();
+        const QString isovalue = QString::number((range[0].toDouble() + range[1].toDouble()) / 2);
+        QVERIFY(writeFile(path("data/paper/table1.csv"), table1));
+        QVERIFY(writeFile(path("data/paper/table4.csv"),
+                          (table4 + isovalue + ",1.0,1.0,14162,80883,9143,16.1\n").toUtf8()));
+
+        const Run run = runTan({"reproduce", "--tables", "4", "--data", "data", "-o", "out", "--json"}, folder_.path());
+        QVERIFY2(run.exitCode == 0, run.messages);
+        const QJsonArray rows = run.json()["tables"][0]["rows"].toArray();
+        QCOMPARE(rows.size(), 2);
+        for (const QJsonValue row : rows) {
+            QCOMPARE(row["paper"]["volume_seconds"].toDouble(), 16.1);
+            QCOMPARE(row["paper"]["triangles"].toInt(), 9143);
+            for (const char* key : {"extraction_seconds", "surface_seconds", "volume_seconds", "hybrid_seconds"})
+                QVERIFY2(row["ours"][key].toDouble() > 0, key);
+            const QString model = row["variant"].toString().replace(' ', '-');
+            const Run surface = runTan({"isosurface", "out/models/table1-BluntFin-40x32x32-" + model + ".tan",
+                                        "--error", "1", "--value", isovalue, "-o", "surface.ply", "--json"},
+                                       folder_.path());
+            QVERIFY2(surface.exitCode == 0, surface.messages);
+            QCOMPARE(row["ours"]["triangles"].toInt(), surface.json()["triangles"].toInt());
+            QVERIFY(row["ours"]["triangles"].toInt() > 0);
+        }
     }
 
     void skipsWhatHasNoData()

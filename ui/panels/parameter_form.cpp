@@ -9,14 +9,17 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-
-#include <utility>
+#include <QSignalBlocker>
 
 namespace tetra {
 namespace {
 
-/// A control and how to read it; no control for a type that a form cannot hold.
-using Control = std::pair<QWidget*, std::function<ParameterValue()>>;
+/// A control, how to read it and how to show a value in it; no widget for a type that a form cannot hold.
+struct Control {
+    QWidget* widget = nullptr;
+    std::function<ParameterValue()> read{};
+    std::function<void(const ParameterValue&)> show{};
+};
 
 bool isBounded(const Parameter& parameter)
 {
@@ -27,7 +30,8 @@ Control controlFor(const Parameter& parameter, bool value)
 {
     auto* box = new QCheckBox(pluginText(parameter.label));
     box->setChecked(value);
-    return {box, [box] { return box->isChecked(); }};
+    return {box, [box] { return box->isChecked(); },
+            [box](const ParameterValue& shown) { box->setChecked(std::get<bool>(shown)); }};
 }
 
 /// Shows no more digits than the number has.
@@ -51,13 +55,15 @@ QDoubleSpinBox* numberBox(const Parameter& parameter, int decimals, double value
 Control controlFor(const Parameter& parameter, std::int64_t value)
 {
     auto* box = numberBox(parameter, 0, static_cast<double>(value));
-    return {box, [box] { return static_cast<std::int64_t>(box->value()); }};
+    return {box, [box] { return static_cast<std::int64_t>(box->value()); },
+            [box](const ParameterValue& shown) { box->setValue(static_cast<double>(std::get<std::int64_t>(shown))); }};
 }
 
 Control controlFor(const Parameter& parameter, double value)
 {
     auto* box = numberBox(parameter, 4, value);
-    return {box, [box] { return box->value(); }};
+    return {box, [box] { return box->value(); },
+            [box](const ParameterValue& shown) { box->setValue(std::get<double>(shown)); }};
 }
 
 Control controlFor(const Parameter& parameter, const std::string& value)
@@ -65,27 +71,32 @@ Control controlFor(const Parameter& parameter, const std::string& value)
     if (parameter.choices.empty()) {
         auto* line = new QLineEdit(QString::fromStdString(value));
         line->setClearButtonEnabled(true);
-        return {line, [line] { return line->text().toStdString(); }};
+        return {line, [line] { return line->text().toStdString(); }, [line](const ParameterValue& shown) {
+                    if (const auto text = QString::fromStdString(std::get<std::string>(shown)); line->text() != text)
+                        line->setText(text);
+                }};
     }
     auto* box = new QComboBox;
     for (const std::string& choice : parameter.choices)
         box->addItem(pluginText(choice), QString::fromStdString(choice));
     box->setCurrentIndex(box->findData(QString::fromStdString(value)));
-    return {box, [box] { return box->currentData().toString().toStdString(); }};
+    return {box, [box] { return box->currentData().toString().toStdString(); }, [box](const ParameterValue& shown) {
+                box->setCurrentIndex(box->findData(QString::fromStdString(std::get<std::string>(shown))));
+            }};
 }
 
 Control controlFor(const Parameter& parameter, const TransferFunction& value)
 {
     Q_UNUSED(parameter);
     Q_UNUSED(value);
-    return {nullptr, {}};
+    return {};
 }
 
 Control controlFor(const Parameter& parameter, const std::vector<Isovalue>& value)
 {
     Q_UNUSED(parameter);
     Q_UNUSED(value);
-    return {nullptr, {}};
+    return {};
 }
 
 } // namespace
@@ -111,8 +122,9 @@ void ParameterForm::setParameters(const std::vector<Parameter>& parameters)
 
 void ParameterForm::add(const Parameter& parameter)
 {
-    const auto [widget, read] =
+    const Control control =
         std::visit([&](const auto& value) { return controlFor(parameter, value); }, parameter.defaultValue);
+    QWidget* widget = control.widget;
     if (widget == nullptr)
         return;
     const QString label = pluginText(parameter.label);
@@ -126,7 +138,44 @@ void ParameterForm::add(const Parameter& parameter)
         layout_->addRow(unit.isEmpty() ? label : tr("%1 (%2)").arg(label, unit), widget);
     if (auto* line = qobject_cast<QLineEdit*>(widget); line != nullptr && parameter.mistake)
         tellMistakes(*line, parameter);
-    fields_.push_back({parameter.id, read});
+    fields_.push_back({parameter.id, parameter.defaultValue, widget, control.read, control.show});
+    tellEdits(parameter, widget);
+}
+
+/// Text when it is finished and can be used, all else at once.
+void ParameterForm::tellEdits(const Parameter& parameter, QWidget* widget)
+{
+    const QString id = QString::fromStdString(parameter.id);
+    const auto tell = [this, id] { emit edited(id); };
+    if (auto* check = qobject_cast<QCheckBox*>(widget))
+        connect(check, &QCheckBox::clicked, this, tell);
+    else if (auto* number = qobject_cast<QDoubleSpinBox*>(widget))
+        connect(number, &QDoubleSpinBox::valueChanged, this, tell);
+    else if (auto* choice = qobject_cast<QComboBox*>(widget))
+        connect(choice, &QComboBox::activated, this, tell);
+    else if (auto* line = qobject_cast<QLineEdit*>(widget))
+        connect(line, &QLineEdit::editingFinished, this, [line, tell, mistake = parameter.mistake] {
+            if (!mistake || mistake(line->text().toStdString()).empty())
+                tell();
+        });
+}
+
+void ParameterForm::setValues(const ParameterValues& values)
+{
+    for (const Field& field : fields_) {
+        const auto found = values.find(field.id);
+        const bool fits = found != values.end() && found->second.index() == field.byDefault.index();
+        const QSignalBlocker blocker(qobject_cast<QLineEdit*>(field.widget) == nullptr ? field.widget : nullptr);
+        field.show(fits ? found->second : field.byDefault);
+    }
+}
+
+ParameterValue ParameterForm::value(const std::string& id) const
+{
+    for (const Field& field : fields_)
+        if (field.id == id)
+            return field.value();
+    return {};
 }
 
 /// A row below `line` that says, while it is edited, why its text cannot be used.

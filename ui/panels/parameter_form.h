@@ -22,14 +22,26 @@ public:
     /// Begins anew, with the defaults.
     void setParameters(const std::vector<Parameter>& parameters);
     ParameterValues values() const;
+    /// Of one; false if there is none.
+    ParameterValue value(const std::string& id) const;
+    /// Shows these; what is missing or of another type has its default. Tells nobody.
+    void setValues(const ParameterValues& values);
     bool isEmpty() const noexcept { return fields_.empty(); }
+
+signals:
+    /// By the user, to something that can be used.
+    void edited(const QString& id);
 
 private:
     struct Field {
         std::string id;
+        ParameterValue byDefault;
+        QWidget* widget = nullptr;
         std::function<ParameterValue()> value;
+        std::function<void(const ParameterValue&)> show;
     };
     void add(const Parameter& parameter);
+    void tellEdits(const Parameter& parameter, QWidget* widget);
     void tellMistakes(QLineEdit& line, const Parameter& parameter);
 
     QString prefix_;

@@ -19,6 +19,7 @@ namespace {
 constexpr auto leastPatience = std::chrono::milliseconds(300);
 constexpr auto mostPatience = std::chrono::milliseconds(2500);
 constexpr double muchLonger = 1.5;
+constexpr int histogramParts = 256;
 
 double secondsSince(std::chrono::steady_clock::time_point start)
 {
@@ -46,6 +47,7 @@ struct SceneBuilder::Workshop {
     const Renderer* renderer = nullptr;
     std::optional<MeshQuery> query; ///< that the mesh answers
     std::unique_ptr<RendererSession> session;
+    std::shared_ptr<const ValueHistogram> histogram; ///< of the mesh
     std::mutex mutex; ///< guards the next one
     std::shared_ptr<const ExtractedMesh> mesh;
 
@@ -81,6 +83,9 @@ Status SceneBuilder::Workshop::extract(const SceneRequest& request, const Progre
         return intact;
     setMesh(*std::move(extracted));
     query = request.query;
+    const ValueRange range = request.model->description().range;
+    histogram = std::make_shared<const ValueHistogram>(
+        valueHistogram(mesh->mesh.values, range.minimum, range.maximum, histogramParts));
     return {};
 }
 
@@ -103,7 +108,7 @@ try {
         return scene.error();
     built.scene = *std::move(scene);
     built.mesh = {request.query,    mesh->mesh.positions.size(), mesh->mesh.tetrahedra.size(),
-                  mesh->wholeSites, mesh->wholeTetrahedra,       mesh->scale};
+                  mesh->wholeSites, mesh->wholeTetrahedra,       mesh->scale, histogram};
     for (const Surface& surface : built.scene->surfaces)
         built.triangles += surface.mesh->triangles.size();
     built.sceneSeconds = secondsSince(start) - built.extractionSeconds;

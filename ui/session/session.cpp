@@ -26,12 +26,12 @@ ValueRange Session::range() const
     return model_ ? model_->description().range : ValueRange{};
 }
 
-void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues)
+void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues, Look look)
 {
     model_ = std::move(model);
     undoStack_.clear();
     shown_.reset();
-    view_.reset(startingQuery(*model_, startingError(*model_)), std::move(isovalues));
+    view_.reset(startingQuery(*model_, startingError(*model_)), std::move(isovalues), std::move(look));
     emit modelChanged();
 }
 
@@ -49,18 +49,22 @@ void Session::close()
     model_.reset();
     undoStack_.clear();
     shown_.reset();
-    view_.reset({}, {});
+    view_.reset({}, {}, {});
     emit modelChanged();
 }
 
 void Session::beginGesture()
 {
     gesture_ = ++lastGesture_;
+    emit gestureChanged(true);
 }
 
 void Session::endGesture()
 {
+    if (gesture_ == 0)
+        return;
     gesture_ = 0;
+    emit gestureChanged(false);
 }
 
 void Session::setError(double percent)
@@ -114,6 +118,35 @@ void Session::setQuery(const QueryState& query)
     const QueryState after = corrected(query, view_.query(), *model_);
     if (after != view_.query())
         undoStack_.push(new ChangeQuery(view_, after, gesture_));
+}
+
+void Session::setMode(const std::string& mode)
+{
+    Look look = view_.look();
+    look.mode = mode;
+    setLook(look);
+}
+
+void Session::setTransfer(const TransferFunction& transfer)
+{
+    if (!checkTransferFunction(transfer))
+        return;
+    Look look = view_.look();
+    look.transfer = transfer;
+    setLook(look);
+}
+
+void Session::setSetting(const std::string& id, const ParameterValue& value)
+{
+    Look look = view_.look();
+    look.settings[id] = value;
+    setLook(look);
+}
+
+void Session::setLook(const Look& look)
+{
+    if (model_ && look != view_.look())
+        undoStack_.push(new ChangeLook(view_, look, gesture_));
 }
 
 bool Session::showsQuery() const

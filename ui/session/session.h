@@ -31,7 +31,7 @@ public:
     ValueRange range() const;
 
     /// Shows `model` at an accuracy that is quick to draw. The history of edits starts anew.
-    void open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues);
+    void open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues, Look look = {});
     /// Shows a model of the same dataset that has more sites, as the model is seen now: the history of edits goes on.
     /// As long as nothing was edited the accuracy follows what is quick to draw.
     void grow(std::shared_ptr<const Model> model);
@@ -39,6 +39,8 @@ public:
 
     void beginGesture();
     void endGesture();
+    /// Whether something is being dragged: pictures that follow count more than fine ones.
+    bool inGesture() const noexcept { return gesture_ != 0; }
     /// By error from now on; outside the focus, if there is one. Clamped to [0, 100] %.
     void setError(double percent);
     /// By budget from now on; at least the coarsest mesh.
@@ -49,6 +51,12 @@ public:
     void setFocus(const FocusState& focus);
     void setWindow(const WindowState& window);
     void setValueFilter(const ValueFilter& values);
+    /// The id of a renderer plugin.
+    void setMode(const std::string& mode);
+    /// One that checkTransferFunction() refuses changes nothing.
+    void setTransfer(const TransferFunction& transfer);
+    /// Of a renderer's parameter.
+    void setSetting(const std::string& id, const ParameterValue& value);
     /// At `value`, or in the middle of the widest range of values without one; in a colour that is not in use.
     void addIsovalue(std::optional<double> value = std::nullopt);
     /// Out of range indices are ignored.
@@ -66,9 +74,11 @@ signals:
     void modelChanged();
     void modelGrown();
     void shownChanged();
+    void gestureChanged(bool on);
 
 private:
     bool hasIsovalue(int index) const;
+    void setLook(const Look& look);
 
     std::shared_ptr<const Model> model_;
     ViewState view_;

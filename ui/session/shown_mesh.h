@@ -2,8 +2,10 @@
 #pragma once
 
 #include "core/model/queries/mesh_query.h"
+#include "core/transfer/value_histogram.h"
 
 #include <cstdint>
+#include <memory>
 
 namespace tetra {
 
@@ -15,6 +17,7 @@ struct ShownMesh {
     std::uint32_t wholeSites = 0; ///< before window and values, as in ExtractedMesh
     std::uint64_t wholeTetrahedra = 0;
     double scale = 1; ///< as in ExtractedMesh
+    std::shared_ptr<const ValueHistogram> histogram{}; ///< of its vertices' values, over the model's range
 };
 
 } // namespace tetra

@@ -30,6 +30,30 @@ bool ChangeQuery::mergeWith(const QUndoCommand* next)
     return true;
 }
 
+ChangeLook::ChangeLook(ViewState& state, const Look& after, Gesture gesture)
+    : QUndoCommand(nameOf(state.look(), after)), state_(state), before_(state.look()), after_(after), gesture_(gesture)
+{
+}
+
+QString ChangeLook::nameOf(const Look& before, const Look& after)
+{
+    if (before.mode != after.mode)
+        return tr("change of rendering mode");
+    if (before.transfer != after.transfer)
+        return tr("change of transfer function");
+    return tr("change of rendering");
+}
+
+bool ChangeLook::mergeWith(const QUndoCommand* next)
+{
+    const auto& other = *static_cast<const ChangeLook*>(next);
+    if (gesture_ == 0 || other.gesture_ != gesture_)
+        return false;
+    after_ = other.after_;
+    setObsolete(after_ == before_);
+    return true;
+}
+
 ChangeIsovalue::ChangeIsovalue(ViewState& state, int index, const Isovalue& isovalue, Gesture gesture)
     : QUndoCommand(tr("change of isovalue")), state_(state), index_(index),
       before_(state.isovalues()[static_cast<std::size_t>(index)]), after_(isovalue), gesture_(gesture)

@@ -9,7 +9,7 @@
 namespace tetra {
 
 /// The ids by which the undo stack merges commands; zero is "never".
-enum class CommandId { ChangeQuery = 1, ChangeIsovalue };
+enum class CommandId { ChangeQuery = 1, ChangeIsovalue, ChangeLook };
 
 /// The number of a gesture (one drag): commands of one gesture merge into one step. Zero is no gesture.
 using Gesture = std::uint64_t;
@@ -30,6 +30,25 @@ private:
     ViewState& state_;
     QueryState before_;
     QueryState after_;
+    Gesture gesture_;
+};
+
+/// How the mesh is looked at. Named after what differs.
+class ChangeLook : public QUndoCommand {
+    Q_DECLARE_TR_FUNCTIONS(ChangeLook)
+public:
+    ChangeLook(ViewState& state, const Look& after, Gesture gesture);
+    int id() const override { return static_cast<int>(CommandId::ChangeLook); }
+    void redo() override { state_.setLook(after_); }
+    void undo() override { state_.setLook(before_); }
+    bool mergeWith(const QUndoCommand* next) override;
+
+private:
+    static QString nameOf(const Look& before, const Look& after);
+
+    ViewState& state_;
+    Look before_;
+    Look after_;
     Gesture gesture_;
 };
 

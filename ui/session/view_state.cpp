@@ -3,9 +3,10 @@
 
 namespace tetra {
 
-void ViewState::reset(const QueryState& query, std::vector<Isovalue> isovalues)
+void ViewState::reset(const QueryState& query, std::vector<Isovalue> isovalues, Look look)
 {
     query_ = query;
+    look_ = std::move(look);
     isovalues_ = std::move(isovalues);
     emit wasReset();
 }
@@ -14,6 +15,12 @@ void ViewState::setQuery(const QueryState& query)
 {
     query_ = query;
     emit queryChanged();
+}
+
+void ViewState::setLook(const Look& look)
+{
+    look_ = look;
+    emit lookChanged();
 }
 
 void ViewState::insertIsovalue(int index, const Isovalue& isovalue)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plugins/api/parameter.h"
+#include "ui/session/look.h"
 #include "ui/session/query_state.h"
 
 #include <QObject>
@@ -10,20 +11,22 @@
 
 namespace tetra {
 
-/// What the user has chosen to see of a model, apart from the camera: which mesh, and the isovalues. Tells every
-/// change; Session makes the changes undoable. An index is a position in isovalues().
+/// What the user has chosen to see of a model, apart from the camera: which mesh, how it is looked at, and the
+/// isovalues. Tells every change; Session makes the changes undoable. An index is a position in isovalues().
 class ViewState : public QObject {
     Q_OBJECT
 public:
     using QObject::QObject;
 
     const QueryState& query() const noexcept { return query_; }
+    const Look& look() const noexcept { return look_; }
     double error() const noexcept { return query_.error; } ///< % of the value range
     const std::vector<Isovalue>& isovalues() const noexcept { return isovalues_; }
     int isovalueCount() const noexcept { return static_cast<int>(isovalues_.size()); }
 
-    void reset(const QueryState& query, std::vector<Isovalue> isovalues);
+    void reset(const QueryState& query, std::vector<Isovalue> isovalues, Look look);
     void setQuery(const QueryState& query);
+    void setLook(const Look& look);
     void insertIsovalue(int index, const Isovalue& isovalue);
     void removeIsovalue(int index);
     void setIsovalue(int index, const Isovalue& isovalue);
@@ -31,12 +34,14 @@ public:
 signals:
     void wasReset();
     void queryChanged();
+    void lookChanged();
     void isovalueInserted(int index);
     void isovalueRemoved(int index);
     void isovalueChanged(int index);
 
 private:
     QueryState query_;
+    Look look_;
     std::vector<Isovalue> isovalues_;
 };
 

@@ -7,21 +7,20 @@
 #include "ui/session/plugin_texts.h"
 #include "ui/session/recent_files.h"
 #include "ui/session/target_path.h"
+#include "ui/session/text_file.h"
 
 #include <QRegularExpression>
+
+#include <algorithm>
 
 namespace tetra {
 namespace {
 
 constexpr int timeBetweenLooks = 700; // milliseconds
 
-/// The parameter of a renderer that takes the session's isovalues; none if it has no such thing.
-const Parameter* isovalueParameter(const std::vector<Parameter>& parameters)
+FieldExtent extentOf(const Model& model)
 {
-    for (const Parameter& parameter : parameters)
-        if (std::holds_alternative<std::vector<Isovalue>>(parameter.defaultValue))
-            return &parameter;
-    return nullptr;
+    return {model.description().range, model.description().bounds};
 }
 
 std::vector<Parameter> readerParameters(PluginHost& host, const std::filesystem::path& path)
@@ -38,12 +37,14 @@ Workbench::Workbench(PluginHost& host, QObject* parent) : QObject(parent), host_
     connect(&session_, &Session::modelChanged, this, &Workbench::requestScene);
     connect(&session_, &Session::modelGrown, this, &Workbench::requestScene);
     connect(view, &ViewState::queryChanged, this, &Workbench::requestScene);
+    connect(view, &ViewState::lookChanged, this, &Workbench::requestScene);
     connect(view, &ViewState::isovalueInserted, this, &Workbench::requestScene);
     connect(view, &ViewState::isovalueRemoved, this, &Workbench::requestScene);
     connect(view, &ViewState::isovalueChanged, this, &Workbench::requestScene);
     connect(&sceneBuilder_, &SceneBuilder::failed, this, &Workbench::tell);
     connect(&sceneBuilder_, &SceneBuilder::sceneReady, &session_,
             [this](const BuiltScene& scene) { session_.setShown(scene.mesh); });
+    connect(&sceneBuilder_, &SceneBuilder::sceneReady, this, &Workbench::requestDrafts);
     connect(&sceneBuilder_, &SceneBuilder::sceneReady, this, &Workbench::saveMeshWhenShown);
     connect(&sceneBuilder_, &SceneBuilder::failed, this, [this] { meshTarget_.clear(); });
     looking_.setInterval(timeBetweenLooks);
@@ -85,18 +86,17 @@ void Workbench::modelRead(const Result<std::shared_ptr<const Model>>& model)
 {
     if (!model)
         return tell(model.error());
-    const auto renderers = host_.renderers();
-    if (renderers.empty())
+    modes_ = renderingModes(host_);
+    if (modes_.empty())
         return emit failed(tr("No renderer plugin could be loaded, so there is no way to show a model. %1")
                                .arg(QString::fromStdString(host_.explainMissing(PluginKind::Renderer))));
-    renderer_ = renderers.front().plugin;
-    const auto parameters = renderer_->parameters({(*model)->description().range, (*model)->description().bounds});
-    const Parameter* isovalues = isovalueParameter(parameters);
+    const FieldExtent field = extentOf(**model);
+    Look look = startingLook(modes_, field);
     if (*model != look_)
         addRecentFile(pathText((*model)->path()));
     sceneBuilder_.clear();
-    session_.open(*model,
-                  isovalues ? std::get<std::vector<Isovalue>>(isovalues->defaultValue) : std::vector<Isovalue>{});
+    draftBuilder_.clear();
+    session_.open(*model, startingIsovalues(modes_, field), std::move(look));
 }
 
 void Workbench::datasetRead(const std::filesystem::path& path, const Result<Dataset>& dataset)
@@ -230,6 +230,7 @@ void Workbench::closeModel()
 {
     meshTarget_.clear();
     sceneBuilder_.clear();
+    draftBuilder_.clear();
     session_.close();
 }
 
@@ -241,6 +242,30 @@ void Workbench::savePicture(const PictureOrder& order)
                 emit pictureSaved(pathText(order.target));
             else
                 tell(saved.error());
+        };
+    });
+}
+
+void Workbench::saveText(const std::filesystem::path& target, const std::string& text)
+{
+    textFiles_.start([this, target, text](const Progress&) -> std::function<void()> {
+        return [this, target, saved = writeTextFile(target, text)] {
+            if (saved)
+                emit textSaved(pathText(target));
+            else
+                tell(saved.error());
+        };
+    });
+}
+
+void Workbench::loadText(const std::filesystem::path& path, std::function<Status(const std::string& text)> use)
+{
+    textFiles_.start([this, path, use = std::move(use)](const Progress&) -> std::function<void()> {
+        return [this, path, use, text = readTextFile(path)] {
+            if (!text)
+                return tell(text.error());
+            if (const Status used = use(*text); !used)
+                tell({used.error().kind, "In '" + path.string() + "': " + used.error().text});
         };
     });
 }
@@ -268,15 +293,43 @@ void Workbench::saveMeshWhenShown()
     });
 }
 
+const Renderer* Workbench::renderer() const
+{
+    const auto found = std::ranges::find(modes_, session_.view().look().mode, &Provided<Renderer>::id);
+    return found != modes_.end() ? found->plugin : nullptr;
+}
+
+std::vector<Parameter> Workbench::renderingParameters() const
+{
+    const Renderer* mode = renderer();
+    return mode != nullptr && session_.model() ? mode->parameters(extentOf(*session_.model()))
+                                               : std::vector<Parameter>{};
+}
+
+SceneRequest Workbench::sceneRequest() const
+{
+    const ViewState& view = session_.view();
+    return {session_.model(), renderer(), meshQuery(view.query(), *session_.model()),
+            rendererValues(renderingParameters(), view.look(), view.isovalues()), {}};
+}
+
 void Workbench::requestScene()
 {
-    if (!session_.model() || renderer_ == nullptr)
+    if (!session_.model() || renderer() == nullptr)
         return;
-    SceneRequest request{session_.model(), renderer_, meshQuery(session_.view().query(), *session_.model()), {}, {}};
-    const auto parameters = renderer_->parameters({session_.range(), session_.model()->description().bounds});
-    if (const Parameter* isovalues = isovalueParameter(parameters))
-        request.values[isovalues->id] = session_.view().isovalues();
-    sceneBuilder_.request(std::move(request));
+    const SceneRequest request = sceneRequest();
+    draftBuilder_.requestLook(request);
+    sceneBuilder_.request(request);
+}
+
+/// Coarser ones of the scene, unless another one is on its way already.
+void Workbench::requestDrafts(const BuiltScene& scene)
+{
+    if (session_.model() != scene.model || renderer() == nullptr)
+        return;
+    const SceneRequest request = sceneRequest();
+    if (request.query == scene.mesh.query)
+        draftBuilder_.request(request, scene.mesh);
 }
 
 void Workbench::tell(const Error& error)

@@ -4,6 +4,7 @@
 #include "core/data/dataset.h"
 #include "plugins/host/live_build.h"
 #include "plugins/host/plugin_host.h"
+#include "ui/session/draft_builder.h"
 #include "ui/session/mesh_saving.h"
 #include "ui/session/picture_file.h"
 #include "ui/session/scene_builder.h"
@@ -15,6 +16,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 
 namespace tetra {
 
@@ -40,6 +42,11 @@ public:
     LongTask& reading() noexcept { return reading_; }
     LongTask& building() noexcept { return building_; }
     SceneBuilder& sceneBuilder() noexcept { return sceneBuilder_; }
+    DraftBuilder& draftBuilder() noexcept { return draftBuilder_; }
+    /// The ways to look at a model; empty before the first one was opened.
+    const std::vector<Provided<Renderer>>& modes() const noexcept { return modes_; }
+    /// The parameters of the mode that is in use, fitting the model; empty without one.
+    std::vector<Parameter> renderingParameters() const;
     /// The dataset that models can be built of; none before one was opened.
     const std::shared_ptr<const Dataset>& dataset() const noexcept { return dataset_; }
     /// The file that waits for describe(); empty if none does.
@@ -63,6 +70,10 @@ public:
     void savePicture(const PictureOrder& order);
     /// Saves the mesh of the picture, once that is up to date.
     void saveMesh(const std::filesystem::path& target);
+    /// Writes a small text: a transfer function, a camera.
+    void saveText(const std::filesystem::path& target, const std::string& text);
+    /// Reads one and gives it to `use`, in this thread; what that says against it is told with the file's name.
+    void loadText(const std::filesystem::path& path, std::function<Status(const std::string& text)> use);
     LongTask& savingMesh() noexcept { return savingMesh_; }
 
 signals:
@@ -74,6 +85,7 @@ signals:
     void modelBuilt();
     void pictureSaved(const QString& path);
     void meshSaved(const QString& path);
+    void textSaved(const QString& path);
 
 private:
     void read(const std::filesystem::path& path, const ParameterValues& values);
@@ -84,7 +96,10 @@ private:
     bool showsLook() const { return look_ != nullptr && session_.model() == look_; }
     void datasetRead(const std::filesystem::path& path, const Result<Dataset>& dataset);
     void modelRead(const Result<std::shared_ptr<const Model>>& model);
+    const Renderer* renderer() const;
+    SceneRequest sceneRequest() const;
     void requestScene();
+    void requestDrafts(const BuiltScene& scene);
     void saveMeshWhenShown();
     void tell(const Error& error);
 
@@ -92,12 +107,14 @@ private:
     Session session_;
     std::shared_ptr<const Dataset> dataset_;
     std::filesystem::path undescribedFile_;
-    const Renderer* renderer_ = nullptr; ///< of the open model
+    std::vector<Provided<Renderer>> modes_;
     SceneBuilder sceneBuilder_;
+    DraftBuilder draftBuilder_;
     LongTask reading_;
     LongTask building_;
     LongTask savingPicture_;
     LongTask savingMesh_;
+    LongTask textFiles_;
     std::filesystem::path meshTarget_; ///< of the mesh that waits to be saved; empty if none does
 
     std::shared_ptr<LiveBuild> live_;         ///< of the build that is being watched

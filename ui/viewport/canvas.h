@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/graphics/camera.h"
+#include "core/graphics/progressive/frame_pacer.h"
 #include "core/graphics/scene.h"
 
 #include <QImage>
@@ -9,17 +10,33 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 class QWidget;
 
 namespace tetra {
 
+/// A scene, and of how many tetrahedra it was made.
+struct SceneLevel {
+    std::shared_ptr<const Scene> scene;
+    std::uint64_t tetrahedra = 0;
+};
+
 /// What a canvas shows.
 struct View {
-    std::shared_ptr<const Scene> scene; ///< may be missing: only the background
+    std::vector<SceneLevel> levels; ///< what is to be seen, then coarser ones for moving pictures; none: the background
     Camera camera;
     Colour background;
-    bool moving = false; ///< the camera is on its way: quick pictures count more than fine ones
+    bool moving = false; ///< camera or scene are on their way: quick pictures count more than fine ones
+};
+
+/// How the picture on the screen was drawn.
+struct FrameReport {
+    double seconds = 0; ///< that drawing took
+    bool moving = false;
+    double framesPerSecond = 0; ///< while moving; 0 if there were too few to tell
+    double reduction = 1;       ///< of width and height
+    std::uint64_t tetrahedra = 0;
 };
 
 /// The part of the viewport that draws with one back end. It takes no input: that goes on to the viewport around it.
@@ -30,14 +47,24 @@ public:
     virtual QWidget* widget() = 0;
     virtual QString backendName() const = 0;
     virtual void show(const View& view) = 0;
+    /// Pictures a second to hold while something moves.
+    virtual void setFrameRate(double perSecond) = 0;
+    /// The rate to hold unless the user says otherwise.
+    virtual double usualFrameRate() const = 0;
     /// True once the fine picture of the last view is on the screen.
     virtual bool settled() const = 0;
     /// The picture that is on the screen, in its own pixels.
     virtual QImage picture() = 0;
 
-    std::function<void(double seconds)> framePainted; ///< called after each picture, with the time that drawing it took
+    std::function<void(const FrameReport& report)> framePainted; ///< called after each picture
     std::function<void(const QString& text)> failed;  ///< called when a picture could not be drawn
     std::function<void(const QString& text)> unusable; ///< called when this back end does not work here after all
 };
+
+/// Whether the fine pictures of both are the same: coarser levels do not matter to them.
+bool haveSameStill(const View& first, const View& second);
+
+/// The levels of a view for the choice between them; one without anything if there are none.
+std::vector<FrameLevel> frameLevels(const View& view);
 
 } // namespace tetra

@@ -6,21 +6,25 @@
 #include <QPainter>
 
 #include <chrono>
+#include <cmath>
 
 namespace tetra {
 namespace {
 
-/// The time that a picture may take while the camera moves, in seconds.
-constexpr double movingBudget = 0.04;
-constexpr int coarsestReduction = 4;
+constexpr int fineSamples = 2; ///< along each axis of a pixel
 /// A coarse picture on its way is finished and shown before a newer one begins; a fine one is given up.
 constexpr auto movingPatience = std::chrono::milliseconds(200);
+/// The order of cells is used again for cameras that differ by less, in degrees: what is wrong then cannot be seen in
+/// motion.
+constexpr double movingTolerance = 4;
 
 } // namespace
 
-CpuCanvas::CpuCanvas(QWidget* parent) : QWidget(parent), backend_(makeCpuBackend())
+CpuCanvas::CpuCanvas(QWidget* parent)
+    : QWidget(parent), movingBackend_(makeCpuBackend()), fineBackend_(makeCpuBackend())
 {
     setAttribute(Qt::WA_OpaquePaintEvent);
+    pacer_.setFrameRate(usualFrameRate());
 }
 
 CpuCanvas::~CpuCanvas() = default;
@@ -32,43 +36,85 @@ QString CpuCanvas::backendName() const
 
 void CpuCanvas::show(const View& view)
 {
+    const bool isShown = haveSameStill(view_, view) && newest_ > 0;
     view_ = view;
-    render();
+    pacer_.setLevels(frameLevels(view));
+    if (!view_.moving)
+        clock_.stop();
+    if (!isShown)
+        render();
 }
 
+/// Begins anew: the view or the size has changed.
 void CpuCanvas::render()
 {
     settled_ = false;
-    const QSize pixels = size() * devicePixelRatioF();
-    if (pixels.isEmpty())
+    ++newest_;
+    if (pixels().isEmpty())
         return;
-    const bool fine = !view_.moving;
-    const int divisor = fine ? 1 : reduction(pixels);
-    PictureOptions options;
-    options.width = std::max(1, pixels.width() / divisor);
-    options.height = std::max(1, pixels.height() / divisor);
-    options.background = view_.background;
-    options.samplesPerAxis = fine ? 2 : 1;
-    job_.submit(
-        [this, backend = backend_, view = view_, options, fine, number = ++newest_](const std::stop_token& stop) {
-            Drawn drawn = draw(*backend, view, options, stop);
-            drawn.number = number;
-            drawn.fine = fine;
-            QMetaObject::invokeMethod(
-                this, [this, drawn = std::move(drawn)] { arrived(drawn); }, Qt::QueuedConnection);
-        },
-        fine ? std::chrono::milliseconds(0) : movingPatience);
+    if (view_.moving)
+        return drawMoving();
+    steps_ = pacer_.refinement(pixelCount(), fineSamples);
+    refine(0);
 }
 
-CpuCanvas::Drawn CpuCanvas::draw(RenderBackend& backend, const View& view, const PictureOptions& options,
-                                 const std::stop_token& stop)
+double CpuCanvas::pixelCount() const
+{
+    return static_cast<double>(pixels().width()) * pixels().height();
+}
+
+void CpuCanvas::drawMoving()
+{
+    const FramePlan plan = pacer_.nextFrame(pixelCount());
+    Order order;
+    order.levelIndex = plan.level;
+    order.reduction = plan.reduction;
+    order.moving = true;
+    order.options.samplesPerAxis = 1;
+    order.options.orderTolerance = movingTolerance;
+    submit(order);
+}
+
+/// Draws this step and, when it is on the screen, the next one.
+void CpuCanvas::refine(std::size_t step)
+{
+    Order order;
+    order.step = step;
+    order.isLast = step + 1 == steps_.size();
+    order.reduction = steps_[step].reduction;
+    order.options.samplesPerAxis = steps_[step].samplesPerAxis;
+    order.options.orderTolerance = order.isLast ? 0 : movingTolerance;
+    submit(order);
+}
+
+void CpuCanvas::submit(Order order)
+{
+    if (order.levelIndex < view_.levels.size())
+        order.level = view_.levels[order.levelIndex];
+    order.camera = view_.camera;
+    order.options.width = std::max(1, static_cast<int>(std::lround(pixels().width() / order.reduction)));
+    order.options.height = std::max(1, static_cast<int>(std::lround(pixels().height() / order.reduction)));
+    order.options.background = view_.background;
+    order.view = newest_;
+    job_.submit(
+        [this, order, backend = order.moving ? movingBackend_ : fineBackend_](const std::stop_token& stop) {
+            QMetaObject::invokeMethod(
+                this, [this, order, drawn = draw(*backend, order, stop)] { arrived(order, drawn); },
+                Qt::QueuedConnection);
+        },
+        order.moving ? movingPatience : std::chrono::milliseconds(0));
+}
+
+CpuCanvas::Drawn CpuCanvas::draw(RenderBackend& backend, const Order& order, const std::stop_token& stop)
 {
     const auto start = std::chrono::steady_clock::now();
     static const Scene nothing;
-    const auto picture = backend.render(view.scene ? *view.scene : nothing, view.camera, options, Progress(stop, {}));
+    const Scene& scene = order.level.scene ? *order.level.scene : nothing;
+    const auto picture = backend.render(scene, order.camera, order.options, Progress(stop, {}));
     Drawn drawn;
     if (picture) {
         drawn.image = imageOf(*picture);
+        drawn.statistics = backend.statistics();
     } else {
         drawn.cancelled = picture.error().kind == ErrorKind::Cancelled;
         drawn.error = QString::fromStdString(picture.error().text);
@@ -77,33 +123,28 @@ CpuCanvas::Drawn CpuCanvas::draw(RenderBackend& backend, const View& view, const
     return drawn;
 }
 
-void CpuCanvas::arrived(const Drawn& drawn)
+void CpuCanvas::arrived(const Order& order, const Drawn& drawn)
 {
     if (drawn.cancelled)
         return;
+    const bool isNewest = order.view == newest_;
     if (drawn.image.isNull()) {
-        settled_ = true;
+        settled_ = settled_ || isNewest;
         failed(drawn.error);
         return;
     }
+    const double samples = std::pow(order.options.samplesPerAxis, 2) * order.options.width * order.options.height;
+    pacer_.learn(order.levelIndex, samples, drawn.statistics, drawn.seconds);
     // An older picture is still news while the camera moves, but not over a newer fine one.
-    if (settled_ && drawn.number < newest_)
+    if (!isNewest && (settled_ || !order.moving))
         return;
-    if (!drawn.fine)
-        secondsPerPixel_ = drawn.seconds / (static_cast<double>(drawn.image.width()) * drawn.image.height());
     shown_ = drawn.image;
-    settled_ = drawn.fine && drawn.number == newest_;
+    settled_ = isNewest && order.isLast;
     update();
-    framePainted(drawn.seconds);
-}
-
-int CpuCanvas::reduction(QSize pixels) const
-{
-    const double whole = secondsPerPixel_ * pixels.width() * pixels.height();
-    int divisor = secondsPerPixel_ > 0 ? 1 : 2;
-    while (divisor < coarsestReduction && whole / (divisor * divisor) > movingBudget)
-        ++divisor;
-    return divisor;
+    framePainted({drawn.seconds, order.moving, order.moving ? clock_.tick() : 0, order.reduction,
+                  order.level.tetrahedra});
+    if (isNewest && !order.moving && !order.isLast)
+        refine(order.step + 1);
 }
 
 void CpuCanvas::paintEvent(QPaintEvent* event)
@@ -114,7 +155,7 @@ void CpuCanvas::paintEvent(QPaintEvent* event)
         painter.fillRect(rect(), QColor::fromRgbF(view_.background.red, view_.background.green, view_.background.blue));
         return;
     }
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, shown_.size() != size() * devicePixelRatioF());
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, shown_.size() != pixels());
     painter.drawImage(rect(), shown_);
 }
 

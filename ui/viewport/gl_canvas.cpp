@@ -6,13 +6,20 @@
 #include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLExtraFunctions>
+#include <QOpenGLFramebufferObject>
 #include <QOpenGLFunctions>
 #include <QTimer>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace tetra {
 namespace {
+
+/// As in CpuCanvas, degrees.
+constexpr double movingTolerance = 4;
 
 QSurfaceFormat wantedFormat()
 {
@@ -37,6 +44,7 @@ bool isSoftware(const QString& renderer)
 GlCanvas::GlCanvas(QWidget* parent) : QOpenGLWidget(parent)
 {
     setFormat(wantedFormat());
+    pacer_.setFrameRate(usualFrameRate());
 }
 
 GlCanvas::~GlCanvas()
@@ -60,7 +68,13 @@ QString GlCanvas::backendName() const
 
 void GlCanvas::show(const View& view)
 {
+    const bool isShown = haveSameStill(view_, view);
     view_ = view;
+    pacer_.setLevels(frameLevels(view));
+    if (!view_.moving)
+        clock_.stop();
+    if (isShown)
+        return;
     settled_ = false;
     update();
 }
@@ -89,21 +103,47 @@ void GlCanvas::paintGL()
 {
     if (!painter_)
         return;
-    static const Scene nothing;
     const auto start = std::chrono::steady_clock::now();
     const QSize pixels = size() * devicePixelRatioF();
+    const FramePlan plan =
+        view_.moving ? pacer_.nextFrame(static_cast<double>(pixels.width()) * pixels.height()) : FramePlan();
+    const SceneLevel level = plan.level < view_.levels.size() ? view_.levels[plan.level] : SceneLevel();
     PictureOptions options;
-    options.width = pixels.width();
-    options.height = pixels.height();
+    options.width = std::max(1, static_cast<int>(std::lround(pixels.width() / plan.reduction)));
+    options.height = std::max(1, static_cast<int>(std::lround(pixels.height() / plan.reduction)));
     options.background = view_.background;
     options.samplesPerAxis = view_.moving ? 1 : 2;
-    const Status drawn =
-        painter_->draw(view_.scene ? *view_.scene : nothing, view_.camera, options, defaultFramebufferObject());
+    options.orderTolerance = view_.moving ? movingTolerance : 0;
+    const Status drawn = draw(level, options);
     if (!drawn)
         return giveUp(QString::fromStdString(drawn.error().text));
     context()->functions()->glFinish(); // so that the time is that of drawing, not of asking for it
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const int samples = options.samplesPerAxis * options.samplesPerAxis;
+    pacer_.learn(plan.level, static_cast<double>(samples) * options.width * options.height, {}, seconds);
     settled_ = !view_.moving;
-    framePainted(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    framePainted({seconds, view_.moving, view_.moving ? clock_.tick() : 0, plan.reduction, level.tetrahedra});
+}
+
+/// A picture that is smaller than the window is drawn beside it and stretched over it.
+Status GlCanvas::draw(const SceneLevel& level, const PictureOptions& options)
+{
+    static const Scene nothing;
+    const Scene& scene = level.scene ? *level.scene : nothing;
+    const QSize drawn(options.width, options.height);
+    const QSize shown = size() * devicePixelRatioF();
+    if (drawn == shown)
+        return painter_->draw(scene, view_.camera, options, defaultFramebufferObject());
+    QOpenGLFramebufferObject smaller(drawn);
+    if (const Status status = painter_->draw(scene, view_.camera, options, smaller.handle()); !status)
+        return status;
+    QOpenGLExtraFunctions* functions = context()->extraFunctions();
+    functions->glBindFramebuffer(GL_READ_FRAMEBUFFER, smaller.handle());
+    functions->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
+    functions->glBlitFramebuffer(0, 0, drawn.width(), drawn.height(), 0, 0, shown.width(), shown.height(),
+                                 GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    functions->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+    return {};
 }
 
 void GlCanvas::giveUp(const QString& text)

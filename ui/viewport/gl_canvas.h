@@ -2,12 +2,14 @@
 #pragma once
 
 #include "ui/viewport/canvas.h"
+#include "ui/viewport/frame_clock.h"
 
 #include <QOpenGLWidget>
 
 namespace tetra {
 
 class ScenePainter;
+struct PictureOptions;
 
 /// Draws with OpenGL into the window.
 class GlCanvas : public QOpenGLWidget, public Canvas {
@@ -19,6 +21,8 @@ public:
     QWidget* widget() override { return this; }
     QString backendName() const override;
     void show(const View& view) override;
+    void setFrameRate(double perSecond) override { pacer_.setFrameRate(perSecond); }
+    double usualFrameRate() const override { return 30; }
     bool settled() const override { return settled_; }
     QImage picture() override { return grabFramebuffer(); }
 
@@ -28,12 +32,15 @@ protected:
     void resizeGL(int width, int height) override;
 
 private:
+    Status draw(const SceneLevel& level, const PictureOptions& options);
     void giveUp(const QString& text);
     void release();
 
     View view_;
     bool settled_ = false;
     bool givenUp_ = false;
+    FramePacer pacer_;
+    FrameClock clock_;
     std::unique_ptr<ScenePainter> painter_;
 };
 

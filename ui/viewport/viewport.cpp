@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <chrono>
 
 namespace tetra {
@@ -45,21 +46,34 @@ void Viewport::useCanvas(Canvas* canvas)
     canvas_ = canvas;
     canvas_->widget()->setObjectName("viewport.canvas");
     canvas_->widget()->setMouseTracking(true);
-    canvas_->framePainted = [this](double seconds) { emit framePainted(seconds); };
+    canvas_->framePainted = [this](const FrameReport& report) { emit framePainted(report); };
     canvas_->failed = [this](const QString& text) { emit failed(text); };
     canvas_->unusable = [this](const QString& text) {
         emit failed(tr("OpenGL cannot be used, the picture is drawn by the processor instead. %1").arg(text));
         useCanvas(makeCanvas(BackendChoice::Cpu));
     };
+    setFrameRate(frameRate_);
     layout()->addWidget(canvas_->widget());
     canvas_->widget()->lower(); // below what tools draw over it
     canvas_->show(view_);
 }
 
-void Viewport::setScene(std::shared_ptr<const Scene> scene)
+void Viewport::setScene(std::shared_ptr<const Scene> scene, std::uint64_t tetrahedra)
 {
-    scene_ = std::move(scene);
+    if (tetrahedra != scene_.tetrahedra)
+        drafts_.clear();
+    scene_ = {std::move(scene), tetrahedra};
     show();
+}
+
+void Viewport::setDrafts(std::vector<SceneLevel> drafts)
+{
+    drafts_ = std::move(drafts);
+    view_.levels.resize(std::min<std::size_t>(view_.levels.size(), 1));
+    for (const SceneLevel& draft : drafts_)
+        if (!view_.levels.empty())
+            view_.levels.push_back(withOutlines(draft));
+    canvas_->show(view_);
 }
 
 void Viewport::setOutlines(std::vector<LineSet> outlines)
@@ -71,19 +85,55 @@ void Viewport::setOutlines(std::vector<LineSet> outlines)
 }
 
 /// The scene with the outlines, which may stick out of the domain.
+SceneLevel Viewport::withOutlines(const SceneLevel& level) const
+{
+    if (outlines_.empty())
+        return level;
+    auto scene = std::make_shared<Scene>(*level.scene);
+    for (const LineSet& outline : outlines_) {
+        for (const Eigen::Vector3f& point : outline.points)
+            scene->bounds.extend(point.cast<double>());
+        scene->lines.push_back(outline);
+    }
+    return {std::move(scene), level.tetrahedra};
+}
+
 void Viewport::show()
 {
-    view_.scene = scene_;
-    if (scene_ && !outlines_.empty()) {
-        auto scene = std::make_shared<Scene>(*scene_);
-        for (const LineSet& outline : outlines_) {
-            for (const Eigen::Vector3f& point : outline.points)
-                scene->bounds.extend(point.cast<double>());
-            scene->lines.push_back(outline);
-        }
-        view_.scene = std::move(scene);
+    view_.levels.clear();
+    if (scene_.scene) {
+        view_.levels.push_back(withOutlines(scene_));
+        for (const SceneLevel& draft : drafts_)
+            view_.levels.push_back(withOutlines(draft));
     }
     canvas_->show(view_);
+}
+
+void Viewport::setCamera(const Camera& camera)
+{
+    if (camera != view_.camera)
+        moveCamera(camera);
+}
+
+void Viewport::setBackground(const std::optional<Colour>& background)
+{
+    background_ = background;
+    followPalette();
+}
+
+void Viewport::setFollowing(bool following)
+{
+    if (following == following_)
+        return;
+    following_ = following;
+    view_.moving = following || resting_.isActive();
+    canvas_->show(view_);
+}
+
+void Viewport::setFrameRate(std::optional<double> perSecond)
+{
+    frameRate_ = perSecond;
+    canvas_->setFrameRate(perSecond.value_or(canvas_->usualFrameRate()));
 }
 
 void Viewport::fit(const Eigen::AlignedBox3d& bounds)
@@ -133,7 +183,7 @@ void Viewport::moveCamera(const Camera& camera)
 
 void Viewport::rest()
 {
-    view_.moving = false;
+    view_.moving = following_;
     canvas_->show(view_);
 }
 
@@ -177,8 +227,9 @@ void Viewport::changeEvent(QEvent* event)
 void Viewport::followPalette()
 {
     const bool dark = palette().color(QPalette::Window).lightness() < 128;
-    view_.background = dark ? darkBackground : lightBackground;
+    view_.background = background_.value_or(dark ? darkBackground : lightBackground);
     canvas_->show(view_);
+    emit backgroundChanged();
 }
 
 } // namespace tetra

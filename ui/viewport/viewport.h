@@ -2,11 +2,14 @@
 #pragma once
 
 #include "ui/viewport/camera_controls.h"
+#include "ui/viewport/canvas.h"
 #include "ui/viewport/make_canvas.h"
 #include "ui/viewport/picture_projection.h"
 
 #include <QTimer>
 #include <QWidget>
+
+#include <optional>
 
 namespace tetra {
 
@@ -16,15 +19,27 @@ class Viewport : public QWidget {
 public:
     explicit Viewport(BackendChoice choice = BackendChoice::Automatic, QWidget* parent = nullptr);
 
-    void setScene(std::shared_ptr<const Scene> scene);
+    /// What is to be seen, made of so many tetrahedra. Drafts of the last one go.
+    void setScene(std::shared_ptr<const Scene> scene, std::uint64_t tetrahedra = 0);
+    /// The scene of coarser meshes, falling in size, to be drawn while it moves; a new scene of the same mesh keeps them.
+    void setDrafts(std::vector<SceneLevel> drafts);
     /// Without the outlines.
-    const std::shared_ptr<const Scene>& scene() const noexcept { return scene_; }
+    const std::shared_ptr<const Scene>& scene() const noexcept { return scene_.scene; }
     /// Lines that belong to a tool, not to what is looked at: drawn with the scene, and not saved with a picture.
     void setOutlines(std::vector<LineSet> outlines);
     const Camera& camera() const noexcept { return view_.camera; }
     const Colour& background() const noexcept { return view_.background; }
     /// From places to this widget's coordinates.
     PictureProjection projection() const { return {view_.camera, size()}; }
+
+    void setCamera(const Camera& camera);
+    /// Nothing: the colour that fits the palette.
+    void setBackground(const std::optional<Colour>& background);
+    /// What is seen is being dragged, by whatever control: pictures that follow count more than fine ones.
+    void setFollowing(bool following);
+    /// Pictures a second to hold while something moves; nothing: as many as fit the back end.
+    void setFrameRate(std::optional<double> perSecond);
+    double usualFrameRate() const { return canvas_->usualFrameRate(); }
 
     /// Shows all of these bounds, from the present direction.
     void fit(const Eigen::AlignedBox3d& bounds);
@@ -38,7 +53,8 @@ public:
 
 signals:
     void cameraChanged();
-    void framePainted(double seconds);
+    void backgroundChanged();
+    void framePainted(const tetra::FrameReport& report);
     void failed(const QString& text);
 
 protected:
@@ -52,13 +68,18 @@ private:
     void useCanvas(Canvas* canvas);
     void followPalette();
     void moveCamera(const Camera& camera);
+    SceneLevel withOutlines(const SceneLevel& level) const;
     void show();
     void rest();
 
-    std::shared_ptr<const Scene> scene_;
+    SceneLevel scene_;
+    std::vector<SceneLevel> drafts_;
     std::vector<LineSet> outlines_;
     View view_;                ///< its scene has the outlines, too
     Canvas* canvas_ = nullptr; ///< a child widget
+    std::optional<Colour> background_; ///< else that of the palette
+    std::optional<double> frameRate_;  ///< else the usual one of the back end
+    bool following_ = false;
     QPointF lastPosition_;
     QTimer resting_;
 };

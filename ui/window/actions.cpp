@@ -102,6 +102,8 @@ void addViewMenu(QMainWindow& window, Actions& actions)
                               Texts::tr("Perspective, or parallel projection"));
     actions.perspective->setCheckable(true);
     actions.perspective->setChecked(true);
+    actions.modes = menu->addMenu(Texts::tr("&Show"));
+    actions.modes->setObjectName("menu.modes");
     menu->addSeparator();
     actions.panels = menu->addMenu(Texts::tr("Pa&nels"));
     actions.resetLayout = add(menu, "resetLayout", Texts::tr("Reset La&yout"), {},

@@ -29,6 +29,7 @@ struct Actions {
     QAction* about = nullptr;
     QMenu* recent = nullptr;
     QMenu* panels = nullptr; ///< for the docks' own actions
+    QMenu* modes = nullptr;  ///< for those of ModeActions
     QMenu* region = nullptr; ///< for those of RegionActions
     QToolBar* toolBar = nullptr;
 };

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/main_window.h"
 
-#include "ui/panels/accuracy_panel.h"
-#include "ui/panels/build_panel.h"
 #include "ui/panels/focus_panel.h"
-#include "ui/panels/isovalue_panel.h"
-#include "ui/panels/region_panel.h"
+#include "ui/panels/rendering_panel.h"
 #include "ui/session/recent_files.h"
 #include "ui/session/target_path.h"
 #include "ui/viewport/region_tools.h"
@@ -13,7 +10,8 @@
 #include "ui/widgets/icons.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/window/empty_page.h"
-#include "ui/window/file_dialogs.h"
+#include "ui/widgets/file_dialogs.h"
+#include "ui/window/mode_actions.h"
 #include "ui/window/plugin_window.h"
 #include "ui/window/region_actions.h"
 #include "ui/window/status_line.h"
@@ -35,12 +33,10 @@ namespace tetra {
 namespace {
 
 constexpr QSize firstSize(1280, 800);
-constexpr int dockWidth = 356;
-constexpr int accuracyHeight = 440;
 constexpr const char* geometryKey = "window/geometry";
 constexpr const char* layoutKey = "window/layout";
 /// Of what saveState() writes; layouts of other versions are not restored.
-constexpr int layoutVersion = 2;
+constexpr int layoutVersion = 3;
 constexpr int statusMessageTime = 5000; // milliseconds
 
 /// The local files of a drag.
@@ -65,10 +61,12 @@ MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
     setAcceptDrops(true);
     resize(firstSize);
     setCentralWidget(makeCentre());
-    makeDocks();
+    docks_ = makeDocks(*this, *actions_.panels, workbench_, *viewport_);
+    layOutDocks(*this, docks_, workbench_.dataset() != nullptr);
     connectActions();
     connectRegions();
     connectWorkbench();
+    connectFollowing();
     status_->setBackend(viewport_->backendName());
     showModel();
     for (const QString& error : pluginErrors(workbench_.host()))
@@ -93,55 +91,12 @@ QWidget* MainWindow::makeCentre()
     return centre;
 }
 
-QDockWidget* MainWindow::addDock(const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area)
-{
-    auto* dock = new QDockWidget(title);
-    dock->setObjectName(QString("dock.") + name);
-    dock->setWidget(content);
-    addDockWidget(area, dock);
-    dock->toggleViewAction()->setObjectName(QString("action.dock.") + name);
-    actions_.panels->addAction(dock->toggleViewAction());
-    return dock;
-}
-
-void MainWindow::makeDocks()
-{
-    buildDock_ = addDock("build", tr("Build"), new BuildPanel(workbench_), Qt::LeftDockWidgetArea);
-    accuracyDock_ =
-        addDock("accuracy", tr("Accuracy"), new AccuracyPanel(workbench_.session()), Qt::RightDockWidgetArea);
-    isovaluesDock_ =
-        addDock("isovalues", tr("Isovalues"), new IsovaluePanel(workbench_.session()), Qt::RightDockWidgetArea);
-    auto* focus = new FocusPanel(workbench_.session());
-    connect(focus, &FocusPanel::centreWanted, regions_, &RegionActions::focusToView);
-    focusDock_ = addDock("focus", tr("Focus"), focus, Qt::RightDockWidgetArea);
-    regionDock_ = addDock("region", tr("Region"), new RegionPanel(workbench_.session()), Qt::RightDockWidgetArea);
-    layOutDocks();
-}
-
-void MainWindow::layOutDocks()
-{
-    addDockWidget(Qt::LeftDockWidgetArea, buildDock_);
-    addDockWidget(Qt::RightDockWidgetArea, accuracyDock_);
-    addDockWidget(Qt::RightDockWidgetArea, isovaluesDock_);
-    tabifyDockWidget(isovaluesDock_, focusDock_);
-    tabifyDockWidget(focusDock_, regionDock_);
-    for (QDockWidget* dock : {buildDock_, accuracyDock_, isovaluesDock_, focusDock_, regionDock_})
-        dock->setFloating(false);
-    buildDock_->setVisible(workbench_.dataset() != nullptr);
-    accuracyDock_->show();
-    for (QDockWidget* dock : {focusDock_, regionDock_, isovaluesDock_})
-        dock->show();
-    isovaluesDock_->raise();
-    resizeDocks({buildDock_, accuracyDock_, isovaluesDock_}, {dockWidth, dockWidth, dockWidth}, Qt::Horizontal);
-    resizeDocks({accuracyDock_, isovaluesDock_}, {accuracyHeight, firstSize.height() - accuracyHeight}, Qt::Vertical);
-}
-
 void MainWindow::restoreLayout()
 {
     const QSettings settings;
     restoreGeometry(settings.value(geometryKey).toByteArray());
     restoreState(settings.value(layoutKey).toByteArray(), layoutVersion);
-    buildDock_->hide(); // comes with a dataset
+    docks_.build->hide(); // comes with a dataset
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)
@@ -188,7 +143,12 @@ void MainWindow::connectActions()
     for (int view = 0; view < actions_.namedViews.size(); ++view)
         connect(actions_.namedViews[view], &QAction::triggered, viewport_,
                 [this, view] { viewport_->seeFrom(static_cast<NamedView>(view)); });
-    connect(actions_.resetLayout, &QAction::triggered, this, &MainWindow::layOutDocks);
+    connect(actions_.resetLayout, &QAction::triggered, this,
+            [this] { layOutDocks(*this, docks_, workbench_.dataset() != nullptr); });
+    auto* modes = new ModeActions(workbench_, *actions_.modes, *actions_.toolBar, this);
+    connect(modes, &ModeActions::chosen, docks_.renderingPanel, &RenderingPanel::chooseMode);
+    connect(viewport_, &Viewport::cameraChanged, actions_.perspective,
+            [this] { actions_.perspective->setChecked(viewport_->camera().perspective); });
     connect(actions_.fullScreen, &QAction::toggled, this,
             [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
     connect(actions_.plugins, &QAction::triggered, this, [this] {
@@ -203,14 +163,10 @@ void MainWindow::connectActions()
 
 void MainWindow::connectRegions()
 {
-    const auto raise = [](QDockWidget* dock) {
-        return [dock] {
-            dock->show();
-            dock->raise();
-        };
-    };
-    connect(regions_, &RegionActions::focusSwitchedOn, focusDock_, raise(focusDock_));
-    connect(regions_, &RegionActions::windowSwitchedOn, regionDock_, raise(regionDock_));
+    const auto raise = [](QDockWidget* dock) { return [dock] { raiseDock(*dock); }; };
+    connect(docks_.focusPanel, &FocusPanel::centreWanted, regions_, &RegionActions::focusToView);
+    connect(regions_, &RegionActions::focusSwitchedOn, docks_.focus, raise(docks_.focus));
+    connect(regions_, &RegionActions::windowSwitchedOn, docks_.region, raise(docks_.region));
     const auto takeKeys = [this] { viewport_->setFocus(); };
     connect(regions_, &RegionActions::focusSwitchedOn, viewport_, takeKeys);
     connect(regions_, &RegionActions::windowSwitchedOn, viewport_, takeKeys);
@@ -221,26 +177,28 @@ void MainWindow::connectWorkbench()
     connect(&workbench_, &Workbench::failed, messages_, &MessageBar::add);
     connect(&workbench_, &Workbench::datasetOpened, this, &MainWindow::showDataset);
     connect(&workbench_, &Workbench::descriptionNeeded, this, [this] {
-        buildDock_->show();
-        buildDock_->raise();
+        docks_.build->show();
+        docks_.build->raise();
         if (!workbench_.session().model())
             showNothing();
     });
-    connect(&workbench_, &Workbench::modelBuilt, buildDock_, &QWidget::hide);
+    connect(&workbench_, &Workbench::modelBuilt, docks_.build, &QWidget::hide);
     const auto tellSaved = [this](const QString& path) {
         statusBar()->showMessage(tr("Saved %1").arg(path), statusMessageTime);
     };
     connect(&workbench_, &Workbench::pictureSaved, this, tellSaved);
     connect(&workbench_, &Workbench::meshSaved, this, tellSaved);
+    connect(&workbench_, &Workbench::textSaved, this, tellSaved);
     statusBar()->addPermanentWidget(new TaskLine("status.saving", tr("Saving the mesh"), workbench_.savingMesh()));
     connect(&workbench_.session(), &Session::modelChanged, this, &MainWindow::showModel);
     connect(&workbench_.session(), &Session::modelGrown, this, &MainWindow::showFile);
     SceneBuilder& scenes = workbench_.sceneBuilder();
     connect(&scenes, &SceneBuilder::sceneReady, this, &MainWindow::showScene);
     connect(&scenes, &SceneBuilder::busyChanged, status_, &StatusLine::setBusy);
-    connect(viewport_, &Viewport::framePainted, this, [this](double seconds) {
+    connect(&workbench_.draftBuilder(), &DraftBuilder::draftsReady, this, &MainWindow::showDrafts);
+    connect(viewport_, &Viewport::framePainted, this, [this](const FrameReport& report) {
         if (viewport_->scene())
-            status_->setFrame(seconds);
+            status_->setFrame(report);
     });
     connect(viewport_, &Viewport::failed, this, [this](const QString& text) {
         messages_->add(text);
@@ -317,14 +275,37 @@ void MainWindow::showModel()
 
 void MainWindow::showScene(const BuiltScene& scene)
 {
-    viewport_->setScene(scene.scene);
+    viewport_->setScene(scene.scene, scene.mesh.tetrahedra);
     status_->setScene(scene);
+}
+
+void MainWindow::showDrafts(const std::vector<DraftScene>& drafts)
+{
+    std::vector<SceneLevel> levels;
+    for (const DraftScene& draft : drafts)
+        levels.push_back({draft.scene, draft.tetrahedra});
+    viewport_->setDrafts(std::move(levels));
+}
+
+/// While a control is dragged pictures follow quickly.
+void MainWindow::connectFollowing()
+{
+    Session& session = workbench_.session();
+    const auto follow = [this] { viewport_->setFollowing(workbench_.session().inGesture()); };
+    const ViewState* view = &session.view();
+    connect(view, &ViewState::queryChanged, this, follow);
+    connect(view, &ViewState::lookChanged, this, follow);
+    connect(view, &ViewState::isovalueChanged, this, follow);
+    connect(&session, &Session::gestureChanged, this, [this](bool on) {
+        if (!on)
+            viewport_->setFollowing(false);
+    });
 }
 
 void MainWindow::showDataset()
 {
-    buildDock_->show();
-    buildDock_->raise();
+    docks_.build->show();
+    docks_.build->raise();
     if (!workbench_.session().model())
         showNothing();
 }

@@ -4,10 +4,10 @@
 #include "ui/session/workbench.h"
 #include "ui/viewport/make_canvas.h"
 #include "ui/window/actions.h"
+#include "ui/window/docks.h"
 
 #include <QMainWindow>
 
-class QDockWidget;
 class QStackedWidget;
 
 namespace tetra {
@@ -35,9 +35,6 @@ protected:
 
 private:
     QWidget* makeCentre();
-    QDockWidget* addDock(const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
-    void makeDocks();
-    void layOutDocks();
     void restoreLayout();
     void connectActions();
     void connectWorkbench();
@@ -51,6 +48,8 @@ private:
     void showFile();
     void showModel();
     void showScene(const BuiltScene& scene);
+    void showDrafts(const std::vector<DraftScene>& drafts);
+    void connectFollowing();
     void showDataset();
     void showNothing();
     void showAbout();
@@ -63,11 +62,7 @@ private:
     QStackedWidget* pages_;
     StatusLine* status_;
     RegionActions* regions_;
-    QDockWidget* accuracyDock_ = nullptr;
-    QDockWidget* isovaluesDock_ = nullptr;
-    QDockWidget* focusDock_ = nullptr;
-    QDockWidget* regionDock_ = nullptr;
-    QDockWidget* buildDock_ = nullptr;
+    Docks docks_;
 };
 
 } // namespace tetra

@@ -6,6 +6,7 @@
 #include "ui/session/number_text.h"
 
 #include <QLabel>
+#include <QLocale>
 #include <QProgressBar>
 #include <QStatusBar>
 
@@ -37,7 +38,8 @@ StatusLine::StatusLine(QStatusBar* bar) : QObject(bar), bar_(bar), file_(new QLa
     tetrahedra_ = add("status.tetrahedra", tr("Tetrahedra in the mesh that is shown"));
     triangles_ = add("status.triangles", tr("Triangles of all isosurfaces that are shown"));
     extraction_ = add("status.extraction", tr("Time for taking the mesh out of the model"));
-    frame_ = add("status.frame", tr("Time for drawing the last picture"));
+    frame_ = add("status.frame", tr("Time for drawing the last picture; while it moves the frames a second, and how much smaller and of "
+                                       "how many tetrahedra they are"));
     memory_ = add("status.memory", tr("Memory that the program occupies, mapped files included"));
     backend_ = add("status.backend", tr("What draws the picture: OpenGL or the processor"));
 
@@ -83,10 +85,23 @@ void StatusLine::setScene(const BuiltScene& scene)
     showMemory();
 }
 
-void StatusLine::setFrame(double seconds)
+void StatusLine::setFrame(const FrameReport& report)
 {
-    frame_->setText(tr("%1 a frame").arg(durationText(seconds)));
+    frame_->setText(report.moving ? movingText(report) : tr("%1 a frame").arg(durationText(report.seconds)));
     frame_->show();
+}
+
+/// "15 frames/s, size 1/2, 62,000 tetrahedra".
+QString StatusLine::movingText(const FrameReport& report)
+{
+    QStringList parts;
+    if (report.framesPerSecond > 0)
+        parts.append(tr("%1 frames/s").arg(report.framesPerSecond, 0, 'f', 0));
+    if (report.reduction > 1)
+        parts.append(tr("size 1/%1").arg(QLocale().toString(report.reduction, 'g', 3)));
+    if (report.tetrahedra > 0)
+        parts.append(tr("%1 tetrahedra").arg(countText(report.tetrahedra)));
+    return parts.join(tr(", "));
 }
 
 void StatusLine::setBackend(const QString& name)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/session/scene_builder.h"
+#include "ui/viewport/canvas.h"
 
 #include <QTimer>
 
@@ -21,11 +22,12 @@ public:
     /// An empty name: nothing is open, and all figures go.
     void setFile(const QString& name, const QString& path);
     void setScene(const BuiltScene& scene);
-    void setFrame(double seconds);
+    void setFrame(const FrameReport& report);
     void setBackend(const QString& name);
     void setBusy(bool busy);
 
 private:
+    static QString movingText(const FrameReport& report);
     QLabel* add(const char* name, const QString& toolTip);
     void showMemory();
 

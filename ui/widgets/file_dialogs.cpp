@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/file_dialogs.h"
+#include "ui/widgets/file_dialogs.h"
 
 #include "ui/session/recent_files.h"
 
@@ -60,6 +60,23 @@ void askForMeshFile(QWidget* parent, const QString& name, const QString& propose
     QObject::connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
         dialog->setDefaultSuffix(filter.section("*.", 1).remove(')'));
     });
+    askForTarget(*dialog, proposed);
+}
+
+void askForTextFile(QWidget* parent, const QString& name, const QString& title, const QString& filter,
+                    const FileChosen& chosen)
+{
+    QFileDialog* dialog = makeDialog(parent, name, title, chosen);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilters({filter, FileDialogs::tr("All files (*)")});
+    dialog->open();
+}
+
+void askForTextTarget(QWidget* parent, const QString& name, const QString& title, const QString& filter,
+                      const QString& proposed, const FileChosen& chosen)
+{
+    QFileDialog* dialog = makeDialog(parent, name, title, chosen);
+    dialog->setNameFilter(filter);
     askForTarget(*dialog, proposed);
 }
 

@@ -15,5 +15,10 @@ using FileChosen = std::function<void(const QString& path)>;
 void askForFile(QWidget* parent, const QString& name, const QStringList& filters, const FileChosen& chosen);
 void askForPictureFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen);
 void askForMeshFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen);
+/// Small JSON files of whatever kind: `title` and `filter` say which.
+void askForTextFile(QWidget* parent, const QString& name, const QString& title, const QString& filter,
+                    const FileChosen& chosen);
+void askForTextTarget(QWidget* parent, const QString& name, const QString& title, const QString& filter,
+                      const QString& proposed, const FileChosen& chosen);
 
 } // namespace tetra

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/queried_mesh.h"
+
+#include "app/command_line/query_options.h"
+#include "app/command_line/table.h"
+#include "core/model/mesh_claims.h"
+
+namespace tetra {
+
+Status checkNotEmpty(const Arguments& arguments, const Model& model, const TetrahedralMesh& mesh)
+{
+    if (!mesh.tetrahedra.empty())
+        return {};
+    const ModelDescription& data = model.description();
+    const auto place = [](const Eigen::Vector3d& p) {
+        return "(" + rounded(p[0], 6) + ", " + rounded(p[1], 6) + ", " + rounded(p[2], 6) + ")";
+    };
+    const bool window = arguments.has("window"), values = arguments.has("values");
+    const std::string asked = !window  ? "has such values"
+                              : values ? "is in that window with such values"
+                                       : "is in that window";
+    return Error{ErrorKind::WrongUsage, "No tetrahedron " + asked + ", so nothing was written. The data lie between " +
+                                            place(data.bounds.min()) + " and " + place(data.bounds.max()) +
+                                            ", with values from " + rounded(data.range.minimum, 6) + " to " +
+                                            rounded(data.range.maximum, 6) + "."};
+}
+
+QJsonObject figuresOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)
+{
+    const Accuracy kept = keptEverywhere(query, mesh.scale);
+    const bool warps = model.description().warpingWeight > 0;
+    return {{"sites", static_cast<qint64>(mesh.mesh.positions.size())},
+            {"tetrahedra", static_cast<qint64>(mesh.mesh.tetrahedra.size())},
+            {"error", kept.error},
+            {"warping", warps ? kept.warping : 0},
+            {"scale", mesh.scale},
+            {"method", QString::fromStdString(std::string(methodName(mesh.method)))},
+            {"whole_sites", static_cast<qint64>(mesh.wholeSites)},
+            {"whole_tetrahedra", static_cast<qint64>(mesh.wholeTetrahedra)}};
+}
+
+} // namespace tetra

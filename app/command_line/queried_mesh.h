@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/command_line/arguments.h"
+#include "core/model/queries/mesh_query.h"
+
+#include <QJsonObject>
+
+namespace tetra {
+
+/// An error (WrongUsage) if the mesh that the arguments' window and values chose from a model has no tetrahedra, which
+/// is hardly what was meant.
+Status checkNotEmpty(const Arguments& arguments, const Model& model, const TetrahedralMesh& mesh);
+
+/// What there is to tell of a mesh that a query gave: its size, what it keeps, and what it was chosen from.
+QJsonObject figuresOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh);
+
+} // namespace tetra

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/render_request.h"
+
+#include "app/command_line/camera_option.h"
+#include "app/command_line/option_values.h"
+#include "app/command_line/query_options.h"
+#include "core/base/number_text.h"
+#include "plugins/host/colour_text.h"
+#include "plugins/host/output_check.h"
+
+#include <array>
+
+namespace tetra {
+namespace {
+
+constexpr std::string_view defaultBackend = "cpu";
+constexpr std::string_view defaultSize = "1024x768";
+constexpr int largestSide = 16384;
+constexpr int mostSamples = 4;
+const int defaultSamples = PictureOptions().samplesPerAxis;
+
+Status parseSize(const std::string& text, PictureOptions& picture)
+{
+    const auto cross = text.find('x');
+    if (cross != std::string::npos) {
+        const auto width = parseNumber<int>(std::string_view(text).substr(0, cross));
+        const auto height = parseNumber<int>(std::string_view(text).substr(cross + 1));
+        if (width && height && *width > 0 && *height > 0 && *width <= largestSide && *height <= largestSide) {
+            picture.width = *width;
+            picture.height = *height;
+            return {};
+        }
+    }
+    return Error{ErrorKind::WrongUsage, "'" + text +
+                                            "' does not fit '--size': it takes WIDTHxHEIGHT in pixels, each from "
+                                            "1 to " +
+                                            std::to_string(largestSide) + ", like " + std::string(defaultSize) + "."};
+}
+
+Status parseBackground(const std::string& text, PictureOptions& picture)
+{
+    if (text == "transparent") {
+        picture.transparentBackground = true;
+        return {};
+    }
+    const auto colour = parseColour(text);
+    if (!colour)
+        return colour.error();
+    picture.background = *colour;
+    return {};
+}
+
+Status parseNumberOptions(const Arguments& arguments, PictureOptions& picture)
+{
+    const auto samples = wholeNumberOption(arguments, "samples", defaultSamples, 1, mostSamples);
+    if (!samples)
+        return samples.error();
+    picture.samplesPerAxis = static_cast<int>(*samples);
+    const auto threads = threadsOf(arguments);
+    if (!threads)
+        return threads.error();
+    picture.threads = *threads;
+    return {};
+}
+
+Result<PictureOptions> pictureOf(const Arguments& arguments)
+{
+    PictureOptions picture;
+    if (const Status size = parseSize(arguments.value("size").value_or(std::string(defaultSize)), picture); !size)
+        return size.error();
+    if (const Status colour = parseBackground(arguments.value("background").value_or("white"), picture); !colour)
+        return colour.error();
+    if (const Status numbers = parseNumberOptions(arguments, picture); !numbers)
+        return numbers.error();
+    picture.depth = arguments.has("depth");
+    return picture;
+}
+
+Status checkPng(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs)
+{
+    if (output.extension() != ".png")
+        return Error{ErrorKind::WrongUsage,
+                     "'" + output.string() + "' does not end in .png, the one format in which pictures are written."};
+    return checkOutput(output, inputs);
+}
+
+Status checkFiles(const RenderRequest& request)
+{
+    if (const Status good = checkPng(request.output, std::array{request.input}); !good)
+        return good;
+    if (!request.depth)
+        return {};
+    if (request.depth->lexically_normal() == request.output.lexically_normal())
+        return Error{ErrorKind::WrongUsage, "'--depth' and '--output' name the same file."};
+    return checkPng(*request.depth, std::array{request.input});
+}
+
+} // namespace
+
+std::vector<Option> pictureOptions()
+{
+    return {{.name = "camera",
+             .placeholder = "VIEW or FILE",
+             .explanation = "A view (" + cameraNames() +
+                            "), or a JSON file with any of azimuth, elevation, fieldOfView (in degrees), "
+                            "perspective (true or false), target ([x, y, z]) and distance.",
+             .byDefault = "from the front, right and above"},
+            {.name = "size",
+             .placeholder = "WxH",
+             .explanation = "Of the picture, in pixels.",
+             .byDefault = std::string(defaultSize)},
+            {.name = "samples",
+             .placeholder = "N",
+             .explanation = "A pixel is the mean of N x N samples, N from 1 (coarse, quick) to 4 (smooth).",
+             .byDefault = std::to_string(defaultSamples)},
+            {.name = "background",
+             .placeholder = "COLOUR",
+             .explanation = "transparent, #rrggbb, or one of " + colourNames() + ".",
+             .byDefault = "white"},
+            {.name = "backend",
+             .placeholder = "cpu|gl",
+             .explanation = "Who draws: the processor, or OpenGL 3.3.",
+             .byDefault = std::string(defaultBackend)},
+            threadsOption(),
+            {.name = "depth",
+             .placeholder = "FILE.png",
+             .explanation = "Writes the depth of each pixel, too, as a grey picture of 16 bits, dark where it is near "
+                            "and white (65535) where nothing is. --json tells which depths the greys are."},
+            outputOption("FILE.png", "The picture to write.")};
+}
+
+Result<RenderRequest> renderRequestOf(const Arguments& arguments)
+{
+    RenderRequest request;
+    request.input = arguments.positionals[0];
+    request.output = *arguments.value("output");
+    if (const auto depth = arguments.value("depth"))
+        request.depth = *depth;
+    auto query = queryOf(arguments);
+    if (!query)
+        return query.error();
+    request.query = *std::move(query);
+    const auto picture = pictureOf(arguments);
+    if (!picture)
+        return picture.error();
+    request.picture = *picture;
+    request.backend = arguments.value("backend").value_or(std::string(defaultBackend));
+    if (request.backend != "cpu" && request.backend != "gl")
+        return Error{ErrorKind::WrongUsage, "'" + request.backend + "' does not fit '--backend': it takes cpu or gl."};
+    if (const Status files = checkFiles(request); !files)
+        return files.error();
+    return request;
+}
+
+} // namespace tetra

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/command_line/arguments.h"
+#include "core/graphics/render_backend.h"
+#include "core/model/queries/mesh_query.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tetra {
+
+/// What a picture is to be of, as far as it can be known without the model.
+struct RenderRequest {
+    std::filesystem::path input;
+    std::filesystem::path output;
+    std::optional<std::filesystem::path> depth; ///< the file for the depths
+    MeshQuery query;
+    PictureOptions picture;
+    std::string backend; ///< "cpu" or "gl"
+};
+
+/// --camera, --size, --samples, --background, --backend, --threads, --depth, --output.
+std::vector<Option> pictureOptions();
+
+/// What these and the options of query_options.h ask for. Errors (WrongUsage): values that do not fit, options that do
+/// not go together, files that would replace the model or each other.
+Result<RenderRequest> renderRequestOf(const Arguments& arguments);
+
+} // namespace tetra

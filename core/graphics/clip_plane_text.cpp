@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/graphics/clip_plane_text.h"
+
+#include "core/base/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace tetra {
+namespace {
+
+constexpr char planeSeparator = ';';
+
+/// Cuts off and gives what stands before the separator, or all.
+std::string_view takePart(std::string_view& text, char separator)
+{
+    const auto end = text.find(separator);
+    const std::string_view part = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    return part;
+}
+
+std::string_view trimmed(std::string_view text)
+{
+    const auto begin = text.find_first_not_of(" \t");
+    return begin == std::string_view::npos ? std::string_view()
+                                           : text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+std::optional<ClipPlane> parsePlane(std::string_view text)
+{
+    std::array<double, 4> numbers{};
+    if (std::ranges::count(text, ',') != 3)
+        return {};
+    for (double& number : numbers) {
+        const auto parsed = parseNumber<double>(trimmed(takePart(text, ',')));
+        if (!parsed || !std::isfinite(*parsed))
+            return {};
+        number = *parsed;
+    }
+    const ClipPlane plane{{numbers[0], numbers[1], numbers[2]}, numbers[3]};
+    return plane.normal.isZero(0) ? std::nullopt : std::optional(plane);
+}
+
+} // namespace
+
+Result<std::vector<ClipPlane>> parseClipPlanes(std::string_view text)
+{
+    std::vector<ClipPlane> planes;
+    while (!text.empty()) {
+        const std::string_view part = trimmed(takePart(text, planeSeparator));
+        if (part.empty())
+            continue;
+        const auto plane = parsePlane(part);
+        if (!plane)
+            return Error{ErrorKind::WrongUsage,
+                         "'" + std::string(part) +
+                             "' is no clip plane: give four numbers nx,ny,nz,offset, the first three not all zero; "
+                             "points with nx x + ny y + nz z >= offset are shown."};
+        planes.push_back(*plane);
+    }
+    return planes;
+}
+
+std::string clipPlanesText(std::span<const ClipPlane> planes)
+{
+    std::string text;
+    for (const ClipPlane& plane : planes) {
+        if (!text.empty())
+            text += planeSeparator;
+        for (const double component : plane.normal)
+            text += formatNumber(component) + ",";
+        text += formatNumber(plane.offset);
+    }
+    return text;
+}
+
+} // namespace tetra

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/graphics/isovalue.h"
+#include "core/graphics/scene.h"
+#include "core/mesh/tetrahedral_mesh.h"
+
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace tetra {
+
+/// The isosurfaces of one mesh for a list of isovalues that changes. Keeps the gradients of its mesh, and the surface
+/// of each isovalue for as long as the value is in the list: to change a colour, an opacity or the visibility extracts
+/// nothing. Used from one thread at a time.
+class IsosurfaceSet {
+public:
+    explicit IsosurfaceSet(std::shared_ptr<const TetrahedralMesh> mesh);
+
+    /// The surfaces of the isovalues that are seen, in their order. Extracts what is missing, all at once on all
+    /// threads. What was finished before a cancellation or an error is kept. Errors: an isovalue that is no number or
+    /// has an opacity outside 0 to 1, cancelled, not enough memory.
+    Result<std::vector<Surface>> update(std::span<const Isovalue> isovalues, const Progress& progress = {});
+
+private:
+    Status extractMissing(std::span<const Isovalue> isovalues, const Progress& progress);
+
+    std::shared_ptr<const TetrahedralMesh> mesh_;
+    Buffer<Eigen::Vector3f> gradients_;
+    std::map<double, std::shared_ptr<const TriangleMesh>> surfaces_; ///< by isovalue
+};
+
+} // namespace tetra

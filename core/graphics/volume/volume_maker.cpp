@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/graphics/volume/volume_maker.h"
+
+namespace tetra {
+namespace {
+
+constexpr std::string_view activity = "Preparing the volume";
+
+} // namespace
+
+VolumeMaker::VolumeMaker(std::shared_ptr<const TetrahedralMesh> mesh) : tetrahedra_(std::move(mesh)) {}
+
+Status VolumeMaker::makeMesh()
+{
+    if (mesh_)
+        return {};
+    auto made = makeVolumeMesh(tetrahedra_);
+    if (!made)
+        return made.error();
+    mesh_ = std::make_shared<const VolumeMesh>(*std::move(made));
+    return {};
+}
+
+Status VolumeMaker::makeTransfer(const TransferFunction& function)
+{
+    if (transfer_ && function_ == function)
+        return {};
+    auto made = makeVolumeTransfer(*tetrahedra_, function);
+    if (!made)
+        return made.error();
+    transfer_ = std::make_shared<const VolumeTransfer>(*std::move(made));
+    function_ = function;
+    return {};
+}
+
+Result<Volume> VolumeMaker::update(const TransferFunction& function, bool shaded, const Progress& progress)
+{
+    progress.report(0, activity);
+    if (progress.cancelled())
+        return cancelledError(activity);
+    if (const Status made = makeMesh(); !made)
+        return made.error();
+    progress.report(0.8, activity);
+    if (progress.cancelled())
+        return cancelledError(activity);
+    if (const Status made = makeTransfer(function); !made)
+        return made.error();
+    progress.report(1, activity);
+    return Volume{mesh_, transfer_, shaded};
+}
+
+} // namespace tetra

@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Draws the pictures of the paper's Figures 14 and 15 again, for the manual, with the program that was built:
+#   docs/make_pictures.sh [DATA [MODELS]]
+# DATA: the folder with bluntfin and buckyball (default: ../shared/data beside the repository). MODELS: where the models are
+# built, once (default: build/pictures).
+set -euo pipefail
+
+cd -- "$(dirname -- "$0")/.."
+data=${1:-../shared/data}
+models=${2:-build/pictures}
+tan=build/release/bin/tan
+pictures=docs/pictures
+mkdir -p "$models"
+
+# A model of DATASET with all accuracies from ERROR on, unless it is there already.
+build()
+{
+    local model=$models/$1.tan dataset=$data/$2 error=$3
+    [ -f "$model" ] || "$tan" build "$dataset" --error "$error" -o "$model"
+}
+
+draw() { "$tan" render "$@" --samples 3; }
+
+# Figure 14: BluntFin as isosurface and as volume, exact, at 1 % and at 4 % of error and warping.
+build bluntfin bluntfin/bluntfinxyz.bin 0
+for error in 0 1 4; do
+    view=("$models/bluntfin.tan" --error "$error" --camera "$pictures/bluntfin-camera.json" --size 400x200)
+    draw "${view[@]}" --isovalue 1.244:silver -o "$pictures/bluntfin-surface-$error.png"
+    draw "${view[@]}" --mode volume --transfer "$pictures/bluntfin-transfer.json" -o "$pictures/bluntfin-volume-$error.png"
+done
+
+# Figure 15: the buckyball at 0.6 %, surfaces in a volume, in the exact order and in that of the paper; and cut open.
+build buckyball buckyball/c60large_128x128x128_uint8.nhdr 0.6
+view=("$models/buckyball.tan" --error 0.6 --mode hybrid --camera "$pictures/buckyball-camera.json" --size 260x260
+      --transfer "$pictures/buckyball-transfer.json" --no-outline)
+draw "${view[@]}" --isovalue 170:gold -o "$pictures/buckyball-exact.png"
+draw "${view[@]}" --isovalue 170:gold --order with-cell -o "$pictures/buckyball-with-cell.png"
+draw "${view[@]}" --isovalue 170:gold --clip 0,1,0,63.5 -o "$pictures/buckyball-cut.png"

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/graphics/clip_plane_text.h"
+#include "core/graphics/palette.h"
+#include "core/graphics/scene.h"
+#include "core/transfer/default_transfer_functions.h"
+#include "core/transfer/fitted_transfer_function.h"
+#include "plugins/api/renderer.h"
+
+#include <algorithm>
+
+namespace tetra {
+
+/// The parameters that renderers share, so that what was chosen stays when another renderer takes over. A renderer
+/// takes those that it can do; the shell knows the ids.
+inline constexpr const char* isovaluesId = "isovalues";
+inline constexpr const char* transferId = "transfer";
+inline constexpr const char* shadedId = "shaded";
+inline constexpr const char* outlineId = "outline";
+inline constexpr const char* clipId = "clip";
+
+/// std::vector<Isovalue>; by default the middle of the range.
+inline Parameter isovaluesParameter(const ValueRange& range)
+{
+    const auto [red, green, blue] = distinctColour(0);
+    Parameter parameter;
+    parameter.id = isovaluesId;
+    parameter.label = "Isovalues";
+    parameter.explanation = "The values whose surfaces are shown, each with its colour and opacity.";
+    parameter.defaultValue = std::vector{Isovalue{range.minimum + range.extent() / 2, red, green, blue, 1, true}};
+    parameter.minimum = range.minimum;
+    parameter.maximum = range.maximum;
+    return parameter;
+}
+
+/// TransferFunction; by default one that fits the field, the better the more is known of it.
+inline Parameter transferParameter(const FieldExtent& field)
+{
+    constexpr double unitsInDiagonal = 40;
+    const double diagonal = field.bounds.isEmpty() ? 0 : field.bounds.diagonal().norm();
+    const double unitDistance = diagonal > 0 ? diagonal / unitsInDiagonal : 1;
+    Parameter parameter;
+    parameter.id = transferId;
+    parameter.label = "Transfer function";
+    parameter.explanation = "The colour and the opacity of each value.";
+    parameter.defaultValue = field.volumes.counts.empty()
+                                 ? sequentialTransferFunction(field.range.minimum, field.range.maximum, unitDistance)
+                                 : fittedTransferFunction(field.volumes, unitDistance);
+    return parameter;
+}
+
+/// bool, false by default.
+inline Parameter shadedParameter()
+{
+    Parameter parameter;
+    parameter.id = shadedId;
+    parameter.label = "Shaded";
+    parameter.explanation =
+        "Lights the volume, as if a surface lay across the direction in which its values change most.";
+    parameter.defaultValue = false;
+    return parameter;
+}
+
+/// bool, true by default.
+inline Parameter outlineParameter()
+{
+    Parameter parameter;
+    parameter.id = outlineId;
+    parameter.label = "Outline";
+    parameter.explanation = "Shows the edges of the box that the data fill.";
+    parameter.defaultValue = true;
+    return parameter;
+}
+
+/// std::string, a list that parseClipPlanes() reads; none by default.
+inline Parameter clipParameter()
+{
+    Parameter parameter;
+    parameter.id = clipId;
+    parameter.label = "Clip planes";
+    parameter.explanation =
+        "Cuts away what lies before a plane: nx,ny,nz,offset shows the points with nx x + ny y + nz z >= offset.";
+    parameter.defaultValue = std::string();
+    parameter.separator = ';';
+    parameter.mistake = [](const std::string& text) {
+        const auto planes = parseClipPlanes(text);
+        return planes ? std::string() : planes.error().text;
+    };
+    return parameter;
+}
+
+/// What is known of the field where the parameters have to be guessed from its mesh.
+inline FieldExtent extentOf(const TetrahedralMesh& mesh, const Eigen::AlignedBox3d& bounds)
+{
+    if (mesh.values.empty())
+        return {{}, bounds, {}};
+    const auto [smallest, largest] = std::ranges::minmax(mesh.values);
+    return {{smallest, largest}, bounds, {}};
+}
+
+/// A scene with nothing in it but the domain's outline and the clip planes, if they are among the parameters. The error
+/// is that of a text that is no clip plane.
+inline Result<Scene> startScene(const std::vector<Parameter>& parameters, const ParameterValues& values,
+                                const Eigen::AlignedBox3d& bounds)
+{
+    constexpr Colour outlineColour{0.45f, 0.45f, 0.45f};
+    constexpr float outlineWidth = 1.5f;
+    auto planes = parseClipPlanes(parameterValue<std::string>(parameters, values, clipId));
+    if (!planes)
+        return planes.error();
+    Scene scene;
+    scene.bounds = bounds;
+    scene.clipPlanes = *std::move(planes);
+    if (parameterValue<bool>(parameters, values, outlineId))
+        scene.lines.push_back(boxOutline(bounds, outlineColour, outlineWidth));
+    return scene;
+}
+
+} // namespace tetra

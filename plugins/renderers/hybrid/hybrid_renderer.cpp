@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/renderers/hybrid/hybrid_renderer.h"
+
+#include "plugins/api/scene_parameters.h"
+#include "plugins/renderers/hybrid/hybrid_session.h"
+
+namespace tetra {
+namespace {
+
+constexpr const char* exact = "exact";
+constexpr const char* withCell = "with-cell";
+
+Parameter orderParameter()
+{
+    Parameter parameter;
+    parameter.id = orderId;
+    parameter.label = "Order";
+    parameter.explanation = "How surfaces and volume are put in order: 'exact', or as the paper did 'with-cell', where "
+                            "the part of a surface in a cell is drawn before the cell.";
+    parameter.defaultValue = std::string(exact);
+    parameter.choices = {exact, withCell};
+    return parameter;
+}
+
+} // namespace
+
+std::vector<Parameter> HybridRenderer::parameters(const FieldExtent& field) const
+{
+    return {transferParameter(field), isovaluesParameter(field.range),
+            shadedParameter(),        orderParameter(),
+            clipParameter(),          outlineParameter()};
+}
+
+std::unique_ptr<RendererSession> HybridRenderer::open(std::shared_ptr<const TetrahedralMesh> mesh,
+                                                      const Eigen::AlignedBox3d& bounds) const
+{
+    auto defaults = parameters(extentOf(*mesh, bounds));
+    return std::make_unique<HybridSession>(std::move(mesh), bounds, std::move(defaults));
+}
+
+Result<HybridOrder> hybridOrderOf(const std::string& text)
+{
+    if (text == exact)
+        return HybridOrder::Exact;
+    if (text == withCell)
+        return HybridOrder::WithCell;
+    return Error{ErrorKind::WrongUsage, "'" + text + "' is no order of surfaces and volume: it is exact or with-cell."};
+}
+
+} // namespace tetra

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/renderers/hybrid/hybrid_session.h"
+
+#include "plugins/api/scene_parameters.h"
+#include "plugins/renderers/hybrid/hybrid_renderer.h"
+
+namespace tetra {
+
+HybridSession::HybridSession(std::shared_ptr<const TetrahedralMesh> mesh, const Eigen::AlignedBox3d& bounds,
+                             std::vector<Parameter> defaults)
+    : bounds_(bounds), defaults_(std::move(defaults)), surfaces_(mesh), volume_(mesh)
+{
+}
+
+Result<std::shared_ptr<const Scene>> HybridSession::prepare(const ParameterValues& values, const Camera&,
+                                                            const Progress& progress)
+{
+    auto scene = startScene(defaults_, values, bounds_);
+    if (!scene)
+        return scene.error();
+    const auto order = hybridOrderOf(parameterValue<std::string>(defaults_, values, orderId));
+    if (!order)
+        return order.error();
+    scene->hybridOrder = *order;
+    auto surfaces =
+        surfaces_.update(parameterValue<std::vector<Isovalue>>(defaults_, values, isovaluesId), progress.part(0, 0.5));
+    if (!surfaces)
+        return surfaces.error();
+    scene->surfaces = *std::move(surfaces);
+    auto volume = volume_.update(parameterValue<TransferFunction>(defaults_, values, transferId),
+                                 parameterValue<bool>(defaults_, values, shadedId), progress.part(0.5, 1));
+    if (!volume)
+        return volume.error();
+    scene->volume = *std::move(volume);
+    return std::make_shared<const Scene>(*std::move(scene));
+}
+
+} // namespace tetra

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// `tan render` of volumes and hybrids: what its options do to the picture, and every wrong use.
+#include "tests/app/program.h"
+#include "tests/app/sample_files.h"
+
+#include <QImage>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetra {
+namespace {
+
+/// Red from 100 on, of this opacity in a length of one; else nothing.
+QByteArray redFrom100(const char* opacity)
+{
+    return QByteArray(R"({"format": "tan-transfer-function", "version": 1, "unitDistance": 1, "points": [)"
+                      R"({"value": 100, "colour": [1, 0, 0], "opacity": 0}, )"
+                      R"({"value": 100, "colour": [1, 0, 0], "opacity": )") +
+           opacity + "}]}";
+}
+
+int largestDifference(const QImage& one, const QImage& other)
+{
+    int largest = one.size() == other.size() ? 0 : 255;
+    for (int y = 0; largest < 255 && y < one.height(); ++y)
+        for (int x = 0; x < one.width(); ++x) {
+            const QColor a = one.pixelColor(x, y), b = other.pixelColor(x, y);
+            largest = std::max({largest, std::abs(a.red() - b.red()), std::abs(a.green() - b.green()),
+                                std::abs(a.blue() - b.blue()), std::abs(a.alpha() - b.alpha())});
+        }
+    return largest;
+}
+
+/// Pixels of columns [begin, end) that are not the white background.
+int coloured(const QImage& image, int begin, int end)
+{
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = begin; x < end; ++x)
+            count += image.pixelColor(x, y) != QColor(Qt::white) ? 1 : 0;
+    return count;
+}
+
+int coloured(const QImage& image)
+{
+    return coloured(image, 0, image.width());
+}
+
+} // namespace
+
+class RenderTest : public QObject {
+    Q_OBJECT
+
+private:
+    Run tan(const QStringList& words) const { return runTan(words, folder_.path()); }
+    QString path(const QString& name) const { return folder_.filePath(name); }
+    /// A picture of 60 x 60 from the front, and its figures.
+    std::pair<QImage, QJsonObject> drawn(const QStringList& options, const QString& mode = "volume") const
+    {
+        const Run run = tan(QStringList{"render", "c60.tan", "--mode", mode, "--camera", "front", "--size", "60x60",
+                                        "-o", "picture.png", "--json"} +
+                            options);
+        if (run.exitCode != 0)
+            qWarning("%s", run.messages.constData());
+        return run.exitCode == 0 ? std::pair(QImage(path("picture.png")), run.json())
+                                 : std::pair(QImage(), QJsonObject());
+    }
+    qint64 tetrahedra(const QStringList& options) const { return drawn(options).second["tetrahedra"].toInteger(-1); }
+
+    QTemporaryDir folder_;
+
+private slots:
+    void initTestCase()
+    {
+        QCOMPARE(tan({"sample", "c60", "--size", "16", "-o", "c60.nrrd"}).exitCode, 0);
+        QCOMPARE(tan({"build", "c60.nrrd", "-o", "c60.tan"}).exitCode, 0);
+        QVERIFY(writeFile(path("opaque.json"), redFrom100("1")));
+        QVERIFY(writeFile(path("cloud.json"), redFrom100("0.1")));
+        QVERIFY(writeFile(path("nothing.json"), redFrom100("0")));
+        QVERIFY(writeFile(path("slip.json"), redFrom100("0.5,")));
+        QVERIFY(writeFile(path("steep.json"), redFrom100("1.5")));
+    }
+
+    void aVolumeIsDrawn()
+    {
+        const auto [image, figures] = drawn({"--error", "2"});
+        QVERIFY2(coloured(image) > 300, QByteArray::number(coloured(image)));
+        QCOMPARE(figures["mode"].toString(), QString("volume"));
+        QCOMPARE(figures["width"].toInt(), 60);
+        QCOMPARE(figures["height"].toInt(), 60);
+        QCOMPARE(figures["triangles"].toInt(-1), 0);
+        QCOMPARE(figures["error"].toDouble(), 2.0);
+        QVERIFY(figures["tetrahedra"].toInt() > 0);
+        QVERIFY(figures["cells_drawn"].toInt() > 0);
+        for (const char* key : {"seconds", "extraction_seconds", "scene_seconds", "picture_seconds", "order_seconds",
+                                "set_up_seconds", "fill_seconds", "fragments", "broken_cycles"})
+            QVERIFY2(figures[key].toDouble(-1) >= 0, key);
+    }
+
+    void theTransferFunctionIsTheFiles()
+    {
+        const QStringList bare = {"--no-outline", "--transfer"};
+        const QImage opaque = drawn(bare + QStringList{"opaque.json"}).first;
+        QVERIFY(coloured(opaque) > 300);
+        int red = 0;
+        for (int y = 0; y < 60; ++y)
+            for (int x = 0; x < 60; ++x)
+                red += opaque.pixelColor(x, y) == QColor(255, 0, 0) ? 1 : 0;
+        QVERIFY2(red > 200, QByteArray::number(red));
+        QCOMPARE(coloured(drawn(bare + QStringList{"nothing.json"}).first), 0);
+        const QImage cloud = drawn(bare + QStringList{"cloud.json", "--background", "transparent"}).first;
+        QVERIFY(cloud.pixelColor(0, 0).alpha() == 0);
+        const int middle = cloud.pixelColor(30, 15).alpha();
+        QVERIFY(middle > 0 && middle < 255);
+    }
+
+    /// A volume of which nothing is seen leaves the surface as it is alone; a cloud changes it.
+    void aHybridIsBoth()
+    {
+        const QStringList options = {"--isovalue", "120:silver", "--no-outline"};
+        const auto [surface, alone] = drawn(options, "isosurface");
+        const auto [hybrid, both] = drawn(options + QStringList{"--transfer", "nothing.json"}, "hybrid");
+        QVERIFY(coloured(surface) > 300);
+        QVERIFY2(largestDifference(surface, hybrid) <= 2, QByteArray::number(largestDifference(surface, hybrid)));
+        QCOMPARE(both["triangles"].toInt(), alone["triangles"].toInt());
+        const QImage cloudy = drawn(options + QStringList{"--transfer", "cloud.json"}, "hybrid").first;
+        QVERIFY(largestDifference(surface, cloudy) > 10);
+        const QImage withCell =
+            drawn(options + QStringList{"--transfer", "cloud.json", "--order", "with-cell"}, "hybrid").first;
+        QVERIFY(largestDifference(surface, withCell) > 10);
+    }
+
+    void clipPlanesCutAllModes_data()
+    {
+        QTest::addColumn<QString>("mode");
+        for (const char* mode : {"volume", "isosurface", "hybrid"})
+            QTest::newRow(mode) << QString(mode);
+    }
+    void clipPlanesCutAllModes()
+    {
+        QFETCH(QString, mode);
+        QStringList options = {"--no-outline"};
+        if (mode != "volume")
+            options << "--isovalue"
+                    << "120";
+        const QImage whole = drawn(options, mode).first;
+        QVERIFY(coloured(whole, 0, 25) > 100 && coloured(whole, 35, 60) > 100);
+        // From the front x goes to the right; the data lie from 0 to 15.
+        const QImage right = drawn(options + QStringList{"--clip", "1,0,0,7.5"}, mode).first;
+        QCOMPARE(coloured(right, 0, 25), 0);
+        QVERIFY(coloured(right, 35, 60) > 100);
+        const QImage none = drawn(options + QStringList{"--clip", "1,0,0,9", "--clip", "-1,0,0,-6"}, mode).first;
+        QCOMPARE(coloured(none), 0);
+    }
+
+    /// What 'tan extract' takes, the picture shows.
+    void queriesChooseTheMesh()
+    {
+        const qint64 coarse = tetrahedra({"--error", "8"});
+        const qint64 fine = tetrahedra({"--error", "0.5"});
+        QVERIFY(coarse > 0 && coarse < fine);
+        const qint64 focus = tetrahedra({"--error", "8", "--focus", "sphere:8,8,8,3", "--focus-error", "0.5"});
+        QVERIFY(focus > coarse && focus < fine);
+        const auto budget = drawn({"--budget", "3000"}).second;
+        QVERIFY(budget["tetrahedra"].toInt() <= 3000 && budget["scale"].toDouble() > 1);
+        const auto window = drawn({"--window", "0,0,0,15,15,7", "--error", "0.5", "--border", "clipped"}).second;
+        QVERIFY(window["tetrahedra"].toInteger() < fine);
+        QCOMPARE(window["whole_tetrahedra"].toInteger(), fine);
+        QVERIFY(tetrahedra({"--values", "100,200", "--error", "0.5"}) < fine);
+    }
+
+    void depthsAreAGreyPicture()
+    {
+        const auto [image, figures] = drawn({"--transfer", "opaque.json", "--no-outline", "--depth", "depth.png"});
+        const QImage depth(path("depth.png"));
+        QCOMPARE(depth.format(), QImage::Format_Grayscale16);
+        QCOMPARE(depth.size(), image.size());
+        const double nearest = figures["nearest"].toDouble(), farthest = figures["farthest"].toDouble();
+        QVERIFY(nearest > 0 && nearest < farthest && farthest < nearest + 26);
+        QCOMPARE(depth.text("nearest").toDouble(), nearest);
+        QCOMPARE(depth.text("farthest").toDouble(), farthest);
+        int least = 65535, largest = 0;
+        for (int y = 0; y < 60; ++y)
+            for (int x = 0; x < 60; ++x) {
+                const int grey = reinterpret_cast<const quint16*>(depth.constScanLine(y))[x];
+                if (image.pixelColor(x, y) == QColor(Qt::white))
+                    QCOMPARE(grey, 65535);
+                if (image.pixelColor(x, y) == QColor(255, 0, 0))
+                    QVERIFY(grey < 65535);
+                if (grey < 65535) {
+                    least = std::min(least, grey);
+                    largest = std::max(largest, grey);
+                }
+            }
+        QCOMPARE(least, 0);
+        QCOMPARE(largest, 65534);
+    }
+
+    void nothingSeenHasNoDepth()
+    {
+        const auto figures = drawn({"--transfer", "nothing.json", "--no-outline", "--depth", "depth.png"}).second;
+        QCOMPARE(figures["nearest"].toDouble(-1), 0.0);
+        QCOMPARE(figures["farthest"].toDouble(-1), 0.0);
+        const QImage depth(path("depth.png"));
+        QCOMPARE(reinterpret_cast<const quint16*>(depth.constScanLine(30))[30], quint16(65535));
+    }
+
+    void samplesAndThreads()
+    {
+        const QImage coarse = drawn({"--samples", "1"}).first;
+        const QImage fine = drawn({"--samples", "4"}).first;
+        QVERIFY(largestDifference(coarse, fine) > 0);
+        QCOMPARE(drawn({"--samples", "1", "--threads", "1"}).first, coarse);
+        QVERIFY(largestDifference(drawn({"--shaded", "--samples", "1"}).first, coarse) > 5);
+    }
+
+    void wrongUseIsRefused_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<int>("exitCode");
+        QTest::addColumn<QByteArray>("message");
+        const auto row = [](const char* name, const QStringList& options, int exitCode, const char* message) {
+            QTest::newRow(name) << options << exitCode << QByteArray(message);
+        };
+        row("isovalue of a volume", {"--isovalue", "9"}, 2, "'volume' has no option '--isovalue'");
+        row("order of a volume", {"--order", "exact"}, 2, "'--order'");
+        row("unknown order", {"--mode", "hybrid", "--order", "random"}, 2, "exact, with-cell");
+        row("no clip plane", {"--clip", "1,2,3"}, 2, "'1,2,3' is no clip plane");
+        row("no normal", {"--clip", "1,0,0,0", "--clip", "0,0,0,1"}, 2, "'0,0,0,1'");
+        row("missing function", {"--transfer", "gone.json"}, 3, "'gone.json'");
+        row("no JSON", {"--transfer", "c60.nrrd"}, 3, "c60.nrrd': ");
+        row("slip in a function", {"--transfer", "slip.json"}, 3, "slip.json': ");
+        row("place of a slip", {"--transfer", "slip.json"}, 3, "line 1, column 183");
+        row("opacity above 1", {"--transfer", "steep.json"}, 3, "Point 2");
+        row("no samples", {"--samples", "0"}, 2, "'--samples'");
+        row("many samples", {"--samples", "5"}, 2, "'--samples'");
+        row("no threads", {"--threads", "0"}, 2, "'--threads'");
+        row("too large", {"--size", "16385x10"}, 2, "16384");
+        row("depth in another format", {"--depth", "depth.tif"}, 2, ".png");
+        row("depth over the picture", {"--depth", "./x.png"}, 2, "same file");
+        row("focus without error", {"--focus", "sphere:1,2,3,4"}, 2, "--focus-error");
+        row("window beside the data", {"--window", "90,90,90,91,91,91"}, 2, "No tetrahedron");
+    }
+    void wrongUseIsRefused()
+    {
+        QFETCH(QStringList, options);
+        QFETCH(int, exitCode);
+        QFETCH(QByteArray, message);
+        QStringList words = {"render", "c60.tan", "-o", "x.png", "--size", "8x8"};
+        if (options.contains("--size"))
+            words = words.mid(0, 4);
+        if (!options.contains("--mode"))
+            words << "--mode"
+                  << "volume";
+        const Run run = tan(words + options);
+        QCOMPARE(run.exitCode, exitCode);
+        QVERIFY2(run.messages.contains(message), run.messages);
+        QVERIFY(!QFile::exists(path("x.png")));
+    }
+};
+
+} // namespace tetra
+
+QTEST_GUILESS_MAIN(tetra::RenderTest)
+#include "render_test.moc"

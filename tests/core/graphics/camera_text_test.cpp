@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cameras as JSON texts.
+#include "core/graphics/camera_text.h"
+
+#include <QTest>
+
+#include <random>
+
+using namespace tetra;
+
+namespace {
+
+const Eigen::AlignedBox3d bounds(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(4, 2, 1));
+
+} // namespace
+
+class CameraTextTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void comesBackToTheSameBits()
+    {
+        std::mt19937 random(1);
+        std::uniform_real_distribution<double> number(-80, 80);
+        for (int round = 0; round < 100; ++round) {
+            Camera camera;
+            camera.target = {number(random), number(random), 1e-9 * number(random)};
+            camera.distance = 1e6 * (number(random) + 81);
+            camera.azimuth = number(random);
+            camera.elevation = number(random);
+            camera.fieldOfView = 90 + number(random);
+            camera.perspective = round % 2 == 0;
+            const auto back = cameraFromText(cameraToText(camera), bounds);
+            QVERIFY(back.ok());
+            QCOMPARE(*back, camera);
+        }
+    }
+
+    void whatIsLeftOpenShowsTheWholeDomain()
+    {
+        QCOMPARE(*cameraFromText("{}", bounds), fitted(Camera(), bounds));
+        Camera wide;
+        wide.fieldOfView = 60;
+        QCOMPARE(*cameraFromText(R"({"fieldOfView": 60})", bounds), fitted(wide, bounds));
+        QCOMPARE(cameraFromText(R"({"distance": 3})", bounds)->distance, 3.0);
+    }
+
+    void mistakesAreNamed_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("message");
+        QTest::newRow("no JSON") << "{" << "no camera";
+        QTest::newRow("no object") << "[1]" << "no JSON object";
+        QTest::newRow("unknown key") << R"({"zoom": 1})" << "\"zoom\" of the camera is not known (line 1";
+        QTest::newRow("no number") << R"({"azimuth": "north"})" << "\"azimuth\" of the camera is no number";
+        QTest::newRow("out of bounds") << R"({"elevation": 91})" << "from -90 to 90";
+        QTest::newRow("no truth") << R"({"perspective": 1})" << "neither true nor false";
+        QTest::newRow("two numbers") << R"({"target": [1, 2]})" << "list of three numbers";
+        QTest::newRow("no distance") << R"({"distance": 0})" << "\"distance\" of the camera is no number";
+    }
+
+    void mistakesAreNamed()
+    {
+        QFETCH(QString, text);
+        QFETCH(QString, message);
+        const auto camera = cameraFromText(text.toStdString(), bounds);
+        QVERIFY(!camera.ok());
+        QVERIFY2(QString::fromStdString(camera.error().text).contains(message), camera.error().text.c_str());
+    }
+};
+
+QTEST_APPLESS_MAIN(CameraTextTest)
+#include "camera_text_test.moc"

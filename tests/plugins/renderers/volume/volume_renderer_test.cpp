@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The volume renderer: its parameters become a scene; what is costly is made once.
+#include "core/graphics/volume/volume_mesh.h"
+#include "plugins/renderers/volume/volume_renderer.h"
+#include "tests/core/graphics/lattice_mesh.h"
+
+#include <QJsonObject>
+#include <QPluginLoader>
+#include <QTest>
+
+using namespace tetra;
+using testing::latticeMesh;
+using testing::Split;
+
+namespace {
+
+std::shared_ptr<const TetrahedralMesh> cone()
+{
+    return std::make_shared<const TetrahedralMesh>(
+        latticeMesh(6, 1, Split::Six, [](const Eigen::Vector3d& p) { return (p.array() - 0.5).matrix().norm(); }));
+}
+
+const Eigen::AlignedBox3d unitBox(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1));
+
+const TransferFunction step{{{0.2, {1, 0, 0}, 0}, {0.2, {0, 1, 0}, 0.5f}}, 0.1};
+
+std::shared_ptr<const Scene> prepared(RendererSession& session, const ParameterValues& values)
+{
+    auto scene = session.prepare(values, {}, {});
+    if (!scene)
+        qFatal("%s", scene.error().text.c_str());
+    return *scene;
+}
+
+} // namespace
+
+class VolumeRendererTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void defaultsFitTheField()
+    {
+        const auto parameters = VolumeRenderer().parameters({{-10, 30}, unitBox});
+        for (const auto& parameter : parameters)
+            QVERIFY(!parameter.id.empty() && !parameter.label.empty() && !parameter.explanation.empty());
+        const auto function = parameterValue<TransferFunction>(parameters, {}, "transfer");
+        QVERIFY(checkTransferFunction(function).ok());
+        QCOMPARE(function.points.front().value, -10.0);
+        QCOMPARE(function.points.back().value, 30.0);
+        QCOMPARE(function.unitDistance, unitBox.diagonal().norm() / 40);
+        QVERIFY(!parameterValue<bool>(parameters, {}, "shaded"));
+        QVERIFY(parameterValue<bool>(parameters, {}, "outline"));
+        QCOMPARE(parameterValue<std::string>(parameters, {}, "clip"), std::string());
+    }
+
+    /// As for --help, before there is a model.
+    void defaultsOfNothingAreUsable()
+    {
+        const auto function = parameterValue<TransferFunction>(VolumeRenderer().parameters({}), {}, "transfer");
+        QVERIFY(checkTransferFunction(function).ok());
+    }
+
+    void missingValuesAreDefaults()
+    {
+        const auto mesh = cone();
+        const auto scene = prepared(*VolumeRenderer().open(mesh, unitBox), {});
+        QVERIFY(scene->volume.has_value());
+        QCOMPARE(scene->volume->mesh->mesh, mesh);
+        QCOMPARE(scene->volume->transfer->classes.size(), mesh->tetrahedra.size());
+        QVERIFY(!scene->volume->shaded);
+        QVERIFY(scene->surfaces.empty() && scene->clipPlanes.empty());
+        QCOMPARE(scene->lines.size(), std::size_t(1));
+        QVERIFY(scene->bounds.isApprox(unitBox));
+    }
+
+    void valuesBecomeTheScene()
+    {
+        const auto session = VolumeRenderer().open(cone(), unitBox);
+        const auto scene = prepared(
+            *session, {{"transfer", step}, {"shaded", true}, {"clip", std::string("0,1,0,0.5")}, {"outline", false}});
+        QVERIFY(scene->volume->shaded);
+        QCOMPARE(scene->volume->transfer->segments.size(), std::size_t(2));
+        QVERIFY(scene->lines.empty());
+        QCOMPARE(scene->clipPlanes.size(), std::size_t(1));
+        QCOMPARE(scene->clipPlanes[0].offset, 0.5);
+    }
+
+    void onlyAnotherFunctionIsMadeReady()
+    {
+        const auto session = VolumeRenderer().open(cone(), unitBox);
+        const auto first = prepared(*session, {{"transfer", step}});
+        const auto lit = prepared(*session, {{"transfer", step}, {"shaded", true}});
+        QCOMPARE(lit->volume->mesh, first->volume->mesh);
+        QCOMPARE(lit->volume->transfer, first->volume->transfer);
+        const auto other = prepared(*session, {});
+        QCOMPARE(other->volume->mesh, first->volume->mesh);
+        QVERIFY(other->volume->transfer != first->volume->transfer);
+    }
+
+    void badValuesAreErrors()
+    {
+        const auto session = VolumeRenderer().open(cone(), unitBox);
+        TransferFunction wrong = step;
+        wrong.unitDistance = 0;
+        QVERIFY(!session->prepare({{"transfer", wrong}}, {}, {}).ok());
+        QCOMPARE(session->prepare({{"clip", std::string("0,0,0,0")}}, {}, {}).error().kind, ErrorKind::WrongUsage);
+        std::stop_source stop;
+        stop.request_stop();
+        QCOMPARE(session->prepare({}, {}, Progress(stop.get_token(), {})).error().kind, ErrorKind::Cancelled);
+        QVERIFY(session->prepare({}, {}, {}).ok());
+    }
+
+    void emptyMeshShowsTheOutline()
+    {
+        const auto scene = prepared(*VolumeRenderer().open(std::make_shared<TetrahedralMesh>(), unitBox), {});
+        QVERIFY(scene->volume->mesh->mesh->tetrahedra.empty());
+        QCOMPARE(scene->lines.size(), std::size_t(1));
+    }
+
+    void pluginLoads()
+    {
+        QPluginLoader loader(TAN_PLUGIN_FILE);
+        const QJsonObject metadata = loader.metaData().value("MetaData").toObject();
+        QCOMPARE(metadata.value("id").toString(), "volume");
+        QCOMPARE(metadata.value("kind").toString(), "renderer");
+        QVERIFY2(loader.instance() != nullptr, qPrintable(loader.errorString()));
+        QVERIFY(qobject_cast<Renderer*>(loader.instance()) != nullptr);
+    }
+};
+
+QTEST_GUILESS_MAIN(VolumeRendererTest)
+#include "volume_renderer_test.moc"

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/rendering_panel.h"
+
+#include "ui/panels/parameter_form.h"
+#include "ui/session/plugin_texts.h"
+#include "ui/viewport/viewport.h"
+#include "ui/widgets/scrolled_column.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QSettings>
+#include <QSpinBox>
+
+namespace tetra {
+namespace {
+
+constexpr const char* frameRateKey = "rendering/frameRate";
+constexpr int automatic = 0;
+constexpr int highestRate = 120;
+
+QString explanationOf(const PluginHost& host, const std::string& id)
+{
+    for (const PluginStatus& plugin : host.plugins())
+        if (plugin.metadata.id == id)
+            return pluginText(plugin.metadata.description);
+    return {};
+}
+
+} // namespace
+
+RenderingPanel::RenderingPanel(Workbench& workbench, Viewport& viewport, QWidget* parent)
+    : QWidget(parent), workbench_(workbench), viewport_(viewport), mode_(new QComboBox), explanation_(new QLabel),
+      settings_(new ParameterForm("rendering.setting")), frameRate_(new QSpinBox)
+{
+    setObjectName("rendering");
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins({});
+    outer->addWidget(new ScrolledColumn(makeContent()));
+
+    connect(mode_, &QComboBox::activated, this,
+            [this](int index) { chooseMode(mode_->itemData(index).toString()); });
+    connect(settings_, &ParameterForm::edited, this, [this](const QString& id) {
+        workbench_.session().setSetting(id.toStdString(), settings_->value(id.toStdString()));
+    });
+    connect(frameRate_, &QSpinBox::valueChanged, this, &RenderingPanel::setFrameRate);
+    connect(&workbench_.session(), &Session::modelChanged, this, &RenderingPanel::showModel);
+    connect(&workbench_.session().view(), &ViewState::lookChanged, this, &RenderingPanel::showLook);
+    frameRate_->setValue(QSettings().value(frameRateKey, automatic).toInt());
+    setFrameRate(frameRate_->value());
+    showModel();
+}
+
+QWidget* RenderingPanel::makeContent()
+{
+    mode_->setObjectName("rendering.mode");
+    mode_->setToolTip(tr("What is shown of the data"));
+    mode_->setAccessibleName(tr("Rendering mode"));
+    explanation_->setObjectName("rendering.explanation");
+    explanation_->setWordWrap(true);
+    explanation_->setForegroundRole(QPalette::PlaceholderText);
+    frameRate_->setObjectName("rendering.frameRate");
+    frameRate_->setRange(automatic, highestRate);
+    frameRate_->setSpecialValueText(
+        tr("Automatic (%1 frames/s)").arg(static_cast<int>(viewport_.usualFrameRate())));
+    frameRate_->setSuffix(tr(" frames/s"));
+    frameRate_->setKeyboardTracking(false);
+    frameRate_->setToolTip(tr("Pictures a second while something moves. If there is not time enough they are drawn "
+                              "smaller and of fewer tetrahedra; the picture at rest is always the full one."));
+    frameRate_->setAccessibleName(tr("Frame rate while moving"));
+
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    auto* head = new QFormLayout;
+    head->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    head->addRow(tr("Sh&ow"), mode_);
+    column->addLayout(head);
+    column->addWidget(explanation_);
+    column->addSpacing(6);
+    column->addWidget(settings_);
+    column->addSpacing(6);
+    auto* motion = new QFormLayout;
+    motion->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    motion->addRow(tr("While movin&g"), frameRate_);
+    column->addLayout(motion);
+    column->addStretch();
+    return content;
+}
+
+void RenderingPanel::chooseMode(const QString& id)
+{
+    workbench_.session().setMode(id.toStdString());
+    const auto parameters = workbench_.renderingParameters();
+    if (hasParameter<TransferFunction>(parameters))
+        emit transferWanted();
+    else if (hasParameter<std::vector<Isovalue>>(parameters))
+        emit isovaluesWanted();
+}
+
+void RenderingPanel::showModel()
+{
+    setEnabled(workbench_.session().model() != nullptr);
+    mode_->clear();
+    for (const Provided<Renderer>& mode : workbench_.modes())
+        mode_->addItem(pluginText(mode.name), QString::fromStdString(mode.id));
+    shownMode_.clear();
+    showLook();
+}
+
+void RenderingPanel::showLook()
+{
+    const Look& look = workbench_.session().view().look();
+    mode_->setCurrentIndex(mode_->findData(QString::fromStdString(look.mode)));
+    explanation_->setText(explanationOf(workbench_.host(), look.mode));
+    if (look.mode != shownMode_ || look.mode.empty())
+        settings_->setParameters(settingParameters(workbench_.renderingParameters()));
+    shownMode_ = look.mode;
+    settings_->setValues(look.settings);
+}
+
+void RenderingPanel::setFrameRate(int perSecond)
+{
+    QSettings().setValue(frameRateKey, perSecond);
+    viewport_.setFrameRate(perSecond == automatic ? std::nullopt : std::optional<double>(perSecond));
+}
+
+} // namespace tetra

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/workbench.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QSpinBox;
+
+namespace tetra {
+
+class ParameterForm;
+class Viewport;
+
+/// How a model is looked at (R27): the mode, and what it can be told; and the frame rate to hold while something moves
+/// (R23), which is the user's and kept in the settings.
+class RenderingPanel : public QWidget {
+    Q_OBJECT
+public:
+    RenderingPanel(Workbench& workbench, Viewport& viewport, QWidget* parent = nullptr);
+
+    /// As the user does.
+    void chooseMode(const QString& id);
+
+signals:
+    /// By the user: a mode that takes this.
+    void transferWanted();
+    void isovaluesWanted();
+
+private:
+    QWidget* makeContent();
+    void showModel();
+    void showLook();
+    void setFrameRate(int perSecond);
+
+    Workbench& workbench_;
+    Viewport& viewport_;
+    QComboBox* mode_;
+    QLabel* explanation_;
+    ParameterForm* settings_;
+    QSpinBox* frameRate_;
+    std::string shownMode_;
+};
+
+} // namespace tetra

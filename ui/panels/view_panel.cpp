@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/view_panel.h"
+
+#include "core/graphics/camera_text.h"
+#include "ui/session/number_text.h"
+#include "ui/session/target_path.h"
+#include "ui/viewport/viewport.h"
+#include "ui/widgets/colour_button.h"
+#include "ui/widgets/scrolled_column.h"
+#include "ui/widgets/value_box.h"
+#include "ui/widgets/vector_input.h"
+#include "ui/widgets/file_dialogs.h"
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+#include <array>
+
+namespace tetra {
+namespace {
+
+constexpr double nearest = 0.01; ///< distances offered, in diagonals
+constexpr double farthest = 100;
+
+struct NamedButton {
+    NamedView view;
+    const char* name;
+    const char* text;
+};
+
+constexpr std::array namedButtons{
+    NamedButton{NamedView::Front, "front", QT_TRANSLATE_NOOP("ViewPanel", "Front")},
+    NamedButton{NamedView::Left, "left", QT_TRANSLATE_NOOP("ViewPanel", "Left")},
+    NamedButton{NamedView::Top, "top", QT_TRANSLATE_NOOP("ViewPanel", "Top")},
+    NamedButton{NamedView::Corner, "corner", QT_TRANSLATE_NOOP("ViewPanel", "Corner")},
+    NamedButton{NamedView::Back, "back", QT_TRANSLATE_NOOP("ViewPanel", "Back")},
+    NamedButton{NamedView::Right, "right", QT_TRANSLATE_NOOP("ViewPanel", "Right")},
+    NamedButton{NamedView::Bottom, "bottom", QT_TRANSLATE_NOOP("ViewPanel", "Bottom")},
+};
+
+QColor qtColour(const Colour& colour)
+{
+    return QColor::fromRgbF(colour.red, colour.green, colour.blue);
+}
+
+void setUp(ValueBox& box, const char* name, const QString& text, const QString& suffix, const QString& toolTip)
+{
+    box.setObjectName(QString("view.") + name);
+    box.setAccessibleName(text);
+    box.setSuffix(suffix);
+    box.setToolTip(toolTip);
+}
+
+void showNumber(ValueBox& box, double value)
+{
+    const QSignalBlocker blocker(box);
+    box.setValue(value);
+}
+
+} // namespace
+
+ViewPanel::ViewPanel(Workbench& workbench, Viewport& viewport, QWidget* parent)
+    : QWidget(parent), workbench_(workbench), viewport_(viewport), azimuth_(new ValueBox), elevation_(new ValueBox),
+      distance_(new ValueBox), fieldOfView_(new ValueBox), projection_(new QComboBox), background_(new ColourButton),
+      usualBackground_(new QToolButton), load_(new QPushButton(tr("&Load…"))), save_(new QPushButton(tr("Sa&ve…")))
+{
+    setObjectName("view");
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins({});
+    outer->addWidget(new ScrolledColumn(makeContent()));
+    connectControls();
+    showModel();
+}
+
+QWidget* ViewPanel::makeContent()
+{
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    column->addLayout(makeNamedViews());
+    auto* grid = new QGridLayout;
+    addNumbers(*grid);
+    column->addLayout(grid);
+    column->addLayout(makeFiles());
+    column->addStretch();
+    return content;
+}
+
+void ViewPanel::addNumbers(QGridLayout& grid)
+{
+    const QString degrees = tr("°");
+    setUp(*azimuth_, "azimuth", tr("Azimuth"), degrees,
+          tr("Direction around the z axis, in degrees; 0 looks along y"));
+    azimuth_->setValueRange(-180, 180);
+    azimuth_->setWrapping(true);
+    setUp(*elevation_, "elevation", tr("Elevation"), degrees, tr("Height above the xy plane, in degrees"));
+    elevation_->setValueRange(-90, 90);
+    setUp(*distance_, "distance", tr("Distance"), {}, tr("From the eye to the target, in the units of the data"));
+    setUp(*fieldOfView_, "fieldOfView", tr("Field of view"), degrees,
+          tr("Angle that the shorter side of the picture spans, in degrees"));
+    fieldOfView_->setValueRange(1, 170);
+    for (ValueBox* box : {azimuth_, elevation_, fieldOfView_})
+        box->setSingleStep(1);
+    projection_->setObjectName("view.projection");
+    projection_->addItems({tr("Perspective"), tr("Parallel")});
+    projection_->setAccessibleName(tr("Projection"));
+    projection_->setToolTip(tr("Whether what is farther away looks smaller (Ctrl+P)"));
+
+    // Four columns, so that the target's three numbers stand below two pairs.
+    addAxisNames(grid, 0);
+    target_ = new VectorInput("view.target", tr("Target"), tr("The point that is looked at, in the units of the data"),
+                              workbench_.session(), grid, 1, this);
+    auto* pairs = new QGridLayout;
+    const auto addPair = [pairs](int row, int column, const QString& text, QWidget* widget) {
+        auto* label = new QLabel(text);
+        label->setBuddy(widget);
+        pairs->addWidget(label, row, column);
+        pairs->addWidget(widget, row, column + 1);
+    };
+    addPair(0, 0, tr("A&zimuth"), azimuth_);
+    addPair(0, 2, tr("E&levation"), elevation_);
+    addPair(1, 0, tr("D&istance"), distance_);
+    addPair(1, 2, tr("&Angle"), fieldOfView_);
+    pairs->setColumnStretch(1, 1);
+    pairs->setColumnStretch(3, 1);
+    grid.addLayout(pairs, 2, 0, 1, 4);
+    auto* label = new QLabel(tr("Pro&jection"));
+    label->setBuddy(projection_);
+    grid.addWidget(label, 3, 0);
+    grid.addWidget(projection_, 3, 1, 1, 3);
+}
+
+QLayout* ViewPanel::makeNamedViews()
+{
+    auto* grid = new QGridLayout;
+    grid->setSpacing(4);
+    int index = 0;
+    for (const auto& [view, name, text] : namedButtons) {
+        auto* button = new QPushButton(tr(text));
+        button->setObjectName(QString("view.from.") + name);
+        button->setToolTip(tr("Look from this side"));
+        connect(button, &QPushButton::clicked, &viewport_, [this, view = view] { viewport_.seeFrom(view); });
+        grid->addWidget(button, index / 4, index % 4);
+        ++index;
+    }
+    auto* fit = new QPushButton(tr("Fit"));
+    fit->setObjectName("view.fit");
+    fit->setToolTip(tr("Show the whole domain (Home)"));
+    connect(fit, &QPushButton::clicked, this,
+            [this] { viewport_.fit(workbench_.session().model()->description().bounds); });
+    grid->addWidget(fit, 1, 3);
+    for (int i = 0; i < grid->count(); ++i)
+        grid->itemAt(i)->widget()->setMinimumWidth(1); // as narrow as the panel
+    return grid;
+}
+
+QLayout* ViewPanel::makeFiles()
+{
+    background_->setObjectName("view.background");
+    background_->setToolTip(tr("Colour behind what is shown, also in saved pictures"));
+    background_->setAccessibleName(tr("Background colour"));
+    usualBackground_->setObjectName("view.usualBackground");
+    usualBackground_->setText(tr("Usual"));
+    usualBackground_->setToolTip(tr("The colour that fits the window, light or dark"));
+    load_->setObjectName("view.load");
+    load_->setToolTip(tr("Take the camera from a JSON file"));
+    save_->setObjectName("view.save");
+    save_->setToolTip(tr("Save the camera as a JSON file, which “tan render --camera” takes, too"));
+    auto* row = new QHBoxLayout;
+    auto* label = new QLabel(tr("Bac&kground"));
+    label->setBuddy(background_);
+    row->addWidget(label);
+    row->addWidget(background_);
+    row->addWidget(usualBackground_);
+    row->addStretch();
+    row->addWidget(load_);
+    row->addWidget(save_);
+    return row;
+}
+
+/// Applies a change to the camera that is in use.
+template <class Change> void ViewPanel::edit(Change change)
+{
+    Camera camera = viewport_.camera();
+    change(camera);
+    viewport_.setCamera(camera);
+    showCamera();
+}
+
+void ViewPanel::connectControls()
+{
+    const auto connectBox = [this](ValueBox* box, double Camera::*member) {
+        connect(box, &QDoubleSpinBox::valueChanged, this,
+                [this, member](double value) { edit([=](Camera& camera) { camera.*member = value; }); });
+    };
+    connectBox(azimuth_, &Camera::azimuth);
+    connectBox(elevation_, &Camera::elevation);
+    connectBox(distance_, &Camera::distance);
+    connectBox(fieldOfView_, &Camera::fieldOfView);
+    connect(target_, &VectorInput::edited, this, [this](const Eigen::Vector3d& target) {
+        edit([&target](Camera& camera) { camera.target = target; });
+    });
+    connect(projection_, &QComboBox::activated, this,
+            [this](int index) { edit([index](Camera& camera) { camera.perspective = index == 0; }); });
+    connect(background_, &ColourButton::colourChosen, this, [this](const QColor& colour) {
+        setBackground(Colour{static_cast<float>(colour.redF()), static_cast<float>(colour.greenF()),
+                             static_cast<float>(colour.blueF())});
+    });
+    connect(usualBackground_, &QToolButton::clicked, this, [this] { setBackground(std::nullopt); });
+    connect(load_, &QPushButton::clicked, this, [this] {
+        askForTextFile(this, "cameraDialog", tr("Load Camera"), tr("Cameras (*.json)"),
+                       [this](const QString& path) { load(path); });
+    });
+    connect(save_, &QPushButton::clicked, this, [this] {
+        const QFileInfo model(pathText(workbench_.session().model()->path()));
+        askForTextTarget(this, "cameraSaveDialog", tr("Save Camera"), tr("Cameras (*.json)"),
+                         model.absolutePath() + "/" + model.completeBaseName() + "-camera.json",
+                         [this](const QString& path) {
+                             workbench_.saveText(filePath(path), cameraToText(viewport_.camera()));
+                         });
+    });
+    connect(&viewport_, &Viewport::cameraChanged, this, &ViewPanel::showCamera);
+    connect(&viewport_, &Viewport::backgroundChanged, this, &ViewPanel::showCamera);
+    connect(&workbench_.session(), &Session::modelChanged, this, &ViewPanel::showModel);
+}
+
+void ViewPanel::setBackground(const std::optional<Colour>& colour)
+{
+    usualBackground_->setEnabled(colour.has_value());
+    viewport_.setBackground(colour);
+}
+
+void ViewPanel::load(const QString& path)
+{
+    workbench_.loadText(filePath(path), [this](const std::string& text) -> Status {
+        const auto& model = workbench_.session().model();
+        if (!model)
+            return {};
+        const auto camera = cameraFromText(text, model->description().bounds);
+        if (!camera)
+            return camera.error();
+        viewport_.setCamera(*camera);
+        return {};
+    });
+}
+
+void ViewPanel::showModel()
+{
+    setEnabled(workbench_.session().model() != nullptr);
+    if (const auto& model = workbench_.session().model()) {
+        const Eigen::AlignedBox3d& bounds = model->description().bounds;
+        const double diagonal = bounds.diagonal().norm() > 0 ? bounds.diagonal().norm() : 1;
+        const Eigen::Vector3d room = Eigen::Vector3d::Constant(diagonal);
+        const QSignalBlocker blocker(distance_);
+        distance_->setValueRange(nearest * diagonal, farthest * diagonal);
+        distance_->setDecimals(decimalsFor(diagonal));
+        distance_->setSingleStep(diagonal / 20);
+        target_->setRange(bounds.center() - room, bounds.center() + room);
+    }
+    usualBackground_->setEnabled(false);
+    viewport_.setBackground(std::nullopt);
+    showCamera();
+}
+
+void ViewPanel::showCamera()
+{
+    const Camera& camera = viewport_.camera();
+    showNumber(*azimuth_, camera.azimuth);
+    showNumber(*elevation_, camera.elevation);
+    showNumber(*distance_, camera.distance);
+    showNumber(*fieldOfView_, camera.fieldOfView);
+    target_->setValue(camera.target);
+    projection_->setCurrentIndex(camera.perspective ? 0 : 1);
+    background_->setColour(qtColour(viewport_.background()));
+}
+
+} // namespace tetra

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/look.h"
+
+#include "core/transfer/default_transfer_functions.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace tetra {
+namespace {
+
+constexpr std::array<std::string_view, 3> firstModes{"isosurface", "volume", "hybrid"};
+constexpr double unitDistances = 40; ///< in the diagonal, where no renderer says otherwise
+
+auto rank(const Provided<Renderer>& mode)
+{
+    return std::ranges::find(firstModes, std::string_view(mode.id)) - firstModes.begin();
+}
+
+bool fits(const Parameter& parameter, const ParameterValue& value)
+{
+    if (value.index() != parameter.defaultValue.index())
+        return false;
+    const auto* text = std::get_if<std::string>(&value);
+    return text == nullptr || parameter.choices.empty() ||
+           std::ranges::find(parameter.choices, *text) != parameter.choices.end();
+}
+
+/// The default of the first parameter of this type in any mode.
+template <class T>
+const T* firstDefault(const std::vector<std::vector<Parameter>>& modes)
+{
+    for (const auto& parameters : modes)
+        for (const Parameter& parameter : parameters)
+            if (const T* value = std::get_if<T>(&parameter.defaultValue))
+                return value;
+    return nullptr;
+}
+
+std::vector<std::vector<Parameter>> parametersOf(const std::vector<Provided<Renderer>>& modes,
+                                                 const FieldExtent& field)
+{
+    std::vector<std::vector<Parameter>> parameters;
+    for (const Provided<Renderer>& mode : modes)
+        parameters.push_back(mode.plugin->parameters(field));
+    return parameters;
+}
+
+} // namespace
+
+std::vector<Provided<Renderer>> renderingModes(PluginHost& host)
+{
+    auto modes = host.renderers();
+    std::ranges::stable_sort(modes, {}, rank);
+    return modes;
+}
+
+Look startingLook(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field)
+{
+    const auto parameters = parametersOf(modes, field);
+    const auto* transfer = firstDefault<TransferFunction>(parameters);
+    const double diagonal = field.bounds.isEmpty() ? unitDistances : field.bounds.diagonal().norm();
+    return {modes.empty() ? std::string() : modes.front().id,
+            transfer != nullptr
+                ? *transfer
+                : sequentialTransferFunction(field.range.minimum, field.range.maximum, diagonal / unitDistances)};
+}
+
+std::vector<Isovalue> startingIsovalues(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field)
+{
+    const auto parameters = parametersOf(modes, field);
+    const auto* isovalues = firstDefault<std::vector<Isovalue>>(parameters);
+    return isovalues != nullptr ? *isovalues : std::vector<Isovalue>{};
+}
+
+ParameterValues rendererValues(const std::vector<Parameter>& parameters, const Look& look,
+                               const std::vector<Isovalue>& isovalues)
+{
+    ParameterValues values;
+    for (const Parameter& parameter : parameters) {
+        if (std::holds_alternative<std::vector<Isovalue>>(parameter.defaultValue))
+            values[parameter.id] = isovalues;
+        else if (std::holds_alternative<TransferFunction>(parameter.defaultValue))
+            values[parameter.id] = look.transfer;
+        else if (const auto found = look.settings.find(parameter.id);
+                 found != look.settings.end() && fits(parameter, found->second))
+            values[parameter.id] = found->second;
+    }
+    return values;
+}
+
+std::vector<Parameter> settingParameters(const std::vector<Parameter>& parameters)
+{
+    std::vector<Parameter> settings;
+    for (const Parameter& parameter : parameters)
+        if (!std::holds_alternative<std::vector<Isovalue>>(parameter.defaultValue) &&
+            !std::holds_alternative<TransferFunction>(parameter.defaultValue))
+            settings.push_back(parameter);
+    return settings;
+}
+
+} // namespace tetra

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugins/api/parameter.h"
+#include "plugins/host/plugin_host.h"
+
+#include <string>
+#include <vector>
+
+namespace tetra {
+
+/// How a mesh is looked at (R27), apart from isovalues and camera: a value. All but the mode is shared by the modes, so
+/// that it stays when another one takes over.
+struct Look {
+    std::string mode; ///< id of a renderer plugin
+    TransferFunction transfer;
+    ParameterValues settings{}; ///< of the renderers' other parameters
+    bool operator==(const Look&) const = default;
+};
+
+/// The plugins that can show a model: isosurfaces, volume and both first, then others by id.
+std::vector<Provided<Renderer>> renderingModes(PluginHost& host);
+
+/// The first mode, with the defaults for the field.
+Look startingLook(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field);
+
+/// The isovalues to start with: those of the first mode that has some.
+std::vector<Isovalue> startingIsovalues(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field);
+
+/// What a renderer with these parameters is given: each by what it holds. A setting that does not fit, of another type
+/// or no choice here, is left to its default.
+ParameterValues rendererValues(const std::vector<Parameter>& parameters, const Look& look,
+                               const std::vector<Isovalue>& isovalues);
+
+/// The parameters for a form: those that have no panel of their own.
+std::vector<Parameter> settingParameters(const std::vector<Parameter>& parameters);
+
+/// Whether one of the parameters is of this type: std::vector<Isovalue>, TransferFunction ...
+template <class T> bool hasParameter(const std::vector<Parameter>& parameters)
+{
+    for (const Parameter& parameter : parameters)
+        if (std::holds_alternative<T>(parameter.defaultValue))
+            return true;
+    return false;
+}
+
+} // namespace tetra

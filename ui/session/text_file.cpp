@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/text_file.h"
+
+#include "core/base/file_writer.h"
+
+#include <QFile>
+
+#include <span>
+
+namespace tetra {
+namespace {
+
+constexpr qint64 largestFile = 1 << 20;
+
+} // namespace
+
+Result<std::string> readTextFile(const std::filesystem::path& path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return Error{ErrorKind::BadInput,
+                     "The file '" + path.string() + "' cannot be read: " + file.errorString().toStdString() + "."};
+    const QByteArray bytes = file.read(largestFile + 1);
+    if (bytes.size() > largestFile)
+        return Error{ErrorKind::BadInput, "The file '" + path.string() + "' is too large to be what is looked for here."};
+    return bytes.toStdString();
+}
+
+Status writeTextFile(const std::filesystem::path& path, std::string_view text)
+{
+    auto file = FileWriter::create(path);
+    if (!file)
+        return file.error();
+    if (Status written = file->write(std::as_bytes(std::span(text))); !written)
+        return written;
+    return file->commit();
+}
+
+} // namespace tetra

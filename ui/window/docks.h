@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/workbench.h"
+
+class QDockWidget;
+class QMainWindow;
+class QMenu;
+
+namespace tetra {
+
+class FocusPanel;
+class RenderingPanel;
+class Viewport;
+
+/// The window's panels in docks, named dock.NAME; the actions that show and hide them are action.dock.NAME. Owned by
+/// the window.
+struct Docks {
+    QDockWidget* build = nullptr;
+    QDockWidget* accuracy = nullptr;
+    QDockWidget* rendering = nullptr;
+    QDockWidget* view = nullptr;
+    QDockWidget* isovalues = nullptr;
+    QDockWidget* transfer = nullptr;
+    QDockWidget* focus = nullptr;
+    QDockWidget* region = nullptr;
+    FocusPanel* focusPanel = nullptr;
+    RenderingPanel* renderingPanel = nullptr;
+};
+
+/// Makes them and puts their actions into `menu`. Workbench and viewport outlive the window's widgets.
+Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport& viewport);
+
+/// Puts all docks where they are at first; the one for builds is seen only with a dataset to build of.
+void layOutDocks(QMainWindow& window, const Docks& docks, bool showBuild);
+
+/// Brings a dock to the front.
+void raiseDock(QDockWidget& dock);
+
+} // namespace tetra
