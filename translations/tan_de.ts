@@ -179,6 +179,10 @@
         <source>&amp;Region</source>
         <translation>Be&amp;reich</translation>
     </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
 </context>
 <context>
     <name>AddIsovalue</name>
@@ -192,6 +196,21 @@
     <message>
         <source>change of isovalue</source>
         <translation>Änderung des Isowerts</translation>
+    </message>
+</context>
+<context>
+    <name>ChangeLook</name>
+    <message>
+        <source>change of rendering mode</source>
+        <translation>Ändern der Darstellungsart</translation>
+    </message>
+    <message>
+        <source>change of transfer function</source>
+        <translation>Ändern der Transferfunktion</translation>
+    </message>
+    <message>
+        <source>change of rendering</source>
+        <translation>Ändern der Darstellung</translation>
     </message>
 </context>
 <context>
@@ -233,6 +252,41 @@
     </message>
 </context>
 <context>
+    <name>Docks</name>
+    <message>
+        <source>Build</source>
+        <translation>Bauen</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Rendering</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Isovalues</source>
+        <translation>Isowerte</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>Transfer</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Bereich</translation>
+    </message>
+</context>
+<context>
     <name>FileDialogs</name>
     <message>
         <source>Open a Dataset or a Model</source>
@@ -261,6 +315,10 @@
     <message>
         <source>PLY files (*.ply)</source>
         <translation>PLY-Dateien (*.ply)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -1298,18 +1356,6 @@ Verwerfung %2</translation>
         <translation>Bild</translation>
     </message>
     <message>
-        <source>Build</source>
-        <translation>Bauen</translation>
-    </message>
-    <message>
-        <source>Accuracy</source>
-        <translation>Genauigkeit</translation>
-    </message>
-    <message>
-        <source>Isovalues</source>
-        <translation>Isowerte</translation>
-    </message>
-    <message>
         <source>One file can be open at a time; of those dropped, %1 was opened.</source>
         <translation>Es kann nur eine Datei zugleich offen sein; von den abgelegten wurde %1 geöffnet.</translation>
     </message>
@@ -1346,14 +1392,6 @@ Verwerfung %2</translation>
         <translation>Die Datei sagt nicht, wie ihre Abtastwerte angeordnet sind. Beschreiben Sie sie im Feld links.</translation>
     </message>
     <message>
-        <source>Focus</source>
-        <translation>Fokus</translation>
-    </message>
-    <message>
-        <source>Region</source>
-        <translation>Bereich</translation>
-    </message>
-    <message>
         <source>Saving the mesh</source>
         <translation>Netz wird gespeichert</translation>
     </message>
@@ -1374,6 +1412,13 @@ Verwerfung %2</translation>
     <message>
         <source>%1 times</source>
         <translation>%1-mal</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ModeActions</name>
+    <message>
+        <source>Show %1 (%2)</source>
+        <translation>%1 zeigen (%2)</translation>
     </message>
 </context>
 <context>
@@ -1537,6 +1582,41 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::RenderingPanel</name>
+    <message>
+        <source>What is shown of the data</source>
+        <translation>Was von den Daten gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Rendering mode</source>
+        <translation>Darstellungsart</translation>
+    </message>
+    <message>
+        <source>Automatic (%1 frames/s)</source>
+        <translation>Automatisch (%1 Bilder/s)</translation>
+    </message>
+    <message>
+        <source> frames/s</source>
+        <translation> Bilder/s</translation>
+    </message>
+    <message>
+        <source>Pictures a second while something moves. If there is not time enough they are drawn smaller and of fewer tetrahedra; the picture at rest is always the full one.</source>
+        <translation>Bilder in der Sekunde, während sich etwas bewegt. Reicht die Zeit nicht, werden sie kleiner und aus weniger Tetraedern gezeichnet; das ruhende Bild ist immer das volle.</translation>
+    </message>
+    <message>
+        <source>Frame rate while moving</source>
+        <translation>Bildrate in Bewegung</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>While movin&amp;g</source>
+        <translation>In Bewe&amp;gung</translation>
+    </message>
+</context>
+<context>
     <name>tetra::StatusLine</name>
     <message>
         <source>The picture at the chosen accuracy is being made</source>
@@ -1557,10 +1637,6 @@ Verwerfung %2</translation>
     <message>
         <source>Time for taking the mesh out of the model</source>
         <translation>Zeit, um das Netz aus dem Modell zu holen</translation>
-    </message>
-    <message>
-        <source>Time for drawing the last picture</source>
-        <translation>Zeit, um das letzte Bild zu zeichnen</translation>
     </message>
     <message>
         <source>Memory that the program occupies, mapped files included</source>
@@ -1590,12 +1666,365 @@ Verwerfung %2</translation>
         <source>%1 a frame</source>
         <translation>%1 je Bild</translation>
     </message>
+    <message>
+        <source>Time for drawing the last picture; while it moves the frames a second, and how much smaller and of how many tetrahedra they are</source>
+        <translation>Zeit für das Zeichnen des letzten Bildes; in Bewegung die Bilder in der Sekunde, und wie viel kleiner und aus wie vielen Tetraedern sie sind</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 Bilder/s</translation>
+    </message>
+    <message>
+        <source>size 1/%1</source>
+        <translation>Größe 1/%1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
 </context>
 <context>
     <name>tetra::TaskLine</name>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::TransferCanvas</name>
+    <message>
+        <source>Transfer function</source>
+        <translation>Transferfunktion</translation>
+    </message>
+    <message>
+        <source>Opacity against value. Drag points, double click to add one, Delete removes it; arrow keys move it (finer with Ctrl), Tab goes to the next. Behind: how often the values occur in the mesh.</source>
+        <translation>Deckkraft über dem Wert. Punkte ziehen, mit Doppelklick einen hinzufügen, Entf entfernt ihn; Pfeiltasten bewegen ihn (feiner mit Strg), Tab geht zum nächsten. Dahinter: wie oft die Werte im Netz vorkommen.</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>Point %1 of %2: value %3, opacity %4</source>
+        <translation>Punkt %1 von %2: Wert %3, Deckkraft %4</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::TransferPanel</name>
+    <message>
+        <source>S&amp;tep</source>
+        <translation>S&amp;tufe</translation>
+    </message>
+    <message>
+        <source>Ad&amp;d</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Lo&amp;garithmic</source>
+        <translation>Lo&amp;garithmisch</translation>
+    </message>
+    <message>
+        <source>Value of the point</source>
+        <translation>Wert des Punktes</translation>
+    </message>
+    <message>
+        <source>Value of the selected point, in the units of the data</source>
+        <translation>Wert des gewählten Punktes, in den Einheiten der Daten</translation>
+    </message>
+    <message>
+        <source>Opacity of the point</source>
+        <translation>Deckkraft des Punktes</translation>
+    </message>
+    <message>
+        <source>Opacity of the selected point, in percent of the light that a unit distance takes away</source>
+        <translation>Deckkraft des gewählten Punktes, in Prozent des Lichts, das eine Einheitslänge wegnimmt</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Colour of the selected point</source>
+        <translation>Farbe des gewählten Punktes</translation>
+    </message>
+    <message>
+        <source>Give the point two sides: what lies below its value ends there, and what lies above begins</source>
+        <translation>Dem Punkt zwei Seiten geben: was unter seinem Wert liegt, endet dort, und was darüber liegt, beginnt</translation>
+    </message>
+    <message>
+        <source>Add a point after the selected one, or double click in the plot</source>
+        <translation>Einen Punkt nach dem gewählten hinzufügen, oder Doppelklick ins Bild</translation>
+    </message>
+    <message>
+        <source>Remove the selected point (Del)</source>
+        <translation>Den gewählten Punkt entfernen (Entf)</translation>
+    </message>
+    <message>
+        <source>Unit distance</source>
+        <translation>Einheitslänge</translation>
+    </message>
+    <message>
+        <source>The thickness, in the units of the data, that a layer must have for the opacities to hold: less makes everything denser</source>
+        <translation>Die Dicke, in den Einheiten der Daten, bei der eine Schicht die Deckkraft hat: weniger macht alles dichter</translation>
+    </message>
+    <message>
+        <source>Show how often values occur on a logarithmic scale, so that rare ones are seen</source>
+        <translation>Die Häufigkeit der Werte logarithmisch zeigen, damit man auch seltene sieht</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>Transfer functions to begin with</source>
+        <translation>Transferfunktionen zum Anfangen</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>Change all points</source>
+        <translation>Alle Punkte ändern</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Laden …</translation>
+    </message>
+    <message>
+        <source>Take a transfer function from a JSON file</source>
+        <translation>Eine Transferfunktion aus einer JSON-Datei nehmen</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern …</translation>
+    </message>
+    <message>
+        <source>Save the transfer function as a JSON file, which “tan render” takes, too</source>
+        <translation>Die Transferfunktion als JSON-Datei speichern, die auch „tan render“ nimmt</translation>
+    </message>
+    <message>
+        <source>Val&amp;ue</source>
+        <translation>&amp;Wert</translation>
+    </message>
+    <message>
+        <source>O&amp;pacity</source>
+        <translation>&amp;Deckkraft</translation>
+    </message>
+    <message>
+        <source>U&amp;nit distance</source>
+        <translation>Ein&amp;heitslänge</translation>
+    </message>
+    <message>
+        <source>&amp;Sequential: opaque where values are large</source>
+        <translation>&amp;Ansteigend: deckend, wo Werte groß sind</translation>
+    </message>
+    <message>
+        <source>&amp;Diverging: opaque at both ends</source>
+        <translation>A&amp;useinander: deckend an beiden Enden</translation>
+    </message>
+    <message>
+        <source>&amp;More opaque</source>
+        <translation>&amp;Deckender</translation>
+    </message>
+    <message>
+        <source>&amp;Less opaque</source>
+        <translation>D&amp;urchsichtiger</translation>
+    </message>
+    <message>
+        <source>Swap &amp;ends</source>
+        <translation>&amp;Enden vertauschen</translation>
+    </message>
+    <message>
+        <source>Spread over all &amp;values</source>
+        <translation>Über alle &amp;Werte ausdehnen</translation>
+    </message>
+    <message>
+        <source>Load Transfer Function</source>
+        <translation>Transferfunktion laden</translation>
+    </message>
+    <message>
+        <source>Transfer functions (*.json)</source>
+        <translation>Transferfunktionen (*.json)</translation>
+    </message>
+    <message>
+        <source>Save Transfer Function</source>
+        <translation>Transferfunktion speichern</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ViewPanel</name>
+    <message>
+        <source>&amp;Load…</source>
+        <translation>&amp;Laden …</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve…</source>
+        <translation>Spei&amp;chern …</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Azimuth</source>
+        <translation>Azimut</translation>
+    </message>
+    <message>
+        <source>Direction around the z axis, in degrees; 0 looks along y</source>
+        <translation>Richtung um die z-Achse, in Grad; 0 blickt entlang y</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Height above the xy plane, in degrees</source>
+        <translation>Höhe über der xy-Ebene, in Grad</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>From the eye to the target, in the units of the data</source>
+        <translation>Vom Auge zum Ziel, in den Einheiten der Daten</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Blickwinkel</translation>
+    </message>
+    <message>
+        <source>Angle that the shorter side of the picture spans, in degrees</source>
+        <translation>Winkel, den die kürzere Seite des Bildes umfasst, in Grad</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektivisch</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>Parallel</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>Whether what is farther away looks smaller (Ctrl+P)</source>
+        <translation>Ob kleiner aussieht, was weiter weg ist (Strg+P)</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>The point that is looked at, in the units of the data</source>
+        <translation>Der Punkt, auf den geblickt wird, in den Einheiten der Daten</translation>
+    </message>
+    <message>
+        <source>A&amp;zimuth</source>
+        <translation>A&amp;zimut</translation>
+    </message>
+    <message>
+        <source>E&amp;levation</source>
+        <translation>H&amp;öhe</translation>
+    </message>
+    <message>
+        <source>D&amp;istance</source>
+        <translation>Abs&amp;tand</translation>
+    </message>
+    <message>
+        <source>&amp;Angle</source>
+        <translation>W&amp;inkel</translation>
+    </message>
+    <message>
+        <source>Pro&amp;jection</source>
+        <translation>Pro&amp;jektion</translation>
+    </message>
+    <message>
+        <source>Look from this side</source>
+        <translation>Von dieser Seite blicken</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Show the whole domain (Home)</source>
+        <translation>Das ganze Gebiet zeigen (Pos1)</translation>
+    </message>
+    <message>
+        <source>Colour behind what is shown, also in saved pictures</source>
+        <translation>Farbe hinter dem Gezeigten, auch in gespeicherten Bildern</translation>
+    </message>
+    <message>
+        <source>Background colour</source>
+        <translation>Hintergrundfarbe</translation>
+    </message>
+    <message>
+        <source>Usual</source>
+        <translation>Üblich</translation>
+    </message>
+    <message>
+        <source>The colour that fits the window, light or dark</source>
+        <translation>Die Farbe, die zum Fenster passt, hell oder dunkel</translation>
+    </message>
+    <message>
+        <source>Take the camera from a JSON file</source>
+        <translation>Die Kamera aus einer JSON-Datei nehmen</translation>
+    </message>
+    <message>
+        <source>Save the camera as a JSON file, which “tan render --camera” takes, too</source>
+        <translation>Die Kamera als JSON-Datei speichern, die auch „tan render --camera“ nimmt</translation>
+    </message>
+    <message>
+        <source>Bac&amp;kground</source>
+        <translation>Hinter&amp;grund</translation>
+    </message>
+    <message>
+        <source>Load Camera</source>
+        <translation>Kamera laden</translation>
+    </message>
+    <message>
+        <source>Cameras (*.json)</source>
+        <translation>Kameras (*.json)</translation>
+    </message>
+    <message>
+        <source>Save Camera</source>
+        <translation>Kamera speichern</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/graphics/isosurface_index.h"
 #include "core/graphics/scene.h"
 #include "core/mesh/tetrahedral_mesh.h"
 
@@ -25,5 +26,11 @@ Buffer<Eigen::Vector3f> vertexGradients(const TetrahedralMesh& mesh);
 /// enough memory, arguments that do not belong together.
 Result<TriangleMesh> extractIsosurface(const TetrahedralMesh& mesh, std::span<const Eigen::Vector3f> gradients,
                                        double isovalue, const Progress& progress = {});
+
+/// The same surface, vertices and triangles in another order, by an index of the same mesh: several times quicker if
+/// the mesh is in spatial order.
+Result<TriangleMesh> extractIsosurface(const TetrahedralMesh& mesh, const IsosurfaceIndex& index,
+                                       std::span<const Eigen::Vector3f> gradients, double isovalue,
+                                       const Progress& progress = {});
 
 } // namespace tetra

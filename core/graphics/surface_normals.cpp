@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/graphics/surface_normals.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include <Eigen/Geometry>
 
-#include <atomic>
 #include <cmath>
 #include <unordered_map>
 
@@ -20,17 +18,9 @@ Eigen::Vector3f unitOrZero(const Eigen::Vector3d& direction)
     return (direction / largest).normalized().cast<float>();
 }
 
-Eigen::Vector3d interpolated(const Eigen::Vector3f& first, const Eigen::Vector3f& second, double fraction)
-{
-    // An end that the vertex coincides with counts alone: the other's gradient may not be finite.
-    if (fraction <= 0)
-        return first.cast<double>();
-    if (fraction >= 1)
-        return second.cast<double>();
-    return (1 - fraction) * first.cast<double>() + fraction * second.cast<double>();
-}
+} // namespace
 
-void fillFromTriangles(TriangleMesh& surface)
+void fillNormalsFromTriangles(TriangleMesh& surface)
 {
     std::unordered_map<std::uint32_t, Eigen::Vector3d> sums;
     for (std::size_t v = 0; v < surface.normals.size(); ++v)
@@ -48,25 +38,6 @@ void fillFromTriangles(TriangleMesh& surface)
         const Eigen::Vector3f normal = unitOrZero(sum);
         surface.normals[vertex] = normal.isZero(0) ? Eigen::Vector3f::UnitZ() : normal;
     }
-}
-
-} // namespace
-
-void makeNormals(TriangleMesh& surface, const EdgeVertices& vertices, const CrossingPoints& points,
-                 std::span<const Eigen::Vector3f> gradients)
-{
-    std::atomic<bool> missing = false;
-    surface.normals.resize(surface.positions.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surface.normals.size(), 1 << 13), [&](const auto& range) {
-        for (std::size_t v = range.begin(); v != range.end(); ++v) {
-            const auto [a, b] = vertices.edges[v];
-            surface.normals[v] = unitOrZero(-interpolated(gradients[a], gradients[b], double(points.fractions[v])));
-            if (surface.normals[v].isZero(0))
-                missing = true;
-        }
-    });
-    if (missing)
-        fillFromTriangles(surface);
 }
 
 } // namespace tetra

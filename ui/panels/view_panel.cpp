@@ -33,13 +33,13 @@ struct NamedButton {
 };
 
 constexpr std::array namedButtons{
-    NamedButton{NamedView::Front, "front", QT_TRANSLATE_NOOP("ViewPanel", "Front")},
-    NamedButton{NamedView::Left, "left", QT_TRANSLATE_NOOP("ViewPanel", "Left")},
-    NamedButton{NamedView::Top, "top", QT_TRANSLATE_NOOP("ViewPanel", "Top")},
-    NamedButton{NamedView::Corner, "corner", QT_TRANSLATE_NOOP("ViewPanel", "Corner")},
-    NamedButton{NamedView::Back, "back", QT_TRANSLATE_NOOP("ViewPanel", "Back")},
-    NamedButton{NamedView::Right, "right", QT_TRANSLATE_NOOP("ViewPanel", "Right")},
-    NamedButton{NamedView::Bottom, "bottom", QT_TRANSLATE_NOOP("ViewPanel", "Bottom")},
+    NamedButton{NamedView::Front, "front", QT_TRANSLATE_NOOP("tetra::ViewPanel", "Front")},
+    NamedButton{NamedView::Left, "left", QT_TRANSLATE_NOOP("tetra::ViewPanel", "Left")},
+    NamedButton{NamedView::Top, "top", QT_TRANSLATE_NOOP("tetra::ViewPanel", "Top")},
+    NamedButton{NamedView::Corner, "corner", QT_TRANSLATE_NOOP("tetra::ViewPanel", "Corner")},
+    NamedButton{NamedView::Back, "back", QT_TRANSLATE_NOOP("tetra::ViewPanel", "Back")},
+    NamedButton{NamedView::Right, "right", QT_TRANSLATE_NOOP("tetra::ViewPanel", "Right")},
+    NamedButton{NamedView::Bottom, "bottom", QT_TRANSLATE_NOOP("tetra::ViewPanel", "Bottom")},
 };
 
 QColor qtColour(const Colour& colour)

@@ -109,7 +109,9 @@ CpuCanvas::Drawn CpuCanvas::draw(RenderBackend& backend, const Order& order, con
 {
     const auto start = std::chrono::steady_clock::now();
     static const Scene nothing;
-    const Scene& scene = order.level.scene ? *order.level.scene : nothing;
+    Scene scene = order.level.scene ? *order.level.scene : nothing;
+    for (LineSet& lines : scene.lines) // as wide as in the full picture
+        lines.width = static_cast<float>(lines.width / order.reduction);
     const auto picture = backend.render(scene, order.camera, order.options, Progress(stop, {}));
     Drawn drawn;
     if (picture) {

@@ -84,6 +84,7 @@ void StatusLine::setScene(const BuiltScene& scene)
         extraction_->setText(tr("extracted in %1").arg(durationText(scene.extractionSeconds)));
     for (QLabel* label : {errors_, sites_, tetrahedra_, triangles_, extraction_})
         label->show();
+    triangles_->setVisible(scene.triangles > 0);
     showMemory();
 }
 

@@ -7,55 +7,207 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
 
 namespace tetra {
 namespace {
 
-/// `count` at least 8 cells.
-TETRA_SIMD_CLONES void faceCells(const std::array<std::uint32_t, 4>* tetrahedra, std::size_t count,
-                                 const ProjectedVertex* vertices, bool perspective, std::uint8_t* facing)
+constexpr std::size_t grain = 1 << 12;
+constexpr std::size_t lanes = 8;
+
+/// A position that loads at once.
+struct alignas(16) PaddedPosition {
+    float x, y, z, unused;
+};
+
+/// Eight vectors, in single or double precision.
+template <class Lanes> struct Vectors {
+    Lanes x, y, z;
+};
+
+TETRA_SIMD_INLINE void loadCorner(const PaddedPosition* positions, const std::array<std::uint32_t, 4>* cells,
+                                  std::size_t corner, Vectors<Float8>& vectors)
 {
-    for (std::size_t first = 0; first < count; first += 8) {
-        const std::size_t start = std::min(first, count - 8); // the last eight may overlap those before
-        const std::array<std::uint32_t, 4>* cells[8];
-        for (std::size_t lane = 0; lane < 8; ++lane)
-            cells[lane] = tetrahedra + start + lane;
-        CellCorners corners;
-        CellPlanes planes;
-        loadCorners(vertices, cells, corners);
-        makePlanes(corners, planes);
-        Int8 bits = {};
-        for (int face = 0; face < 4; ++face) {
-            // The eye is at (0, 0, 0), or at w = minus infinity.
-            const Float8 outside = perspective ? planes.offset[face] : planes.w[face];
-            bits |= ((outside > 0.0f) & (1 << face)) | ((outside < 0.0f) & (16 << face));
-        }
-        for (std::size_t lane = 0; lane < 8; ++lane)
-            facing[start + lane] = static_cast<std::uint8_t>(bits[lane]);
+    Float4 rows[lanes];
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        std::memcpy(&rows[lane], &positions[cells[lane][corner]], sizeof rows[lane]);
+    Float8 unused;
+    transpose(rows, vectors.x, vectors.y, vectors.z, unused);
+}
+
+TETRA_SIMD_INLINE void convert(const Vectors<Float8>& from, Vectors<Float8>& to)
+{
+    to = from;
+}
+
+TETRA_SIMD_INLINE void convert(const Vectors<Float8>& from, Vectors<Double8>& to)
+{
+    to.x = __builtin_convertvector(from.x, Double8);
+    to.y = __builtin_convertvector(from.y, Double8);
+    to.z = __builtin_convertvector(from.z, Double8);
+}
+
+template <class Lanes>
+TETRA_SIMD_INLINE void subtract(const Vectors<Lanes>& one, const Vectors<Lanes>& other, Vectors<Lanes>& difference)
+{
+    difference.x = one.x - other.x;
+    difference.y = one.y - other.y;
+    difference.z = one.z - other.z;
+}
+
+template <class Lanes>
+TETRA_SIMD_INLINE void cross(const Vectors<Lanes>& a, const Vectors<Lanes>& b, Vectors<Lanes>& product)
+{
+    product.x = a.y * b.z - a.z * b.y;
+    product.y = a.z * b.x - a.x * b.z;
+    product.z = a.x * b.y - a.y * b.x;
+}
+
+template <class Lanes> TETRA_SIMD_INLINE void dot(const Vectors<Lanes>& a, const Vectors<Lanes>& b, Lanes& product)
+{
+    product = a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// All but the sign.
+TETRA_SIMD_INLINE void magnitude(const Float8& of, Float8& result)
+{
+    result = (Float8)((Int8)of & 0x7fffffff);
+}
+
+TETRA_SIMD_INLINE void magnitude(const Double8& of, Double8& result)
+{
+    result = (Double8)((Long8)of & 0x7fffffffffffffff);
+}
+
+/// `bit` where a value is negative. Comparing vectors that are done in pieces is slow.
+TETRA_SIMD_INLINE void signs(const Float8& of, int bit, Int8& result)
+{
+    result = (Int8)of >> 31 & bit;
+}
+
+TETRA_SIMD_INLINE void signs(const Double8& of, int bit, Long8& result)
+{
+    result = (Long8)of >> 63 & long(bit);
+}
+
+template <class Lanes> TETRA_SIMD_INLINE void addMagnitudes(const Vectors<Lanes>& of, Lanes& sum)
+{
+    Lanes part;
+    magnitude(of.x, part);
+    sum += part;
+    magnitude(of.y, part);
+    sum += part;
+    magnitude(of.z, part);
+    sum += part;
+}
+
+/// What is known of eight cells: `Bits` gets the facing of each, `rounding` many times what one operation errs.
+template <class Lanes, class Bits, class Scalar> TETRA_SIMD_INLINE void
+faceEight(const Vectors<Float8> (&corners)[4], const double* eye, double perspective, Scalar rounding, Bits& bits)
+{
+    Vectors<Lanes> origin, edges[3], toEye, normals[3];
+    convert(corners[0], origin);
+    Lanes lengths = {}, distance = {};
+    for (std::size_t i = 0; i < 3; ++i) {
+        Vectors<Lanes> corner;
+        convert(corners[i + 1], corner);
+        subtract(corner, origin, edges[i]);
+        addMagnitudes(edges[i], lengths);
     }
+    const auto scale = static_cast<Scalar>(perspective);
+    toEye.x = static_cast<Scalar>(eye[0]) - scale * origin.x;
+    toEye.y = static_cast<Scalar>(eye[1]) - scale * origin.y;
+    toEye.z = static_cast<Scalar>(eye[2]) - scale * origin.z;
+    addMagnitudes(toEye, distance);
+    // What the eye's own rounding may do.
+    distance += static_cast<Scalar>(std::abs(eye[0]) + std::abs(eye[1]) + std::abs(eye[2]));
+    // Outwards, those of the faces opposite to corners 1, 2, 3; with that opposite to 0 their sum is zero.
+    cross(edges[2], edges[1], normals[0]);
+    cross(edges[0], edges[2], normals[1]);
+    cross(edges[1], edges[0], normals[2]);
+    Lanes heights[4], minusVolume;
+    for (std::size_t i = 0; i < 3; ++i)
+        dot(normals[i], toEye, heights[i + 1]);
+    dot(normals[0], edges[0], minusVolume);
+    heights[0] = scale * minusVolume - (heights[1] + heights[2] + heights[3]);
+    const Lanes tolerance = lengths * lengths * distance * rounding;
+    bits = Bits{};
+    for (int face = 0; face < 4; ++face) {
+        Bits outside, inside;
+        signs(tolerance - heights[face], 1 << face, outside);
+        signs(tolerance + heights[face], 16 << face, inside);
+        bits |= outside | inside;
+    }
+}
+
+using Byte8 = unsigned char __attribute__((vector_size(8)));
+
+/// In single precision; where that cannot tell, in double.
+TETRA_SIMD_INLINE void faceEight(const std::array<std::uint32_t, 4>* cells, const PaddedPosition* positions,
+                                 const double* eye, double perspective, std::uint8_t* facing)
+{
+    Vectors<Float8> corners[4];
+    for (std::size_t i = 0; i < 4; ++i)
+        loadCorner(positions, cells, i, corners[i]);
+    Int8 quick;
+    faceEight<Float8>(corners, eye, perspective, 1e-6f, quick);
+    Byte8 bytes = __builtin_convertvector(quick, Byte8);
+    std::uint64_t known = 0;
+    std::memcpy(&known, &bytes, lanes);
+    constexpr std::uint64_t allFaces = 0x0f0f0f0f0f0f0f0f;
+    if (((known ^ known >> 4) & allFaces) != allFaces) {
+        Long8 sure;
+        faceEight<Double8>(corners, eye, perspective, 1e-14, sure);
+        bytes = __builtin_convertvector(sure, Byte8);
+    }
+    std::memcpy(facing, &bytes, lanes);
+}
+
+/// `count` at least 8 cells.
+TETRA_SIMD_CLONES void faceCells(const std::array<std::uint32_t, 4>* cells, std::size_t count,
+                                 const PaddedPosition* positions, const double* eye, double perspective,
+                                 std::uint8_t* facing)
+{
+    for (std::size_t first = 0; first < count; first += lanes) {
+        const std::size_t start = std::min(first, count - lanes); // the last eight may overlap those before
+        faceEight(cells + start, positions, eye, perspective, facing + start);
+    }
+}
+
+Buffer<PaddedPosition> paddedPositions(const TetrahedralMesh& mesh)
+{
+    Buffer<PaddedPosition> padded(mesh.positions.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, padded.size(), grain), [&](const auto& range) {
+        for (std::size_t v = range.begin(); v != range.end(); ++v)
+            padded[v] = {mesh.positions[v].x(), mesh.positions[v].y(), mesh.positions[v].z(), 0};
+    });
+    return padded;
 }
 
 } // namespace
 
-Buffer<std::uint8_t> faceFacing(std::span<const std::array<std::uint32_t, 4>> tetrahedra,
-                                std::span<const ProjectedVertex> vertices, bool perspective)
+Buffer<std::uint8_t> faceFacing(const TetrahedralMesh& mesh, const EyePoint& eye)
 {
-    Buffer<std::uint8_t> facing(tetrahedra.size());
-    if (tetrahedra.size() < 8) {
-        std::array<std::array<std::uint32_t, 4>, 8> padded{};
-        std::array<std::uint8_t, 8> bits{};
-        std::ranges::copy(tetrahedra, padded.begin());
-        if (!tetrahedra.empty())
-            faceCells(padded.data(), padded.size(), vertices.data(), perspective, bits.data());
+    const Buffer<PaddedPosition> positions = paddedPositions(mesh);
+    const auto& cells = mesh.tetrahedra;
+    const double perspective = eye.perspective ? 1 : 0;
+    Buffer<std::uint8_t> facing(cells.size());
+    if (cells.size() < lanes) {
+        std::array<std::array<std::uint32_t, 4>, lanes> padded{};
+        std::array<std::uint8_t, lanes> bits{};
+        std::ranges::copy(cells, padded.begin());
+        if (!cells.empty())
+            faceCells(padded.data(), lanes, positions.data(), eye.place.data(), perspective, bits.data());
         std::copy_n(bits.begin(), facing.size(), facing.begin());
         return facing;
     }
-    constexpr std::size_t grain = 1 << 12;
-    const std::size_t parts = std::max<std::size_t>(tetrahedra.size() / grain, 1);
+    const std::size_t parts = std::max<std::size_t>(cells.size() / grain, 1);
     tbb::parallel_for(std::size_t(0), parts, [&](std::size_t part) {
         const std::size_t begin = part * grain;
-        const std::size_t end = part + 1 == parts ? tetrahedra.size() : begin + grain;
-        faceCells(&tetrahedra[begin], end - begin, vertices.data(), perspective, &facing[begin]);
+        const std::size_t end = part + 1 == parts ? cells.size() : begin + grain;
+        faceCells(&cells[begin], end - begin, positions.data(), eye.place.data(), perspective, &facing[begin]);
     });
     return facing;
 }

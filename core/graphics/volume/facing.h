@@ -2,17 +2,24 @@
 #pragma once
 
 #include "core/base/buffer.h"
-#include "core/graphics/volume/projected_vertices.h"
+#include "core/mesh/tetrahedral_mesh.h"
 
-#include <array>
+#include <Eigen/Core>
+
 #include <cstdint>
-#include <span>
 
 namespace tetra {
 
-/// For each cell, bit f: its face f is seen from outside by the eye; bit 4 + f: from inside. Neither if the eye lies in
-/// the face's plane. O(cells), on all threads of the current arena.
-Buffer<std::uint8_t> faceFacing(std::span<const std::array<std::uint32_t, 4>> tetrahedra,
-                                std::span<const ProjectedVertex> vertices, bool perspective);
+/// From where cells are seen.
+struct EyePoint {
+    Eigen::Vector3d place{0, 0, 0}; ///< in orthographic views the direction towards the eye
+    bool perspective = true;
+};
+
+/// For each cell, bit f: its face f is seen from outside by the eye; bit 4 + f: from inside. In double precision from
+/// the positions themselves, so both cells of a face agree, unless the eye lies in the face's plane but for rounding (a
+/// sine of 1e-12 for cells that are not flat): then neither is set, in one of them at least. O(cells), on all threads
+/// of the current arena.
+Buffer<std::uint8_t> faceFacing(const TetrahedralMesh& mesh, const EyePoint& eye);
 
 } // namespace tetra

@@ -1,46 +1,72 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/graphics/volume/visibility_order.h"
 
-#include "core/graphics/volume/facing.h"
+#include "core/base/simd.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 #include <vector>
 
 namespace tetra {
 namespace {
 
-/// A cell while cells are taken.
-struct CellState {
-    static constexpr std::uint8_t done = 0xff;
-    std::uint8_t sides; ///< bit f: the neighbour across face f is in front; bit 4 + f: it is behind
-    /// How many neighbours in front are not in the order yet, one more if relations are left; or done.
-    std::uint8_t hiders;
-};
+/// A cell while cells are taken: bit f: the neighbour across face f is behind it; from bit 4 on: how many neighbours in
+/// front are not in the order yet, one more if relations are left. At most five, and what is in the order is counted
+/// down no more than that: from 0 it wraps around and does not come to 0 again.
+using CellState = std::uint8_t;
+constexpr unsigned oneHider = 16;
+constexpr CellState mostHidden = 6 * oneHider;
+constexpr CellState takenHidden = 15 * oneHider;
 
-/// Of the two sides of a face that of the smaller cell decides, so that both agree whatever rounding did.
-Buffer<CellState> neighbourSides(const FaceAdjacency& adjacency, const Buffer<std::uint8_t>& facing)
+/// Where the eye lies in a face's plane, but for rounding, its other cell may know more; if neither does there is no
+/// order between them.
+std::uint8_t facingWithNeighbours(std::size_t cell, const FaceAdjacency& adjacency, const Buffer<std::uint8_t>& facing)
 {
-    Buffer<CellState> states(facing.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, facing.size(), 1 << 12), [&](const auto& range) {
-        for (std::size_t cell = range.begin(); cell != range.end(); ++cell) {
-            unsigned bits = 0;
-            for (unsigned face = 0; face < 4; ++face) {
-                const std::uint32_t neighbour = adjacency.neighbours[cell][face];
-                if (neighbour == FaceAdjacency::none)
-                    continue;
-                const std::uint32_t other = FaceAdjacency::cellOf(neighbour);
-                const unsigned own = facing[cell] >> face & 0x11u;
-                const unsigned theirs = facing[other] >> FaceAdjacency::faceOf(neighbour) & 0x11u;
-                bits |= (cell < other ? own : (theirs >> 4 | (theirs & 1u) << 4)) << face;
+    unsigned bits = facing[cell];
+    for (unsigned face = 0; face < 4; ++face) {
+        const std::uint32_t neighbour = adjacency.neighbours[cell][face];
+        if ((bits >> face & 0x11u) != 0 || neighbour == FaceAdjacency::none)
+            continue;
+        const unsigned theirs = facing[FaceAdjacency::cellOf(neighbour)] >> FaceAdjacency::faceOf(neighbour) & 0x11u;
+        bits |= (theirs >> 4 | (theirs & 1u) << 4) << face;
+    }
+    return static_cast<std::uint8_t>(bits);
+}
+
+TETRA_SIMD_CLONES void combine(const std::uint8_t* facing, const std::uint8_t* inner, std::size_t count,
+                               CellState* states)
+{
+    for (std::size_t cell = 0; cell < count; ++cell) {
+        const unsigned front = facing[cell] & inner[cell];
+        const unsigned pairs = front - (front >> 1 & 5u);
+        const unsigned hiders = (pairs & 3u) + (pairs >> 2);
+        states[cell] = static_cast<CellState>((facing[cell] >> 4 & inner[cell]) | hiders * oneHider);
+    }
+}
+
+bool knowsAllSides(std::uint8_t facing, std::uint8_t inner) noexcept
+{
+    return ((facing | facing >> 4) & inner) == inner;
+}
+
+/// One state more than there are cells, for what is not there.
+Buffer<CellState> startStates(const FaceAdjacency& adjacency, const Buffer<std::uint8_t>& facing)
+{
+    Buffer<CellState> states(facing.size() + 1);
+    states.back() = takenHidden;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, facing.size(), 1 << 14), [&](const auto& range) {
+        const auto inner = std::span(adjacency.innerFaces);
+        combine(&facing[range.begin()], &inner[range.begin()], range.size(), &states[range.begin()]);
+        for (std::size_t cell = range.begin(); cell != range.end(); ++cell)
+            if (!knowsAllSides(facing[cell], inner[cell])) {
+                const std::uint8_t both = facingWithNeighbours(cell, adjacency, facing);
+                combine(&both, &inner[cell], 1, &states[cell]);
             }
-            states[cell] = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(std::popcount(bits & 15u))};
-        }
     });
     return states;
 }
@@ -73,96 +99,136 @@ struct RelationTable {
 /// Takes cells that nothing unordered hides, depth first, so that what is drawn together lies together.
 class Sorter {
 public:
-    Sorter(const FaceAdjacency& adjacency, Buffer<CellState> cells, std::span<const CellRelation> relations)
-        : adjacency_(adjacency), table_(relations, cells.size()), cells_(std::move(cells)), stack_(cells_.size())
+    Sorter(const FaceAdjacency& adjacency, Buffer<CellState> states, std::span<const CellRelation> relations)
+        : adjacency_(adjacency), count_(states.size() - 1), table_(relations, count_), states_(std::move(states)),
+          cells_(count_ + 1)
     {
         if (!relations.empty())
-            relationsLeft_.assign(cells_.size(), 0);
+            relationsLeft_.assign(count_, 0);
         for (const CellRelation& relation : relations)
             if (relationsLeft_[relation.back]++ == 0)
-                ++cells_[relation.back].hiders;
-        for (std::size_t cell = cells_.size(); cell-- > 0;)
-            if (cells_[cell].hiders == 0)
-                stack_[waiting_++] = static_cast<std::uint32_t>(cell);
-        order_.cells.resize(cells_.size());
+                states_[relation.back] += oneHider;
+        findFree();
     }
 
-    VisibilityOrder sorted(std::span<const std::array<std::uint32_t, 4>> tetrahedra,
-                           std::span<const ProjectedVertex> vertices)
+    VisibilityOrder sorted(const TetrahedralMesh& mesh, const EyePoint& eye)
     {
         takeFree();
-        if (taken_ < order_.cells.size())
-            breakCycles(tetrahedra, vertices);
+        if (taken_ < count_)
+            breakCycles(mesh, eye);
+        cells_.resize(count_);
+        order_.cells = std::move(cells_);
         return std::move(order_);
     }
 
 private:
-    static constexpr std::uint8_t done = CellState::done;
+    /// Cells that are taken at once: while one waits for memory, others go on.
+    static constexpr std::size_t batchSize = 64;
+
+    /// What nothing hides at first: few cells, looked for eight at a time.
+    void findFree()
+    {
+        constexpr std::uint64_t ones = 0x0101010101010101;
+        std::size_t cell = count_;
+        while (cell > 0) {
+            if (std::uint64_t eight = 0; cell % 8 == 0) {
+                std::memcpy(&eight, &states_[cell - 8], sizeof eight);
+                const std::uint64_t hiders = eight >> 4 & 15 * ones;
+                if (((hiders + 15 * ones) & 16 * ones) == 16 * ones) {
+                    cell -= 8;
+                    continue;
+                }
+            }
+            if (states_[--cell] < oneHider)
+                cells_[count_ - waiting_++] = static_cast<std::uint32_t>(cell);
+        }
+    }
 
     void takeFree()
     {
         while (waiting_ > 0) {
-            const std::uint32_t cell = stack_[--waiting_];
-            order_.cells[taken_++] = cell;
-            const auto& neighbours = adjacency_.neighbours[cell];
-            const unsigned sides = cells_[cell].sides;
-            cells_[cell].hiders = done;
-            for (std::size_t face = 0; face < 4; ++face)
-                if ((sides >> face & 16u) != 0)
-                    release(FaceAdjacency::cellOf(neighbours[face]));
-            for (const std::uint32_t back : table_.backsOf(cell))
-                if (--relationsLeft_[back] == 0)
-                    release(back);
+            const std::size_t size = std::min(waiting_, batchSize);
+            waiting_ -= size;
+            const std::span batch = std::span(cells_).subspan(taken_, size);
+            std::ranges::copy(std::span(cells_).subspan(count_ + 1 - waiting_ - size, size), batch.begin());
+            taken_ += size;
+            for (const std::uint32_t cell : batch)
+                __builtin_prefetch(&adjacency_.neighbours[cell]);
+            for (const std::uint32_t cell : batch) {
+                releaseNeighbours(cell);
+                for (const std::uint32_t back : table_.backsOf(cell))
+                    if (--relationsLeft_[back] == 0)
+                        release(back, 1);
+            }
         }
     }
 
-    void release(std::uint32_t cell)
+    void releaseNeighbours(std::uint32_t cell)
     {
-        CellState& state = cells_[cell];
-        if (state.hiders != done && --state.hiders == 0) {
-            stack_[waiting_++] = cell;
-            __builtin_prefetch(&adjacency_.neighbours[cell]);
-        }
+        const auto& neighbours = adjacency_.neighbours[cell];
+        const unsigned state = states_[cell];
+        for (std::size_t face = 0; face < 4; ++face)
+            release(std::min(FaceAdjacency::cellOf(neighbours[face]), static_cast<std::uint32_t>(count_)),
+                    state >> face & 1u);
     }
 
-    void breakCycles(std::span<const std::array<std::uint32_t, 4>> tetrahedra,
-                     std::span<const ProjectedVertex> vertices)
+    /// Without a branch, which could not be predicted: with `times` 0 nothing changes.
+    void release(std::uint32_t cell, unsigned times)
     {
-        std::vector<std::pair<float, std::uint32_t>> left;
-        for (std::uint32_t cell = 0; cell < cells_.size(); ++cell)
-            if (cells_[cell].hiders != done) {
-                float depth = 0;
-                for (const std::uint32_t vertex : tetrahedra[cell])
-                    depth += vertices[vertex].w;
-                left.emplace_back(std::isnan(depth) ? 0 : depth, cell);
+        const auto state = static_cast<CellState>(states_[cell] - times * oneHider);
+        states_[cell] = state;
+        cells_[count_ - waiting_] = cell;
+        waiting_ += times & (state < oneHider ? 1u : 0u);
+    }
+
+    void breakCycles(const TetrahedralMesh& mesh, const EyePoint& eye)
+    {
+        std::vector<std::pair<double, std::uint32_t>> left;
+        for (std::uint32_t cell = 0; cell < count_; ++cell)
+            if (isHidden(cell)) {
+                const double distance = distanceOf(mesh, cell, eye);
+                left.emplace_back(std::isnan(distance) ? 0 : distance, cell);
             }
         std::ranges::sort(left);
-        for (const auto& [depth, cell] : left)
-            if (cells_[cell].hiders != done) {
+        for (const auto& [distance, cell] : left)
+            if (isHidden(cell)) {
                 ++order_.brokenCycles;
-                stack_[waiting_++] = cell;
+                states_[cell] |= takenHidden;
+                cells_[count_ - waiting_++] = cell;
                 takeFree();
             }
     }
 
+    bool isHidden(std::uint32_t cell) const { return states_[cell] >= oneHider && states_[cell] < mostHidden; }
+
+    /// The distance of the cell's centre, squared; in orthographic views along the view.
+    static double distanceOf(const TetrahedralMesh& mesh, std::uint32_t cell, const EyePoint& eye)
+    {
+        Eigen::Vector3d centre(0, 0, 0);
+        for (const std::uint32_t vertex : mesh.tetrahedra[cell])
+            centre += mesh.positions[vertex].cast<double>() / 4;
+        return eye.perspective ? (centre - eye.place).squaredNorm() : -centre.dot(eye.place);
+    }
+
     const FaceAdjacency& adjacency_;
+    std::size_t count_;
     RelationTable table_;
-    Buffer<CellState> cells_;
+    Buffer<CellState> states_;
     std::vector<std::uint32_t> relationsLeft_; ///< for each cell, how many of its relations' fronts are not taken yet
-    Buffer<std::uint32_t> stack_;
-    std::size_t waiting_ = 0; ///< on the stack
+    /// At the front the cells that are taken, at the end those that wait, the last one first, and always one place
+    /// between.
+    Buffer<std::uint32_t> cells_;
+    std::size_t waiting_ = 0;
     std::size_t taken_ = 0;
     VisibilityOrder order_;
 };
 
 } // namespace
 
-VisibilityOrder orderByAdjacency(std::span<const std::array<std::uint32_t, 4>> tetrahedra,
-                                 const FaceAdjacency& adjacency, std::span<const ProjectedVertex> vertices,
-                                 bool perspective, std::span<const CellRelation> relations)
+VisibilityOrder orderByAdjacency(const TetrahedralMesh& mesh, const FaceAdjacency& adjacency, const EyePoint& eye,
+                                 std::span<const CellRelation> relations)
 {
-    const Buffer<std::uint8_t> facing = faceFacing(tetrahedra, vertices, perspective);
-    return Sorter(adjacency, neighbourSides(adjacency, facing), relations).sorted(tetrahedra, vertices);
+    return Sorter(adjacency, startStates(adjacency, faceFacing(mesh, eye)), relations).sorted(mesh, eye);
 }
 
 } // namespace tetra

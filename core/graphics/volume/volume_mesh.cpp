@@ -46,7 +46,7 @@ Result<VolumeMesh> makeVolumeMesh(std::shared_ptr<const TetrahedralMesh> mesh)
         return status.error();
     try {
         VolumeMesh result;
-        result.adjacency = matchFaces(mesh->tetrahedra, mesh->positions.size());
+        result.adjacency = matchFaces(mesh->tetrahedra);
         result.bounds = boundsOf(*mesh);
         result.convex = hasConvexBoundary(*mesh, result.adjacency);
         result.mesh = std::move(mesh);

@@ -23,8 +23,8 @@ struct VolumeMesh {
     bool convex = false;        ///< the domain is known to be convex: no ray leaves it and comes back
 };
 
-/// Matches the faces. O(cells), 64 bytes a cell while it runs, 16 after. Errors: arrays that do not belong together,
-/// corners that do not exist, too many cells, not enough memory.
+/// Matches the faces. O(cells), 100 bytes a cell while it runs and 20 in spatial order, 17 after. Errors: arrays that
+/// do not belong together, corners that do not exist, too many cells, not enough memory.
 Result<VolumeMesh> makeVolumeMesh(std::shared_ptr<const TetrahedralMesh> mesh);
 
 /// A transfer function made ready for a mesh.

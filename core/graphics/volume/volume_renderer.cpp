@@ -90,14 +90,13 @@ Result<VisibilityOrder> orderForView(const VolumeMesh& mesh, const VolumeView& v
 {
     progress.report(0, ordering);
     const TetrahedralMesh& cells = *mesh.mesh;
-    const ProjectedVertices projected = projectVertices(cells, view, {});
     std::vector<CellRelation> relations;
     if (!mesh.convex)
-        relations = boundaryRelations(cells.tetrahedra, mesh.adjacency, projected, view, gridOf(view), progress);
+        relations = boundaryRelations(cells.tetrahedra, mesh.adjacency, projectVertices(cells, view, {}), view,
+                                      gridOf(view), progress);
     if (progress.cancelled())
         return cancelledError(ordering);
-    VisibilityOrder order =
-        orderByAdjacency(cells.tetrahedra, mesh.adjacency, projected.vertices, view.perspective, relations);
+    VisibilityOrder order = orderByAdjacency(cells, mesh.adjacency, {view.eye, view.perspective}, relations);
     progress.report(1, ordering);
     return order;
 }

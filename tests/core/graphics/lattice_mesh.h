@@ -3,7 +3,7 @@
 
 #include "core/mesh/tetrahedral_mesh.h"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
 #include <concepts>

@@ -3,6 +3,9 @@
 #include "core/graphics/volume/boundary_convexity.h"
 #include "core/graphics/volume/order_drift.h"
 #include "core/graphics/volume/volume_renderer.h"
+#include "core/mesh/exact_orientation.h"
+#include "core/mesh/scattered_delaunay.h"
+#include "core/mesh/spatial_order.h"
 #include "tests/core/graphics/lattice_mesh.h"
 #include "tests/core/graphics/volume/volume_meshes.h"
 
@@ -43,6 +46,69 @@ double heightOfEye(const TetrahedralMesh& mesh, std::size_t cell, std::size_t fa
     return camera.perspective ? normal.dot((eyePosition(camera) - at(0)).normalized()) : normal.dot(back);
 }
 
+/// The Delaunay mesh of points, those on one sphere in an order of their own.
+TetrahedralMesh delaunayMesh(const std::vector<Vector3d>& points)
+{
+    ScatteredDelaunay builder(points);
+    if (const Status status = builder.start(); !status)
+        qFatal("%s", status.error().text.c_str());
+    std::map<std::uint32_t, std::array<std::uint32_t, 4>> cells;
+    std::vector<bool> inserted(points.size(), false);
+    std::uint32_t hint = 0;
+    const auto follow = [&] {
+        for (const std::uint32_t slot : builder.destroyed())
+            cells.erase(slot);
+        for (const ScatteredDelaunay::Cell& cell : builder.created()) {
+            cells[cell.slot] = cell.points;
+            hint = cell.slot;
+            for (const std::uint32_t point : cell.points)
+                inserted[point] = true;
+        }
+    };
+    follow();
+    for (std::uint32_t point = 0; point < points.size(); ++point)
+        if (!inserted[point]) {
+            builder.insert(point, builder.locate(point, hint));
+            follow();
+        }
+    TetrahedralMesh mesh;
+    for (const Vector3d& point : points)
+        mesh.positions.push_back(point.cast<float>());
+    mesh.values.assign(points.size(), 0.5f);
+    for (const auto& [slot, cell] : cells)
+        mesh.tetrahedra.push_back(cell);
+    return mesh;
+}
+
+/// Delaunay meshes of points on a lattice, most of them cospherical with others, and of points anywhere.
+std::vector<NamedMesh> delaunayMeshes()
+{
+    std::mt19937 random(12);
+    std::vector<Vector3d> lattice, anywhere;
+    for (int i = 0; i < 10 * 10 * 10; ++i)
+        if (random() % 3 != 0)
+            lattice.emplace_back(i % 10, i / 10 % 10, i / 100);
+    std::uniform_real_distribution<float> coordinate(0, 1);
+    for (int i = 0; i < 900; ++i) {
+        const float x = coordinate(random), y = coordinate(random), z = coordinate(random);
+        anywhere.emplace_back(x, y, z * z * z);
+    }
+    return {{"lattice", delaunayMesh(lattice)}, {"anywhere", delaunayMesh(anywhere)}};
+}
+
+/// 1 if the eye sees a face of a cell from outside, -1 from inside, 0 if it lies in its plane.
+int exactSide(const TetrahedralMesh& mesh, std::size_t cell, std::size_t face, const EyePoint& eye)
+{
+    const auto exact = [](const Vector3d& point) { return std::array{point.x(), point.y(), point.z()}; };
+    std::array<Vector3d, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i)
+        corners[i] = mesh.positions[mesh.tetrahedra[cell][cornersOfFace[face][i]]].cast<double>();
+    if (eye.perspective)
+        return orientationSign(exact(corners[0]), exact(corners[1]), exact(corners[2]), exact(eye.place));
+    // Differences of floats of about the same size are exact.
+    return orientationSign({0, 0, 0}, exact(corners[1] - corners[0]), exact(corners[2] - corners[0]), exact(eye.place));
+}
+
 /// Three blades around an axis, each before the next.
 TetrahedralMesh pinwheel()
 {
@@ -73,8 +139,9 @@ class VisibilityOrderTest : public QObject {
 
 private slots:
     void facesAreMatched();
-    void surplusFacesAreCounted();
+    void surplusFacesAreBoundary();
     void everyFaceIsRight();
+    void everyFaceIsExactlyRight();
     void tellsConvexDomains();
     void cyclesAreCountedAndResolved();
     void driftIsTheAngleOfTheEye();
@@ -83,10 +150,12 @@ private slots:
 void VisibilityOrderTest::facesAreMatched()
 {
     std::mt19937 random(2);
-    for (const NamedMesh& named : volumeMeshes()) {
+    std::vector<NamedMesh> meshes = volumeMeshes();
+    meshes.push_back({"several blocks", latticeMesh(23, 1, Split::Six, [](const Vector3d&) { return 0; })});
+    for (const NamedMesh& named : meshes) {
         TetrahedralMesh mesh = named.mesh;
         std::ranges::shuffle(mesh.tetrahedra, random);
-        const FaceAdjacency adjacency = matchFaces(mesh.tetrahedra, mesh.positions.size());
+        const FaceAdjacency adjacency = matchFaces(mesh.tetrahedra);
         std::map<std::array<std::uint32_t, 3>, std::vector<std::uint32_t>> faces;
         for (std::uint32_t cell = 0; cell < mesh.tetrahedra.size(); ++cell)
             for (std::uint32_t face = 0; face < 4; ++face) {
@@ -96,7 +165,6 @@ void VisibilityOrderTest::facesAreMatched()
                 std::ranges::sort(corners);
                 faces[corners].push_back(cell * 4 + face);
             }
-        QCOMPARE(adjacency.surplusFaces, std::size_t(0));
         for (const auto& [corners, names] : faces)
             for (std::size_t i = 0; i < names.size(); ++i) {
                 const std::uint32_t expected = names.size() == 2 ? names[1 - i] : FaceAdjacency::none;
@@ -105,15 +173,14 @@ void VisibilityOrderTest::facesAreMatched()
     }
 }
 
-void VisibilityOrderTest::surplusFacesAreCounted()
+void VisibilityOrderTest::surplusFacesAreBoundary()
 {
     const std::vector<std::array<std::uint32_t, 4>> cells = {{0, 1, 2, 3}, {0, 1, 2, 4}, {2, 1, 0, 5}, {6, 7, 8, 9}};
-    const FaceAdjacency adjacency = matchFaces(cells, 10);
-    QCOMPARE(adjacency.surplusFaces, std::size_t(1));
+    const FaceAdjacency adjacency = matchFaces(cells);
     QCOMPARE(adjacency.neighbours[0][3], 1u * 4 + 3);
     QCOMPARE(adjacency.neighbours[1][3], 0u * 4 + 3);
     QCOMPARE(adjacency.neighbours[2][3], FaceAdjacency::none);
-    QCOMPARE(matchFaces({}, 0).neighbours.size(), std::size_t(0));
+    QCOMPARE(matchFaces({}).neighbours.size(), std::size_t(0));
 }
 
 void VisibilityOrderTest::everyFaceIsRight()
@@ -139,6 +206,42 @@ void VisibilityOrderTest::everyFaceIsRight()
                 }
         }
     }
+}
+
+/// Without a tolerance: from anywhere outside and inside, in planes of the lattice and hardly beside them.
+void VisibilityOrderTest::everyFaceIsExactlyRight()
+{
+    std::mt19937 random(16);
+    std::uniform_real_distribution<double> share(-1, 2);
+    for (const NamedMesh& named : delaunayMeshes())
+        for (const bool spatial : {false, true}) {
+            const VolumeMesh volume = volumeOf(spatial ? inSpatialOrder(named.mesh).value() : named.mesh);
+            const TetrahedralMesh& mesh = *volume.mesh;
+            for (int round = 0; round < 40; ++round) {
+                EyePoint eye;
+                eye.perspective = round % 2 == 0;
+                for (int axis = 0; axis < 3; ++axis) {
+                    const double extent = volume.bounds.sizes()[axis];
+                    const double place = volume.bounds.min()[axis] + share(random) * extent;
+                    eye.place[axis] = random() % 3 != 0 ? place : std::round(place) + (random() % 2 == 0 ? 0 : 1e-9);
+                }
+                const VisibilityOrder order = orderByAdjacency(mesh, volume.adjacency, eye);
+                QCOMPARE(order.brokenCycles, std::size_t(0));
+                const auto ranks = ranksOf(order);
+                std::size_t wrong = 0, compared = 0;
+                for (std::size_t cell = 0; cell < ranks.size(); ++cell)
+                    for (std::size_t face = 0; face < 4; ++face) {
+                        const std::uint32_t neighbour = volume.adjacency.neighbours[cell][face];
+                        const int side = exactSide(mesh, cell, face, eye);
+                        if (neighbour == FaceAdjacency::none || side == 0)
+                            continue;
+                        ++compared;
+                        wrong += (ranks[neighbour / 4] < ranks[cell]) != (side > 0) ? 1 : 0;
+                    }
+                QVERIFY(compared > ranks.size());
+                QCOMPARE(wrong, std::size_t(0));
+            }
+        }
 }
 
 void VisibilityOrderTest::tellsConvexDomains()
@@ -170,16 +273,14 @@ void VisibilityOrderTest::cyclesAreCountedAndResolved()
     const VolumeMesh volume = volumeOf(mesh);
     // Each is before the next by decree: no sight has to agree.
     const std::vector<CellRelation> circle = {{0, 1}, {1, 2}, {2, 0}};
-    std::vector<ProjectedVertex> vertices;
-    for (const auto& position : mesh.positions)
-        vertices.push_back({position.x(), position.y(), 5 + position.z(), 0});
-    const VisibilityOrder order = orderByAdjacency(mesh.tetrahedra, volume.adjacency, vertices, true, circle);
+    const EyePoint eye{{0, 0, -5}, true};
+    const VisibilityOrder order = orderByAdjacency(mesh, volume.adjacency, eye, circle);
     QCOMPARE(order.brokenCycles, std::size_t(1));
     const auto depth = [&](std::uint32_t cell) {
-        float sum = 0;
+        Vector3d sum(0, 0, 0);
         for (const std::uint32_t vertex : mesh.tetrahedra[cell])
-            sum += vertices[vertex].w;
-        return sum;
+            sum += mesh.positions[vertex].cast<double>();
+        return (sum / 4 - eye.place).norm();
     };
     std::vector<std::uint32_t> cells = {0, 1, 2};
     const std::uint32_t nearest = *std::ranges::min_element(cells, {}, depth);

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A scripted turntable, as if somebody dragged the picture round once and let go (R23): how many pictures a second the
+// CPU back end shows, how many of them keep within the budget of 15, and how long the full picture takes afterwards.
+// The choice of mesh and picture size is the window's own, without the window.
+
+#include "tests/bench/bench_report.h"
+
+#include "core/data/analytic_fields.h"
+#include "core/graphics/progressive/frame_pacer.h"
+#include "core/graphics/volume/volume_maker.h"
+#include "core/model/queries/mesh_extractor.h"
+#include "core/transfer/default_transfer_functions.h"
+#include "plugins/host/dataset_opening.h"
+#include "plugins/host/model_building.h"
+#include "ui/session/accuracy_scale.h"
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QTemporaryDir>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace tetra {
+namespace {
+
+constexpr int width = 800;
+constexpr int height = 600;
+constexpr int frames = 200;
+constexpr int fineSamples = 2;
+constexpr double movingTolerance = 4; ///< degrees, as in the window
+constexpr double wantedRate = 15;
+constexpr double unitDistances = 40; ///< in the diagonal
+
+struct Level {
+    std::shared_ptr<const Scene> scene;
+    std::uint64_t tetrahedra = 0;
+};
+
+Result<Level> makeLevel(const std::shared_ptr<const Model>& model, MeshExtractor& extractor, const MeshQuery& query)
+{
+    const auto mesh = extractor.extract(query);
+    if (!mesh)
+        return mesh.error();
+    const ModelDescription& description = model->description();
+    VolumeMaker maker({*mesh, &(*mesh)->mesh});
+    const auto volume = maker.update(sequentialTransferFunction(description.range.minimum, description.range.maximum,
+                                                                description.bounds.diagonal().norm() / unitDistances),
+                                     false);
+    if (!volume)
+        return volume.error();
+    auto scene = std::make_shared<Scene>();
+    scene->bounds = description.bounds;
+    scene->volume = *volume;
+    return Level{scene, (*mesh)->mesh.tetrahedra.size()};
+}
+
+/// The mesh that the window would show and those for moving pictures.
+Result<std::vector<Level>> makeLevels(const std::shared_ptr<const Model>& model, double error)
+{
+    MeshExtractor extractor(model);
+    MeshQuery query;
+    query.error = error;
+    std::vector<Level> levels;
+    auto finest = makeLevel(model, extractor, query);
+    if (!finest)
+        return finest.error();
+    levels.push_back(*finest);
+    for (const std::uint64_t budget : coarserMeshes(finest->tetrahedra)) {
+        query.budget = budget;
+        auto level = makeLevel(model, extractor, query);
+        if (!level)
+            return level.error();
+        levels.push_back(*level);
+    }
+    return levels;
+}
+
+PictureOptions optionsFor(double reduction, int samplesPerAxis, double tolerance, int threads)
+{
+    PictureOptions options;
+    options.width = static_cast<int>(std::lround(width / reduction));
+    options.height = static_cast<int>(std::lround(height / reduction));
+    options.samplesPerAxis = samplesPerAxis;
+    options.orderTolerance = tolerance;
+    options.threads = threads;
+    return options;
+}
+
+double samplesOf(const PictureOptions& options)
+{
+    return static_cast<double>(options.width) * options.height * options.samplesPerAxis * options.samplesPerAxis;
+}
+
+/// Draws as the window does and lets the pacer learn from it. Returns the seconds.
+double draw(RenderBackend& backend, FramePacer& pacer, std::size_t index, const Level& level, const Camera& camera,
+            const PictureOptions& options)
+{
+    const double seconds = secondsOf([&] {
+        if (!backend.render(*level.scene, camera, options).ok())
+            qFatal("A picture failed.");
+    });
+    pacer.learn(index, samplesOf(options), backend.statistics(), seconds);
+    return seconds;
+}
+
+struct Turn {
+    std::vector<double> seconds; ///< of each picture
+    double meanTetrahedra = 0;
+    double meanReduction = 0;
+    double shareInBudget = 0; ///< after the first second
+};
+
+Turn turnRound(FramePacer& pacer, RenderBackend& backend, const std::vector<Level>& levels, Camera camera, int threads)
+{
+    Turn turn;
+    double clock = 0;
+    int counted = 0;
+    int inBudget = 0;
+    for (int frame = 0; frame < frames; ++frame) {
+        camera = turned(camera, 360.0 / frames, 0);
+        const FramePlan plan = pacer.nextFrame(static_cast<double>(width) * height);
+        const Level& level = levels[plan.level];
+        turn.seconds.push_back(
+            draw(backend, pacer, plan.level, level, camera, optionsFor(plan.reduction, 1, movingTolerance, threads)));
+        if (clock >= 1) {
+            ++counted;
+            inBudget += turn.seconds.back() <= 1 / wantedRate ? 1 : 0;
+        }
+        clock += turn.seconds.back();
+        turn.meanTetrahedra += static_cast<double>(level.tetrahedra) / frames;
+        turn.meanReduction += plan.reduction / frames;
+    }
+    turn.shareInBudget = counted > 0 ? static_cast<double>(inBudget) / counted : 1;
+    return turn;
+}
+
+/// The steps up to the full picture after letting go; the last one's time is that of the full picture alone.
+std::vector<double> refine(FramePacer& pacer, const Level& finest, const Camera& camera, int threads)
+{
+    const auto backend = makeCpuBackend();
+    std::vector<double> seconds;
+    const auto steps = pacer.refinement(static_cast<double>(width) * height, fineSamples);
+    for (const RefinementStep& step : steps) {
+        const double tolerance = step == steps.back() ? 0 : movingTolerance;
+        seconds.push_back(draw(*backend, pacer, 0, finest, camera,
+                               optionsFor(step.reduction, step.samplesPerAxis, tolerance, threads)));
+    }
+    return seconds;
+}
+
+BenchCase measure(const std::shared_ptr<const Model>& model, const QString& name, double error, int threads)
+{
+    Result<std::vector<Level>> levels = std::vector<Level>{};
+    const double preparing = secondsOf([&] { levels = makeLevels(model, error); });
+    if (!levels)
+        qFatal("%s", levels.error().text.c_str());
+    FramePacer pacer;
+    pacer.setFrameRate(wantedRate);
+    std::vector<FrameLevel> sizes;
+    for (const Level& level : *levels)
+        sizes.push_back({static_cast<double>(level.tetrahedra), true, 0});
+    pacer.setLevels(std::move(sizes));
+
+    const Camera camera = fitted(Camera(), model->description().bounds);
+    const auto backend = makeCpuBackend();
+    const Turn turn = turnRound(pacer, *backend, *levels, camera, threads);
+    const std::vector<double> steps = refine(pacer, levels->front(), camera, threads);
+    double sum = 0;
+    for (const double seconds : turn.seconds)
+        sum += seconds;
+    double refining = 0;
+    for (const double seconds : steps)
+        refining += seconds;
+
+    BenchCase one;
+    one.name = name + QString(", %1 %, %2 threads, median frame").arg(error).arg(threads);
+    one.seconds = median(turn.seconds);
+    one.yardstick = "the budget of 15 frames a second";
+    one.yardstickSeconds = 1 / wantedRate;
+    one.more = {{"frames_per_second", frames / sum},
+                {"share_in_budget", turn.shareInBudget},
+                {"full_picture_seconds", refining},
+                {"first_refinement_seconds", steps.front()},
+                {"refinement_steps", static_cast<qint64>(steps.size())},
+                {"tetrahedra", static_cast<qint64>(levels->front().tetrahedra)},
+                {"moving_tetrahedra", turn.meanTetrahedra},
+                {"moving_reduction", turn.meanReduction},
+                {"preparing_seconds", preparing}};
+    return one;
+}
+
+/// The model of a file, built first if it is a dataset.
+Result<std::shared_ptr<const Model>> modelOf(PluginHost& host, const Dataset& dataset, const QTemporaryDir& folder)
+{
+    const std::filesystem::path target = folder.filePath("model.tan").toStdString();
+    if (const auto built = buildModel(host, dataset, "refinement", {}, target, {}); !built)
+        return built.error();
+    return Model::open(target);
+}
+
+std::vector<std::pair<QString, Result<std::shared_ptr<const Model>>>> modelsOf(const QStringList& files,
+                                                                               const QTemporaryDir& folder)
+{
+    std::vector<std::pair<QString, Result<std::shared_ptr<const Model>>>> models;
+    for (const QString& file : files)
+        models.emplace_back(QFileInfo(file).fileName(), Model::open(file.toStdString()));
+    if (!files.isEmpty())
+        return models;
+    PluginHost host({.folders = {TAN_BINARY_DIR "/lib/tan/plugins"}});
+    const auto c60 = makeSample({"c60", 128, SampleType::UInt8});
+    models.emplace_back("c60 128^3", modelOf(host, *c60, folder));
+    const std::filesystem::path engine = TAN_SOURCE_DIR "/../shared/data/regular/engine_256x256x128_uint8.nrrd";
+    if (std::filesystem::exists(engine)) {
+        const QTemporaryDir other;
+        if (const auto dataset = openDataset(host, engine, {}, {}))
+            models.emplace_back("engine 256x256x128", modelOf(host, *dataset, other));
+    }
+    return models;
+}
+
+} // namespace
+} // namespace tetra
+
+int main(int argc, char** argv)
+{
+    using namespace tetra;
+    const QCoreApplication application(argc, argv);
+    QCommandLineParser parser;
+    parser.addHelpOption();
+    parser.addOption({"json", "Print one JSON object."});
+    parser.addOption({"threads", "Of the back end.", "N", "2"});
+    parser.addOption({"model", "Turn this model in place of C60 and the engine; may be repeated.", "FILE.tan"});
+    parser.addOption({"error", "The mesh's, in %; without it what the window shows at first.", "PERCENT"});
+    parser.process(application);
+    const QTemporaryDir folder;
+    std::vector<BenchCase> cases;
+    for (const auto& [name, model] : modelsOf(parser.values("model"), folder)) {
+        if (!model) {
+            std::fprintf(stderr, "%s\n", model.error().text.c_str());
+            return 4;
+        }
+        const double error = parser.isSet("error") ? parser.value("error").toDouble() : startingError(**model);
+        cases.push_back(measure(*model, name, error, parser.value("threads").toInt()));
+    }
+    printReport("interaction", cases, parser.isSet("json"));
+    return 0;
+}

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/sample_files.h"
+#include "ui/session/draft_builder.h"
+#include "ui/viewport/cpu_canvas.h"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace tetra;
+
+/// Coarser meshes for moving pictures, and the pictures themselves (R23).
+class DraftBuilderTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void meshesFallBelowTheShownOne();
+    void anotherLookKeepsTheMeshes();
+    void nothingArrivesAfterClear();
+    void movingPicturesAreQuickAndRestingOnesFull();
+    void draftsDoNotDisturbAFinePicture();
+
+private:
+    struct Shown {
+        SceneRequest request;
+        BuiltScene scene;
+    };
+    SceneRequest request(const char* mode) const;
+    Shown shown(const char* mode) const;
+    std::vector<DraftScene> drafts(const Shown& shown) const;
+
+    QTemporaryDir folder_;
+    std::unique_ptr<PluginHost> host_;
+    std::shared_ptr<const Model> model_;
+};
+
+void DraftBuilderTest::initTestCase()
+{
+    host_ = hostOfThisBuild();
+    const auto model = Model::open(buildSampleModel(*host_, sampleDataset(32), folder_.path().toStdString()));
+    QVERIFY(model.ok());
+    model_ = *model;
+}
+
+SceneRequest DraftBuilderTest::request(const char* mode) const
+{
+    SceneRequest request;
+    request.model = model_;
+    request.renderer = host_->renderer(mode)->plugin;
+    request.query.error = 0.1;
+    return request;
+}
+
+DraftBuilderTest::Shown DraftBuilderTest::shown(const char* mode) const
+{
+    SceneBuilder builder;
+    QSignalSpy ready(&builder, &SceneBuilder::sceneReady);
+    builder.request(request(mode));
+    if (!ready.wait(60'000))
+        qFatal("no scene");
+    return {request(mode), ready.last()[0].value<BuiltScene>()};
+}
+
+std::vector<DraftScene> DraftBuilderTest::drafts(const Shown& shown) const
+{
+    DraftBuilder builder;
+    QSignalSpy ready(&builder, &DraftBuilder::draftsReady);
+    builder.request(shown.request, shown.scene.mesh);
+    const std::size_t expected = coarserMeshes(shown.scene.mesh.tetrahedra).size();
+    while (ready.isEmpty() || ready.last()[0].value<std::vector<DraftScene>>().size() < expected)
+        if (!ready.wait(60'000))
+            qFatal("too few drafts");
+    return ready.last()[0].value<std::vector<DraftScene>>();
+}
+
+void DraftBuilderTest::meshesFallBelowTheShownOne()
+{
+    const Shown full = shown("volume");
+    std::uint64_t last = full.scene.mesh.tetrahedra;
+    QVERIFY(last > 30'000);
+    for (const DraftScene& draft : drafts(full)) {
+        QVERIFY(draft.tetrahedra <= last / 4);
+        QVERIFY(draft.tetrahedra > last / 8);
+        QVERIFY(draft.scene->volume.has_value());
+        last = draft.tetrahedra;
+    }
+}
+
+void DraftBuilderTest::anotherLookKeepsTheMeshes()
+{
+    const Shown full = shown("volume");
+    DraftBuilder builder;
+    QSignalSpy ready(&builder, &DraftBuilder::draftsReady);
+    const std::size_t expected = coarserMeshes(full.scene.mesh.tetrahedra).size();
+    const auto newest = [&] {
+        return ready.isEmpty() ? std::vector<DraftScene>() : ready.last()[0].value<std::vector<DraftScene>>();
+    };
+    builder.request(full.request, full.scene.mesh);
+    QTRY_COMPARE(newest().size(), expected);
+    const auto before = newest();
+    SceneRequest other = full.request;
+    other.values["shaded"] = true;
+    builder.requestLook(other);
+    QTRY_VERIFY(newest().size() == expected && newest().front().scene->volume->shaded);
+    QCOMPARE(newest().front().scene->volume->mesh, before.front().scene->volume->mesh);
+    SceneRequest elsewhere = full.request;
+    elsewhere.query.error = 3.0;
+    ready.clear();
+    builder.requestLook(elsewhere); // of a mesh that is not known yet
+    QVERIFY(!ready.wait(100));
+}
+
+void DraftBuilderTest::nothingArrivesAfterClear()
+{
+    const Shown full = shown("isosurface");
+    DraftBuilder builder;
+    QSignalSpy ready(&builder, &DraftBuilder::draftsReady);
+    builder.request(full.request, full.scene.mesh);
+    builder.clear();
+    QVERIFY(!ready.wait(100));
+}
+
+void DraftBuilderTest::movingPicturesAreQuickAndRestingOnesFull()
+{
+    const Shown full = shown("volume");
+    View view;
+    view.levels.push_back({full.scene.scene, full.scene.mesh.tetrahedra});
+    for (const DraftScene& draft : drafts(full))
+        view.levels.push_back({draft.scene, draft.tetrahedra});
+    view.camera = fitted(Camera(), model_->description().bounds);
+    CpuCanvas canvas;
+    canvas.resize(640, 480);
+    std::vector<FrameReport> reports;
+    canvas.framePainted = [&](const FrameReport& report) { reports.push_back(report); };
+    canvas.failed = [](const QString& text) { qFatal("%s", qPrintable(text)); };
+    canvas.setFrameRate(100); // more than can be: then as coarse as there is
+    view.moving = true;
+    canvas.show(view);
+    for (std::size_t count = 1; count <= 12; ++count) {
+        QTRY_COMPARE(reports.size(), count);
+        view.camera = turned(view.camera, 3, 0);
+        canvas.show(view);
+        QVERIFY(!canvas.settled());
+    }
+    QVERIFY(reports.back().moving);
+    QVERIFY(reports.back().tetrahedra < full.scene.mesh.tetrahedra || reports.back().reduction > 1);
+    view.moving = false;
+    canvas.show(view);
+    QTRY_VERIFY_WITH_TIMEOUT(canvas.settled(), 60'000);
+    QVERIFY(!reports.back().moving);
+    QCOMPARE(reports.back().tetrahedra, full.scene.mesh.tetrahedra);
+    QCOMPARE(reports.back().reduction, 1.0);
+    QCOMPARE(canvas.picture().size(), QSize(640, 480));
+}
+
+void DraftBuilderTest::draftsDoNotDisturbAFinePicture()
+{
+    const Shown full = shown("isosurface");
+    View view;
+    view.levels.push_back({full.scene.scene, full.scene.mesh.tetrahedra});
+    view.camera = fitted(Camera(), model_->description().bounds);
+    CpuCanvas canvas;
+    canvas.resize(320, 240);
+    int pictures = 0;
+    canvas.framePainted = [&](const FrameReport&) { ++pictures; };
+    canvas.show(view);
+    QTRY_VERIFY(canvas.settled());
+    pictures = 0;
+    for (const DraftScene& draft : drafts(full))
+        view.levels.push_back({draft.scene, draft.tetrahedra});
+    canvas.show(view);
+    QVERIFY(canvas.settled());
+    QCoreApplication::processEvents();
+    QCOMPARE(pictures, 0);
+}
+
+QTEST_MAIN(DraftBuilderTest)
+#include "draft_builder_test.moc"
