@@ -2,6 +2,7 @@
 #include "ui/session/mesh_saving.h"
 
 #include "core/mesh/files/mesh_file.h"
+#include "core/model/queries/mesh_extractor.h"
 
 namespace tetra {
 namespace {
@@ -23,6 +24,12 @@ void addErrors(Facts& facts, const std::string& name, const ErrorField& field, d
 
 Status writeMesh(const MeshOrder& order, const Progress& progress)
 {
+    if (!order.mesh) {
+        auto made = MeshExtractor(order.model).extract(order.query, progress.part(0, 0.5));
+        if (!made)
+            return made.error();
+        return writeMesh({order.model, *made, order.query, order.target}, progress.part(0.5, 1));
+    }
     const ExtractedMesh& extracted = *order.mesh;
     MeshContent content{extracted.mesh.positions, extracted.mesh.tetrahedra, {}, {}, {}};
     content.pointArrays.push_back({"value", std::span<const float>(extracted.mesh.values)});

@@ -14,8 +14,8 @@ namespace tetra {
 /// A mesh to save, as it is seen.
 struct MeshOrder {
     std::shared_ptr<const Model> model;
-    std::shared_ptr<const ExtractedMesh> mesh;
-    MeshQuery query; ///< that it answers
+    std::shared_ptr<const ExtractedMesh> mesh; ///< that is there already; else it is extracted
+    MeshQuery query;                           ///< that it answers
     std::filesystem::path target;
 };
 

@@ -2,6 +2,7 @@
 #include "ui/session/scene_builder.h"
 
 #include "core/model/queries/mesh_extractor.h"
+#include "core/model/queries/two_resolutions.h"
 
 #include <algorithm>
 #include <chrono>
@@ -41,19 +42,37 @@ Error outOfMemory()
 
 } // namespace
 
+/// The meshes that a request needs: one, or with a renderer that blends a focus two.
+struct NeededMeshes {
+    MeshQuery query;
+    std::optional<TwoResolutions> focus; ///< then `query` is the one outside
+
+    explicit NeededMeshes(const SceneRequest& request) : query(request.query)
+    {
+        if (request.renderer->blendsFocus())
+            focus = twoResolutions(request.query);
+        if (focus)
+            query = focus->outside;
+    }
+};
+
 /// What the worker keeps between two requests. Touched by the worker only, but for the mesh.
 struct SceneBuilder::Workshop {
     std::optional<MeshExtractor> extractor;
     const Renderer* renderer = nullptr;
-    std::optional<MeshQuery> query; ///< that the mesh answers
+    std::optional<MeshQuery> query;                ///< that the mesh answers
+    std::optional<TwoResolutions> focus;           ///< that the session blends; none if it does not
+    std::shared_ptr<const ExtractedMesh> fineMesh; ///< in the focus
     std::unique_ptr<RendererSession> session;
     std::shared_ptr<const ValueHistogram> histogram; ///< of the mesh
     std::mutex mutex;                                ///< guards the next one
     std::shared_ptr<const ExtractedMesh> mesh;
 
     void setMesh(std::shared_ptr<const ExtractedMesh> next);
-    bool has(const SceneRequest& request) const;
-    Status extract(const SceneRequest& request, const Progress& progress);
+    bool has(const SceneRequest& request, const NeededMeshes& needed) const;
+    Status extract(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress);
+    Status extractFine(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress);
+    void open(const SceneRequest& request, const NeededMeshes& needed);
     Result<BuiltScene> make(const SceneRequest& request, const Progress& progress);
     void clear();
 };
@@ -64,29 +83,62 @@ void SceneBuilder::Workshop::setMesh(std::shared_ptr<const ExtractedMesh> next)
     mesh = std::move(next);
 }
 
-bool SceneBuilder::Workshop::has(const SceneRequest& request) const
+bool SceneBuilder::Workshop::has(const SceneRequest& request, const NeededMeshes& needed) const
 {
-    return mesh && extractor && extractor->model() == request.model && query == request.query;
+    return mesh && extractor && extractor->model() == request.model && query == needed.query;
 }
 
 /// Lets go of the last mesh first, so that the extractor can use its memory again.
-Status SceneBuilder::Workshop::extract(const SceneRequest& request, const Progress& progress)
+Status SceneBuilder::Workshop::extract(const SceneRequest& request, const NeededMeshes& needed,
+                                       const Progress& progress)
 {
     session.reset();
     setMesh(nullptr);
+    fineMesh.reset();
+    focus.reset();
     if (!extractor || extractor->model() != request.model)
         extractor.emplace(request.model);
-    auto extracted = extractor->extract(request.query, progress);
+    auto extracted = extractor->extract(needed.query, progress);
     if (!extracted)
         return extracted.error();
     if (Status intact = request.model->checkIntact(); !intact)
         return intact;
     setMesh(*std::move(extracted));
-    query = request.query;
+    query = needed.query;
     const ValueRange range = request.model->description().range;
     histogram = std::make_shared<const ValueHistogram>(
         valueHistogram(mesh->mesh.values, range.minimum, range.maximum, histogramParts));
     return {};
+}
+
+/// The mesh in the focus, if there is one to blend.
+Status SceneBuilder::Workshop::extractFine(const SceneRequest& request, const NeededMeshes& needed,
+                                           const Progress& progress)
+{
+    session.reset();
+    fineMesh.reset();
+    focus.reset();
+    if (!needed.focus)
+        return {};
+    auto extracted = extractor->extract(needed.focus->inside, progress);
+    if (!extracted)
+        return extracted.error();
+    if (Status intact = request.model->checkIntact(); !intact)
+        return intact;
+    fineMesh = *std::move(extracted);
+    focus = needed.focus;
+    return {};
+}
+
+void SceneBuilder::Workshop::open(const SceneRequest& request, const NeededMeshes& needed)
+{
+    const Eigen::AlignedBox3d bounds = request.model->description().bounds;
+    const std::shared_ptr<const TetrahedralMesh> whole(mesh, &mesh->mesh);
+    session = needed.focus
+                  ? request.renderer->openWithFocus(
+                        whole, {{fineMesh, &fineMesh->mesh}, needed.focus->region, needed.focus->border}, bounds)
+                  : request.renderer->open(whole, bounds);
+    renderer = request.renderer;
 }
 
 Result<BuiltScene> SceneBuilder::Workshop::make(const SceneRequest& request, const Progress& progress)
@@ -94,21 +146,31 @@ try {
     BuiltScene built;
     built.model = request.model;
     const auto start = std::chrono::steady_clock::now();
-    if (!has(request)) {
-        if (const Status extracted = extract(request, progress.part(0, 0.5)); !extracted)
+    const NeededMeshes needed(request);
+    if (!has(request, needed)) {
+        if (const Status extracted = extract(request, needed, progress.part(0, 0.3)); !extracted)
             return extracted.error();
         built.extractionSeconds = secondsSince(start);
     }
-    if (!session || renderer != request.renderer) {
-        session = request.renderer->open({mesh, &mesh->mesh}, request.model->description().bounds);
-        renderer = request.renderer;
+    if (focus != needed.focus) {
+        if (const Status extracted = extractFine(request, needed, progress.part(0.3, 0.5)); !extracted)
+            return extracted.error();
+        built.extractionSeconds = secondsSince(start);
     }
+    if (!session || renderer != request.renderer)
+        open(request, needed);
     auto scene = session->prepare(request.values, request.camera, progress.part(0.5, 1));
     if (!scene)
         return scene.error();
     built.scene = *std::move(scene);
-    built.mesh = {request.query,    mesh->mesh.positions.size(), mesh->mesh.tetrahedra.size(),
-                  mesh->wholeSites, mesh->wholeTetrahedra,       mesh->scale,
+    const ExtractedMesh none;
+    const ExtractedMesh& fine = fineMesh ? *fineMesh : none;
+    built.mesh = {request.query,
+                  mesh->mesh.positions.size() + fine.mesh.positions.size(),
+                  mesh->mesh.tetrahedra.size() + fine.mesh.tetrahedra.size(),
+                  mesh->wholeSites,
+                  mesh->wholeTetrahedra,
+                  mesh->scale,
                   histogram};
     for (const Surface& surface : built.scene->surfaces)
         built.triangles += surface.mesh->triangles.size();
@@ -123,6 +185,8 @@ void SceneBuilder::Workshop::clear()
 {
     session.reset();
     setMesh(nullptr);
+    fineMesh.reset();
+    focus.reset();
     extractor.reset();
 }
 

@@ -278,10 +278,13 @@ void Workbench::saveMesh(const std::filesystem::path& target)
 
 void Workbench::saveMeshWhenShown()
 {
-    const MeshOrder order{session_.model(), sceneBuilder_.mesh(),
-                          session_.shown() ? session_.shown()->query : MeshQuery(), meshTarget_};
+    MeshOrder order{session_.model(), sceneBuilder_.mesh(), session_.shown() ? session_.shown()->query : MeshQuery(),
+                    meshTarget_};
     if (meshTarget_.empty() || !session_.showsQuery() || !order.mesh)
         return;
+    // Of two meshes that are blended neither is what was asked for.
+    if (renderer() != nullptr && renderer()->blendsFocus())
+        order.mesh = nullptr;
     meshTarget_.clear();
     savingMesh_.start([this, order](const Progress& progress) -> std::function<void()> {
         return [this, target = order.target, saved = writeMesh(order, progress)] {

@@ -15,6 +15,8 @@ struct TwoResolutions {
     MeshQuery inside;  ///< of a window that holds all that is nearer to the region than `border`
     std::variant<Box, Sphere> region;
     double border = 0; ///< the focus' falloff
+
+    bool operator==(const TwoResolutions&) const = default;
 };
 
 /// Nothing if the error does not depend on the place by a single ramp around a box or a ball, or if there is a budget:
