@@ -69,6 +69,7 @@ private:
         if (progress.cancelled())
             return cancelledError("Drawing the picture");
         RenderStatistics statistics;
+        statistics.orderReused = hasVolume(scene); // until a part needs a new one
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const auto share = [&](double part) { return (static_cast<double>(i) + part) / double(parts.size()); };
             if (hasVolume(scene)) {
@@ -91,7 +92,7 @@ private:
         const auto start = std::chrono::steady_clock::now();
         Status status = order_.prepare(request, progress);
         statistics.orderSeconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        statistics.orderReused = order_.reused();
+        statistics.orderReused = statistics.orderReused && order_.reused();
         statistics.brokenCycles = std::max(statistics.brokenCycles, order_.brokenCycles());
         return status;
     }
