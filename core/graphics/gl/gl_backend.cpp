@@ -93,7 +93,7 @@ public:
         }
     }
 
-    RenderStatistics statistics() const override { return {}; }
+    RenderStatistics statistics() const override { return painter_->statistics(); }
 
 private:
     std::unique_ptr<EglContext> context_;

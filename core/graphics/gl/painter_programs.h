@@ -15,6 +15,7 @@ struct PainterPrograms {
     std::unique_ptr<GlProgram> line;
     std::unique_ptr<GlProgram> under;
     std::unique_ptr<GlProgram> resolve;
+    std::unique_ptr<GlProgram> volume;
 };
 
 Result<PainterPrograms> makePainterPrograms(const GlFunctions& gl);

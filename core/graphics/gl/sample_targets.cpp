@@ -14,6 +14,7 @@ struct TextureFormat {
     unsigned type;
 };
 constexpr TextureFormat colourFormat{gl::rgba16f, gl::rgba, gl::floatType};
+constexpr TextureFormat fineColourFormat{gl::rgba32f, gl::rgba, gl::floatType};
 constexpr TextureFormat depthFormat{gl::depthComponent32f, gl::depthComponent, gl::floatType};
 constexpr TextureFormat keyFormat{gl::rg32ui, gl::rgInteger, gl::unsignedInt};
 
@@ -61,7 +62,7 @@ Status checkComplete(const GlFunctions& gl)
 
 } // namespace
 
-Result<SampleTargets> makeSampleTargets(const GlFunctions& gl, int width, int height)
+Status makeSampleTargets(const GlFunctions& gl, int width, int height, SampleTargets& targets)
 {
     int limit = 0;
     gl.getIntegerv(gl::maximumTextureSize, &limit);
@@ -69,21 +70,28 @@ Result<SampleTargets> makeSampleTargets(const GlFunctions& gl, int width, int he
         return Error{ErrorKind::OutOfResource, "This OpenGL driver draws at most " + std::to_string(limit) +
                                                    " samples a side. Make the picture smaller, take fewer samples, or "
                                                    "use the CPU back end."};
-    SampleTargets targets;
     targets.width = width;
     targets.height = height;
     targets.opaqueColour = makeTexture(gl, targets, colourFormat);
     targets.opaqueDepth = makeTexture(gl, targets, depthFormat);
     targets.opaqueFramebuffer = makeFramebuffer(gl, {targets.opaqueColour.name()}, targets.opaqueDepth.name());
-    if (Status status = checkComplete(gl); !status)
-        return status.error();
-    return targets;
+    return checkComplete(gl);
+}
+
+Status makeAccumulated(const GlFunctions& gl, bool fine, SampleTargets& targets)
+{
+    if (targets.accumulated.name() != 0 && targets.fine == fine)
+        return {};
+    targets.accumulated = makeTexture(gl, targets, fine ? fineColourFormat : colourFormat);
+    targets.accumulatedFramebuffer = makeFramebuffer(gl, {targets.accumulated.name()}, 0);
+    targets.fine = fine;
+    return checkComplete(gl);
 }
 
 Status makeLayers(const GlFunctions& gl, SampleTargets& targets)
 {
-    targets.accumulated = makeTexture(gl, targets, colourFormat);
-    targets.accumulatedFramebuffer = makeFramebuffer(gl, {targets.accumulated.name()}, 0);
+    if (targets.layerColour.name() != 0)
+        return {};
     targets.layerColour = makeTexture(gl, targets, colourFormat);
     targets.layerDepth = makeTexture(gl, targets, depthFormat);
     for (std::size_t i = 0; i < 2; ++i) {

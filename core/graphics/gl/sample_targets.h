@@ -18,20 +18,24 @@ struct SampleTargets {
     GlObject opaqueDepth;
     GlObject opaqueFramebuffer;
 
-    /// For translucency only; empty until makeLayers. Two layers, since each is compared with the one before.
+    /// For translucency only; empty until makeAccumulated.
     GlObject accumulated;
     GlObject accumulatedFramebuffer;
+    bool fine = false; ///< whole floats
+
+    /// Empty until makeLayers. Two layers, since each is compared with the one before.
     GlObject layerColour;
     GlObject layerDepth;
     std::array<GlObject, 2> layerKeys;
     std::array<GlObject, 2> layerFramebuffers;
-
-    bool hasLayers() const noexcept { return accumulated.name() != 0; }
 };
 
 /// 12 bytes a sample. Errors: larger than the driver allows, out of memory.
-Result<SampleTargets> makeSampleTargets(const GlFunctions& gl, int width, int height);
-/// Adds what translucency needs: 36 bytes a sample more.
+Status makeSampleTargets(const GlFunctions& gl, int width, int height, SampleTargets& targets);
+/// Adds, if it is not there, what translucent things are gathered in: 8 bytes a sample; if `fine`, 16, as the light of
+/// many faint cells is lost in the rounding of half floats.
+Status makeAccumulated(const GlFunctions& gl, bool fine, SampleTargets& targets);
+/// Adds, if it is not there, what translucent surfaces need: 28 bytes a sample.
 Status makeLayers(const GlFunctions& gl, SampleTargets& targets);
 
 } // namespace tetra

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/graphics/camera.h"
+
+namespace tetra {
+
+/// From where, into how many samples, and what box near and far enclose.
+struct SampleView {
+    Camera camera;
+    int width = 1;
+    int height = 1;
+    Eigen::AlignedBox3d bounds;
+};
+
+} // namespace tetra
