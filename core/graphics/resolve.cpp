@@ -47,4 +47,24 @@ void resolve(std::span<const std::array<float, 4>> samples, int rowLength, int s
     }
 }
 
+void resolveDepth(std::span<const float> samples, int rowLength, int samplesPerAxis, int left, int top,
+                  Picture& picture)
+{
+    const auto length = static_cast<std::size_t>(rowLength);
+    const auto axis = static_cast<std::size_t>(samplesPerAxis);
+    const std::size_t rows = samples.size() / length / axis;
+    std::vector<float> ofPixel;
+    for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t column = 0; column < length / axis; ++column) {
+            ofPixel.clear();
+            for (std::size_t y = row * axis; y < (row + 1) * axis; ++y)
+                for (std::size_t x = column * axis; x < (column + 1) * axis; ++x)
+                    ofPixel.push_back(samples[y * length + x]);
+            const auto middle = ofPixel.begin() + static_cast<std::ptrdiff_t>((ofPixel.size() - 1) / 2);
+            std::ranges::nth_element(ofPixel, middle);
+            picture.depth[(static_cast<std::size_t>(top) + row) * static_cast<std::size_t>(picture.width) +
+                          static_cast<std::size_t>(left) + column] = *middle;
+        }
+}
+
 } // namespace tetra

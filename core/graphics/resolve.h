@@ -14,4 +14,9 @@ namespace tetra {
 void resolve(std::span<const std::array<float, 4>> samples, int rowLength, int samplesPerAxis, int left, int top,
              Picture& picture);
 
+/// The same for depths of Picture: each pixel gets the least by which at least half of its samples have lost half of
+/// their light.
+void resolveDepth(std::span<const float> samples, int rowLength, int samplesPerAxis, int left, int top,
+                  Picture& picture);
+
 } // namespace tetra

@@ -25,9 +25,10 @@ ScreenVertex toScreen(const ClipVertex& vertex, const ViewTransform& transform)
         return static_cast<std::int32_t>(std::floor(samples * subsampleSteps + 0.5));
     };
     ScreenVertex result;
-    result.x = fixed((vertex.position.x() * inverse + 1) / 2 * transform.width);
-    result.y = fixed((1 - vertex.position.y() * inverse) / 2 * transform.height);
-    result.nearness = static_cast<float>(transform.perspective ? inverse : -vertex.position.z() * inverse);
+    // The rasteriser's samples are in the middle of their squares.
+    result.x = fixed((vertex.position.x() * inverse + 1) / 2 * transform.width - (sampleX - 0.5));
+    result.y = fixed((1 - vertex.position.y() * inverse) / 2 * transform.height - (sampleY - 0.5));
+    result.nearness = static_cast<float>(nearnessOf(transform, vertex.position));
     result.weight = static_cast<float>(inverse);
     result.normal = vertex.normal;
     return result;

@@ -16,14 +16,14 @@ namespace tetra {
 
 /// Samples are divided into this many steps an axis; corners are rounded to them, so that the tests of the rasteriser
 /// are exact integers.
-inline constexpr int subsampleBits = 8;
+inline constexpr int subsampleBits = 11;
 inline constexpr int subsampleSteps = 1 << subsampleBits;
 
 /// A corner in the picture.
 struct ScreenVertex {
-    std::int32_t x = 0; ///< in steps of 1/256 sample from the picture's left ...
+    std::int32_t x = 0; ///< in steps of 1/2048 sample from the picture's left ...
     std::int32_t y = 0; ///< ... and upper edge
-    float nearness = 0; ///< larger is nearer, affine in the picture: 1 / w in perspective, else -z / w
+    float nearness = 0; ///< larger is nearer, affine in the picture: q of ViewTransform
     float weight = 1;   ///< 1 / w: attributes times weight are affine in the picture
     Eigen::Vector3f normal{0, 0, 1};
 };
@@ -31,7 +31,7 @@ struct ScreenVertex {
 struct Material {
     Colour colour;
     float opacity = 1;
-    bool lit = true;
+    bool surface = true; ///< lit and clipped; else a line
 };
 
 struct ScreenTriangle {

@@ -3,6 +3,7 @@
 
 #include "core/base/buffer.h"
 #include "core/graphics/cpu/draw_list.h"
+#include "core/graphics/sample_rectangle.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -10,16 +11,6 @@
 #include <vector>
 
 namespace tetra {
-
-/// The samples [left, right) x [top, bottom) of a picture.
-struct SampleRectangle {
-    int left = 0;
-    int top = 0;
-    int right = 0;
-    int bottom = 0;
-    int width() const noexcept { return right - left; }
-    int height() const noexcept { return bottom - top; }
-};
 
 /// A picture of samples cut into square tiles, row by row from the top.
 struct TileGrid {

@@ -3,6 +3,7 @@
 
 #include "core/graphics/cpu/triangle_raster.h"
 #include "core/graphics/shading.h"
+#include "core/graphics/volume/cell_setup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,21 +47,36 @@ void TilePainter::clear(const SampleRectangle& tile)
     opaque_.assign(samples, {-std::numeric_limits<float>::infinity(), none, 0, 0});
     heads_.assign(samples, none);
     listed_.clear();
-    colours_.resize(samples);
+    fragmentCount_ = 0;
+    shown_.clear();
+    if (!clips_.empty())
+        for (int row = tile.top; row < tile.bottom; ++row)
+            for (int column = tile.left; column < tile.right; ++column)
+                shown_.push_back(clips_.at(column, row));
+}
+
+bool TilePainter::shows(std::size_t sample, float nearness, bool clipped) const
+{
+    const bool inside = !clipped || (nearness <= shown_[sample].front && nearness >= shown_[sample].back);
+    return nearness > opaque_[sample].nearness && inside;
 }
 
 void TilePainter::drawOpaque(std::uint32_t triangle)
 {
+    const bool clipped = !shown_.empty() && list_.materials[list_.triangles[triangle].material].surface;
     forEachSample(list_, triangle, tile_, [&](std::size_t sample, float nearness, float b, float c) {
-        if (nearness > opaque_[sample].nearness)
-            opaque_[sample] = {nearness, triangle, b, c};
+        if (!shows(sample, nearness, clipped))
+            return;
+        opaque_[sample] = {nearness, triangle, b, c};
+        ++fragmentCount_;
     });
 }
 
 void TilePainter::collectTranslucent(std::uint32_t triangle)
 {
+    const bool clipped = !shown_.empty() && list_.materials[list_.triangles[triangle].material].surface;
     forEachSample(list_, triangle, tile_, [&](std::size_t sample, float nearness, float b, float c) {
-        if (!(nearness > opaque_[sample].nearness))
+        if (!shows(sample, nearness, clipped))
             return;
         const auto place = static_cast<std::uint32_t>(listed_.size());
         listed_.push_back({{nearness, triangle, b, c}, heads_[sample]});
@@ -73,7 +89,7 @@ PremultipliedColour TilePainter::lit(const Fragment& fragment, std::size_t sampl
     const ScreenTriangle& triangle = list_.triangles[fragment.triangle];
     const Material& material = list_.materials[triangle.material];
     Colour colour = material.colour;
-    if (material.lit) {
+    if (material.surface) {
         const ScreenVertex& a = list_.vertices[triangle.vertices[0]];
         const ScreenVertex& b = list_.vertices[triangle.vertices[1]];
         const ScreenVertex& c = list_.vertices[triangle.vertices[2]];
@@ -93,7 +109,7 @@ PremultipliedColour TilePainter::lit(const Fragment& fragment, std::size_t sampl
             material.opacity};
 }
 
-PremultipliedColour TilePainter::composite(std::size_t sample, const PremultipliedColour& background)
+void TilePainter::sortTranslucent(std::size_t sample)
 {
     sorted_.clear();
     for (std::uint32_t place = heads_[sample]; place != none; place = listed_[place].next)
@@ -101,21 +117,25 @@ PremultipliedColour TilePainter::composite(std::size_t sample, const Premultipli
     std::ranges::sort(sorted_, [](const Fragment& one, const Fragment& other) {
         return one.nearness != other.nearness ? one.nearness > other.nearness : one.triangle < other.triangle;
     });
-    PremultipliedColour colour{};
+}
+
+template <class Visit> void TilePainter::forEachLit(std::size_t sample, Visit&& visit)
+{
+    sortTranslucent(sample);
     float transparency = 1;
     for (const Fragment& fragment : sorted_) {
-        addBehind(colour, transparency, lit(fragment, sample));
+        const PremultipliedColour colour = lit(fragment, sample);
+        visit(fragment.nearness, colour);
+        transparency *= 1 - colour[3];
         if (transparency < smallestTransparency)
             break;
     }
     const Fragment& last = opaque_[sample];
-    addBehind(colour, transparency, last.triangle == none ? background : lit(last, sample));
-    return colour;
+    if (last.triangle != none)
+        visit(last.nearness, lit(last, sample));
 }
 
-std::span<const PremultipliedColour> TilePainter::paint(const SampleRectangle& tile,
-                                                        std::span<const std::uint32_t> triangles,
-                                                        const PremultipliedColour& background)
+void TilePainter::draw(const SampleRectangle& tile, std::span<const std::uint32_t> triangles)
 {
     clear(tile);
     const auto isOpaque = [&](std::uint32_t triangle) {
@@ -127,9 +147,39 @@ std::span<const PremultipliedColour> TilePainter::paint(const SampleRectangle& t
     for (const std::uint32_t triangle : triangles)
         if (!isOpaque(triangle))
             collectTranslucent(triangle);
-    for (std::size_t sample = 0; sample < colours_.size(); ++sample)
-        colours_[sample] = composite(sample, background);
+    fragmentCount_ += listed_.size();
+}
+
+std::span<const PremultipliedColour> TilePainter::colours(const PremultipliedColour& background)
+{
+    colours_.assign(opaque_.size(), {});
+    halfNearness_.assign(opaque_.size(), neverHalf);
+    for (std::size_t sample = 0; sample < colours_.size(); ++sample) {
+        float transparency = 1;
+        forEachLit(sample, [&](float nearness, const PremultipliedColour& colour) {
+            const bool before = transparency > 0.5f;
+            addBehind(colours_[sample], transparency, colour);
+            if (before && transparency <= 0.5f)
+                halfNearness_[sample] = nearness;
+        });
+        addBehind(colours_[sample], transparency, background);
+    }
     return colours_;
+}
+
+const SurfaceFragments& TilePainter::fragments()
+{
+    fragments_.fragments.clear();
+    fragments_.first.clear();
+    for (std::size_t sample = 0; sample < opaque_.size(); ++sample) {
+        fragments_.first.push_back(static_cast<std::uint32_t>(fragments_.fragments.size()));
+        forEachLit(sample, [&](float nearness, const PremultipliedColour& colour) {
+            fragments_.fragments.push_back({nearness, colour});
+        });
+        fragments_.fragments.push_back({-farBound, {}});
+    }
+    fragments_.empty = fragments_.fragments.size() == opaque_.size();
+    return fragments_;
 }
 
 } // namespace tetra

@@ -5,6 +5,7 @@
 #include "core/graphics/volume/slab_integral.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tetra {
 namespace {
@@ -144,6 +145,16 @@ Direction directionOf(const CellSetup& setup, bool perspective)
     return std::max(left, right) + std::max(top, bottom) < 0 ? Direction::Falling : Direction::Mixed;
 }
 
+/// 1 / length of the gradient, in values for one unit of w across the picture; 0 without a gradient.
+float perGradientOf(const SetupRows& rows, std::size_t row, const SetupSource& source, const TileFrame& frame)
+{
+    const float u = rows.slopes[row][0], v = rows.slopes[row][1];
+    const float w = source.perspective ? rows.slopes[row][2] - u * frame.x - v * frame.y : -rows.slopes[row][3];
+    const float acrossU = u * source.lengths[0], acrossV = v * source.lengths[1];
+    const float squared = acrossU * acrossU + acrossV * acrossV + w * w;
+    return squared > 1e-30f ? 1 / std::sqrt(squared) : 0;
+}
+
 void finish(const SetupRows& rows, std::size_t row, const SetupSource& source, const TileFrame& frame,
             const BinnedCell& binned, CellSetup& setup)
 {
@@ -153,6 +164,7 @@ void finish(const SetupRows& rows, std::size_t row, const SetupSource& source, c
     setup.constant = rows.slopes[row][3];
     setup.smallest = rows.values[row][0];
     setup.largest = rows.values[row][1];
+    setup.perGradient = source.shaded ? perGradientOf(rows, row, source, frame) : 0;
     setup.firstSegment = ofCell.first;
     setup.lastSegment = ofCell.last;
     setup.left = binned.left;

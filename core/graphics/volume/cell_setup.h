@@ -42,6 +42,7 @@ struct CellSetup {
     AffineFunction functions[7];
     float constant;
     float smallest, largest; ///< values
+    float perGradient;       ///< 1 / length of the gradient if the cell is lit, else 0; see cosine in volume_tile.cpp
     std::uint16_t firstSegment, lastSegment;
     std::uint8_t left, top, right, bottom; ///< blocks of the tile
     Thickness thickness;
@@ -58,6 +59,9 @@ struct SetupSource {
     std::span<const CellClass> classes;
     std::span<const ScaledSegment> segments;
     bool perspective = true;
+    bool shaded = false; ///< cells are lit
+    /// How long u and v are for one unit of length across the view, in units of w for one along it.
+    std::array<float, 2> lengths{1, 1};
 };
 
 /// A tile's first sample, from the centre of the picture, and the longest way along a ray for one unit of w.

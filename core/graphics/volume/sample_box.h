@@ -33,16 +33,6 @@ template <std::size_t count> SampleRectangle boxOf(std::span<const std::uint32_t
     return box;
 }
 
-inline SampleRectangle intersection(const SampleRectangle& a, const SampleRectangle& b)
-{
-    return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right), std::min(a.bottom, b.bottom)};
-}
-
-inline bool isEmpty(const SampleRectangle& box)
-{
-    return box.left >= box.right || box.top >= box.bottom;
-}
-
 /// Calls visit(row, column) for the tiles that share samples with a box that is not empty.
 template <class Visit> void forEachTileOf(const SampleRectangle& box, const TileGrid& grid, Visit&& visit)
 {

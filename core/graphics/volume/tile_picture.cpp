@@ -25,6 +25,11 @@ struct BlockLane {
     }
 };
 
+bool isLimited(const TileSurroundings& surroundings)
+{
+    return surroundings.clips != nullptr || surroundings.surfaces != nullptr;
+}
+
 } // namespace
 
 VolumeTilePainter::VolumeTilePainter(const SetupSource& source, const VolumeView& view)
@@ -61,45 +66,91 @@ bool VolumeTilePainter::allDark()
     return firstLit_ == blocks_.size();
 }
 
-void VolumeTilePainter::write(const SampleRectangle& tile, VolumePicture& picture) const
+void VolumeTilePainter::setLimits(const SampleRectangle& tile, const TileSurroundings& surroundings)
 {
+    const float nearest = view_.perspective ? static_cast<float>(1 / view_.nearest) : farBound;
+    limits_.assign(blocks_.size(), {Float8{} + nearest, Float8{} - farBound, Float8{} - farBound, {}});
+    std::size_t sample = 0;
     for (int y = 0; y < tile.height(); ++y)
-        for (int x = 0; x < tile.width(); ++x) {
+        for (int x = 0; x < tile.width(); ++x, ++sample) {
             const BlockLane place(x, y);
-            const SampleBlock& block = blocks_[place.block];
-            const auto sample = static_cast<std::size_t>(tile.top + y) * static_cast<std::size_t>(picture.width) +
-                                static_cast<std::size_t>(tile.left + x);
-            picture.samples[sample] = {block.red[place.lane], block.green[place.lane], block.blue[place.lane],
-                                       1 - block.light[place.lane]};
-            if (!picture.depth.empty())
-                picture.depth[sample] = block.depth[place.lane] < noDepth
-                                            ? static_cast<float>(block.depth[place.lane] * view_.unit)
-                                            : std::numeric_limits<float>::infinity();
+            BlockLimits& limits = limits_[place.block];
+            if (surroundings.clips != nullptr) {
+                const ClipBounds::Interval shown = surroundings.clips->at(tile.left + x, tile.top + y);
+                limits.front[place.lane] = std::min(nearest, shown.front);
+                limits.back[place.lane] = shown.back;
+            }
+            if (surroundings.surfaces != nullptr) {
+                limits.place[place.lane] = surroundings.surfaces->first[sample];
+                limits.next[place.lane] = surroundings.surfaces->fragments[limits.place[place.lane]].nearness;
+            }
         }
 }
 
-std::size_t VolumeTilePainter::paint(const SampleRectangle& tile, std::span<const BinnedCell> cells,
-                                     const Progress& progress, VolumePicture& picture)
+TileShading VolumeTilePainter::shadingOf(const TileSurroundings& surroundings)
 {
-    clear(tile);
+    const bool limited = isLimited(surroundings);
+    TileShading shading;
+    shading.segments = source_.segments.data();
+    shading.nearestBound = view_.perspective ? static_cast<float>(1 / view_.nearest) : farBound;
+    shading.perspective = view_.perspective;
+    shading.depth = surroundings.depth;
+    shading.extras = limited || source_.shaded;
+    shading.limits = limited ? limits_.data() : nullptr;
+    shading.fragments = surroundings.surfaces != nullptr ? surroundings.surfaces->fragments.data() : nullptr;
+    shading.splitCells = surroundings.splitCells;
+    return shading;
+}
+
+TileFrame VolumeTilePainter::frameOf(const SampleRectangle& tile) const
+{
     const auto largest = [](double first, int count) { return std::max(std::abs(first), std::abs(first + count - 1)); };
     const double slopeX = largest(tile.left + view_.firstX(), tile.width()) / view_.samplesPerSlope.x();
     const double slopeY = largest(tile.top + view_.firstY(), tile.height()) / view_.samplesPerSlope.y();
-    const TileFrame frame{static_cast<float>(tile.left + view_.firstX()), static_cast<float>(tile.top + view_.firstY()),
-                          view_.perspective ? static_cast<float>(std::sqrt(1 + slopeX * slopeX + slopeY * slopeY)) : 1};
-    const TileShading shading{source_.segments.data(),
-                              view_.perspective ? static_cast<float>(1 / view_.nearest) : farBound, view_.perspective,
-                              !picture.depth.empty()};
-    std::size_t drawn = 0;
-    while (drawn < cells.size() && !progress.cancelled()) {
-        const auto next = cells.subspan(drawn, std::min(batch, cells.size() - drawn));
+    return {static_cast<float>(tile.left + view_.firstX()), static_cast<float>(tile.top + view_.firstY()),
+            view_.perspective ? static_cast<float>(std::sqrt(1 + slopeX * slopeX + slopeY * slopeY)) : 1};
+}
+
+void VolumeTilePainter::finish(const SampleRectangle& tile, const TileShading& shading)
+{
+    const auto samples = static_cast<std::size_t>(tile.width()) * static_cast<std::size_t>(tile.height());
+    colours_.resize(samples);
+    depth_.resize(shading.depth ? samples : 0);
+    std::size_t sample = 0;
+    for (int y = 0; y < tile.height(); ++y)
+        for (int x = 0; x < tile.width(); ++x, ++sample) {
+            const auto [number, lane] = BlockLane(x, y);
+            SampleBlock& block = blocks_[number];
+            if (shading.fragments != nullptr)
+                drawSurfacesBehind(shading, lane, block, limits_[number]);
+            colours_[sample] = {block.red[lane], block.green[lane], block.blue[lane], 1 - block.light[lane]};
+            if (shading.depth)
+                depth_[sample] = block.depth[lane] < noDepth ? static_cast<float>(block.depth[lane] * view_.unit)
+                                                             : std::numeric_limits<float>::infinity();
+        }
+}
+
+DrawnTile VolumeTilePainter::paint(const SampleRectangle& tile, std::span<const BinnedCell> cells,
+                                   const TileSurroundings& surroundings, const Progress& progress)
+{
+    clear(tile);
+    const TileFrame frame = frameOf(tile);
+    if (isLimited(surroundings))
+        setLimits(tile, surroundings);
+    const TileShading shading = shadingOf(surroundings);
+    DrawnTile drawn;
+    while (drawn.cells < cells.size() && !progress.cancelled()) {
+        const auto next = cells.subspan(drawn.cells, std::min(batch, cells.size() - drawn.cells));
         setUpCells(source_, frame, next, setups_);
-        drawCells(std::span(setups_).first(next.size()), shading, blocks_.data(), columns);
-        drawn += next.size();
+        drawn.fragments += drawCells(std::span(setups_).first(next.size()), shading, blocks_.data(), columns);
+        drawn.cells += next.size();
         if (allDark())
             break;
     }
-    write(tile, picture);
+    finish(tile, shading);
+    drawn.fragments *= blockWidth * blockHeight;
+    drawn.colours = colours_;
+    drawn.depth = depth_;
     return drawn;
 }
 

@@ -2,8 +2,11 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/graphics/cpu/clip_bounds.h"
+#include "core/graphics/cpu/surface_fragments.h"
 #include "core/graphics/cpu/tile_bins.h"
-#include "core/graphics/volume/volume_renderer.h"
+#include "core/graphics/volume/cell_bins.h"
+#include "core/graphics/volume/cell_setup.h"
 #include "core/graphics/volume/volume_tile.h"
 #include "core/graphics/volume/volume_view.h"
 
@@ -12,30 +15,52 @@
 
 namespace tetra {
 
-/// Samples a side of a tile: its blocks, 48 bytes a sample, fit the second-level cache many times, and few cells lie in
-/// more than one tile.
+/// Samples a side of a tile, at most: its blocks, 48 bytes a sample, fit the second-level cache many times, and few
+/// cells lie in more than one tile.
 inline constexpr int volumeTileSide = 64;
 
-/// Draws tile after tile into a picture, in memory of its own; one object a thread.
+/// What is drawn in a tile along with cells. The bounds and the surfaces are of the same view.
+struct TileSurroundings {
+    const ClipBounds* clips = nullptr;          ///< if any
+    const SurfaceFragments* surfaces = nullptr; ///< if any
+    bool splitCells = true;                     ///< HybridOrder::Exact
+    bool depth = false;                         ///< wanted
+};
+
+/// A tile that was drawn, row by row.
+struct DrawnTile {
+    std::span<const PremultipliedColour> colours; ///< over nothing
+    std::span<const float> depth;                 ///< of VolumePicture, if wanted
+    std::size_t cells = 0;                        ///< drawn before all was opaque
+    std::size_t fragments = 0;                    ///< samples times cells, as far as they were looked at
+};
+
+/// Draws tile after tile, in memory of its own; one object a thread.
 class VolumeTilePainter {
 public:
     VolumeTilePainter(const SetupSource& source, const VolumeView& view);
 
-    /// `cells` front to back. Writes the tile's part of the picture; of the depth if it has one. Returns how many cells
-    /// were drawn before all was opaque. Incomplete if cancelled. May throw std::bad_alloc.
-    std::size_t paint(const SampleRectangle& tile, std::span<const BinnedCell> cells, const Progress& progress,
-                      VolumePicture& picture);
+    /// `cells` front to back. The result is valid until the next call; incomplete if cancelled. May throw
+    /// std::bad_alloc.
+    DrawnTile paint(const SampleRectangle& tile, std::span<const BinnedCell> cells,
+                    const TileSurroundings& surroundings, const Progress& progress);
 
 private:
     void clear(const SampleRectangle& tile);
+    void setLimits(const SampleRectangle& tile, const TileSurroundings& surroundings);
+    TileShading shadingOf(const TileSurroundings& surroundings);
+    TileFrame frameOf(const SampleRectangle& tile) const;
     bool allDark();
-    void write(const SampleRectangle& tile, VolumePicture& picture) const;
+    void finish(const SampleRectangle& tile, const TileShading& shading);
 
-    const SetupSource& source_;
+    SetupSource source_;
     const VolumeView& view_;
     std::vector<SampleBlock> blocks_;
+    std::vector<BlockLimits> limits_; ///< of the blocks, if there were any
     std::vector<CellSetup> setups_;
     std::size_t firstLit_ = 0; ///< all blocks before it are opaque
+    std::vector<PremultipliedColour> colours_;
+    std::vector<float> depth_;
 };
 
 } // namespace tetra

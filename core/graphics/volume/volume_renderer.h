@@ -7,6 +7,7 @@
 #include "core/graphics/camera.h"
 #include "core/graphics/volume/visibility_order.h"
 #include "core/graphics/volume/volume_mesh.h"
+#include "core/graphics/volume/volume_view.h"
 
 #include <array>
 #include <cstddef>
@@ -48,6 +49,10 @@ struct VolumePicture {
 /// cancelled, not enough memory.
 Result<VisibilityOrder> orderForCamera(const VolumeMesh& mesh, const Camera& camera, const VolumeOptions& options,
                                        const Progress& progress = {});
+
+/// The same for a view that is made already, on all threads of the current arena. Errors: cancelled. May throw
+/// std::bad_alloc.
+Result<VisibilityOrder> orderForView(const VolumeMesh& mesh, const VolumeView& view, const Progress& progress = {});
 
 /// Draws the cells in `order`, whichever it is: numbers of cells, front to back. A cell that is not finite, has no
 /// volume or a value that is not finite is left out. O(cells + samples they cover), the same picture with any number of

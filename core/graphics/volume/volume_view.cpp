@@ -10,6 +10,7 @@ VolumeView makeVolumeView(const Camera& camera, int width, int height, const Eig
     VolumeView result;
     result.width = width;
     result.height = height;
+    result.centre = {width / 2.0, height / 2.0};
     result.perspective = camera.perspective;
     result.unit = camera.distance;
     result.eye = camera.perspective ? eyePosition(camera) : Eigen::Vector3d(view.block<1, 3>(2, 0).transpose());
@@ -24,6 +25,15 @@ VolumeView makeVolumeView(const Camera& camera, int width, int height, const Eig
         // projection(2, 2) = -(f + n) / (f - n) and projection(2, 3) = -2 f n / (f - n).
         result.nearest = projection(2, 3) / (projection(2, 2) - 1) / camera.distance;
     }
+    return result;
+}
+
+VolumeView partOf(const VolumeView& whole, const SampleRectangle& part)
+{
+    VolumeView result = whole;
+    result.width = part.width();
+    result.height = part.height();
+    result.centre -= Eigen::Vector2d(part.left, part.top);
     return result;
 }
 

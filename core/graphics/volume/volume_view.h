@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/graphics/camera.h"
+#include "core/graphics/sample_rectangle.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -16,6 +17,7 @@ namespace tetra {
 struct VolumeView {
     int width = 1;
     int height = 1;
+    Eigen::Vector2d centre{0.5, 0.5}; ///< of the whole picture, in samples from the upper left corner of what is drawn
     bool perspective = true;
     Eigen::Matrix<double, 3, 4> imageFromWorld = Eigen::Matrix<double, 3, 4>::Zero();
     double unit = 1;                       ///< of w, in the units of the dataset
@@ -23,13 +25,14 @@ struct VolumeView {
     Eigen::Vector2d samplesPerSlope{1, 1}; ///< in perspective: how far in the picture one unit of length is at w = 1
     Eigen::Vector3d eye{0, 0, 0};          ///< in orthographic views the direction towards it, of unit length
 
-    /// The place of sample 0 in the picture, from its centre. Samples are not quite in the middle of the pixels, so
-    /// that the corners and faces of lattices, which views along an axis would put there, do not fall on them.
-    double firstX() const noexcept { return 0.5 + 0.00137 - width / 2.0; }
-    double firstY() const noexcept { return 0.5 + 0.00211 - height / 2.0; }
+    /// The place of sample 0 in the picture, from its centre.
+    double firstX() const noexcept { return sampleX - centre.x(); }
+    double firstY() const noexcept { return sampleY - centre.y(); }
 };
 
 /// The near plane is that of projectionMatrix(); without perspective there is none.
 VolumeView makeVolumeView(const Camera& camera, int width, int height, const Eigen::AlignedBox3d& bounds);
+/// The same view of a part of the picture.
+VolumeView partOf(const VolumeView& whole, const SampleRectangle& part);
 
 } // namespace tetra

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/graphics/cpu/part_drawing.h"
+
+#include "core/graphics/cpu/draw_list.h"
+#include "core/graphics/cpu/tile_bins.h"
+#include "core/graphics/cpu/tile_painter.h"
+#include "core/graphics/cpu/tile_progress.h"
+#include "core/graphics/resolve.h"
+#include "core/graphics/volume/projected_volume.h"
+#include "core/graphics/volume/tile_picture.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <optional>
+
+namespace tetra {
+namespace {
+
+constexpr std::string_view activity = "Drawing the picture";
+
+class Stopwatch {
+public:
+    /// Seconds since it was made or asked last.
+    double lap()
+    {
+        const auto now = std::chrono::steady_clock::now();
+        const std::chrono::duration<double> passed = now - last_;
+        last_ = now;
+        return passed.count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+PremultipliedColour backgroundOf(const PictureOptions& options)
+{
+    if (options.transparentBackground)
+        return {0, 0, 0, 0};
+    return {options.background.red, options.background.green, options.background.blue, 1};
+}
+
+/// A part of a scene made ready to be drawn.
+struct ProjectedPart {
+    DrawList list;
+    TileBins bins;
+    ClipBounds clips;
+    std::optional<ProjectedVolume> volume;
+    SetupSource source; ///< of the volume
+};
+
+/// Draws tiles on one thread.
+class PartPainter {
+public:
+    PartPainter(const ProjectedPart& part, const Scene& scene, const PartView& view, const PictureOptions& options)
+        : part_(part), view_(view), options_(options), surfaces_(part.list, view.surfaces, part.clips)
+    {
+        if (part.volume)
+            volume_.emplace(part.source, view.volume);
+        surroundings_.splitCells = scene.hybridOrder == HybridOrder::Exact;
+        surroundings_.depth = options.depth;
+        surroundings_.clips = part.clips.empty() ? nullptr : &part.clips;
+    }
+
+    void paint(const SampleRectangle& tile, std::size_t number, const Progress& progress, Picture& picture)
+    {
+        const auto triangles = part_.bins.trianglesOf(number);
+        const bool cells = part_.volume && !part_.volume->bins.cellsOf(number).empty();
+        if (cells || !triangles.empty())
+            surfaces_.draw(tile, triangles);
+        if (cells)
+            paintBoth(tile, part_.volume->bins.cellsOf(number), triangles.empty(), progress);
+        else
+            paintSurfaces(tile, triangles.empty());
+        const int samples = options_.samplesPerAxis;
+        const int left = (view_.part.left + tile.left) / samples, top = (view_.part.top + tile.top) / samples;
+        resolve(colours_, tile.width(), samples, left, top, picture);
+        if (options_.depth)
+            resolveDepth(depth_, tile.width(), samples, left, top, picture);
+    }
+
+    std::size_t cells() const noexcept { return cells_; }
+    std::size_t fragments() const noexcept { return fragments_; }
+
+private:
+    void paintSurfaces(const SampleRectangle& tile, bool nothing)
+    {
+        if (nothing) {
+            const auto samples = static_cast<std::size_t>(tile.width()) * static_cast<std::size_t>(tile.height());
+            colours_.assign(samples, backgroundOf(options_));
+            depth_.assign(options_.depth ? samples : 0, std::numeric_limits<float>::infinity());
+            return;
+        }
+        const auto colours = surfaces_.colours(backgroundOf(options_));
+        colours_.assign(colours.begin(), colours.end());
+        depth_.clear();
+        if (options_.depth)
+            for (const float nearness : surfaces_.halfNearness())
+                depth_.push_back(distanceOf(nearness));
+        fragments_ += surfaces_.fragmentCount();
+    }
+
+    void paintBoth(const SampleRectangle& tile, std::span<const BinnedCell> cells, bool noSurfaces,
+                   const Progress& progress)
+    {
+        TileSurroundings surroundings = surroundings_;
+        if (!noSurfaces) {
+            const SurfaceFragments& fragments = surfaces_.fragments();
+            surroundings.surfaces = fragments.empty ? nullptr : &fragments;
+            fragments_ += surfaces_.fragmentCount();
+        }
+        const DrawnTile drawn = volume_->paint(tile, cells, surroundings, progress);
+        cells_ += drawn.cells;
+        fragments_ += drawn.fragments;
+        colours_.assign(drawn.colours.begin(), drawn.colours.end());
+        depth_.assign(drawn.depth.begin(), drawn.depth.end());
+        const PremultipliedColour background = backgroundOf(options_);
+        for (PremultipliedColour& colour : colours_) {
+            const float light = 1 - colour[3];
+            for (std::size_t channel = 0; channel < colour.size(); ++channel)
+                colour[channel] += light * background[channel];
+        }
+    }
+
+    float distanceOf(float nearness) const
+    {
+        if (nearness == TilePainter::neverHalf)
+            return std::numeric_limits<float>::infinity();
+        const double w = view_.volume.perspective ? 1.0 / nearness : -nearness;
+        return static_cast<float>(w * view_.volume.unit);
+    }
+
+    const ProjectedPart& part_;
+    const PartView& view_;
+    const PictureOptions& options_;
+    TileSurroundings surroundings_;
+    TilePainter surfaces_;
+    std::optional<VolumeTilePainter> volume_;
+    std::vector<PremultipliedColour> colours_; ///< of one tile, like `depth_`
+    std::vector<float> depth_;
+    std::size_t cells_ = 0;
+    std::size_t fragments_ = 0;
+};
+
+} // namespace
+
+int tileSideFor(int samplesPerAxis)
+{
+    return volumeTileSide / samplesPerAxis * samplesPerAxis;
+}
+
+bool hasVolume(const Scene& scene)
+{
+    return scene.volume && scene.volume->mesh && scene.volume->transfer;
+}
+
+Status drawPart(const Scene& scene, const PartView& view, std::span<const std::uint32_t> order,
+                const PictureOptions& options, const Progress& progress, Picture& picture, RenderStatistics& statistics)
+{
+    Stopwatch watch;
+    progress.report(0, activity);
+    const TileGrid grid{view.part.width(), view.part.height(), tileSideFor(options.samplesPerAxis)};
+    Result<DrawList> list = makeDrawList(scene, view.surfaces, options.samplesPerAxis);
+    if (!list)
+        return list.error();
+    if (progress.cancelled())
+        return cancelledError(activity);
+    TileBins bins(*list, grid);
+    ProjectedPart part{std::move(list).value(), std::move(bins), ClipBounds(scene.clipPlanes, view.volume), {}, {}};
+    if (hasVolume(scene)) {
+        const Volume& volume = *scene.volume;
+        part.volume = projectVolume(*volume.mesh, *volume.transfer, order, view.volume, grid, progress);
+        part.source = setupSourceOf(*volume.mesh, *volume.transfer, *part.volume, view.volume, volume.shaded);
+    }
+    if (progress.cancelled())
+        return cancelledError(activity);
+    statistics.setUpSeconds += watch.lap();
+
+    TileProgress done(progress.part(0.2, 1), grid.count(), activity);
+    tbb::enumerable_thread_specific<PartPainter> painters([&] { return PartPainter(part, scene, view, options); });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grid.count(), 1), [&](const auto& range) {
+        PartPainter& painter = painters.local();
+        for (std::size_t tile = range.begin(); tile != range.end() && !progress.cancelled(); ++tile) {
+            painter.paint(grid.tile(tile), tile, progress, picture);
+            done.tileDone();
+        }
+    });
+    if (progress.cancelled())
+        return cancelledError(activity);
+    for (const PartPainter& painter : painters) {
+        statistics.cells += painter.cells();
+        statistics.fragments += painter.fragments();
+    }
+    statistics.fillSeconds += watch.lap();
+    return {};
+}
+
+} // namespace tetra
