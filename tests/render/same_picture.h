@@ -36,10 +36,18 @@ inline bool withinNeighbourhood(const Picture& picture, const Picture& other, in
     return true;
 }
 
+inline QString pixelText(const Picture& picture, int x, int y)
+{
+    const auto& [red, green, blue, alpha] = pixelAt(picture, x, y);
+    return QString("%1 %2 %3 %4").arg(red).arg(green).arg(blue).arg(alpha);
+}
+
 /// Pixels differ by 2 at most: half a step of rounding in each picture, and half floats under many layers. Only where
 /// the picture has an edge may a sample fall on its other side, since corners are rounded to 1/256 of a sample in both,
 /// but not alike: there a pixel lies within its neighbours, and such pixels are few.
-inline bool samePicture(const Picture& cpu, const Picture& gl, const Picture& glAgain, const QString& name)
+/// Of small pictures, whose neighbours may be of yet other colours, `strays` such pixels may be anything.
+inline bool samePicture(const Picture& cpu, const Picture& gl, const Picture& glAgain, const QString& name,
+                        int strays = 0)
 {
     if (gl.pixels != glAgain.pixels) {
         qWarning("two OpenGL pictures of the same scene differ");
@@ -55,10 +63,14 @@ inline bool samePicture(const Picture& cpu, const Picture& gl, const Picture& gl
             const auto shade = static_cast<std::uint8_t>(std::min(255, here * 16));
             differences.pixels[static_cast<std::size_t>(y * cpu.width + x)] = {shade, shade, shade, 255};
             largest = std::max(largest, here);
-            if (here > 2)
-                ++(withinNeighbourhood(gl, cpu, x, y, 2) ? moved : wrong);
+            if (here <= 2)
+                continue;
+            ++(withinNeighbourhood(gl, cpu, x, y, 2) ? moved : wrong);
+            if (wrong > strays && wrong <= strays + 5)
+                qWarning("pixel (%d, %d): %s, not %s", x, y, qPrintable(pixelText(gl, x, y)),
+                         qPrintable(pixelText(cpu, x, y)));
         }
-    if (wrong == 0 && moved <= static_cast<int>(cpu.pixels.size()) / 100)
+    if (wrong <= strays && moved <= static_cast<int>(cpu.pixels.size()) / 100)
         return true;
     qWarning("%d pixels are wrong, %d moved, the largest difference is %d; %s %s %s", wrong, moved, largest,
              qPrintable(savePicture(cpu, name + "_cpu")), qPrintable(savePicture(gl, name + "_gl")),

@@ -19,6 +19,7 @@ static_assert(gl::nearest == GL_NEAREST && gl::unsignedByte == GL_UNSIGNED_BYTE)
 static_assert(gl::unsignedInt == GL_UNSIGNED_INT && gl::floatType == GL_FLOAT);
 static_assert(gl::depthComponent == GL_DEPTH_COMPONENT && gl::rgba == GL_RGBA && gl::rgInteger == GL_RG_INTEGER);
 static_assert(gl::rgba8 == GL_RGBA8 && gl::rgba16f == GL_RGBA16F && gl::rg32ui == GL_RG32UI);
+static_assert(gl::red == GL_RED && gl::rg == GL_RG && gl::r32f == GL_R32F && gl::rg32f == GL_RG32F);
 static_assert(gl::rgba32f == GL_RGBA32F && gl::rgba32ui == GL_RGBA32UI && gl::rg16ui == GL_RG16UI);
 static_assert(gl::depthComponent32f == GL_DEPTH_COMPONENT32F);
 static_assert(gl::majorVersion == GL_MAJOR_VERSION && gl::minorVersion == GL_MINOR_VERSION);

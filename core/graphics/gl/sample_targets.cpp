@@ -2,28 +2,24 @@
 #include "core/graphics/gl/sample_targets.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <string>
 
 namespace tetra {
 namespace {
 
-struct TextureFormat {
-    unsigned internal;
-    unsigned format;
-    unsigned type;
-};
 constexpr TextureFormat colourFormat{gl::rgba16f, gl::rgba, gl::floatType};
 constexpr TextureFormat fineColourFormat{gl::rgba32f, gl::rgba, gl::floatType};
 constexpr TextureFormat depthFormat{gl::depthComponent32f, gl::depthComponent, gl::floatType};
 constexpr TextureFormat keyFormat{gl::rg32ui, gl::rgInteger, gl::unsignedInt};
 
-GlObject makeTexture(const GlFunctions& gl, const SampleTargets& targets, const TextureFormat& format)
+} // namespace
+
+GlObject makeTexture(const GlFunctions& gl, int width, int height, const TextureFormat& format)
 {
     GlObject texture(gl.genTextures, gl.deleteTextures);
     gl.bindTexture(gl::texture2D, texture.name());
-    gl.texImage2D(gl::texture2D, 0, static_cast<int>(format.internal), targets.width, targets.height, 0, format.format,
-                  format.type, nullptr);
+    gl.texImage2D(gl::texture2D, 0, static_cast<int>(format.internal), width, height, 0, format.format, format.type,
+                  nullptr);
     gl.texParameteri(gl::texture2D, gl::textureMinFilter, static_cast<int>(gl::nearest));
     gl.texParameteri(gl::texture2D, gl::textureMagFilter, static_cast<int>(gl::nearest));
     gl.bindTexture(gl::texture2D, 0);
@@ -46,7 +42,6 @@ GlObject makeFramebuffer(const GlFunctions& gl, std::initializer_list<unsigned> 
     return object;
 }
 
-/// Of the framebuffer that was made last, and of the memory for all.
 Status checkComplete(const GlFunctions& gl)
 {
     const bool complete = gl.checkFramebufferStatus(gl::framebuffer) == gl::framebufferComplete;
@@ -60,8 +55,6 @@ Status checkComplete(const GlFunctions& gl)
     return {};
 }
 
-} // namespace
-
 Status makeSampleTargets(const GlFunctions& gl, int width, int height, SampleTargets& targets)
 {
     int limit = 0;
@@ -72,8 +65,8 @@ Status makeSampleTargets(const GlFunctions& gl, int width, int height, SampleTar
                                                    "use the CPU back end."};
     targets.width = width;
     targets.height = height;
-    targets.opaqueColour = makeTexture(gl, targets, colourFormat);
-    targets.opaqueDepth = makeTexture(gl, targets, depthFormat);
+    targets.opaqueColour = makeTexture(gl, targets.width, targets.height, colourFormat);
+    targets.opaqueDepth = makeTexture(gl, targets.width, targets.height, depthFormat);
     targets.opaqueFramebuffer = makeFramebuffer(gl, {targets.opaqueColour.name()}, targets.opaqueDepth.name());
     return checkComplete(gl);
 }
@@ -82,7 +75,7 @@ Status makeAccumulated(const GlFunctions& gl, bool fine, SampleTargets& targets)
 {
     if (targets.accumulated.name() != 0 && targets.fine == fine)
         return {};
-    targets.accumulated = makeTexture(gl, targets, fine ? fineColourFormat : colourFormat);
+    targets.accumulated = makeTexture(gl, targets.width, targets.height, fine ? fineColourFormat : colourFormat);
     targets.accumulatedFramebuffer = makeFramebuffer(gl, {targets.accumulated.name()}, 0);
     targets.fine = fine;
     return checkComplete(gl);
@@ -92,10 +85,10 @@ Status makeLayers(const GlFunctions& gl, SampleTargets& targets)
 {
     if (targets.layerColour.name() != 0)
         return {};
-    targets.layerColour = makeTexture(gl, targets, colourFormat);
-    targets.layerDepth = makeTexture(gl, targets, depthFormat);
+    targets.layerColour = makeTexture(gl, targets.width, targets.height, colourFormat);
+    targets.layerDepth = makeTexture(gl, targets.width, targets.height, depthFormat);
     for (std::size_t i = 0; i < 2; ++i) {
-        targets.layerKeys[i] = makeTexture(gl, targets, keyFormat);
+        targets.layerKeys[i] = makeTexture(gl, targets.width, targets.height, keyFormat);
         targets.layerFramebuffers[i] =
             makeFramebuffer(gl, {targets.layerColour.name(), targets.layerKeys[i].name()}, targets.layerDepth.name());
     }

@@ -5,8 +5,23 @@
 #include "core/graphics/gl/gl_object.h"
 
 #include <array>
+#include <initializer_list>
 
 namespace tetra {
+
+/// Of glTexImage2D.
+struct TextureFormat {
+    unsigned internal;
+    unsigned format;
+    unsigned type;
+};
+
+/// A texture whose texels are read as they are.
+GlObject makeTexture(const GlFunctions& gl, int width, int height, const TextureFormat& format);
+/// Of textures; 0 is no depth. Stays bound.
+GlObject makeFramebuffer(const GlFunctions& gl, std::initializer_list<unsigned> colours, unsigned depthTexture);
+/// Of the framebuffer that was made last, and of the memory for all.
+Status checkComplete(const GlFunctions& gl);
 
 /// The textures that a picture's samples are drawn into. Colours are half floats, since many layers of 8 bits would add
 /// up their rounding.

@@ -2,7 +2,10 @@
 #include "core/graphics/gl/scene_painter.h"
 
 #include "core/graphics/gl/clip_planes.h"
+#include "core/graphics/gl/gl_state.h"
+#include "core/graphics/gl/half_light.h"
 #include "core/graphics/gl/painter_programs.h"
+#include "core/graphics/gl/pixel_depths.h"
 #include "core/graphics/gl/sample_targets.h"
 #include "core/graphics/gl/surface_painter.h"
 #include "core/graphics/gl/volume_painter.h"
@@ -12,6 +15,8 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace tetra {
 namespace {
@@ -38,13 +43,6 @@ Eigen::AlignedBox3d boundsOf(const Scene& scene)
     return bounds;
 }
 
-/// Errors that somebody else left would be taken for ours. A lost context gives them without end.
-void forgetErrors(const GlFunctions& gl)
-{
-    for (int i = 0; i < 16 && gl.getError() != 0; ++i) {
-    }
-}
-
 } // namespace
 
 class ScenePainter::Implementation {
@@ -56,31 +54,32 @@ public:
                 const Progress& progress);
     const std::string& rendererName() const noexcept { return rendererName_; }
     const RenderStatistics& statistics() const noexcept { return statistics_; }
+    std::vector<float> takeDepth() noexcept { return std::move(depth_); }
 
 private:
-    Status prepareTargets(int width, int height, bool layered, bool fine);
+    Status prepareTargets(const SampleView& view, bool layers, bool fine);
     void drawOpaque(const PictureOptions& options) const;
-    bool drawLayer(std::size_t layer) const;
+    bool drawLayer(std::size_t layer, unsigned nearest) const;
     void startBlending() const;
-    void endBlending() const;
-    Status peel(bool withVolume, const Progress& progress);
+    Status peel(bool withVolume, unsigned nearest, const Progress& progress);
     Status drawVolume(const VolumeLayers& layers, const Progress& progress);
-    Status drawTranslucent(bool withVolume, const Progress& progress);
+    Status drawTranslucent(bool withVolume, unsigned nearest, const Progress& progress);
+    Status findDepth(bool withVolume, const SampleView& view, const PictureOptions& options, const Progress& progress);
     void drawOverScreen() const;
     void resolve(const PictureOptions& options, bool accumulated, unsigned framebuffer) const;
-    void setState() const;
-    void leaveState() const;
 
     const GlFunctions gl_;
     PainterPrograms programs_;
     std::optional<SurfacePainter> surfaces_;
     VolumePainter volume_{gl_};
     SampleTargets targets_;
+    HalfLight halfLight_{gl_};
     GlObject emptyVertexArray_;
     GlObject layerQuery_;
     GlObject fragmentQuery_;
     std::string rendererName_;
     RenderStatistics statistics_;
+    std::vector<float> depth_;
 };
 
 Status ScenePainter::Implementation::initialise()
@@ -110,16 +109,16 @@ Status ScenePainter::Implementation::initialise()
     return {};
 }
 
-Status ScenePainter::Implementation::prepareTargets(int width, int height, bool layered, bool fine)
+Status ScenePainter::Implementation::prepareTargets(const SampleView& view, bool layers, bool fine)
 {
     Status status;
-    if (targets_.width != width || targets_.height != height) {
+    if (targets_.width != view.width || targets_.height != view.height) {
         targets_ = {};
-        status = makeSampleTargets(gl_, width, height, targets_);
+        status = makeSampleTargets(gl_, view.width, view.height, targets_);
     }
-    if (status && (layered || fine))
+    if (status && (layers || fine))
         status = makeAccumulated(gl_, fine, targets_);
-    if (status && layered)
+    if (status && layers)
         status = makeLayers(gl_, targets_);
     if (!status)
         targets_ = {};
@@ -138,8 +137,8 @@ void ScenePainter::Implementation::drawOpaque(const PictureOptions& options) con
     surfaces_->drawOpaque();
 }
 
-/// Draws the layer behind the one before; false if it is empty.
-bool ScenePainter::Implementation::drawLayer(std::size_t layer) const
+/// Draws the layer behind the one before, and before the depths in the texture `nearest`; false if it is empty.
+bool ScenePainter::Implementation::drawLayer(std::size_t layer, unsigned nearest) const
 {
     constexpr unsigned last = 0xffffffff;
     const std::array<unsigned, 4> nothingBehind{last, last, 0, 0};
@@ -150,7 +149,7 @@ bool ScenePainter::Implementation::drawLayer(std::size_t layer) const
 
     const GlProgram& program = *programs_.peel;
     program.use();
-    program.setTexture("opaqueDepth", 0, targets_.opaqueDepth.name());
+    program.setTexture("opaqueDepth", 0, nearest);
     program.setTexture("previousLayer", 1, targets_.layerKeys[(layer + 1) % 2].name());
     program.setTexture("accumulated", 2, targets_.accumulated.name());
     program.set("saturated", saturatedOpacity);
@@ -165,19 +164,11 @@ bool ScenePainter::Implementation::drawLayer(std::size_t layer) const
 void ScenePainter::Implementation::startBlending() const
 {
     gl_.bindFramebuffer(gl::framebuffer, targets_.accumulatedFramebuffer.name());
-    gl_.disable(gl::depthTest);
-    gl_.enable(gl::blend);
-    gl_.blendFunc(gl::oneMinusDestinationAlpha, gl::one);
-}
-
-void ScenePainter::Implementation::endBlending() const
-{
-    gl_.disable(gl::blend);
-    gl_.enable(gl::depthTest);
+    startBlendingUnder(gl_);
 }
 
 /// Draws the volume before each layer of the translucent surfaces, the layer, and the volume behind all.
-Status ScenePainter::Implementation::peel(bool withVolume, const Progress& progress)
+Status ScenePainter::Implementation::peel(bool withVolume, unsigned nearest, const Progress& progress)
 {
     const std::array<unsigned, 4> nothingBefore{};
     gl_.bindFramebuffer(gl::framebuffer, targets_.layerFramebuffers[1].name());
@@ -186,19 +177,18 @@ Status ScenePainter::Implementation::peel(bool withVolume, const Progress& progr
     for (std::size_t layer = 0; anyLeft; ++layer) {
         if (progress.cancelled())
             return cancelledError(activity);
-        anyLeft = drawLayer(layer);
+        anyLeft = drawLayer(layer, nearest);
         startBlending();
         Status status;
         if (withVolume)
-            status = drawVolume({targets_.opaqueDepth.name(), targets_.layerKeys[(layer + 1) % 2].name(),
-                                 targets_.layerKeys[layer % 2].name()},
-                                progress);
+            status = drawVolume(
+                {nearest, targets_.layerKeys[(layer + 1) % 2].name(), targets_.layerKeys[layer % 2].name()}, progress);
         if (anyLeft && status) {
             programs_.under->use();
             programs_.under->setTexture("layer", 0, targets_.layerColour.name());
             drawOverScreen();
         }
-        endBlending();
+        endBlending(gl_);
         if (!status)
             return status;
         progress.report(1 - 1 / static_cast<double>(layer + 2), activity); // how many come is not known
@@ -238,38 +228,44 @@ void ScenePainter::Implementation::resolve(const PictureOptions& options, bool a
     drawOverScreen();
 }
 
-void ScenePainter::Implementation::setState() const
-{
-    for (const unsigned state :
-         {gl::blend, gl::cullFace, gl::scissorTest, gl::stencilTest, gl::dither, gl::framebufferSrgb})
-        gl_.disable(state);
-    gl_.enable(gl::depthTest);
-    gl_.depthFunc(gl::less);
-    gl_.depthMask(1);
-    gl_.colorMask(1, 1, 1, 1);
-}
-
-void ScenePainter::Implementation::leaveState() const
-{
-    gl_.useProgram(0);
-    gl_.bindVertexArray(0);
-    for (unsigned unit = textureUnits; unit-- > 0;) {
-        gl_.activeTexture(gl::texture0 + unit);
-        gl_.bindTexture(gl::texture2D, 0);
-        gl_.bindTexture(gl::textureBuffer, 0);
-    }
-}
-
-Status ScenePainter::Implementation::drawTranslucent(bool withVolume, const Progress& progress)
+/// Draws surfaces and volume that lie before the depths in the texture `nearest`.
+Status ScenePainter::Implementation::drawTranslucent(bool withVolume, unsigned nearest, const Progress& progress)
 {
     gl_.bindFramebuffer(gl::framebuffer, targets_.accumulatedFramebuffer.name());
     gl_.clearBufferfv(gl::colour, 0, nothing.data());
     if (surfaces_->anyTranslucent())
-        return peel(withVolume, progress);
+        return peel(withVolume, nearest, progress);
+    if (!withVolume)
+        return {};
     startBlending();
-    Status status = drawVolume({targets_.opaqueDepth.name()}, progress);
-    endBlending();
+    Status status = drawVolume({nearest}, progress);
+    endBlending(gl_);
     return status;
+}
+
+Status ScenePainter::Implementation::findDepth(bool withVolume, const SampleView& view, const PictureOptions& options,
+                                               const Progress& progress)
+{
+    if (Status status = halfLight_.prepare(view.width, view.height); !status)
+        return status;
+    gl_.viewport(0, 0, view.width, view.height);
+    const Progress silent = progress.withCallback({});
+    const std::size_t fragments = statistics_.fragments;
+    for (int step = 0; step <= HalfLight::steps; ++step) {
+        setDrawingState(gl_);
+        if (step > 0)
+            if (Status status = drawTranslucent(withVolume, halfLight_.nearest(), silent); !status)
+                return status;
+        gl_.disable(gl::depthTest);
+        halfLight_.bindStep(*programs_.bisect, targets_, step == 0);
+        drawOverScreen();
+        halfLight_.stepDone();
+        progress.report(static_cast<double>(step) / HalfLight::steps, activity);
+    }
+    statistics_.fragments = fragments;
+    std::vector<float> depths = halfLight_.read();
+    depth_ = pixelDepths(depths, view, options.samplesPerAxis);
+    return {};
 }
 
 Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& camera, const PictureOptions& options,
@@ -290,25 +286,29 @@ Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& came
     const SampleView view{camera, width, height, boundsOf(scene)};
     if (Status status = surfaces_->prepare(scene, view, options.samplesPerAxis); !status)
         return status;
-    const bool translucent = surfaces_->anyTranslucent();
-    if (Status status = prepareTargets(width, height, translucent, withVolume); !status)
+    const bool layered = surfaces_->anyTranslucent() || withVolume || options.depth;
+    if (Status status = prepareTargets(view, surfaces_->anyTranslucent(), withVolume || options.depth); !status)
         return status;
     statistics_ = {};
+    depth_.clear();
     if (withVolume) {
         if (Status status = volume_.prepare(scene, view, options, progress.part(0, 0.3)); !status)
             return status;
         statistics_ = volume_.statistics();
     }
     const auto start = std::chrono::steady_clock::now();
-    setState();
+    setDrawingState(gl_);
     gl_.viewport(0, 0, width, height);
     drawOpaque(options);
     progress.report(0.4, activity);
     Status status;
-    if (translucent || withVolume)
-        status = drawTranslucent(withVolume, progress.part(0.4, 1));
-    resolve(options, translucent || withVolume, framebuffer); // also then: it leaves the state as promised
-    leaveState();
+    if (layered)
+        status = drawTranslucent(withVolume, targets_.opaqueDepth.name(), progress.part(0.4, options.depth ? 0.5 : 1));
+    resolve(options, layered, framebuffer);
+    if (status && options.depth)
+        status = findDepth(withVolume, view, options, progress.part(0.5, 1));
+    leaveDrawingState(gl_); // also if something went wrong
+    gl_.bindFramebuffer(gl::framebuffer, framebuffer);
     if (status && gl_.getError() == gl::outOfMemory)
         status = Error{ErrorKind::OutOfResource, "The graphics card has not enough memory for this picture. Make it "
                                                  "smaller, or use the CPU back end."};
@@ -350,6 +350,11 @@ const std::string& ScenePainter::rendererName() const noexcept
 RenderStatistics ScenePainter::statistics() const noexcept
 {
     return implementation_->statistics();
+}
+
+std::vector<float> ScenePainter::takeDepth() noexcept
+{
+    return implementation_->takeDepth();
 }
 
 } // namespace tetra

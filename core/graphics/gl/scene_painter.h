@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace tetra {
 
@@ -41,6 +42,9 @@ public:
 
     /// Of the last picture.
     RenderStatistics statistics() const noexcept;
+    /// Picture::depth of the last picture, if it was wanted. It takes HalfLight::steps times as long as the picture.
+    /// Where a hybrid's order is WithCell, too, depths are those of Exact.
+    std::vector<float> takeDepth() noexcept;
 
     /// The driver's name of what draws: "NVIDIA ...", "llvmpipe (LLVM ...)".
     const std::string& rendererName() const noexcept;

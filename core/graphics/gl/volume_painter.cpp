@@ -2,6 +2,7 @@
 #include "core/graphics/gl/volume_painter.h"
 
 #include "core/graphics/gl/clip_planes.h"
+#include "core/graphics/sample_rectangle.h"
 #include "core/graphics/shading.h"
 #include "core/graphics/volume/volume_view.h"
 
@@ -121,8 +122,7 @@ void VolumePainter::setUniforms(const GlProgram& program) const
     program.set("smallestValue", Eigen::Vector2f(smallest, static_cast<float>(segments_.smallest - double(smallest))));
     program.set("perValue", static_cast<float>(segments_.perValue));
     program.set("pictureSize", Eigen::Vector2f(static_cast<float>(view_.width), static_cast<float>(view_.height)));
-    program.set("sampleShift", Eigen::Vector2f(static_cast<float>(view_.firstX() + view_.width / 2.0 - 0.5),
-                                               static_cast<float>(view_.firstY() + view_.height / 2.0 - 0.5)));
+    program.set("sampleShift", Eigen::Vector2f(static_cast<float>(sampleX - 0.5), static_cast<float>(sampleY - 0.5)));
     program.set("samplesPerSlope", Eigen::Vector2f(view_.samplesPerSlope.cast<float>()));
     program.set("nearest", static_cast<float>(view_.nearest));
     program.set("nearestBound", view_.perspective ? static_cast<float>(1 / view_.nearest) : 0.0f);
