@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <limits>
 
 namespace tetra::testing {
 namespace {
@@ -23,42 +23,72 @@ Eigen::AlignedBox3d boundsOf(const TetrahedralMesh& mesh)
     return bounds;
 }
 
+/// A headlight's, of shading.h, on one channel.
+double lit(double channel, double cosine)
+{
+    return std::min(1.0, channel * (0.25 + 0.75 * cosine) + 0.15 * std::pow(cosine, 32));
+}
+
 } // namespace
 
 RayIntegrator::RayIntegrator(const TetrahedralMesh& mesh, const TransferFunction& function, const Camera& camera,
-                             int width, int height)
-    : mesh_(mesh), function_(function), camera_(camera), width_(width), height_(height),
-      worldFromClip_((projectionMatrix(camera, double(width) / height, boundsOf(mesh)) * viewMatrix(camera)).inverse())
+                             int width, int height, RayScene scene)
+    : function_(function), camera_(camera), width_(width), height_(height), scene_(std::move(scene)),
+      bounds_(boundsOf(mesh).merged(scene_.bounds))
 {
+    worldFromClip_ = (projectionMatrix(camera, double(width) / height, bounds_) * viewMatrix(camera)).inverse();
+    for (const TransferPoint& point : function_.points)
+        mostExtinction_ = std::max(mostExtinction_, extinctionOf(point.opacity, function_.unitDistance));
+    for (const auto& corners : mesh.tetrahedra) {
+        const auto usable = [&](std::uint32_t corner) {
+            return mesh.positions[corner].allFinite() && std::isfinite(mesh.values[corner]);
+        };
+        if (std::ranges::all_of(corners, usable))
+            addCell(mesh, corners);
+    }
 }
 
-RayIntegrator::Ray RayIntegrator::rayOf(int column, int row) const
+void RayIntegrator::addCell(const TetrahedralMesh& mesh, const std::array<std::uint32_t, 4>& corners)
+{
+    Vector3d places[4];
+    for (std::size_t i = 0; i < 4; ++i)
+        places[i] = mesh.positions[corners[i]].cast<double>();
+    Eigen::Matrix3d edges;
+    edges << places[1] - places[0], places[2] - places[0], places[3] - places[0];
+    if (edges.determinant() == 0)
+        return;
+    Cell cell;
+    cell.corner = places[0];
+    cell.inverse = edges.inverse();
+    for (std::size_t i = 0; i < 4; ++i)
+        cell.values[static_cast<int>(i)] = mesh.values[corners[i]];
+    cell.gradient = cell.inverse.transpose() * (cell.values.tail<3>() - Vector3d::Constant(cell.values[0]));
+    cell.centre = (places[0] + places[1] + places[2] + places[3]) / 4;
+    cell.squaredRadius = 0;
+    for (const Vector3d& place : places)
+        cell.squaredRadius = std::max(cell.squaredRadius, (place - cell.centre).squaredNorm());
+    cells_.push_back(cell);
+}
+
+RayIntegrator::Ray RayIntegrator::rayOf(double column, double row) const
 {
     // Where samples lie in their pixels is the renderer's choice; all else here is not.
-    const VolumeView view = makeVolumeView(camera_, width_, height_, boundsOf(mesh_));
-    const double x = (column + view.firstX()) / (width_ / 2.0);
-    const double y = -(row + view.firstY()) / (height_ / 2.0);
+    const double x = (column + sampleX) / (width_ / 2.0) - 1;
+    const double y = 1 - (row + sampleY) / (height_ / 2.0);
     const Vector3d start = (worldFromClip_ * Eigen::Vector4d(x, y, -1, 1)).hnormalized();
     const Vector3d end = (worldFromClip_ * Eigen::Vector4d(x, y, 1, 1)).hnormalized();
     return {start, (end - start).normalized()};
 }
 
-bool RayIntegrator::cut(const Ray& ray, const std::array<std::uint32_t, 4>& cell, Piece& piece) const
+bool RayIntegrator::cut(const Ray& ray, const Cell& cell, Piece& piece) const
 {
-    Vector3d corners[4];
-    for (std::size_t i = 0; i < 4; ++i) {
-        corners[i] = mesh_.positions[cell[i]].cast<double>();
-        if (!corners[i].allFinite() || !std::isfinite(mesh_.values[cell[i]]))
-            return false;
-    }
-    Eigen::Matrix3d edges;
-    edges << corners[1] - corners[0], corners[2] - corners[0], corners[3] - corners[0];
-    if (edges.determinant() == 0)
+    const Vector3d towards = cell.centre - ray.start;
+    const double along = towards.dot(ray.direction);
+    if (towards.squaredNorm() - along * along > cell.squaredRadius * (1 + 1e-9))
         return false;
-    const Eigen::Matrix3d inverse = edges.inverse();
     Eigen::Vector4d weights, perLength;
-    weights << 0, inverse * (ray.start - corners[0]);
-    perLength << 0, inverse * ray.direction;
+    weights << 0, cell.inverse * (ray.start - cell.corner);
+    perLength << 0, cell.inverse * ray.direction;
     weights[0] = 1 - weights.sum();
     perLength[0] = -perLength.sum();
     piece.enter = 0;
@@ -71,57 +101,131 @@ bool RayIntegrator::cut(const Ray& ray, const std::array<std::uint32_t, 4>& cell
         else if (weights[i] < 0)
             return false;
     }
-    Eigen::Vector4d values;
-    for (std::size_t i = 0; i < 4; ++i)
-        values[static_cast<int>(i)] = mesh_.values[cell[i]];
-    const auto valueAt = [&](double along) {
-        return std::clamp(values.dot(weights + along * perLength), values.minCoeff(), values.maxCoeff());
+    if (!clip(ray, piece))
+        return false;
+    const auto valueAt = [&](double place) {
+        return std::clamp(cell.values.dot(weights + place * perLength), cell.values.minCoeff(), cell.values.maxCoeff());
     };
     piece.valueIn = valueAt(piece.enter);
     piece.valueOut = valueAt(piece.leave);
+    const double steepness = cell.gradient.norm();
+    piece.cosine = scene_.shaded && steepness > 0 ? std::abs(cell.gradient.dot(ray.direction)) / steepness : -1;
+    return true;
+}
+
+/// Returns whether anything is left.
+bool RayIntegrator::clip(const Ray& ray, Piece& piece) const
+{
+    for (const ClipPlane& plane : scene_.clipPlanes) {
+        const double atStart = plane.normal.dot(ray.start) - plane.offset;
+        const double perLength = plane.normal.dot(ray.direction);
+        if (perLength > 0)
+            piece.enter = std::max(piece.enter, -atStart / perLength);
+        else if (perLength < 0)
+            piece.leave = std::min(piece.leave, -atStart / perLength);
+        else if (atStart < 0)
+            return false;
+    }
     return piece.enter < piece.leave;
 }
 
-void RayIntegrator::march(Light& light, double length, double valueIn, double valueOut, int halvings) const
+/// A part of a cell in which the colour changes little; where knots are in it, cut in halves first.
+void RayIntegrator::step(Light& light, double length, double valueIn, double valueOut, double cosine, double at,
+                         int halvings) const
 {
     const auto crosses = [&](const TransferPoint& point) {
         return (point.value - valueIn) * (point.value - valueOut) < 0;
     };
     if (halvings > 0 && std::ranges::any_of(function_.points, crosses)) {
         const double middle = (valueIn + valueOut) / 2;
-        march(light, length / 2, valueIn, middle, halvings - 1);
-        march(light, length / 2, middle, valueOut, halvings - 1);
+        step(light, length / 2, valueIn, middle, cosine, at, halvings - 1);
+        step(light, length / 2, middle, valueOut, cosine, at + length / 2, halvings - 1);
         return;
     }
     const TransferSample sample = evaluate(function_, (valueIn + valueOut) / 2);
     const double through = std::exp(-sample.extinction * length);
-    for (std::size_t channel = 0; channel < 3; ++channel)
-        light.colour[channel] += light.left * (1 - through) * sample.colour[channel];
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        const double colour = cosine < 0 ? sample.colour[channel] : lit(sample.colour[channel], cosine);
+        light.colour[channel] += light.left * (1 - through) * colour;
+    }
+    if (light.left > 0.5 && light.left * through <= 0.5)
+        light.halfAt = at + std::log(2 * light.left) / sample.extinction;
     light.left *= through;
 }
 
-std::array<double, 4> RayIntegrator::sample(int column, int row) const
+/// From one part of a piece to another, both in [0, 1].
+void RayIntegrator::march(Light& light, const Piece& piece, double from, double to) const
+{
+    const double whole = piece.leave - piece.enter;
+    const double length = (to - from) * whole;
+    const int steps = static_cast<int>(std::clamp(length * mostExtinction_ * 30, 30.0, 3000.0));
+    for (int i = 0; i < steps && light.left > 1e-9; ++i) {
+        const double begin = std::lerp(from, to, double(i) / steps), end = std::lerp(from, to, (i + 1.0) / steps);
+        step(light, length / steps, std::lerp(piece.valueIn, piece.valueOut, begin),
+             std::lerp(piece.valueIn, piece.valueOut, end), piece.cosine, piece.enter + begin * whole, 10);
+    }
+}
+
+void RayIntegrator::meet(Light& light, const IsoLayer& layer, double at) const
+{
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        light.colour[channel] += light.left * layer.opacity * layer.colour[channel];
+    const double before = light.left;
+    light.left *= 1 - layer.opacity;
+    if (before > 0.5 && light.left <= 0.5)
+        light.halfAt = at;
+}
+
+/// A piece with the layers in it.
+void RayIntegrator::through(Light& light, const Piece& piece) const
+{
+    std::vector<std::pair<double, const IsoLayer*>> met;
+    for (const IsoLayer& layer : scene_.layers)
+        if ((piece.valueIn >= layer.value) != (piece.valueOut >= layer.value))
+            met.emplace_back((layer.value - piece.valueIn) / (piece.valueOut - piece.valueIn), &layer);
+    std::ranges::sort(met);
+    double from = 0;
+    for (const auto& [at, layer] : met) {
+        if (scene_.order == HybridOrder::Exact) {
+            march(light, piece, from, at);
+            from = at;
+        }
+        meet(light, *layer, std::lerp(piece.enter, piece.leave, at));
+    }
+    march(light, piece, from, 1);
+}
+
+RayIntegrator::Sample RayIntegrator::trace(double column, double row) const
 {
     const Ray ray = rayOf(column, row);
     std::vector<Piece> pieces;
-    Piece piece;
-    for (const auto& cell : mesh_.tetrahedra)
+    Piece piece{};
+    for (const Cell& cell : cells_)
         if (cut(ray, cell, piece))
             pieces.push_back(piece);
     std::ranges::sort(pieces, {}, [](const Piece& one) { return one.enter + one.leave; });
-
-    double most = 0;
-    for (const TransferPoint& point : function_.points)
-        most = std::max(most, extinctionOf(point.opacity, function_.unitDistance));
     Light light;
-    for (const Piece& one : pieces) {
-        const double length = one.leave - one.enter;
-        const int steps = static_cast<int>(std::clamp(length * most * 30, 30.0, 3000.0));
-        for (int i = 0; i < steps && light.left > 1e-9; ++i)
-            march(light, length / steps, std::lerp(one.valueIn, one.valueOut, double(i) / steps),
-                  std::lerp(one.valueIn, one.valueOut, (i + 1.0) / steps), 10);
+    for (const Piece& one : pieces)
+        through(light, one);
+    double depth = std::numeric_limits<double>::infinity();
+    if (light.halfAt >= 0) {
+        const Vector3d place = ray.start + light.halfAt * ray.direction;
+        depth = -(viewMatrix(camera_) * place.homogeneous()).z();
     }
-    return {light.colour[0], light.colour[1], light.colour[2], 1 - light.left};
+    return {{light.colour[0], light.colour[1], light.colour[2], 1 - light.left}, depth};
+}
+
+bool RayIntegrator::isDoubtful(int column, int row) const
+{
+    constexpr double aside = 0.002;
+    const std::array<double, 4> here = sample(column, row);
+    for (const auto& [x, y] : {std::pair{aside, aside}, {aside, -aside}, {-aside, aside}, {-aside, -aside}}) {
+        const std::array<double, 4> there = trace(column + x, row + y).colour;
+        for (std::size_t channel = 0; channel < 4; ++channel)
+            if (std::abs(here[channel] - there[channel]) > 1.0 / 255)
+                return true;
+    }
+    return false;
 }
 
 PictureDifference compare(const VolumePicture& picture, const RayIntegrator& integrator)

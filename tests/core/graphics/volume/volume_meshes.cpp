@@ -2,8 +2,10 @@
 #include "tests/core/graphics/volume/volume_meshes.h"
 
 #include "core/model/extraction.h"
+#include "core/model/queries/mesh_extractor.h"
 #include "tests/core/graphics/lattice_mesh.h"
 #include "tests/core/model/model_fixture.h"
+#include "tests/core/model/queries/lattice_models.h"
 
 #include <QTemporaryDir>
 
@@ -73,6 +75,33 @@ TetrahedralMesh refinedBentGrid()
     return extracted(bentBumps(SampleType::Float32, {7, 6, 5}));
 }
 
+TetrahedralMesh refinedInBlocks()
+{
+    const QTemporaryDir folder;
+    const Dataset dataset = bumps(SampleType::UInt8, {9, 7, 9});
+    const auto model = modelOf(dataset, 4, folder.path().toStdString());
+    const double percent = dataset.values.range().extent() / 100;
+    auto mesh = extractPrefix(*model, meshSizeAt(*model, {2 * percent}).sites);
+    if (!mesh)
+        qFatal("%s", mesh.error().text.c_str());
+    return std::move(mesh).value();
+}
+
+TetrahedralMesh variableResolution()
+{
+    const QTemporaryDir folder;
+    const Dataset dataset = bumps(SampleType::Float32, {9, 8, 7});
+    const std::filesystem::path path = folder.filePath("model.tan").toStdString();
+    writeModel(path, dataset);
+    const Lattice& lattice = dataset.lattice;
+    MeshQuery query;
+    query.error = SpaceRamp{Sphere{lattice.origin, 3 * lattice.spacing[0]}, 0.5, 20, 4 * lattice.spacing[0]};
+    const auto mesh = MeshExtractor(Model::open(path).value()).extract(query);
+    if (!mesh)
+        qFatal("%s", mesh.error().text.c_str());
+    return mesh.value()->mesh;
+}
+
 TetrahedralMesh randomLattice(std::uint32_t seed)
 {
     std::mt19937 random(seed);
@@ -87,6 +116,8 @@ std::vector<NamedMesh> volumeMeshes()
     return {{"one cell", oneCell()},
             {"irregular with a hole", irregularWithHole()},
             {"refined lattice", refinedLattice()},
+            {"refined in blocks", refinedInBlocks()},
+            {"variable resolution", variableResolution()},
             {"refined bent grid", refinedBentGrid()},
             {"random lattice", randomLattice(7)}};
 }

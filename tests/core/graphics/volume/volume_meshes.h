@@ -27,6 +27,9 @@ TetrahedralMesh irregularWithHole();
 /// What a refined lattice of smooth bumps looks like when it is extracted at one percent, and a bent grid likewise.
 TetrahedralMesh refinedLattice();
 TetrahedralMesh refinedBentGrid();
+/// The lattice refined in blocks, and at an accuracy that falls off from a corner.
+TetrahedralMesh refinedInBlocks();
+TetrahedralMesh variableResolution();
 /// Random points and values, the lattice's own Delaunay mesh with its many cospherical points.
 TetrahedralMesh randomLattice(std::uint32_t seed);
 
