@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/graphics/camera.h"
 #include "core/graphics/isosurface.h"
 #include "core/graphics/scene.h"
 #include "core/graphics/volume/volume_mesh.h"

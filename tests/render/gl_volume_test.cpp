@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Volumes and hybrids of the OpenGL back end against the CPU's (B4, R20, R21). Skipped where EGL gives no OpenGL 3.3.
-#include "tests/render/same_picture.h"
+#include "tests/core/graphics/lattice_mesh.h"
 #include "tests/render/gl_volume_scenes.h"
+#include "tests/render/same_picture.h"
 
 #include <QTest>
 
@@ -126,6 +127,25 @@ private slots:
         camera.perspective = false;
         const PictureOptions options{.width = 60, .height = 60};
         compare(rendered(*cpu_, scene, camera, options), scene, camera, options);
+    }
+
+    /// More cells than are drawn at once; behind what is opaque none are drawn.
+    void severalChunks()
+    {
+        const auto rising = [](const Eigen::Vector3d& p) { return -p.y() + 0.1 * std::sin(9 * p.x() + 7 * p.z()); };
+        const TetrahedralMesh mesh = latticeMesh(24, 1, Split::Five, rising);
+        const auto fragmentsOf = [&](const std::string& function) {
+            Scene scene;
+            scene.volume = volumeOf(mesh, function);
+            scene.bounds = scene.volume->mesh->bounds;
+            const Camera camera = cameraFor(scene, true);
+            const PictureOptions options{.width = 70, .height = 60, .samplesPerAxis = 1};
+            compare(rendered(*cpu_, scene, camera, options), scene, camera, options);
+            return gl_->statistics().fragments;
+        };
+        const std::size_t faint = fragmentsOf("ramp");
+        QVERIFY(faint > 50000);
+        QVERIFY(fragmentsOf("opaque") < 0.8 * static_cast<double>(faint));
     }
 
     void farFromTheOriginAndNear_data()

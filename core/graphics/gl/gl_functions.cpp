@@ -5,7 +5,8 @@
 
 namespace tetra {
 
-static_assert(gl::triangles == GL_TRIANGLES && gl::less == GL_LESS && gl::one == GL_ONE);
+static_assert(gl::triangles == GL_TRIANGLES && gl::less == GL_LESS && gl::lessOrEqual == GL_LEQUAL &&
+              gl::one == GL_ONE);
 static_assert(gl::oneMinusDestinationAlpha == GL_ONE_MINUS_DST_ALPHA);
 static_assert(gl::depthTest == GL_DEPTH_TEST && gl::blend == GL_BLEND && gl::cullFace == GL_CULL_FACE);
 static_assert(gl::front == GL_FRONT && gl::counterclockwise == GL_CCW);

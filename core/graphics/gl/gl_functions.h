@@ -13,6 +13,7 @@ namespace tetra {
 namespace gl {
 inline constexpr unsigned triangles = 0x0004;
 inline constexpr unsigned less = 0x0201;
+inline constexpr unsigned lessOrEqual = 0x0203;
 inline constexpr unsigned one = 1;
 inline constexpr unsigned oneMinusDestinationAlpha = 0x0305;
 inline constexpr unsigned depthTest = 0x0B71;

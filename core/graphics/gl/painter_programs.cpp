@@ -26,6 +26,7 @@ Result<PainterPrograms> makePainterPrograms(const GlFunctions& gl)
     make(programs.line, shaders::lineVert, std::array{shaders::lineFrag});
     make(programs.under, shaders::screenVert, std::array{shaders::underFrag});
     make(programs.resolve, shaders::screenVert, std::array{shaders::resolveFrag});
+    make(programs.saturated, shaders::screenVert, std::array{shaders::saturatedFrag});
     make(programs.bisect, shaders::screenVert, std::array{shaders::bisectFrag});
     make(programs.volume, shaders::volumeVert, std::array{shaders::volumeFrag, shaders::slabFrag});
     if (!status)

@@ -16,6 +16,7 @@ struct PainterPrograms {
     std::unique_ptr<GlProgram> under;
     std::unique_ptr<GlProgram> resolve;
     std::unique_ptr<GlProgram> volume;
+    std::unique_ptr<GlProgram> saturated;
     std::unique_ptr<GlProgram> bisect;
 };
 

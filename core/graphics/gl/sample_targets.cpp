@@ -76,7 +76,12 @@ Status makeAccumulated(const GlFunctions& gl, bool fine, SampleTargets& targets)
     if (targets.accumulated.name() != 0 && targets.fine == fine)
         return {};
     targets.accumulated = makeTexture(gl, targets.width, targets.height, fine ? fineColourFormat : colourFormat);
-    targets.accumulatedFramebuffer = makeFramebuffer(gl, {targets.accumulated.name()}, 0);
+    if (fine) {
+        targets.saturatedDepth = makeTexture(gl, targets.width, targets.height, depthFormat);
+        targets.saturatedFramebuffer = makeFramebuffer(gl, {}, targets.saturatedDepth.name());
+    }
+    targets.accumulatedFramebuffer =
+        makeFramebuffer(gl, {targets.accumulated.name()}, fine ? targets.saturatedDepth.name() : 0);
     targets.fine = fine;
     return checkComplete(gl);
 }

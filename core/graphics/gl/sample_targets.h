@@ -37,6 +37,10 @@ struct SampleTargets {
     GlObject accumulated;
     GlObject accumulatedFramebuffer;
     bool fine = false; ///< whole floats
+    /// The nearest depth where nothing behind can be seen any more, else the farthest; also of accumulatedFramebuffer.
+    /// Only if fine.
+    GlObject saturatedDepth;
+    GlObject saturatedFramebuffer;
 
     /// Empty until makeLayers. Two layers, since each is compared with the one before.
     GlObject layerColour;
@@ -47,7 +51,7 @@ struct SampleTargets {
 
 /// 12 bytes a sample. Errors: larger than the driver allows, out of memory.
 Status makeSampleTargets(const GlFunctions& gl, int width, int height, SampleTargets& targets);
-/// Adds, if it is not there, what translucent things are gathered in: 8 bytes a sample; if `fine`, 16, as the light of
+/// Adds, if it is not there, what translucent things are gathered in: 8 bytes a sample; if `fine`, 20, as the light of
 /// many faint cells is lost in the rounding of half floats.
 Status makeAccumulated(const GlFunctions& gl, bool fine, SampleTargets& targets);
 /// Adds, if it is not there, what translucent surfaces need: 28 bytes a sample.

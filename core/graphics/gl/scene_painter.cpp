@@ -200,7 +200,7 @@ Status ScenePainter::Implementation::drawVolume(const VolumeLayers& layers, cons
 {
     gl_.bindVertexArray(emptyVertexArray_.name());
     gl_.beginQuery(gl::samplesPassed, fragmentQuery_.name());
-    Status status = volume_.draw(*programs_.volume, layers, progress);
+    Status status = volume_.draw(programs_, targets_, layers, progress);
     gl_.endQuery(gl::samplesPassed);
     unsigned fragments = 0;
     gl_.getQueryObjectuiv(fragmentQuery_.name(), gl::queryResult, &fragments);
@@ -233,6 +233,8 @@ Status ScenePainter::Implementation::drawTranslucent(bool withVolume, unsigned n
 {
     gl_.bindFramebuffer(gl::framebuffer, targets_.accumulatedFramebuffer.name());
     gl_.clearBufferfv(gl::colour, 0, nothing.data());
+    if (withVolume)
+        gl_.clearBufferfv(gl::depth, 0, &farthest);
     if (surfaces_->anyTranslucent())
         return peel(withVolume, nearest, progress);
     if (!withVolume)

@@ -11,8 +11,8 @@
 namespace tetra {
 namespace {
 
-/// The texels that every OpenGL 3.3 allows in a texture buffer.
-constexpr std::size_t cellsPerChunk = 1 << 16;
+/// Every OpenGL 3.3 allows twice as many texels in a texture buffer.
+constexpr std::size_t cellsPerChunk = 1 << 15;
 /// Texels of a segment in slab.frag.
 constexpr std::size_t segmentTexels = 3;
 

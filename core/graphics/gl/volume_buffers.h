@@ -14,7 +14,7 @@
 namespace tetra {
 
 /// Some of the cells that are drawn, front to back: their corners, and the segments of the transfer function that they
-/// lie in. As many as a texture buffer holds everywhere.
+/// lie in. So few that a texture buffer holds them everywhere.
 struct CellChunk {
     TextureBuffer corners;
     TextureBuffer segments;

@@ -13,6 +13,10 @@ namespace {
 
 constexpr std::string_view activity = "Drawing the volume";
 constexpr int verticesPerCell = 12;
+/// How often in a picture the samples that nothing can be added to are marked: a pass over all samples each.
+constexpr std::size_t marks = 16;
+/// Less light than this from behind is none, as on the CPU.
+constexpr float leastLight = 1.0f / 16384;
 
 using Clock = std::chrono::steady_clock;
 
@@ -138,8 +142,35 @@ void VolumePainter::setUniforms(const GlProgram& program) const
         Eigen::Vector2f((view_.imageFromWorld.leftCols<3>().topRows<2>().rowwise().norm() * view_.unit).cast<float>()));
 }
 
-Status VolumePainter::draw(const GlProgram& program, const VolumeLayers& layers, const Progress& progress) const
+void VolumePainter::setCellState() const
 {
+    gl_.enable(gl::cullFace);
+    gl_.cullFace(gl::front);
+    gl_.frontFace(gl::counterclockwise);
+    gl_.enable(gl::depthTest);
+    gl_.depthFunc(gl::lessOrEqual);
+    gl_.depthMask(0);
+}
+
+void VolumePainter::markSaturated(const GlProgram& program, const SampleTargets& targets) const
+{
+    gl_.bindFramebuffer(gl::framebuffer, targets.saturatedFramebuffer.name());
+    gl_.disable(gl::cullFace);
+    gl_.depthMask(1);
+    program.use();
+    program.setTexture("accumulated", textureUnits - 1, targets.accumulated.name());
+    program.set("saturated", 1 - leastLight);
+    gl_.drawArrays(gl::triangles, 0, 3);
+    // Not to be read while it is drawn into.
+    gl_.bindTexture(gl::texture2D, 0);
+    gl_.bindFramebuffer(gl::framebuffer, targets.accumulatedFramebuffer.name());
+    setCellState();
+}
+
+Status VolumePainter::draw(const PainterPrograms& programs, const SampleTargets& targets, const VolumeLayers& layers,
+                           const Progress& progress) const
+{
+    const GlProgram& program = *programs.volume;
     program.use();
     setUniforms(program);
     program.set("layered", layers.behind != 0 ? 1 : 0);
@@ -148,20 +179,27 @@ Status VolumePainter::draw(const GlProgram& program, const VolumeLayers& layers,
     program.setTexture("layerBehind", 2, layers.behind);
     program.setTexture("vertices", 3, drawn_->vertices.texture.name(), gl::textureBuffer);
     program.setTexture("segments", 4, segmentBuffer_.texture.name(), gl::textureBuffer);
-    gl_.enable(gl::cullFace);
-    gl_.cullFace(gl::front);
-    gl_.frontFace(gl::counterclockwise);
+    setCellState();
+    const std::size_t chunksPerMark = (drawn_->chunks.size() + marks - 1) / marks;
     Status status;
-    for (const CellChunk& chunk : drawn_->chunks) {
+    for (std::size_t i = 0; i < drawn_->chunks.size(); ++i) {
         if (progress.cancelled()) {
             status = cancelledError(activity);
             break;
         }
+        if (i > 0 && i % chunksPerMark == 0) {
+            markSaturated(*programs.saturated, targets);
+            program.use();
+        }
+        const CellChunk& chunk = drawn_->chunks[i];
         program.setTexture("corners", 5, chunk.corners.texture.name(), gl::textureBuffer);
         program.setTexture("segmentsOfCell", 6, chunk.segments.texture.name(), gl::textureBuffer);
         gl_.drawArrays(gl::triangles, 0, chunk.count * verticesPerCell);
     }
     gl_.disable(gl::cullFace);
+    gl_.disable(gl::depthTest);
+    gl_.depthFunc(gl::less);
+    gl_.depthMask(1);
     return status;
 }
 

@@ -3,7 +3,8 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/graphics/gl/gl_program.h"
+#include "core/graphics/gl/painter_programs.h"
+#include "core/graphics/gl/sample_targets.h"
 #include "core/graphics/gl/sample_view.h"
 #include "core/graphics/gl/volume_buffers.h"
 #include "core/graphics/render_backend.h"
@@ -30,9 +31,12 @@ public:
     /// vertices than the driver allows, no memory, cancelled.
     Status prepare(const Scene& scene, const SampleView& view, const PictureOptions& options, const Progress& progress);
 
-    /// Draws what lies between two layers. Wants blending with what is in front and no depth test; leaves face culling
-    /// off. Cancelled between chunks of cells.
-    Status draw(const GlProgram& program, const VolumeLayers& layers, const Progress& progress) const;
+    /// Draws what lies between two layers into targets.accumulatedFramebuffer, which is bound, with a vertex array
+    /// without attributes and blending under what is there. From time to time the samples where nothing more can be
+    /// seen are marked, and left out from then on. Leaves depth test and face culling off. Cancelled between chunks of
+    /// cells.
+    Status draw(const PainterPrograms& programs, const SampleTargets& targets, const VolumeLayers& layers,
+                const Progress& progress) const;
 
     /// Frees the buffers of meshes that nobody holds any more.
     void dropDead() { buffers_.dropDead(); }
@@ -44,6 +48,8 @@ private:
     Status prepareCells(const Volume& volume, const SampleView& view, const PictureOptions& options,
                         const Progress& progress);
     void setUniforms(const GlProgram& program) const;
+    void markSaturated(const GlProgram& program, const SampleTargets& targets) const;
+    void setCellState() const;
 
     const GlFunctions& gl_;
     VolumeBufferCache buffers_;
