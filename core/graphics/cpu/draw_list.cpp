@@ -18,21 +18,45 @@ namespace {
 
 constexpr std::size_t chunkSize = 1 << 14;
 
-ScreenVertex toScreen(const ClipVertex& vertex, const ViewTransform& transform)
-{
-    const double inverse = 1 / vertex.position.w();
-    const auto fixed = [](double samples) {
-        return static_cast<std::int32_t>(std::floor(samples * subsampleSteps + 0.5));
-    };
-    ScreenVertex result;
-    // The rasteriser's samples are in the middle of their squares.
-    result.x = fixed((vertex.position.x() * inverse + 1) / 2 * transform.width - (sampleX - 0.5));
-    result.y = fixed((1 - vertex.position.y() * inverse) / 2 * transform.height - (sampleY - 0.5));
-    result.nearness = static_cast<float>(nearnessOf(transform, vertex.position));
-    result.weight = static_cast<float>(inverse);
-    result.normal = vertex.normal;
-    return result;
-}
+/// Puts corners to their places among the samples.
+class Projector {
+public:
+    Projector(const ViewTransform& transform, SamplePlaces places)
+        : transform_(transform), left_(places == SamplePlaces::Rays ? sampleX - 0.5 : 0),
+          up_(places == SamplePlaces::Rays ? sampleY - 0.5 : 0),
+          steps_(places == SamplePlaces::Rays ? subsampleSteps : 256)
+    {
+    }
+
+    Eigen::Vector4d toClip(const Eigen::Vector3f& position) const
+    {
+        return transform_.clipFromWorld * position.cast<double>().homogeneous();
+    }
+
+    ScreenVertex toScreen(const ClipVertex& vertex) const
+    {
+        const double inverse = 1 / vertex.position.w();
+        ScreenVertex result;
+        result.x = fixed((vertex.position.x() * inverse + 1) / 2 * transform_.width - left_);
+        result.y = fixed((1 - vertex.position.y() * inverse) / 2 * transform_.height - up_);
+        result.nearness = static_cast<float>(nearnessOf(transform_, vertex.position));
+        result.weight = static_cast<float>(inverse);
+        result.normal = vertex.normal;
+        return result;
+    }
+
+    const ViewTransform& transform() const noexcept { return transform_; }
+
+private:
+    std::int32_t fixed(double samples) const
+    {
+        return static_cast<std::int32_t>(std::floor(samples * steps_ + 0.5)) * (subsampleSteps / steps_);
+    }
+
+    const ViewTransform& transform_;
+    double left_, up_; ///< by how much the picture is moved, so that the samples come to the middles
+    std::int32_t steps_;
+};
 
 /// The triangles of one run, and the corners that cutting made. Corner numbers with the top bit set count these.
 struct Piece {
@@ -40,11 +64,11 @@ struct Piece {
     std::vector<ScreenVertex> vertices;
     std::vector<ScreenTriangle> triangles;
 
-    void addPolygon(const ClippedPolygon& polygon, const ViewTransform& transform, std::uint32_t material)
+    void addPolygon(const ClippedPolygon& polygon, const Projector& projector, std::uint32_t material)
     {
         const std::uint32_t first = own | static_cast<std::uint32_t>(vertices.size());
         for (std::size_t i = 0; i < polygon.count; ++i)
-            vertices.push_back(toScreen(polygon.corners[i], transform));
+            vertices.push_back(projector.toScreen(polygon.corners[i]));
         for (std::uint32_t i = 2; i < polygon.count; ++i)
             triangles.push_back({{first, first + i - 1, first + i}, material});
     }
@@ -52,7 +76,7 @@ struct Piece {
 
 class Builder {
 public:
-    Builder(const ViewTransform& transform, DrawList& list) : transform_(transform), list_(list) {}
+    Builder(const Projector& projector, DrawList& list) : projector_(projector), list_(list) {}
 
     Status addSurface(const Surface& surface);
     void addLines(const LineSet& lines, double samplesPerPixelAxis);
@@ -60,7 +84,7 @@ public:
 private:
     ClipVertex toClip(const TriangleMesh& mesh, std::uint32_t vertex) const
     {
-        return {transform_.clipFromWorld * mesh.positions[vertex].cast<double>().homogeneous(), mesh.normals[vertex]};
+        return {projector_.toClip(mesh.positions[vertex]), mesh.normals[vertex]};
     }
     std::uint32_t addMaterial(const Material& material)
     {
@@ -72,7 +96,7 @@ private:
                            const Buffer<std::uint8_t>& bits, std::uint32_t firstVertex, std::uint32_t material) const;
     void append(std::span<const Piece> pieces);
 
-    const ViewTransform& transform_;
+    const Projector& projector_;
     DrawList& list_;
 };
 
@@ -87,7 +111,7 @@ Buffer<std::uint8_t> Builder::projectVertices(const TriangleMesh& mesh)
             const ClipVertex vertex = toClip(mesh, static_cast<std::uint32_t>(v));
             bits[v] = outsideBits(vertex.position);
             if ((bits[v] & (outside::cut | outside::notFinite)) == 0)
-                list_.vertices[before + v] = toScreen(vertex, transform_);
+                list_.vertices[before + v] = projector_.toScreen(vertex);
         }
     });
     return bits;
@@ -107,7 +131,7 @@ Piece Builder::projectTriangles(const TriangleMesh& mesh, std::size_t first, std
         if ((any & outside::cut) == 0)
             piece.triangles.push_back({{firstVertex + a, firstVertex + b, firstVertex + c}, material});
         else
-            piece.addPolygon(clipTriangle({toClip(mesh, a), toClip(mesh, b), toClip(mesh, c)}), transform_, material);
+            piece.addPolygon(clipTriangle({toClip(mesh, a), toClip(mesh, b), toClip(mesh, c)}), projector_, material);
     }
     return piece;
 }
@@ -152,20 +176,22 @@ void Builder::addLines(const LineSet& lines, double samplesPerPixelAxis)
 {
     const std::uint32_t material = addMaterial({lines.colour, 1, false});
     Piece piece;
-    for (const LineQuad& quad : thickLines(lines, transform_, lines.width * samplesPerPixelAxis))
+    for (const LineQuad& quad : thickLines(lines, projector_.transform(), lines.width * samplesPerPixelAxis))
         for (const auto& [b, c] : {std::array{1, 2}, std::array{2, 3}})
             piece.addPolygon(clipTriangle({ClipVertex{quad[0]}, ClipVertex{quad[static_cast<std::size_t>(b)]},
                                            ClipVertex{quad[static_cast<std::size_t>(c)]}}),
-                             transform_, material);
+                             projector_, material);
     append({&piece, 1});
 }
 
 } // namespace
 
-Result<DrawList> makeDrawList(const Scene& scene, const ViewTransform& transform, double samplesPerPixelAxis)
+Result<DrawList> makeDrawList(const Scene& scene, const ViewTransform& transform, double samplesPerPixelAxis,
+                              SamplePlaces places)
 {
     DrawList list;
-    Builder builder(transform, list);
+    const Projector projector(transform, places);
+    Builder builder(projector, list);
     for (const Surface& surface : scene.surfaces)
         if (Status status = builder.addSurface(surface); !status)
             return status.error();

@@ -14,14 +14,14 @@
 
 namespace tetra {
 
-/// Samples are divided into this many steps an axis; corners are rounded to them, so that the tests of the rasteriser
-/// are exact integers.
+/// Samples are divided into this many steps an axis; corners are rounded to them or coarser, so that the tests of the
+/// rasteriser are exact integers.
 inline constexpr int subsampleBits = 11;
 inline constexpr int subsampleSteps = 1 << subsampleBits;
 
 /// A corner in the picture.
 struct ScreenVertex {
-    std::int32_t x = 0; ///< in steps of 1/2048 sample from the picture's left ...
+    std::int32_t x = 0; ///< in steps of 1 / subsampleSteps sample from the picture's left ...
     std::int32_t y = 0; ///< ... and upper edge
     float nearness = 0; ///< larger is nearer, affine in the picture: q of ViewTransform
     float weight = 1;   ///< 1 / w: attributes times weight are affine in the picture
@@ -47,8 +47,17 @@ struct DrawList {
     std::vector<Material> materials;
 };
 
+/// Where surfaces are looked at, and how exactly.
+enum class SamplePlaces {
+    /// In the middle of their squares, corners rounded to 1/256 sample: as OpenGL does.
+    Middle,
+    /// At sampleX and sampleY, corners rounded to 1/2048 sample: where the rays through a volume are.
+    Rays,
+};
+
 /// O(vertices + triangles), on all threads of the current arena. Errors: a scene whose indices lead nowhere.
 /// May throw std::bad_alloc.
-Result<DrawList> makeDrawList(const Scene& scene, const ViewTransform& transform, double samplesPerPixelAxis);
+Result<DrawList> makeDrawList(const Scene& scene, const ViewTransform& transform, double samplesPerPixelAxis,
+                              SamplePlaces places);
 
 } // namespace tetra

@@ -165,7 +165,8 @@ Status drawPart(const Scene& scene, const PartView& view, std::span<const std::u
     Stopwatch watch;
     progress.report(0, activity);
     const TileGrid grid{view.part.width(), view.part.height(), tileSideFor(options.samplesPerAxis)};
-    Result<DrawList> list = makeDrawList(scene, view.surfaces, options.samplesPerAxis);
+    Result<DrawList> list = makeDrawList(scene, view.surfaces, options.samplesPerAxis,
+                                         hasVolume(scene) ? SamplePlaces::Rays : SamplePlaces::Middle);
     if (!list)
         return list.error();
     if (progress.cancelled())
