@@ -137,7 +137,7 @@ private slots:
         const Picture cpu = rendered(*cpu_, view.scene, view.camera, view.options);
         const Picture gl = rendered(*gl_, view.scene, view.camera, view.options);
         const Picture again = rendered(*gl_, view.scene, view.camera, view.options);
-        QVERIFY(samePicture(cpu, gl, again, "gl_" + QString(name).replace(' ', '_').remove(','), 2));
+        QVERIFY(samePicture(cpu, gl, again, "gl_" + QString(name).replace(' ', '_').remove(',')));
     }
 
     /// A mesh that died and a new one at its address are told apart; sizes may change from picture to picture.

@@ -11,6 +11,7 @@ struct SampleView {
     int width = 1;
     int height = 1;
     Eigen::AlignedBox3d bounds;
+    bool amongRays = false; ///< samples lie where the CPU back end has the rays of a volume, else in the middle
 };
 
 } // namespace tetra

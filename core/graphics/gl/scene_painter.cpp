@@ -285,7 +285,7 @@ Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& came
     const int height = options.height * options.samplesPerAxis;
     volume_.dropDead();
     const bool withVolume = hasVolume(scene);
-    const SampleView view{camera, width, height, boundsOf(scene)};
+    const SampleView view{camera, width, height, boundsOf(scene), withVolume};
     if (Status status = surfaces_->prepare(scene, view, options.samplesPerAxis); !status)
         return status;
     const bool layered = surfaces_->anyTranslucent() || withVolume || options.depth;

@@ -24,8 +24,8 @@ Eigen::Vector4f colourOf(const Surface& surface)
     return {surface.colour.red, surface.colour.green, surface.colour.blue, surface.opacity};
 }
 
-/// As if OpenGL's samples were where those of the CPU back end are, a little beside the middle of their squares.
-Eigen::Matrix4d shiftedToSamples(Eigen::Matrix4d clipFromWorld, const SampleView& view)
+/// As if OpenGL's samples were a little beside the middle of their squares (sampleX).
+Eigen::Matrix4d shiftedToRays(Eigen::Matrix4d clipFromWorld, const SampleView& view)
 {
     clipFromWorld.row(0) -= clipFromWorld.row(3) * (2 * (sampleX - 0.5) / view.width);
     clipFromWorld.row(1) += clipFromWorld.row(3) * (2 * (sampleY - 0.5) / view.height);
@@ -66,7 +66,8 @@ Status SurfacePainter::prepare(const Scene& scene, const SampleView& view, doubl
             return status;
     scene_ = &scene;
     transform_ = makeViewTransform(view.camera, view.width, view.height, view.bounds);
-    transform_.clipFromWorld = shiftedToSamples(transform_.clipFromWorld, view);
+    if (view.amongRays)
+        transform_.clipFromWorld = shiftedToRays(transform_.clipFromWorld, view);
     eye_ = eyePosition(view.camera);
     samplesPerPixelAxis_ = samplesPerPixelAxis;
     return collectSurfaces();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/graphics/gl/mesh_order.h"
+#include "core/graphics/cpu/kept_order.h"
 #include "core/graphics/gl/texture_buffer.h"
 #include "core/graphics/scene.h"
 #include "core/graphics/volume/scaled_segments.h"
@@ -26,7 +26,7 @@ struct VolumeBuffers {
     TextureBuffer vertices; ///< places and values, as they are
     std::vector<CellChunk> chunks;
     std::size_t cells = 0; ///< in all chunks
-    MeshOrder order;       ///< that the chunks are in
+    KeptOrder order;       ///< that the chunks are in
     std::weak_ptr<const VolumeTransfer> transfer;
 };
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/graphics/gl/volume_painter.h"
 
+#include "core/graphics/cpu/drawing_threads.h"
 #include "core/graphics/gl/clip_planes.h"
 #include "core/graphics/sample_rectangle.h"
 #include "core/graphics/shading.h"
+#include "core/graphics/volume/projected_volume.h"
 #include "core/graphics/volume/volume_view.h"
 
 #include <chrono>
@@ -23,11 +25,6 @@ using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point start)
 {
     return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-bool belongTogether(const Volume& volume)
-{
-    return volume.mesh->mesh && volume.transfer->classes.size() == volume.mesh->mesh->tetrahedra.size();
 }
 
 /// What is left of numbers that are rounded to floats.
@@ -73,15 +70,15 @@ Status VolumePainter::prepareCells(const Volume& volume, const SampleView& view,
         return buffers.error();
     drawn_ = *buffers;
     Clock::time_point start = Clock::now();
-    const VolumeOptions samples{view.width, view.height, options.threads};
-    const Result<bool> made = drawn_->order.fit(*volume.mesh, view.camera, samples, options.orderTolerance, progress);
-    if (!made)
-        return made.error();
+    const KeptOrder::Request request{
+        volume.mesh, view.camera, view_, {0, 0, view.width, view.height}, options.orderTolerance};
+    if (Status status = onThreads(options.threads, [&] { return drawn_->order.prepare(request, progress); }); !status)
+        return status;
     statistics_.orderSeconds = secondsSince(start);
-    statistics_.orderReused = !*made;
+    statistics_.orderReused = drawn_->order.reused();
     statistics_.brokenCycles = drawn_->order.brokenCycles();
     start = Clock::now();
-    if (*made || drawn_->transfer.lock() != volume.transfer) {
+    if (!drawn_->order.reused() || drawn_->transfer.lock() != volume.transfer) {
         drawn_->transfer.reset(); // until it is true
         if (Status status = fillCells(gl_, *volume.mesh->mesh, *volume.transfer, *drawn_); !status)
             return status;
@@ -97,7 +94,7 @@ Status VolumePainter::prepare(const Scene& scene, const SampleView& view, const 
 {
     statistics_ = {};
     const Volume& volume = *scene.volume;
-    if (!belongTogether(volume))
+    if (!belongTogether(*volume.mesh, *volume.transfer, {}))
         return Error{ErrorKind::WrongUsage,
                      "The volume of the scene and its transfer function do not belong together."};
     const Camera& camera = view.camera;
