@@ -5,6 +5,7 @@
 
 namespace tetra {
 
+static_assert(gl::none == GL_NONE);
 static_assert(gl::triangles == GL_TRIANGLES && gl::less == GL_LESS && gl::lessOrEqual == GL_LEQUAL &&
               gl::one == GL_ONE);
 static_assert(gl::oneMinusDestinationAlpha == GL_ONE_MINUS_DST_ALPHA);

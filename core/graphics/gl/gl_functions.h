@@ -11,6 +11,7 @@ namespace tetra {
 /// The constants of OpenGL that are used here, under the names of the specification; checked against its header when
 /// gl_functions.cpp is compiled.
 namespace gl {
+inline constexpr unsigned none = 0;
 inline constexpr unsigned triangles = 0x0004;
 inline constexpr unsigned less = 0x0201;
 inline constexpr unsigned lessOrEqual = 0x0203;
@@ -140,6 +141,7 @@ struct GlFunctions {
     Function<void(unsigned, unsigned, unsigned, unsigned, int)> framebufferTexture2D = find("glFramebufferTexture2D");
     Function<unsigned(unsigned)> checkFramebufferStatus = find("glCheckFramebufferStatus");
     Function<void(int, const unsigned*)> drawBuffers = find("glDrawBuffers");
+    Function<NameFunction> readBuffer = find("glReadBuffer");
 
     Function<NameFunction> enable = find("glEnable");
     Function<NameFunction> disable = find("glDisable");

@@ -39,6 +39,8 @@ GlObject makeFramebuffer(const GlFunctions& gl, std::initializer_list<unsigned> 
     if (depthTexture != 0)
         gl.framebufferTexture2D(gl::framebuffer, gl::depthAttachment, gl::texture2D, depthTexture, 0);
     gl.drawBuffers(static_cast<int>(count), attachments.data());
+    if (count == 0)
+        gl.readBuffer(gl::none); // OpenGL 3.3 does not take it for complete otherwise
     return object;
 }
 
