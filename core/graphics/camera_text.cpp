@@ -36,8 +36,7 @@ public:
         if (parsed && *parsed >= least && *parsed <= largest)
             target = *parsed;
         else
-            fail(*value, key,
-                 "is no number from " + formatNumber(least) + " to " + formatNumber(largest));
+            fail(*value, key, "is no number from " + formatNumber(least) + " to " + formatNumber(largest));
     }
 
     void truth(std::string_view key, bool& target)
@@ -93,8 +92,9 @@ private:
 std::string cameraToText(const Camera& camera)
 {
     const auto& target = camera.target;
-    return "{\n  \"azimuth\": " + formatNumber(camera.azimuth) + ",\n  \"elevation\": " +
-           formatNumber(camera.elevation) + ",\n  \"fieldOfView\": " + formatNumber(camera.fieldOfView) +
+    return "{\n  \"azimuth\": " + formatNumber(camera.azimuth) +
+           ",\n  \"elevation\": " + formatNumber(camera.elevation) +
+           ",\n  \"fieldOfView\": " + formatNumber(camera.fieldOfView) +
            ",\n  \"perspective\": " + (camera.perspective ? "true" : "false") + ",\n  \"target\": [" +
            formatNumber(target.x()) + ", " + formatNumber(target.y()) + ", " + formatNumber(target.z()) +
            "],\n  \"distance\": " + formatNumber(camera.distance) + "\n}\n";

@@ -71,7 +71,8 @@ Control controlFor(const Parameter& parameter, const std::string& value)
     if (parameter.choices.empty()) {
         auto* line = new QLineEdit(QString::fromStdString(value));
         line->setClearButtonEnabled(true);
-        return {line, [line] { return line->text().toStdString(); }, [line](const ParameterValue& shown) {
+        return {line, [line] { return line->text().toStdString(); },
+                [line](const ParameterValue& shown) {
                     if (const auto text = QString::fromStdString(std::get<std::string>(shown)); line->text() != text)
                         line->setText(text);
                 }};
@@ -80,7 +81,8 @@ Control controlFor(const Parameter& parameter, const std::string& value)
     for (const std::string& choice : parameter.choices)
         box->addItem(pluginText(choice), QString::fromStdString(choice));
     box->setCurrentIndex(box->findData(QString::fromStdString(value)));
-    return {box, [box] { return box->currentData().toString().toStdString(); }, [box](const ParameterValue& shown) {
+    return {box, [box] { return box->currentData().toString().toStdString(); },
+            [box](const ParameterValue& shown) {
                 box->setCurrentIndex(box->findData(QString::fromStdString(std::get<std::string>(shown))));
             }};
 }

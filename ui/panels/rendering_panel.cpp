@@ -37,8 +37,7 @@ RenderingPanel::RenderingPanel(Workbench& workbench, Viewport& viewport, QWidget
     outer->setContentsMargins({});
     outer->addWidget(new ScrolledColumn(makeContent()));
 
-    connect(mode_, &QComboBox::activated, this,
-            [this](int index) { chooseMode(mode_->itemData(index).toString()); });
+    connect(mode_, &QComboBox::activated, this, [this](int index) { chooseMode(mode_->itemData(index).toString()); });
     connect(settings_, &ParameterForm::edited, this, [this](const QString& id) {
         workbench_.session().setSetting(id.toStdString(), settings_->value(id.toStdString()));
     });
@@ -60,8 +59,7 @@ QWidget* RenderingPanel::makeContent()
     explanation_->setForegroundRole(QPalette::PlaceholderText);
     frameRate_->setObjectName("rendering.frameRate");
     frameRate_->setRange(automatic, highestRate);
-    frameRate_->setSpecialValueText(
-        tr("Automatic (%1 frames/s)").arg(static_cast<int>(viewport_.usualFrameRate())));
+    frameRate_->setSpecialValueText(tr("Automatic (%1 frames/s)").arg(static_cast<int>(viewport_.usualFrameRate())));
     frameRate_->setSuffix(tr(" frames/s"));
     frameRate_->setKeyboardTracking(false);
     frameRate_->setToolTip(tr("Pictures a second while something moves. If there is not time enough they are drawn "

@@ -6,10 +6,10 @@
 #include "ui/session/target_path.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/colour_button.h"
+#include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/scrolled_column.h"
 #include "ui/widgets/value_box.h"
 #include "ui/widgets/vector_input.h"
-#include "ui/widgets/file_dialogs.h"
 
 #include <QComboBox>
 #include <QFileInfo>
@@ -92,8 +92,7 @@ QWidget* ViewPanel::makeContent()
 void ViewPanel::addNumbers(QGridLayout& grid)
 {
     const QString degrees = tr("°");
-    setUp(*azimuth_, "azimuth", tr("Azimuth"), degrees,
-          tr("Direction around the z axis, in degrees; 0 looks along y"));
+    setUp(*azimuth_, "azimuth", tr("Azimuth"), degrees, tr("Direction around the z axis, in degrees; 0 looks along y"));
     azimuth_->setValueRange(-180, 180);
     azimuth_->setWrapping(true);
     setUp(*elevation_, "elevation", tr("Elevation"), degrees, tr("Height above the xy plane, in degrees"));
@@ -200,9 +199,8 @@ void ViewPanel::connectControls()
     connectBox(elevation_, &Camera::elevation);
     connectBox(distance_, &Camera::distance);
     connectBox(fieldOfView_, &Camera::fieldOfView);
-    connect(target_, &VectorInput::edited, this, [this](const Eigen::Vector3d& target) {
-        edit([&target](Camera& camera) { camera.target = target; });
-    });
+    connect(target_, &VectorInput::edited, this,
+            [this](const Eigen::Vector3d& target) { edit([&target](Camera& camera) { camera.target = target; }); });
     connect(projection_, &QComboBox::activated, this,
             [this](int index) { edit([index](Camera& camera) { camera.perspective = index == 0; }); });
     connect(background_, &ColourButton::colourChosen, this, [this](const QColor& colour) {
@@ -216,11 +214,10 @@ void ViewPanel::connectControls()
     });
     connect(save_, &QPushButton::clicked, this, [this] {
         const QFileInfo model(pathText(workbench_.session().model()->path()));
-        askForTextTarget(this, "cameraSaveDialog", tr("Save Camera"), tr("Cameras (*.json)"),
-                         model.absolutePath() + "/" + model.completeBaseName() + "-camera.json",
-                         [this](const QString& path) {
-                             workbench_.saveText(filePath(path), cameraToText(viewport_.camera()));
-                         });
+        askForTextTarget(
+            this, "cameraSaveDialog", tr("Save Camera"), tr("Cameras (*.json)"),
+            model.absolutePath() + "/" + model.completeBaseName() + "-camera.json",
+            [this](const QString& path) { workbench_.saveText(filePath(path), cameraToText(viewport_.camera())); });
     });
     connect(&viewport_, &Viewport::cameraChanged, this, &ViewPanel::showCamera);
     connect(&viewport_, &Viewport::backgroundChanged, this, &ViewPanel::showCamera);

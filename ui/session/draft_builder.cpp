@@ -74,8 +74,7 @@ bool DraftBuilder::Workshop::extractNext(const Progress& progress)
 bool DraftBuilder::Workshop::prepare(Rung& rung, std::vector<DraftScene>& drafts, const Progress& progress)
 {
     if (!rung.session)
-        rung.session =
-            present->renderer->open({rung.mesh, &rung.mesh->mesh}, present->model->description().bounds);
+        rung.session = present->renderer->open({rung.mesh, &rung.mesh->mesh}, present->model->description().bounds);
     auto scene = rung.session->prepare(present->values, present->camera, progress);
     if (!scene)
         return false;

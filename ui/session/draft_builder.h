@@ -38,7 +38,7 @@ private:
     void submit(const SceneRequest& request);
 
     quint64 newest_ = 0;
-    quint64 cleared_ = 0; ///< requests up to this number are dropped
+    quint64 cleared_ = 0;              ///< requests up to this number are dropped
     std::optional<SceneRequest> last_; ///< that was asked for
     ShownMesh shown_;                  ///< of it
     std::shared_ptr<Workshop> workshop_;

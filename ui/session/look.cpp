@@ -28,8 +28,7 @@ bool fits(const Parameter& parameter, const ParameterValue& value)
 }
 
 /// The default of the first parameter of this type in any mode.
-template <class T>
-const T* firstDefault(const std::vector<std::vector<Parameter>>& modes)
+template <class T> const T* firstDefault(const std::vector<std::vector<Parameter>>& modes)
 {
     for (const auto& parameters : modes)
         for (const Parameter& parameter : parameters)
@@ -38,8 +37,7 @@ const T* firstDefault(const std::vector<std::vector<Parameter>>& modes)
     return nullptr;
 }
 
-std::vector<std::vector<Parameter>> parametersOf(const std::vector<Provided<Renderer>>& modes,
-                                                 const FieldExtent& field)
+std::vector<std::vector<Parameter>> parametersOf(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field)
 {
     std::vector<std::vector<Parameter>> parameters;
     for (const Provided<Renderer>& mode : modes)

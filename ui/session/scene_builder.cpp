@@ -48,7 +48,7 @@ struct SceneBuilder::Workshop {
     std::optional<MeshQuery> query; ///< that the mesh answers
     std::unique_ptr<RendererSession> session;
     std::shared_ptr<const ValueHistogram> histogram; ///< of the mesh
-    std::mutex mutex; ///< guards the next one
+    std::mutex mutex;                                ///< guards the next one
     std::shared_ptr<const ExtractedMesh> mesh;
 
     void setMesh(std::shared_ptr<const ExtractedMesh> next);
@@ -108,7 +108,8 @@ try {
         return scene.error();
     built.scene = *std::move(scene);
     built.mesh = {request.query,    mesh->mesh.positions.size(), mesh->mesh.tetrahedra.size(),
-                  mesh->wholeSites, mesh->wholeTetrahedra,       mesh->scale, histogram};
+                  mesh->wholeSites, mesh->wholeTetrahedra,       mesh->scale,
+                  histogram};
     for (const Surface& surface : built.scene->surfaces)
         built.triangles += surface.mesh->triangles.size();
     built.sceneSeconds = secondsSince(start) - built.extractionSeconds;

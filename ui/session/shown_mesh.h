@@ -16,7 +16,7 @@ struct ShownMesh {
     std::uint64_t tetrahedra = 0;
     std::uint32_t wholeSites = 0; ///< before window and values, as in ExtractedMesh
     std::uint64_t wholeTetrahedra = 0;
-    double scale = 1; ///< as in ExtractedMesh
+    double scale = 1;                                  ///< as in ExtractedMesh
     std::shared_ptr<const ValueHistogram> histogram{}; ///< of its vertices' values, over the model's range
 };
 

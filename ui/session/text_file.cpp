@@ -22,7 +22,8 @@ Result<std::string> readTextFile(const std::filesystem::path& path)
                      "The file '" + path.string() + "' cannot be read: " + file.errorString().toStdString() + "."};
     const QByteArray bytes = file.read(largestFile + 1);
     if (bytes.size() > largestFile)
-        return Error{ErrorKind::BadInput, "The file '" + path.string() + "' is too large to be what is looked for here."};
+        return Error{ErrorKind::BadInput,
+                     "The file '" + path.string() + "' is too large to be what is looked for here."};
     return bytes.toStdString();
 }
 

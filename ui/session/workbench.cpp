@@ -309,8 +309,11 @@ std::vector<Parameter> Workbench::renderingParameters() const
 SceneRequest Workbench::sceneRequest() const
 {
     const ViewState& view = session_.view();
-    return {session_.model(), renderer(), meshQuery(view.query(), *session_.model()),
-            rendererValues(renderingParameters(), view.look(), view.isovalues()), {}};
+    return {session_.model(),
+            renderer(),
+            meshQuery(view.query(), *session_.model()),
+            rendererValues(renderingParameters(), view.look(), view.isovalues()),
+            {}};
 }
 
 void Workbench::requestScene()

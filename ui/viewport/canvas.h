@@ -57,7 +57,7 @@ public:
     virtual QImage picture() = 0;
 
     std::function<void(const FrameReport& report)> framePainted; ///< called after each picture
-    std::function<void(const QString& text)> failed;  ///< called when a picture could not be drawn
+    std::function<void(const QString& text)> failed;             ///< called when a picture could not be drawn
     std::function<void(const QString& text)> unusable; ///< called when this back end does not work here after all
 };
 

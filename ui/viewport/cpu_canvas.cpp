@@ -141,8 +141,8 @@ void CpuCanvas::arrived(const Order& order, const Drawn& drawn)
     shown_ = drawn.image;
     settled_ = isNewest && order.isLast;
     update();
-    framePainted({drawn.seconds, order.moving, order.moving ? clock_.tick() : 0, order.reduction,
-                  order.level.tetrahedra});
+    framePainted(
+        {drawn.seconds, order.moving, order.moving ? clock_.tick() : 0, order.reduction, order.level.tetrahedra});
     if (isNewest && !order.moving && !order.isLast)
         refine(order.step + 1);
 }

@@ -21,7 +21,8 @@ public:
 
     /// What is to be seen, made of so many tetrahedra. Drafts of the last one go.
     void setScene(std::shared_ptr<const Scene> scene, std::uint64_t tetrahedra = 0);
-    /// The scene of coarser meshes, falling in size, to be drawn while it moves; a new scene of the same mesh keeps them.
+    /// The scene of coarser meshes, falling in size, to be drawn while it moves; a new scene of the same mesh keeps
+    /// them.
     void setDrafts(std::vector<SceneLevel> drafts);
     /// Without the outlines.
     const std::shared_ptr<const Scene>& scene() const noexcept { return scene_.scene; }
@@ -75,8 +76,8 @@ private:
     SceneLevel scene_;
     std::vector<SceneLevel> drafts_;
     std::vector<LineSet> outlines_;
-    View view_;                ///< its scene has the outlines, too
-    Canvas* canvas_ = nullptr; ///< a child widget
+    View view_;                        ///< its scene has the outlines, too
+    Canvas* canvas_ = nullptr;         ///< a child widget
     std::optional<Colour> background_; ///< else that of the palette
     std::optional<double> frameRate_;  ///< else the usual one of the back end
     bool following_ = false;

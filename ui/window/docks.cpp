@@ -68,8 +68,8 @@ void layOutDocks(QMainWindow& window, const Docks& docks, bool showBuild)
     window.tabifyDockWidget(docks.isovalues, docks.transfer);
     window.tabifyDockWidget(docks.transfer, docks.focus);
     window.tabifyDockWidget(docks.focus, docks.region);
-    for (QDockWidget* dock : {docks.build, docks.accuracy, docks.rendering, docks.view, docks.isovalues,
-                              docks.transfer, docks.focus, docks.region}) {
+    for (QDockWidget* dock : {docks.build, docks.accuracy, docks.rendering, docks.view, docks.isovalues, docks.transfer,
+                              docks.focus, docks.region}) {
         dock->setFloating(false);
         dock->show();
     }

@@ -38,8 +38,10 @@ StatusLine::StatusLine(QStatusBar* bar) : QObject(bar), bar_(bar), file_(new QLa
     tetrahedra_ = add("status.tetrahedra", tr("Tetrahedra in the mesh that is shown"));
     triangles_ = add("status.triangles", tr("Triangles of all isosurfaces that are shown"));
     extraction_ = add("status.extraction", tr("Time for taking the mesh out of the model"));
-    frame_ = add("status.frame", tr("Time for drawing the last picture; while it moves the frames a second, and how much smaller and of "
-                                       "how many tetrahedra they are"));
+    frame_ =
+        add("status.frame",
+            tr("Time for drawing the last picture; while it moves the frames a second, and how much smaller and of "
+               "how many tetrahedra they are"));
     memory_ = add("status.memory", tr("Memory that the program occupies, mapped files included"));
     backend_ = add("status.backend", tr("What draws the picture: OpenGL or the processor"));
 

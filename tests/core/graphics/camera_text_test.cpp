@@ -49,14 +49,22 @@ private slots:
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("message");
-        QTest::newRow("no JSON") << "{" << "no camera";
-        QTest::newRow("no object") << "[1]" << "no JSON object";
-        QTest::newRow("unknown key") << R"({"zoom": 1})" << "\"zoom\" of the camera is not known (line 1";
-        QTest::newRow("no number") << R"({"azimuth": "north"})" << "\"azimuth\" of the camera is no number";
-        QTest::newRow("out of bounds") << R"({"elevation": 91})" << "from -90 to 90";
-        QTest::newRow("no truth") << R"({"perspective": 1})" << "neither true nor false";
-        QTest::newRow("two numbers") << R"({"target": [1, 2]})" << "list of three numbers";
-        QTest::newRow("no distance") << R"({"distance": 0})" << "\"distance\" of the camera is no number";
+        QTest::newRow("no JSON") << "{"
+                                 << "no camera";
+        QTest::newRow("no object") << "[1]"
+                                   << "no JSON object";
+        QTest::newRow("unknown key") << R"({"zoom": 1})"
+                                     << "\"zoom\" of the camera is not known (line 1";
+        QTest::newRow("no number") << R"({"azimuth": "north"})"
+                                   << "\"azimuth\" of the camera is no number";
+        QTest::newRow("out of bounds") << R"({"elevation": 91})"
+                                       << "from -90 to 90";
+        QTest::newRow("no truth") << R"({"perspective": 1})"
+                                  << "neither true nor false";
+        QTest::newRow("two numbers") << R"({"target": [1, 2]})"
+                                     << "list of three numbers";
+        QTest::newRow("no distance") << R"({"distance": 0})"
+                                     << "\"distance\" of the camera is no number";
     }
 
     void mistakesAreNamed()
