@@ -27,8 +27,8 @@ Buffer<Eigen::Vector3f> vertexGradients(const TetrahedralMesh& mesh);
 Result<TriangleMesh> extractIsosurface(const TetrahedralMesh& mesh, std::span<const Eigen::Vector3f> gradients,
                                        double isovalue, const Progress& progress = {});
 
-/// The same surface, vertices and triangles in another order, by an index of the same mesh: several times quicker if
-/// the mesh is in spatial order.
+/// The same surface to the last bit of its positions, vertices and triangles in another order, by an index of the same
+/// mesh: several times quicker if the mesh is in spatial order.
 Result<TriangleMesh> extractIsosurface(const TetrahedralMesh& mesh, const IsosurfaceIndex& index,
                                        std::span<const Eigen::Vector3f> gradients, double isovalue,
                                        const Progress& progress = {});

@@ -55,7 +55,36 @@ bool isUsable(const Isovalue& isovalue)
 
 } // namespace
 
-IsosurfaceSet::IsosurfaceSet(std::shared_ptr<const TetrahedralMesh> mesh) : mesh_(std::move(mesh)) {}
+IsosurfaceSet::IsosurfaceSet(std::shared_ptr<OrderedMesh> mesh) : mesh_(std::move(mesh)) {}
+
+IsosurfaceSet::IsosurfaceSet(std::shared_ptr<const TetrahedralMesh> mesh)
+    : mesh_(std::make_shared<OrderedMesh>(std::move(mesh)))
+{
+}
+
+Status IsosurfaceSet::chooseMesh(const Progress& progress)
+{
+    if (index_)
+        return {};
+    if (!chosen_ && !mesh_->isOrdered()) {
+        gradients_ = vertexGradients(*mesh_->original());
+        chosen_ = mesh_->original();
+        return {};
+    }
+    auto ordered = mesh_->ordered(progress.part(0, 0.4));
+    if (!ordered)
+        return ordered.error();
+    gradients_ = vertexGradients(**ordered);
+    chosen_ = *ordered;
+    index_ = makeIsosurfaceIndex(*chosen_);
+    return {};
+}
+
+Result<TriangleMesh> IsosurfaceSet::extract(double isovalue, const Progress& progress) const
+{
+    return index_ ? extractIsosurface(*chosen_, *index_, gradients_, isovalue, progress)
+                  : extractIsosurface(*chosen_, gradients_, isovalue, progress);
+}
 
 Status IsosurfaceSet::extractMissing(std::span<const Isovalue> isovalues, const Progress& progress)
 {
@@ -68,15 +97,15 @@ Status IsosurfaceSet::extractMissing(std::span<const Isovalue> isovalues, const 
     if (missing.empty())
         return {};
 
-    if (gradients_.size() != mesh_->positions.size())
-        gradients_ = vertexGradients(*mesh_);
+    if (const Status chosen = chooseMesh(progress.part(0, 0.3)); !chosen)
+        return chosen;
     if (progress.cancelled())
         return cancelledError(activity);
     const Progress extraction = progress.part(0.3, 1);
     JointProgress joint(extraction, missing.size());
     std::vector<std::optional<Result<TriangleMesh>>> extracted(missing.size());
     tbb::parallel_for(std::size_t(0), missing.size(), [&](std::size_t i) {
-        extracted[i] = extractIsosurface(*mesh_, gradients_, missing[i], progress.withCallback(joint.piece(i)));
+        extracted[i] = extract(missing[i], progress.withCallback(joint.piece(i)));
     });
     Status status;
     for (std::size_t i = 0; i < missing.size(); ++i) {

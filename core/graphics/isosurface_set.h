@@ -3,12 +3,14 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/graphics/isosurface_index.h"
 #include "core/graphics/isovalue.h"
 #include "core/graphics/scene.h"
-#include "core/mesh/tetrahedral_mesh.h"
+#include "core/mesh/ordered_mesh.h"
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,9 +18,11 @@ namespace tetra {
 
 /// The isosurfaces of one mesh for a list of isovalues that changes. Keeps the gradients of its mesh, and the surface
 /// of each isovalue for as long as the value is in the list: to change a colour, an opacity or the visibility extracts
-/// nothing. Used from one thread at a time.
+/// nothing. From its second extraction on it takes the mesh in spatial order with an index, which are not worth their
+/// time for one alone, or from the first if the mesh is in that order already. Used from one thread at a time.
 class IsosurfaceSet {
 public:
+    explicit IsosurfaceSet(std::shared_ptr<OrderedMesh> mesh);
     explicit IsosurfaceSet(std::shared_ptr<const TetrahedralMesh> mesh);
 
     /// The surfaces of the isovalues that are seen, in their order. Extracts what is missing, all at once on all
@@ -29,8 +33,13 @@ public:
 private:
     Status extractMissing(std::span<const Isovalue> isovalues, const Progress& progress);
 
-    std::shared_ptr<const TetrahedralMesh> mesh_;
-    Buffer<Eigen::Vector3f> gradients_;
+    Status chooseMesh(const Progress& progress);
+    Result<TriangleMesh> extract(double isovalue, const Progress& progress) const;
+
+    std::shared_ptr<OrderedMesh> mesh_;
+    std::shared_ptr<const TetrahedralMesh> chosen_;                  ///< of the two in mesh_
+    Buffer<Eigen::Vector3f> gradients_;                              ///< of the chosen one
+    std::optional<IsosurfaceIndex> index_;                           ///< of the ordered one, if that is chosen
     std::map<double, std::shared_ptr<const TriangleMesh>> surfaces_; ///< by isovalue
 };
 

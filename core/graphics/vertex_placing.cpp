@@ -20,18 +20,20 @@ constexpr std::size_t blockSize = 64;
 
 using Components = std::array<std::array<float, blockSize>, 3>;
 
-/// The edges of some vertices, and what becomes of them, component by component.
+/// The edges of some vertices, and what becomes of them, component by component. Edges are walked inwards: whatever the
+/// numbers of their ends are, the vertex is at the same place to the last bit.
 struct VertexBlock {
+    std::array<std::array<std::uint32_t, 2>, blockSize> ends; ///< the one outside first
     std::array<std::array<float, blockSize>, 2> values;
     std::array<Components, 2> positions;
     std::array<Components, 2> gradients;
     Components placed;
     Components normals;
-    std::array<std::uint8_t, blockSize> ends; ///< bit 0, 1: the vertex lies in the first, second end; bit 2: no normal
+    std::array<std::uint8_t, blockSize> findings; ///< bit 0, 1: it lies in the first, second end; bit 2: no normal
 };
 
 void load(const TetrahedralMesh& mesh, std::span<const Eigen::Vector3f> gradients, std::span<const EdgeKey> edges,
-          std::size_t first, std::size_t count, VertexBlock& block)
+          double isovalue, std::size_t first, std::size_t count, VertexBlock& block)
 {
     for (std::size_t i = 0; i < count; ++i) {
         for (const std::uint32_t end : endsOf(edges[std::min(first + i + fetchedAhead, edges.size() - 1)])) {
@@ -39,7 +41,10 @@ void load(const TetrahedralMesh& mesh, std::span<const Eigen::Vector3f> gradient
             __builtin_prefetch(&mesh.values[end]);
             __builtin_prefetch(&gradients[end]);
         }
-        const auto ends = endsOf(edges[first + i]);
+        const auto [a, b] = endsOf(edges[first + i]);
+        const bool isFirstInside = static_cast<double>(mesh.values[a]) >= isovalue;
+        const std::array ends = {isFirstInside ? b : a, isFirstInside ? a : b};
+        block.ends[i] = ends;
         for (std::size_t end = 0; end < 2; ++end) {
             block.values[end][i] = mesh.values[ends[end]];
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -77,23 +82,23 @@ TETRA_SIMD_CLONES void compute(VertexBlock& block, double isovalue)
         const double scale = -1 / std::sqrt(known ? square : 1.0);
         for (std::size_t axis = 0; axis < 3; ++axis)
             block.normals[axis][i] = known ? static_cast<float>(directions[axis] * scale) : 0.0f;
-        block.ends[i] = static_cast<std::uint8_t>((notFirst ^ 1u) | (notSecond ^ 1u) << 1 | (known ? 0u : 4u));
+        block.findings[i] = static_cast<std::uint8_t>((notFirst ^ 1u) | (notSecond ^ 1u) << 1 | (known ? 0u : 4u));
     }
 }
 
-void store(const VertexBlock& block, std::span<const EdgeKey> edges, std::size_t first, std::size_t count,
-           TriangleMesh& surface, PlacingFindings& found)
+void store(const VertexBlock& block, std::size_t first, std::size_t count, TriangleMesh& surface,
+           PlacingFindings& found)
 {
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t vertex = first + i;
         surface.positions[vertex] = {block.placed[0][i], block.placed[1][i], block.placed[2][i]};
         surface.normals[vertex] = {block.normals[0][i], block.normals[1][i], block.normals[2][i]};
-        if (block.ends[i] == 0)
+        const unsigned findings = block.findings[i];
+        if (findings == 0)
             continue;
-        found.normalsMissing = found.normalsMissing || (block.ends[i] & 4) != 0;
-        if ((block.ends[i] & 3) != 0)
-            found.ties.push_back(
-                {endsOf(edges[vertex])[(block.ends[i] & 1) != 0 ? 0 : 1], static_cast<std::uint32_t>(vertex)});
+        found.normalsMissing = found.normalsMissing || (findings & 4) != 0;
+        if ((findings & 3) != 0)
+            found.ties.push_back({block.ends[i][(findings & 1) != 0 ? 0 : 1], static_cast<std::uint32_t>(vertex)});
     }
 }
 
@@ -110,9 +115,9 @@ PlacingFindings placeVertices(const TetrahedralMesh& mesh, std::span<const Eigen
         VertexBlock block{};
         for (std::size_t first = range.begin(); first < range.end(); first += blockSize) {
             const std::size_t count = std::min(blockSize, range.end() - first);
-            load(mesh, gradients, edges, first, count, block);
+            load(mesh, gradients, edges, isovalue, first, count, block);
             compute(block, isovalue);
-            store(block, edges, first, count, surface, mine);
+            store(block, first, count, surface, mine);
         }
     });
     PlacingFindings all;

@@ -164,6 +164,25 @@ Result<TetrahedralMesh> order(const TetrahedralMesh& mesh, const Progress& progr
     return ordered;
 }
 
+ChunkRange rangeOf(const TetrahedralMesh& mesh, std::size_t first, std::size_t end)
+{
+    constexpr float none = -std::numeric_limits<float>::infinity();
+    // One for each corner: they need not wait for one another.
+    std::array<ChunkRange, 4> ranges;
+    ranges.fill({-none, none});
+    for (std::size_t t = first; t < end; ++t)
+        for (std::size_t corner = 0; corner < 4; ++corner) {
+            const float value = mesh.values[mesh.tetrahedra[t][corner]];
+            const float known = value >= none ? value : none; // not if NaN
+            ranges[corner].smallest = std::min(ranges[corner].smallest, known);
+            ranges[corner].largest = std::max(ranges[corner].largest, known);
+        }
+    ChunkRange all = ranges[0];
+    for (const ChunkRange& range : ranges)
+        all = {std::min(all.smallest, range.smallest), std::max(all.largest, range.largest)};
+    return all;
+}
+
 } // namespace
 
 Result<TetrahedralMesh> inSpatialOrder(const TetrahedralMesh& mesh, const Progress& progress)
@@ -180,20 +199,11 @@ Result<TetrahedralMesh> inSpatialOrder(const TetrahedralMesh& mesh, const Progre
 
 Buffer<ChunkRange> chunkRanges(const TetrahedralMesh& mesh)
 {
-    constexpr float none = -std::numeric_limits<float>::infinity();
     const std::size_t total = mesh.tetrahedra.size();
     Buffer<ChunkRange> ranges((total + rangedChunkSize - 1) / rangedChunkSize);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, ranges.size(), 16), [&](const auto& chunks) {
-        for (std::size_t c = chunks.begin(); c != chunks.end(); ++c) {
-            ChunkRange range{-none, none};
-            for (std::size_t t = c * rangedChunkSize; t < std::min(total, (c + 1) * rangedChunkSize); ++t)
-                for (const std::uint32_t vertex : mesh.tetrahedra[t]) {
-                    const float value = mesh.values[vertex];
-                    const float known = value >= none ? value : none; // not if NaN
-                    range = {std::min(range.smallest, known), std::max(range.largest, known)};
-                }
-            ranges[c] = range;
-        }
+        for (std::size_t c = chunks.begin(); c != chunks.end(); ++c)
+            ranges[c] = rangeOf(mesh, c * rangedChunkSize, std::min(total, (c + 1) * rangedChunkSize));
     });
     return ranges;
 }

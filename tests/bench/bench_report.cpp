@@ -20,8 +20,10 @@ double secondsOf(const std::function<void()>& work)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-double processSecondsOf(const std::function<void()>& work)
+double secondsOn(int threads, const std::function<void()>& work)
 {
+    if (threads > 1)
+        return secondsOf(work);
     const auto now = [] {
         timespec time{};
         ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
@@ -37,6 +39,19 @@ double median(std::vector<double> values)
     std::ranges::sort(values);
     const std::size_t middle = values.size() / 2;
     return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
+void addCompared(const BenchCase& ours, const std::map<QString, double>& yardsticks, std::vector<BenchCase>& cases)
+{
+    for (const auto& [name, seconds] : yardsticks) {
+        BenchCase one = ours;
+        one.yardstick = name;
+        one.yardstickSeconds = seconds;
+        one.more["times_faster"] = seconds / ours.seconds;
+        cases.push_back(one);
+    }
+    if (yardsticks.empty())
+        cases.push_back(ours);
 }
 
 void printReport(const QString& name, const std::vector<BenchCase>& cases, bool json)

@@ -5,6 +5,7 @@
 #include <QString>
 
 #include <functional>
+#include <map>
 #include <vector>
 
 namespace tetra {
@@ -20,10 +21,13 @@ struct BenchCase {
 
 /// Seconds that `work` takes.
 double secondsOf(const std::function<void()>& work);
-/// Seconds that `work` has a core, on all threads together.
-double processSecondsOf(const std::function<void()>& work);
+/// The same; of work on one thread those that it has a core, as others may use the machine too. VTK is timed likewise.
+double secondsOn(int threads, const std::function<void()>& work);
 /// The middle one, or the mean of the two middle ones.
 double median(std::vector<double> values);
+
+/// Adds one case for each yardstick, which are seconds by name; without any the case alone.
+void addCompared(const BenchCase& ours, const std::map<QString, double>& yardsticks, std::vector<BenchCase>& cases);
 
 /// Prints the cases to stdout: one JSON object if `json` (docs/command-line), else a table.
 void printReport(const QString& name, const std::vector<BenchCase>& cases, bool json);

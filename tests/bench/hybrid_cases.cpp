@@ -57,7 +57,7 @@ std::vector<BenchCase> hybridCases(const RenderingScene& scene, int size)
             .width = size, .height = size, .samplesPerAxis = 1, .threads = 1, .depth = named.depth};
         std::vector<double> seconds;
         for (int frame = 0; frame < 6; ++frame) {
-            const double time = processSecondsOf([&] {
+            const double time = secondsOn(1, [&] {
                 if (!backend->render(named.scene, scene.cameras.front(), options).ok())
                     qFatal("No picture.");
             });

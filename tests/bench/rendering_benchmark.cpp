@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Direct volume rendering on the CPU while the camera turns: visibility order and picture of each frame, on one thread
-// and on two, beside VTK's volume mappers with the same mesh, cameras and transfer function in the same run.
+// and on two, beside VTK's volume mappers with the same mesh, cameras and transfer function in the same run. Then
+// isosurfaces beside VTK's, and the orders of meshes.
 
 #include "tests/bench/bench_report.h"
 #include "tests/bench/hybrid_cases.h"
+#include "tests/bench/mesh_cases.h"
 #include "tests/bench/rendering_scenes.h"
 #include "tests/bench/vtk_yardstick.h"
 
@@ -53,13 +55,6 @@ struct Prepared {
     VolumeTransfer transfer;
 };
 
-/// Seconds that `work` takes; on one thread those that it has a core, as others may use the machine too. VTK is timed
-/// likewise.
-double secondsOn(int threads, const std::function<void()>& work)
-{
-    return threads > 1 ? secondsOf(work) : processSecondsOf(work);
-}
-
 /// The first frame is drawn twice and counted once.
 BenchCase measure(const RenderingScene& scene, const Prepared& prepared, int size, int threads, const QString& folder)
 {
@@ -93,18 +88,28 @@ BenchCase measure(const RenderingScene& scene, const Prepared& prepared, int siz
     return one;
 }
 
-/// One case for each yardstick.
-void compare(const BenchCase& ours, const std::map<QString, double>& yardsticks, std::vector<BenchCase>& cases)
+int framesOf(const QCommandLineParser& parser)
 {
-    for (const auto& [name, seconds] : yardsticks) {
-        BenchCase one = ours;
-        one.yardstick = name;
-        one.yardstickSeconds = seconds;
-        one.more["times_faster"] = seconds / ours.seconds;
-        cases.push_back(one);
+    return std::max(3, parser.value("frames").toInt());
+}
+
+std::vector<BenchCase> volumeCases(const QCommandLineParser& parser)
+{
+    const int frames = framesOf(parser);
+    std::vector<BenchCase> cases;
+    for (const RenderingScene& scene : renderingScenes(parser.value("cells").toUInt(), frames)) {
+        const Prepared prepared{makeVolumeMesh(scene.mesh).value(),
+                                makeVolumeTransfer(*scene.mesh, scene.function).value()};
+        for (const QString& size : parser.value("sizes").split(','))
+            for (const int threads : {1, 2}) {
+                const QString folder = parser.value("pictures");
+                std::map<QString, double> yardsticks;
+                if (!parser.isSet("without-vtk"))
+                    yardsticks = timeVtk(scene, size.toInt(), threads, folder);
+                addCompared(measure(scene, prepared, size.toInt(), threads, folder), yardsticks, cases);
+            }
     }
-    if (yardsticks.empty())
-        cases.push_back(ours);
+    return cases;
 }
 
 } // namespace
@@ -120,30 +125,31 @@ int main(int argc, char** argv)
     parser.addHelpOption();
     parser.addOption({"json", "Print one JSON object."});
     parser.addOption({"frames", "Frames of each case, at least 3; the median is reported.", "N", "5"});
-    parser.addOption({"cells", "Cells along an axis of the Marschner-Lobb signal.", "N", "64"});
+    parser.addOption({"cells", "Cells along an axis of the Marschner-Lobb signal and of C60.", "N", "64"});
     parser.addOption({"sizes", "Sides of the pictures, with commas between.", "N,N", "512,1024"});
-    parser.addOption({"hybrid", "Pictures with surfaces, clip planes and light beside those of the volume alone."});
+    parser.addOption({"parts", "What to measure: volume, hybrid, isosurface, order, with commas between.", "PARTS",
+                      "volume,isosurface,order"});
     parser.addOption({"without-vtk", "Leave the comparison with VTK out."});
     parser.addOption({"pictures", "Keep the last picture of each case in this folder.", "FOLDER"});
     parser.process(application);
-    const int frames = std::max(3, parser.value("frames").toInt());
+    const int frames = framesOf(parser);
+    const QStringList parts = parser.value("parts").split(',');
     std::vector<BenchCase> cases;
-    for (const RenderingScene& scene : renderingScenes(parser.value("cells").toUInt(), frames)) {
-        if (parser.isSet("hybrid")) {
+    if (parts.contains("volume"))
+        cases = volumeCases(parser);
+    if (parts.contains("hybrid"))
+        for (const RenderingScene& scene : renderingScenes(parser.value("cells").toUInt(), frames))
             for (const QString& size : parser.value("sizes").split(','))
                 std::ranges::move(hybridCases(scene, size.toInt()), std::back_inserter(cases));
-            continue;
-        }
-        const Prepared prepared{makeVolumeMesh(scene.mesh).value(),
-                                makeVolumeTransfer(*scene.mesh, scene.function).value()};
-        for (const QString& size : parser.value("sizes").split(','))
-            for (const int threads : {1, 2}) {
-                const QString folder = parser.value("pictures");
-                std::map<QString, double> yardsticks;
-                if (!parser.isSet("without-vtk"))
-                    yardsticks = timeVtk(scene, size.toInt(), threads, folder);
-                compare(measure(scene, prepared, size.toInt(), threads, folder), yardsticks, cases);
-            }
+    for (const BenchMesh& mesh : benchMeshes(parser.value("cells").toUInt())) {
+        std::vector<BenchCase> ofMesh;
+        if (parts.contains("isosurface"))
+            ofMesh = isosurfaceCases(mesh, frames, !parser.isSet("without-vtk"));
+        cases.insert(cases.end(), ofMesh.begin(), ofMesh.end());
+        ofMesh.clear();
+        if (parts.contains("order"))
+            ofMesh = orderCases(mesh, frames);
+        cases.insert(cases.end(), ofMesh.begin(), ofMesh.end());
     }
     printReport("rendering", cases, parser.isSet("json"));
     return 0;

@@ -40,10 +40,8 @@ TetrahedralMesh cutInFive(const std::array<std::uint32_t, 3>& size, std::vector<
     return mesh;
 }
 
-TetrahedralMesh marschnerLobb(std::uint32_t cells)
+TetrahedralMesh cubeOf(const RowFunction& signal, std::uint32_t size)
 {
-    const std::uint32_t size = cells + 1;
-    const RowFunction signal = marschnerLobbSignal(size);
     std::vector<Eigen::Vector3d> positions;
     std::vector<float> values;
     std::vector<double> row(size);
@@ -99,12 +97,26 @@ RenderingScene sceneOf(const QString& name, TetrahedralMesh mesh, int frames)
 
 } // namespace
 
+std::vector<BenchMesh> benchMeshes(std::uint32_t cells)
+{
+    std::vector<BenchMesh> meshes;
+    const auto add = [&](const QString& name, TetrahedralMesh mesh) {
+        meshes.push_back({name, std::make_shared<const TetrahedralMesh>(std::move(mesh))});
+    };
+    if (const auto bluntFin = readPlot3d("bluntfin"))
+        add("BluntFin", cutInFive(bluntFin->size, bluntFin->positions, bluntFin->values));
+    add(QString("C60 %1^3").arg(cells), cubeOf(c60Density(cells + 1), cells + 1));
+    add(QString("Marschner-Lobb %1^3").arg(cells), cubeOf(marschnerLobbSignal(cells + 1), cells + 1));
+    return meshes;
+}
+
 std::vector<RenderingScene> renderingScenes(std::uint32_t cells, int frames)
 {
     std::vector<RenderingScene> scenes;
     if (const auto bluntFin = readPlot3d("bluntfin"))
         scenes.push_back(sceneOf("BluntFin", cutInFive(bluntFin->size, bluntFin->positions, bluntFin->values), frames));
-    scenes.push_back(sceneOf(QString("Marschner-Lobb %1^3").arg(cells), marschnerLobb(cells), frames));
+    scenes.push_back(
+        sceneOf(QString("Marschner-Lobb %1^3").arg(cells), cubeOf(marschnerLobbSignal(cells + 1), cells + 1), frames));
     return scenes;
 }
 

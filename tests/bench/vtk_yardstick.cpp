@@ -43,48 +43,76 @@ QJsonObject jsonOf(const RenderingScene& scene, int size)
             {"cameras", cameras}};
 }
 
-QJsonObject runScript(const QString& folder, int threads)
+void writeMesh(const QTemporaryDir& folder, const TetrahedralMesh& mesh)
+{
+    write<Eigen::Vector3f>(folder.filePath("positions"), mesh.positions);
+    write<float>(folder.filePath("values"), mesh.values);
+    write<std::array<std::uint32_t, 4>>(folder.filePath("tetrahedra"), mesh.tetrahedra);
+}
+
+void writeScene(const QTemporaryDir& folder, const QJsonObject& scene)
+{
+    const QByteArray json = QJsonDocument(scene).toJson();
+    write<char>(folder.filePath("scene.json"), std::span(json.constData(), std::size_t(json.size())));
+}
+
+QJsonObject runScript(const QString& script, const QString& folder, int threads)
 {
     QProcess process;
     process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     const QString cores = threads == 1 ? "0" : QString("0-%1").arg(threads - 1);
-    process.start("xvfb-run", {"-a", "taskset", "-c", cores, "/usr/bin/python3",
-                               TAN_SOURCE_DIR "/tests/bench/vtk_volume.py", folder});
+    process.start("xvfb-run",
+                  {"-a", "taskset", "-c", cores, "/usr/bin/python3", TAN_SOURCE_DIR "/tests/bench/" + script, folder});
     process.waitForFinished(-1);
     return QJsonDocument::fromJson(process.readAllStandardOutput()).object();
 }
 
+std::map<QString, double> mediansOf(const QJsonObject& result)
+{
+    std::map<QString, double> medians;
+    for (const QString& name : result.keys()) {
+        std::vector<double> seconds;
+        for (const QJsonValue& value : result[name].toArray())
+            seconds.push_back(value.toDouble());
+        if (!seconds.empty())
+            medians[name] = median(seconds);
+    }
+    return medians;
+}
+
 } // namespace
+
+std::map<QString, double> timeVtkContour(const TetrahedralMesh& mesh, double isovalue, int runs, int threads)
+{
+    const QTemporaryDir folder;
+    writeMesh(folder, mesh);
+    writeScene(folder, {{"isovalue", isovalue}, {"runs", runs}});
+    const auto medians = mediansOf(runScript("vtk_contour.py", folder.path(), threads));
+    if (medians.empty())
+        std::fprintf(stderr, "No comparison with VTK: it needs the packages python3-vtk9 and xvfb.\n");
+    return medians;
+}
 
 std::map<QString, double> timeVtk(const RenderingScene& scene, int size, int threads, const QString& pictureFolder)
 {
     const QTemporaryDir folder;
-    write<Eigen::Vector3f>(folder.filePath("positions"), scene.mesh->positions);
-    write<float>(folder.filePath("values"), scene.mesh->values);
-    write<std::array<std::uint32_t, 4>>(folder.filePath("tetrahedra"), scene.mesh->tetrahedra);
-    const QByteArray json = QJsonDocument(jsonOf(scene, size)).toJson();
-    write<char>(folder.filePath("scene.json"), std::span(json.constData(), std::size_t(json.size())));
+    writeMesh(folder, *scene.mesh);
+    writeScene(folder, jsonOf(scene, size));
 
     // Of several who start an Xvfb at once one may find that another took its number.
     QJsonObject result;
     for (int attempt = 0; attempt < 3 && result.isEmpty(); ++attempt)
-        result = runScript(folder.path(), threads);
+        result = runScript("vtk_volume.py", folder.path(), threads);
     if (result.isEmpty())
         std::fprintf(stderr, "No comparison with VTK: it needs the packages python3-vtk9 and xvfb.\n");
-    std::map<QString, double> medians;
     for (const QString& mapper : result.keys()) {
-        std::vector<double> seconds;
-        for (const QJsonValue& value : result[mapper].toArray())
-            seconds.push_back(value.toDouble());
-        if (!seconds.empty())
-            medians[mapper] = median(seconds);
         const QString picture = QString("%1/%2 %3 %4.png").arg(pictureFolder, scene.name).arg(size).arg(mapper);
         if (!pictureFolder.isEmpty() && threads == 1) {
             QFile::remove(picture);
             QFile::copy(folder.filePath(mapper + ".png"), picture);
         }
     }
-    return medians;
+    return mediansOf(result);
 }
 
 } // namespace tetra

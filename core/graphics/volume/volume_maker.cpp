@@ -8,13 +8,21 @@ constexpr std::string_view activity = "Preparing the volume";
 
 } // namespace
 
-VolumeMaker::VolumeMaker(std::shared_ptr<const TetrahedralMesh> mesh) : tetrahedra_(std::move(mesh)) {}
+VolumeMaker::VolumeMaker(std::shared_ptr<OrderedMesh> mesh) : tetrahedra_(std::move(mesh)) {}
 
-Status VolumeMaker::makeMesh()
+VolumeMaker::VolumeMaker(std::shared_ptr<const TetrahedralMesh> mesh)
+    : tetrahedra_(std::make_shared<OrderedMesh>(std::move(mesh)))
+{
+}
+
+Status VolumeMaker::makeMesh(const Progress& progress)
 {
     if (mesh_)
         return {};
-    auto made = makeVolumeMesh(tetrahedra_);
+    auto ordered = tetrahedra_->ordered(progress);
+    if (!ordered)
+        return ordered.error();
+    auto made = makeVolumeMesh(*std::move(ordered));
     if (!made)
         return made.error();
     mesh_ = std::make_shared<const VolumeMesh>(*std::move(made));
@@ -25,7 +33,7 @@ Status VolumeMaker::makeTransfer(const TransferFunction& function)
 {
     if (transfer_ && function_ == function)
         return {};
-    auto made = makeVolumeTransfer(*tetrahedra_, function);
+    auto made = makeVolumeTransfer(*mesh_->mesh, function);
     if (!made)
         return made.error();
     transfer_ = std::make_shared<const VolumeTransfer>(*std::move(made));
@@ -38,7 +46,7 @@ Result<Volume> VolumeMaker::update(const TransferFunction& function, bool shaded
     progress.report(0, activity);
     if (progress.cancelled())
         return cancelledError(activity);
-    if (const Status made = makeMesh(); !made)
+    if (const Status made = makeMesh(progress.part(0, 0.4)); !made)
         return made.error();
     progress.report(0.8, activity);
     if (progress.cancelled())

@@ -8,6 +8,12 @@ namespace tetra {
 
 HybridSession::HybridSession(std::shared_ptr<const TetrahedralMesh> mesh, const Eigen::AlignedBox3d& bounds,
                              std::vector<Parameter> defaults)
+    : HybridSession(std::make_shared<OrderedMesh>(std::move(mesh)), bounds, std::move(defaults))
+{
+}
+
+HybridSession::HybridSession(const std::shared_ptr<OrderedMesh>& mesh, const Eigen::AlignedBox3d& bounds,
+                             std::vector<Parameter> defaults)
     : bounds_(bounds), defaults_(std::move(defaults)), surfaces_(mesh), volume_(mesh)
 {
 }
@@ -22,16 +28,17 @@ Result<std::shared_ptr<const Scene>> HybridSession::prepare(const ParameterValue
     if (!order)
         return order.error();
     scene->hybridOrder = *order;
-    auto surfaces =
-        surfaces_.update(parameterValue<std::vector<Isovalue>>(defaults_, values, isovaluesId), progress.part(0, 0.5));
-    if (!surfaces)
-        return surfaces.error();
-    scene->surfaces = *std::move(surfaces);
+    // First what puts the mesh in spatial order: surfaces are quicker then.
     auto volume = volume_.update(parameterValue<TransferFunction>(defaults_, values, transferId),
-                                 parameterValue<bool>(defaults_, values, shadedId), progress.part(0.5, 1));
+                                 parameterValue<bool>(defaults_, values, shadedId), progress.part(0, 0.5));
     if (!volume)
         return volume.error();
     scene->volume = *std::move(volume);
+    auto surfaces =
+        surfaces_.update(parameterValue<std::vector<Isovalue>>(defaults_, values, isovaluesId), progress.part(0.5, 1));
+    if (!surfaces)
+        return surfaces.error();
+    scene->surfaces = *std::move(surfaces);
     return std::make_shared<const Scene>(*std::move(scene));
 }
 

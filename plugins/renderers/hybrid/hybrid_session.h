@@ -19,6 +19,9 @@ public:
                                                  const Progress& progress) override;
 
 private:
+    HybridSession(const std::shared_ptr<OrderedMesh>& mesh, const Eigen::AlignedBox3d& bounds,
+                  std::vector<Parameter> defaults);
+
     Eigen::AlignedBox3d bounds_;
     std::vector<Parameter> defaults_;
     IsosurfaceSet surfaces_;

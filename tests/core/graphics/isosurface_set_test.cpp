@@ -4,6 +4,7 @@
 #include "core/graphics/isosurface_set.h"
 #include "core/graphics/palette.h"
 #include "tests/core/graphics/lattice_mesh.h"
+#include "tests/core/graphics/same_surface.h"
 
 #include <QTest>
 
@@ -61,6 +62,25 @@ private slots:
         }
         QCOMPARE(surfaces[1].opacity, 0.25f);
         QCOMPARE(surfaces[1].colour.red, 1.0f);
+    }
+
+    /// From the second extraction on of the mesh in spatial order, by an index.
+    void laterSurfacesAreTheSame()
+    {
+        const auto mesh = cone();
+        const auto gradients = vertexGradients(*mesh);
+        IsosurfaceSet set(mesh);
+        for (const double isovalue : {0.3, 0.35, 0.4, 0.3}) {
+            const auto surfaces = surfacesOf(set, {at(isovalue)});
+            const auto alone = extractIsosurface(*mesh, gradients, isovalue);
+            QVERIFY(testing::sameSurface(*surfaces[0].mesh, *alone));
+            QVERIFY(testing::sameNormals(*surfaces[0].mesh, *alone));
+        }
+        const auto ordered = std::make_shared<OrderedMesh>(mesh);
+        QVERIFY(ordered->ordered().ok());
+        IsosurfaceSet fromOrdered(ordered);
+        QVERIFY(testing::sameSurface(*surfacesOf(fromOrdered, {at(0.3)})[0].mesh,
+                                     *extractIsosurface(*mesh, gradients, 0.3)));
     }
 
     void appearanceChangesExtractNothing()

@@ -2,6 +2,7 @@
 // Marching tetrahedra (R19) with the symbolic tie rule (S16).
 #include "core/graphics/isosurface.h"
 #include "tests/core/graphics/lattice_mesh.h"
+#include "tests/core/graphics/same_surface.h"
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
@@ -275,6 +276,37 @@ private slots:
             QVERIFY(surface.positions[v].allFinite() && std::abs(surface.normals[v].norm() - 1) < 1e-5f);
     }
 
+    /// In spatial order and by an index it is the same surface, whatever is passed over: fields with and without ties
+    /// and NaN, in several runs.
+    void sameByIndex()
+    {
+        std::mt19937 random(21);
+        for (const int levels : {2, 3, 20, 100000})
+            for (const bool smooth : {false, true}) {
+                auto mesh = latticeMesh(24, 1, Split::Six, [&](const Vector3d& p) {
+                    const double noise = static_cast<double>(random() % static_cast<unsigned>(levels));
+                    return smooth ? std::floor(levels * (p - Vector3d(0.4, 0.5, 0.6)).norm()) : noise;
+                });
+                if (levels == 20)
+                    for (float& value : mesh.values)
+                        value = random() % 40 == 0 ? std::nanf("") : value;
+                QVERIFY(mesh.tetrahedra.size() > surfaceRunSize);
+                const auto ordered = inSpatialOrder(mesh).value();
+                const auto index = makeIsosurfaceIndex(ordered);
+                const auto gradients = vertexGradients(ordered);
+                for (const double isovalue : {levels * 0.45, 1.0, -1.0}) {
+                    const TriangleMesh plain = extracted(mesh, isovalue);
+                    const auto indexed = extractIsosurface(ordered, index, gradients, isovalue);
+                    QVERIFY(testing::sameSurface(plain, indexed.value()));
+                    if (isovalue != 1)
+                        continue;
+                    const auto unordered =
+                        extractIsosurface(mesh, makeIsosurfaceIndex(mesh), vertexGradients(mesh), isovalue);
+                    QVERIFY(testing::sameSurface(plain, unordered.value()));
+                }
+            }
+    }
+
     void sameWithAnyNumberOfThreads()
     {
         const auto mesh = latticeMesh(30, 1, Split::Six, randomField(11, 40));
@@ -283,6 +315,12 @@ private slots:
             tbb::task_arena arena(threads);
             return arena.execute([&] { return std::pair(vertexGradients(mesh), extracted(mesh, 20)); });
         };
+        const auto runByIndex = [&](int threads) {
+            tbb::task_arena arena(threads);
+            return arena.execute(
+                [&] { return extractIsosurface(mesh, makeIsosurfaceIndex(mesh), vertexGradients(mesh), 20).value(); });
+        };
+        const TriangleMesh indexed = runByIndex(1);
         const auto one = run(1);
         for (const int threads : {2, 5}) {
             const auto many = run(threads);
@@ -290,6 +328,10 @@ private slots:
             QVERIFY(many.second.triangles == one.second.triangles);
             QVERIFY(many.second.positions == one.second.positions);
             QVERIFY(many.second.normals == one.second.normals);
+            const TriangleMesh manyIndexed = runByIndex(threads);
+            QVERIFY(manyIndexed.triangles == indexed.triangles);
+            QVERIFY(manyIndexed.positions == indexed.positions);
+            QVERIFY(manyIndexed.normals == indexed.normals);
         }
     }
 
@@ -302,6 +344,7 @@ private slots:
         QCOMPARE(extractIsosurface(mesh, {}, 1).error().kind, ErrorKind::WrongUsage);
         const auto gradients = vertexGradients(mesh);
         QCOMPARE(extractIsosurface(mesh, gradients, std::nan("")).error().kind, ErrorKind::WrongUsage);
+        QCOMPARE(extractIsosurface(mesh, IsosurfaceIndex(), gradients, 1).error().kind, ErrorKind::WrongUsage);
     }
 
     void cancels()
