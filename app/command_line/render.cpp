@@ -125,6 +125,16 @@ void addStatistics(QJsonObject& figures, const RenderStatistics& statistics)
     figures["fill_seconds"] = statistics.fillSeconds;
 }
 
+/// "19752 triangles and a volume of 222642 tetrahedra".
+std::string contentText(const Scene& scene, std::size_t tetrahedra)
+{
+    const std::string cells = std::to_string(tetrahedra) + " tetrahedra";
+    const std::string triangles = std::to_string(triangleCount(scene)) + " triangles";
+    if (!scene.volume)
+        return triangles + " from " + cells;
+    return (scene.surfaces.empty() ? "" : triangles + " and ") + std::string("a volume of ") + cells;
+}
+
 Status writeFiles(const RenderRequest& request, const Picture& picture, QJsonObject& figures)
 {
     if (request.depth) {
@@ -202,20 +212,19 @@ Result<Outcome> runRender(const Invocation& invocation)
     if (const Status written = writeFiles(*request, *picture, figures); !written)
         return written.error();
 
-    const std::size_t triangles = triangleCount(*prepared->scene);
     const double seconds = secondsSince(start);
     figures["file"] = QFile::decodeName(request->output.c_str());
     figures["mode"] = QString::fromStdString(renderer->id);
     figures["width"] = picture->width;
     figures["height"] = picture->height;
-    figures["triangles"] = static_cast<qint64>(triangles);
+    figures["triangles"] = static_cast<qint64>(triangleCount(*prepared->scene));
     figures["backend"] = QString::fromStdString(request->backend);
     figures["seconds"] = seconds;
     return Outcome{.figures = figures,
                    .text = request->output.string() + ": " + std::to_string(picture->width) + " x " +
-                           std::to_string(picture->height) + " pixels, " + std::to_string(triangles) +
-                           " triangles from " + std::to_string(prepared->tetrahedra) + " tetrahedra, in " +
-                           rounded(seconds, 3) + " s\n"};
+                           std::to_string(picture->height) + " pixels, " +
+                           contentText(*prepared->scene, prepared->tetrahedra) + ", in " + rounded(seconds, 3) +
+                           " s\n"};
 }
 
 } // namespace tetra
