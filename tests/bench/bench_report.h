@@ -20,6 +20,8 @@ struct BenchCase {
 
 /// Seconds that `work` takes.
 double secondsOf(const std::function<void()>& work);
+/// Seconds that `work` has a core, on all threads together.
+double processSecondsOf(const std::function<void()>& work);
 /// The middle one, or the mean of the two middle ones.
 double median(std::vector<double> values);
 

@@ -3,6 +3,7 @@
 // and on two, beside VTK's volume mappers with the same mesh, cameras and transfer function in the same run.
 
 #include "tests/bench/bench_report.h"
+#include "tests/bench/hybrid_cases.h"
 #include "tests/bench/rendering_scenes.h"
 #include "tests/bench/vtk_yardstick.h"
 
@@ -14,9 +15,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 
 #include <sched.h>
-#include <time.h>
 #include <unistd.h>
 
 namespace tetra {
@@ -56,16 +57,7 @@ struct Prepared {
 /// likewise.
 double secondsOn(int threads, const std::function<void()>& work)
 {
-    if (threads > 1)
-        return secondsOf(work);
-    const auto now = [] {
-        timespec time{};
-        ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-    };
-    const double start = now();
-    work();
-    return now() - start;
+    return threads > 1 ? secondsOf(work) : processSecondsOf(work);
 }
 
 /// The first frame is drawn twice and counted once.
@@ -130,12 +122,18 @@ int main(int argc, char** argv)
     parser.addOption({"frames", "Frames of each case, at least 3; the median is reported.", "N", "5"});
     parser.addOption({"cells", "Cells along an axis of the Marschner-Lobb signal.", "N", "64"});
     parser.addOption({"sizes", "Sides of the pictures, with commas between.", "N,N", "512,1024"});
+    parser.addOption({"hybrid", "Pictures with surfaces, clip planes and light beside those of the volume alone."});
     parser.addOption({"without-vtk", "Leave the comparison with VTK out."});
     parser.addOption({"pictures", "Keep the last picture of each case in this folder.", "FOLDER"});
     parser.process(application);
     const int frames = std::max(3, parser.value("frames").toInt());
     std::vector<BenchCase> cases;
     for (const RenderingScene& scene : renderingScenes(parser.value("cells").toUInt(), frames)) {
+        if (parser.isSet("hybrid")) {
+            for (const QString& size : parser.value("sizes").split(','))
+                std::ranges::move(hybridCases(scene, size.toInt()), std::back_inserter(cases));
+            continue;
+        }
         const Prepared prepared{makeVolumeMesh(scene.mesh).value(),
                                 makeVolumeTransfer(*scene.mesh, scene.function).value()};
         for (const QString& size : parser.value("sizes").split(','))

@@ -5,12 +5,15 @@
 #include "core/graphics/scene.h"
 #include "core/graphics/shading.h"
 #include "core/graphics/volume/volume_mesh.h"
+#include "tests/core/graphics/lattice_mesh.h"
 #include "tests/core/graphics/volume/ray_integrator.h"
 #include "tests/core/graphics/volume/volume_meshes.h"
 
 #include <QtGlobal>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <memory>
 
 namespace tetra::testing {
@@ -45,6 +48,47 @@ inline IsoLayer addLayer(Scene& scene, double isovalue, const Colour& colour, fl
     scene.surfaces.push_back({std::make_shared<const TriangleMesh>(std::move(surface).value()), colour, opacity});
     const Colour lit = shaded(colour, 1, 1);
     return {isovalue, {lit.red, lit.green, lit.blue}, opacity};
+}
+
+/// One of volumeFunctions() for the values and the size of a mesh.
+inline NamedFunction functionFor(const TetrahedralMesh& mesh, const std::string& name)
+{
+    const auto [low, high] = std::ranges::minmax(mesh.values);
+    Eigen::AlignedBox3f bounds;
+    for (const auto& position : mesh.positions)
+        bounds.extend(position);
+    const auto functions = volumeFunctions(low, high, bounds.diagonal().norm() / 10);
+    return *std::ranges::find(functions, name, &NamedFunction::name);
+}
+
+inline std::uint8_t toByte(double channel)
+{
+    return static_cast<std::uint8_t>(std::lround(std::clamp(channel, 0.0, 1.0) * 255));
+}
+
+inline double valueAt(const TetrahedralMesh& mesh, double share)
+{
+    const auto [low, high] = std::ranges::minmax(mesh.values);
+    return std::lerp(double(low), double(high), share);
+}
+
+/// A cube [0, 4]^3 of half a unit of optical depth a unit of length, in one colour.
+inline Scene fogCube(float opacityOfUnit)
+{
+    const TetrahedralMesh mesh = latticeMesh(4, 4, Split::Six, [](const Eigen::Vector3d&) { return 0.5; });
+    return volumeScene(mesh, {{{0, {1, 0.5f, 0}, opacityOfUnit}}, 1});
+}
+
+/// From far before its middle, so that all rays through it are as long.
+inline Camera beforeCube()
+{
+    Camera camera;
+    camera.perspective = false;
+    camera.target = {2, 2, 2};
+    camera.distance = 8;
+    camera.azimuth = 0;
+    camera.elevation = 0;
+    return camera;
 }
 
 /// A camera that shows the mesh from the side.

@@ -7,17 +7,27 @@
 #include "core/graphics/render_backend.h"
 #include "core/graphics/volume/projected_volume.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace tetra {
 namespace {
 
-Picture emptyPicture(const PictureOptions& options)
+/// Fills a new vector, unless cancelled: gigabytes take seconds.
+template <class Value> void fill(std::vector<Value>& values, std::size_t count, const Progress& progress)
+{
+    constexpr std::size_t atOnce = 1 << 22;
+    values.reserve(count);
+    while (values.size() < count && !progress.cancelled())
+        values.resize(std::min(count, values.size() + atOnce));
+}
+
+Picture emptyPicture(const PictureOptions& options, const Progress& progress)
 {
     Picture picture{options.width, options.height, {}};
     const auto pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
-    picture.pixels.resize(pixels);
-    picture.depth.resize(options.depth ? pixels : 0);
+    fill(picture.pixels, pixels, progress);
+    fill(picture.depth, options.depth ? pixels : 0, progress);
     return picture;
 }
 
@@ -55,7 +65,9 @@ private:
         const ViewTransform transform = makeViewTransform(camera, width, height, bounds);
         const VolumeView view = makeVolumeView(camera, width, height, bounds);
         const std::vector<SampleRectangle> parts = picturePartsOf(width, height, tileSideFor(samples));
-        Picture picture = emptyPicture(options);
+        Picture picture = emptyPicture(options, progress);
+        if (progress.cancelled())
+            return cancelledError("Drawing the picture");
         RenderStatistics statistics;
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const auto share = [&](double part) { return (static_cast<double>(i) + part) / double(parts.size()); };

@@ -76,7 +76,10 @@ struct Piece {
 
 class Builder {
 public:
-    Builder(const Projector& projector, DrawList& list) : projector_(projector), list_(list) {}
+    Builder(const Projector& projector, DrawList& list, const Progress& progress)
+        : projector_(projector), list_(list), progress_(progress)
+    {
+    }
 
     Status addSurface(const Surface& surface);
     void addLines(const LineSet& lines, double samplesPerPixelAxis);
@@ -98,6 +101,7 @@ private:
 
     const Projector& projector_;
     DrawList& list_;
+    const Progress& progress_;
 };
 
 /// Adds the projected vertices; returns on which sides of the view they lie.
@@ -107,6 +111,8 @@ Buffer<std::uint8_t> Builder::projectVertices(const TriangleMesh& mesh)
     list_.vertices.resize(before + mesh.positions.size());
     Buffer<std::uint8_t> bits(mesh.positions.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, bits.size(), chunkSize), [&](const auto& range) {
+        if (progress_.cancelled())
+            return;
         for (std::size_t v = range.begin(); v != range.end(); ++v) {
             const ClipVertex vertex = toClip(mesh, static_cast<std::uint32_t>(v));
             bits[v] = outsideBits(vertex.position);
@@ -164,11 +170,14 @@ Status Builder::addSurface(const Surface& surface)
     const Buffer<std::uint8_t> bits = projectVertices(mesh);
     std::vector<Piece> pieces((mesh.triangles.size() + chunkSize - 1) / chunkSize);
     tbb::parallel_for(std::size_t(0), pieces.size(), [&](std::size_t p) {
+        if (progress_.cancelled())
+            return;
         const std::size_t first = p * chunkSize;
         const std::size_t last = std::min(first + chunkSize, mesh.triangles.size());
         pieces[p] = projectTriangles(mesh, first, last, bits, firstVertex, material);
     });
-    append(pieces);
+    if (!progress_.cancelled())
+        append(pieces);
     return {};
 }
 
@@ -187,11 +196,11 @@ void Builder::addLines(const LineSet& lines, double samplesPerPixelAxis)
 } // namespace
 
 Result<DrawList> makeDrawList(const Scene& scene, const ViewTransform& transform, double samplesPerPixelAxis,
-                              SamplePlaces places)
+                              SamplePlaces places, const Progress& progress)
 {
     DrawList list;
     const Projector projector(transform, places);
-    Builder builder(projector, list);
+    Builder builder(projector, list, progress);
     for (const Surface& surface : scene.surfaces)
         if (Status status = builder.addSurface(surface); !status)
             return status.error();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/buffer.h"
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/graphics/scene.h"
 #include "core/graphics/view_transform.h"
@@ -55,9 +56,9 @@ enum class SamplePlaces {
     Rays,
 };
 
-/// O(vertices + triangles), on all threads of the current arena. Errors: a scene whose indices lead nowhere.
-/// May throw std::bad_alloc.
+/// O(vertices + triangles), on all threads of the current arena. Incomplete if cancelled. Errors: a scene whose indices
+/// lead nowhere. May throw std::bad_alloc.
 Result<DrawList> makeDrawList(const Scene& scene, const ViewTransform& transform, double samplesPerPixelAxis,
-                              SamplePlaces places);
+                              SamplePlaces places, const Progress& progress);
 
 } // namespace tetra

@@ -166,7 +166,7 @@ Status drawPart(const Scene& scene, const PartView& view, std::span<const std::u
     progress.report(0, activity);
     const TileGrid grid{view.part.width(), view.part.height(), tileSideFor(options.samplesPerAxis)};
     Result<DrawList> list = makeDrawList(scene, view.surfaces, options.samplesPerAxis,
-                                         hasVolume(scene) ? SamplePlaces::Rays : SamplePlaces::Middle);
+                                         hasVolume(scene) ? SamplePlaces::Rays : SamplePlaces::Middle, progress);
     if (!list)
         return list.error();
     if (progress.cancelled())

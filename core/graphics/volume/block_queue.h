@@ -87,14 +87,14 @@ public:
             if constexpr (lanes == 16)
                 if (i + 1 < count_ && next[0].cell == next[1].cell &&
                     (extras != Extras::All || next[1].meets == nullptr)) {
-                    shadeTwo<perspective, extras>(next[0], next[1], shading_.segments);
+                    shadeTwo<perspective, extras>(next[0], next[1], shading_.segments, shading_.depth);
                     i += 2;
                     continue;
                 }
             if constexpr (lanes == 4)
-                shadeHalves<perspective, extras>(*next, shading_.segments);
+                shadeHalves<perspective, extras>(*next, shading_.segments, shading_.depth);
             else
-                shadeOne<perspective, extras>(*next, shading_.segments);
+                shadeOne<perspective, extras>(*next, shading_.segments, shading_.depth);
             ++i;
         }
         shaded_ += static_cast<std::size_t>(count_);

@@ -51,7 +51,7 @@ TETRA_SIMD_INLINE void store(SampleBlock& block, Float8 red, Float8 green, Float
 }
 
 template <bool perspective, Extras extras>
-TETRA_SIMD_INLINE void shadeOne(const CoveredBlock& covered, const ScaledSegment* segments)
+TETRA_SIMD_INLINE void shadeOne(const CoveredBlock& covered, const ScaledSegment* segments, bool depth)
 {
     SampleBlock& block = *covered.block;
     CellRays<Float8> rays = {covered.front, covered.back, covered.slope, block.ray, {}, {}};
@@ -60,13 +60,13 @@ TETRA_SIMD_INLINE void shadeOne(const CoveredBlock& covered, const ScaledSegment
     if constexpr (extras == Extras::All)
         if (covered.cell->perGradient > 0)
             relight<perspective>(gathered, {block.red, block.green, block.blue, block.light}, rays, *covered.cell);
-    if constexpr (extras != Extras::None)
+    if (extras == Extras::Depth || (extras == Extras::All && depth))
         keepDepth(block, 0, gathered.light, rays.enter, rays.leave);
     store(block, gathered.red, gathered.green, gathered.blue, gathered.light);
 }
 
 template <bool perspective, Extras extras>
-TETRA_SIMD_INLINE void shadeHalves(const CoveredBlock& covered, const ScaledSegment* segments)
+TETRA_SIMD_INLINE void shadeHalves(const CoveredBlock& covered, const ScaledSegment* segments, bool depth)
 {
     SampleBlock& block = *covered.block;
     const Halves front = halvesOf(covered.front), back = halvesOf(covered.back), slope = halvesOf(covered.slope);
@@ -83,7 +83,7 @@ TETRA_SIMD_INLINE void shadeHalves(const CoveredBlock& covered, const ScaledSegm
             if (covered.cell->perGradient > 0)
                 relight<perspective>(gathered[half], before[half], rays[half], *covered.cell);
     }
-    if constexpr (extras != Extras::None)
+    if (extras == Extras::Depth || (extras == Extras::All && depth))
         keepDepth(block, 0, whole(gathered[0].light, gathered[1].light), whole(rays[0].enter, rays[1].enter),
                   whole(rays[0].leave, rays[1].leave));
     store(block, whole(gathered[0].red, gathered[1].red), whole(gathered[0].green, gathered[1].green),
@@ -103,9 +103,9 @@ TETRA_SIMD_INLINE Float8 highHalf(Float16 lanes)
     return __builtin_shufflevector(lanes, lanes, 8, 9, 10, 11, 12, 13, 14, 15);
 }
 
-/// Two blocks of one cell.
-template <bool perspective, Extras extras>
-TETRA_SIMD_INLINE void shadeTwo(const CoveredBlock& one, const CoveredBlock& other, const ScaledSegment* segments)
+/// Two blocks of one cell. `depth`: whether it is wanted, of Extras::All.
+template <bool perspective, Extras extras> TETRA_SIMD_INLINE void
+shadeTwo(const CoveredBlock& one, const CoveredBlock& other, const ScaledSegment* segments, bool depth)
 {
     SampleBlock &a = *one.block, &b = *other.block;
     CellRays<Float16> rays = {joined(one.front, other.front),
@@ -123,7 +123,7 @@ TETRA_SIMD_INLINE void shadeTwo(const CoveredBlock& one, const CoveredBlock& oth
                 gathered,
                 {joined(a.red, b.red), joined(a.green, b.green), joined(a.blue, b.blue), joined(a.light, b.light)},
                 rays, *one.cell);
-    if constexpr (extras != Extras::None) {
+    if (extras == Extras::Depth || (extras == Extras::All && depth)) {
         keepDepth(a, 0, lowHalf(gathered.light), lowHalf(rays.enter), lowHalf(rays.leave));
         keepDepth(b, 0, highHalf(gathered.light), highHalf(rays.enter), highHalf(rays.leave));
     }

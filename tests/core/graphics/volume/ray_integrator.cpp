@@ -37,8 +37,10 @@ RayIntegrator::RayIntegrator(const TetrahedralMesh& mesh, const TransferFunction
       bounds_(boundsOf(mesh).merged(scene_.bounds))
 {
     worldFromClip_ = (projectionMatrix(camera, double(width) / height, bounds_) * viewMatrix(camera)).inverse();
-    for (const TransferPoint& point : function_.points)
-        mostExtinction_ = std::max(mostExtinction_, extinctionOf(point.opacity, function_.unitDistance));
+    for (const TransferPoint& point : function_.points) {
+        extinctions_.push_back(extinctionOf(point.opacity, function_.unitDistance));
+        mostExtinction_ = std::max(mostExtinction_, extinctions_.back());
+    }
     for (const auto& corners : mesh.tetrahedra) {
         const auto usable = [&](std::uint32_t corner) {
             return mesh.positions[corner].allFinite() && std::isfinite(mesh.values[corner]);
@@ -82,9 +84,11 @@ RayIntegrator::Ray RayIntegrator::rayOf(double column, double row) const
 
 bool RayIntegrator::cut(const Ray& ray, const Cell& cell, Piece& piece) const
 {
-    const Vector3d towards = cell.centre - ray.start;
-    const double along = towards.dot(ray.direction);
-    if (towards.squaredNorm() - along * along > cell.squaredRadius * (1 + 1e-9))
+    // Most cells are far from the ray; written out, as builds for finding errors call a function for each operator.
+    const double x = cell.centre[0] - ray.start[0], y = cell.centre[1] - ray.start[1],
+                 z = cell.centre[2] - ray.start[2];
+    const double along = x * ray.direction[0] + y * ray.direction[1] + z * ray.direction[2];
+    if (x * x + y * y + z * z - along * along > cell.squaredRadius * (1 + 1e-9))
         return false;
     Eigen::Vector4d weights, perLength;
     weights << 0, cell.inverse * (ray.start - cell.corner);
@@ -129,20 +133,39 @@ bool RayIntegrator::clip(const Ray& ray, Piece& piece) const
     return piece.enter < piece.leave;
 }
 
+/// As evaluate(), with the logarithms taken once.
+TransferSample RayIntegrator::look(double value) const
+{
+    const auto& points = function_.points;
+    if (points.empty())
+        return {};
+    std::size_t after = 0;
+    while (after < points.size() && points[after].value <= value)
+        ++after;
+    const std::size_t first = after == 0 ? 0 : after - 1, second = std::min(after, points.size() - 1);
+    const double width = points[second].value - points[first].value;
+    const double share = width > 0 ? (value - points[first].value) / width : 0;
+    TransferSample sample;
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        sample.colour[channel] = std::lerp(points[first].colour[channel], points[second].colour[channel], share);
+    sample.extinction = std::lerp(extinctions_[first], extinctions_[second], share);
+    return sample;
+}
+
 /// A part of a cell in which the colour changes little; where knots are in it, cut in halves first.
 void RayIntegrator::step(Light& light, double length, double valueIn, double valueOut, double cosine, double at,
                          int halvings) const
 {
-    const auto crosses = [&](const TransferPoint& point) {
-        return (point.value - valueIn) * (point.value - valueOut) < 0;
-    };
-    if (halvings > 0 && std::ranges::any_of(function_.points, crosses)) {
+    bool crosses = false;
+    for (const TransferPoint& point : function_.points)
+        crosses |= (point.value - valueIn) * (point.value - valueOut) < 0;
+    if (halvings > 0 && crosses) {
         const double middle = (valueIn + valueOut) / 2;
         step(light, length / 2, valueIn, middle, cosine, at, halvings - 1);
         step(light, length / 2, middle, valueOut, cosine, at + length / 2, halvings - 1);
         return;
     }
-    const TransferSample sample = evaluate(function_, (valueIn + valueOut) / 2);
+    const TransferSample sample = look((valueIn + valueOut) / 2);
     const double through = std::exp(-sample.extinction * length);
     for (std::size_t channel = 0; channel < 3; ++channel) {
         const double colour = cosine < 0 ? sample.colour[channel] : lit(sample.colour[channel], cosine);
@@ -158,7 +181,7 @@ void RayIntegrator::march(Light& light, const Piece& piece, double from, double 
 {
     const double whole = piece.leave - piece.enter;
     const double length = (to - from) * whole;
-    const int steps = static_cast<int>(std::clamp(length * mostExtinction_ * 30, 30.0, 3000.0));
+    const int steps = static_cast<int>(std::clamp(length * mostExtinction_ * 30, 16.0, 3000.0));
     for (int i = 0; i < steps && light.left > 1e-9; ++i) {
         const double begin = std::lerp(from, to, double(i) / steps), end = std::lerp(from, to, (i + 1.0) / steps);
         step(light, length / steps, std::lerp(piece.valueIn, piece.valueOut, begin),

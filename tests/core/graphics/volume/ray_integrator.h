@@ -81,6 +81,7 @@ private:
     bool cut(const Ray& ray, const Cell& cell, Piece& piece) const;
     bool clip(const Ray& ray, Piece& piece) const;
     void through(Light& light, const Piece& piece) const;
+    TransferSample look(double value) const;
     void meet(Light& light, const IsoLayer& layer, double at) const;
     void march(Light& light, const Piece& piece, double from, double to) const;
     void step(Light& light, double length, double valueIn, double valueOut, double cosine, double at,
@@ -93,6 +94,7 @@ private:
     Eigen::Matrix4d worldFromClip_;
     Eigen::AlignedBox3d bounds_;
     std::vector<Cell> cells_;
+    std::vector<double> extinctions_; ///< of the function's points
     double mostExtinction_ = 0;
 };
 

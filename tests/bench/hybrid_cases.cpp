@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/bench/hybrid_cases.h"
+
+#include "core/graphics/isosurface.h"
+#include "core/graphics/render_backend.h"
+#include "core/graphics/volume/volume_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetra {
+namespace {
+
+struct NamedScene {
+    QString name;
+    Scene scene;
+    bool depth = false;
+};
+
+std::vector<NamedScene> scenesOf(const RenderingScene& source)
+{
+    Scene alone;
+    alone.volume =
+        Volume{std::make_shared<const VolumeMesh>(makeVolumeMesh(source.mesh).value()),
+               std::make_shared<const VolumeTransfer>(makeVolumeTransfer(*source.mesh, source.function).value())};
+    alone.bounds = alone.volume->mesh->bounds;
+
+    Scene surfaces = alone;
+    const auto [low, high] = std::ranges::minmax(source.mesh->values);
+    const auto gradients = vertexGradients(*source.mesh);
+    for (const float share : {0.4f, 0.6f}) {
+        auto mesh = extractIsosurface(*source.mesh, gradients, std::lerp(low, high, share)).value();
+        surfaces.surfaces.push_back({std::make_shared<const TriangleMesh>(std::move(mesh)), {0.8f, share, 0}, 0.4f});
+    }
+    Scene onlySurfaces = surfaces;
+    onlySurfaces.volume.reset();
+    Scene withCell = surfaces;
+    withCell.hybridOrder = HybridOrder::WithCell;
+    Scene clipped = alone;
+    clipped.clipPlanes.push_back({{1, 0, 0}, alone.bounds.center().x()});
+    Scene lit = alone;
+    lit.volume->shaded = true;
+    return {{"the volume alone", alone},        {"two isosurfaces alone", onlySurfaces},
+            {"with two isosurfaces", surfaces}, {"with two isosurfaces before cells", withCell},
+            {"cut in halves", clipped},         {"lit", lit},
+            {"with depth", alone, true}};
+}
+
+} // namespace
+
+std::vector<BenchCase> hybridCases(const RenderingScene& scene, int size)
+{
+    std::vector<BenchCase> cases;
+    for (const NamedScene& named : scenesOf(scene)) {
+        const auto backend = makeCpuBackend();
+        const PictureOptions options{
+            .width = size, .height = size, .samplesPerAxis = 1, .threads = 1, .depth = named.depth};
+        std::vector<double> seconds;
+        for (int frame = 0; frame < 6; ++frame) {
+            const double time = processSecondsOf([&] {
+                if (!backend->render(named.scene, scene.cameras.front(), options).ok())
+                    qFatal("No picture.");
+            });
+            if (frame > 0)
+                seconds.push_back(time);
+        }
+        BenchCase one;
+        one.name = QString("%1, %2, %3").arg(scene.name).arg(size).arg(named.name);
+        one.seconds = median(seconds);
+        if (!cases.empty()) {
+            one.yardstick = "the volume alone";
+            one.yardstickSeconds = cases.front().seconds;
+        }
+        one.more["fragments"] = double(backend->statistics().fragments);
+        cases.push_back(one);
+    }
+    return cases;
+}
+
+} // namespace tetra
