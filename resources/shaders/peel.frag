@@ -11,14 +11,18 @@ uniform sampler2D accumulated;    // all layers before
 
 in vec3 surfaceNormal;
 in vec3 towardsEye;
+in vec3 placeInMesh;
 
 layout(location = 0) out vec4 layerColour;
 layout(location = 1) out uvec2 layerKey;
 
 vec3 lit(vec3 colour, vec3 normal, vec3 towardsEye);
+bool isCutOff(vec3 place);
 
 void main()
 {
+    if (isCutOff(placeInMesh))
+        discard;
     ivec2 place = ivec2(gl_FragCoord.xy);
     uvec2 key = uvec2(floatBitsToUint(gl_FragCoord.z), firstTriangle + uint(gl_PrimitiveID) + 1u);
     uvec2 previous = texelFetch(previousLayer, place, 0).xy;

@@ -9,6 +9,7 @@ uniform vec4 eye; // its place (w = 1), or the direction towards it (w = 0)
 
 out vec3 surfaceNormal;
 out vec3 towardsEye;
+out vec3 placeInMesh;
 
 // Peeling draws the same triangles again and again and compares their depths.
 invariant gl_Position;
@@ -16,6 +17,7 @@ invariant gl_Position;
 void main()
 {
     gl_Position = clipFromMesh * vec4(position, 1.0);
+    placeInMesh = position;
     surfaceNormal = normal;
     towardsEye = eye.xyz - eye.w * position;
 }

@@ -5,7 +5,7 @@
 #include "core/graphics/isosurface.h"
 #include "core/graphics/render_backend.h"
 #include "tests/core/graphics/lattice_mesh.h"
-#include "tests/render/picture_check.h"
+#include "tests/render/same_picture.h"
 #include "tests/render/scenes.h"
 
 #include <QTest>
@@ -18,62 +18,6 @@ using namespace tetra;
 using namespace tetra::testing;
 
 namespace {
-
-Picture rendered(RenderBackend& backend, const Scene& scene, const Camera& camera, const PictureOptions& options)
-{
-    auto picture = backend.render(scene, camera, options);
-    if (!picture)
-        qFatal("%s", picture.error().text.c_str());
-    return std::move(picture).value();
-}
-
-/// True if the pixel lies, in each channel, within what the 3 x 3 pixels around it span in `other`.
-bool withinNeighbourhood(const Picture& picture, const Picture& other, int x, int y, int tolerance)
-{
-    for (std::size_t channel = 0; channel < 4; ++channel) {
-        int smallest = 255;
-        int largest = 0;
-        for (int v = std::max(0, y - 1); v <= std::min(picture.height - 1, y + 1); ++v)
-            for (int u = std::max(0, x - 1); u <= std::min(picture.width - 1, x + 1); ++u) {
-                smallest = std::min<int>(smallest, pixelAt(other, u, v)[channel]);
-                largest = std::max<int>(largest, pixelAt(other, u, v)[channel]);
-            }
-        const int value = pixelAt(picture, x, y)[channel];
-        if (value < smallest - tolerance || value > largest + tolerance)
-            return false;
-    }
-    return true;
-}
-
-/// Pixels differ by 2 at most: half a step of rounding in each picture, and half floats under many layers. Only where
-/// the picture has an edge may a sample fall on its other side, since corners are rounded to 1/256 of a sample in both,
-/// but not alike: there a pixel lies within its neighbours, and such pixels are few.
-bool samePicture(const Picture& cpu, const Picture& gl, const Picture& glAgain, const QString& name)
-{
-    if (gl.pixels != glAgain.pixels) {
-        qWarning("two OpenGL pictures of the same scene differ");
-        return false;
-    }
-    int moved = 0;
-    int wrong = 0;
-    int largest = 0;
-    Picture differences = cpu;
-    for (int y = 0; y < cpu.height; ++y)
-        for (int x = 0; x < cpu.width; ++x) {
-            const int here = difference(pixelAt(cpu, x, y), pixelAt(gl, x, y));
-            const auto shade = static_cast<std::uint8_t>(std::min(255, here * 16));
-            differences.pixels[static_cast<std::size_t>(y * cpu.width + x)] = {shade, shade, shade, 255};
-            largest = std::max(largest, here);
-            if (here > 2)
-                ++(withinNeighbourhood(gl, cpu, x, y, 2) ? moved : wrong);
-        }
-    if (wrong == 0 && moved <= static_cast<int>(cpu.pixels.size()) / 100)
-        return true;
-    qWarning("%d pixels are wrong, %d moved, the largest difference is %d; %s %s %s", wrong, moved, largest,
-             qPrintable(savePicture(cpu, name + "_cpu")), qPrintable(savePicture(gl, name + "_gl")),
-             qPrintable(savePicture(differences, name + "_difference")));
-    return false;
-}
 
 /// Isosurfaces of smooth noise: they fold over each other many times.
 Scene foldedScene()

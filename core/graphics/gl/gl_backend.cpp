@@ -87,13 +87,15 @@ public:
             const PictureTarget target = makePictureTarget(gl_, options.width, options.height);
             if (Status status = painter_->draw(scene, camera, options, target.framebuffer.name(), progress); !status)
                 return status.error();
-            return readPicture(gl_, options.width, options.height);
+            Picture picture = readPicture(gl_, options.width, options.height);
+            picture.depth = painter_->takeDepth();
+            return picture;
         } catch (const std::bad_alloc&) {
             return Error{ErrorKind::OutOfResource, "Not enough memory for a picture of this size."};
         }
     }
 
-    RenderStatistics statistics() const override { return {}; }
+    RenderStatistics statistics() const override { return painter_->statistics(); }
 
 private:
     std::unique_ptr<EglContext> context_;

@@ -13,11 +13,14 @@ namespace tetra {
 namespace gl {
 inline constexpr unsigned triangles = 0x0004;
 inline constexpr unsigned less = 0x0201;
+inline constexpr unsigned lessOrEqual = 0x0203;
 inline constexpr unsigned one = 1;
 inline constexpr unsigned oneMinusDestinationAlpha = 0x0305;
 inline constexpr unsigned depthTest = 0x0B71;
 inline constexpr unsigned blend = 0x0BE2;
 inline constexpr unsigned cullFace = 0x0B44;
+inline constexpr unsigned front = 0x0404;
+inline constexpr unsigned counterclockwise = 0x0901;
 inline constexpr unsigned scissorTest = 0x0C11;
 inline constexpr unsigned stencilTest = 0x0B90;
 inline constexpr unsigned dither = 0x0BD0;
@@ -25,6 +28,8 @@ inline constexpr unsigned framebufferSrgb = 0x8DB9;
 inline constexpr unsigned packAlignment = 0x0D05;
 inline constexpr unsigned maximumTextureSize = 0x0D33;
 inline constexpr unsigned texture2D = 0x0DE1;
+inline constexpr unsigned textureBuffer = 0x8C2A;
+inline constexpr unsigned maximumTextureBufferSize = 0x8C2B;
 inline constexpr unsigned texture0 = 0x84C0;
 inline constexpr unsigned textureMinFilter = 0x2801;
 inline constexpr unsigned textureMagFilter = 0x2800;
@@ -34,9 +39,16 @@ inline constexpr unsigned unsignedInt = 0x1405;
 inline constexpr unsigned floatType = 0x1406;
 inline constexpr unsigned depthComponent = 0x1902;
 inline constexpr unsigned rgba = 0x1908;
+inline constexpr unsigned red = 0x1903;
+inline constexpr unsigned rg = 0x8227;
 inline constexpr unsigned rgInteger = 0x8228;
 inline constexpr unsigned rgba8 = 0x8058;
 inline constexpr unsigned rgba16f = 0x881A;
+inline constexpr unsigned r32f = 0x822E;
+inline constexpr unsigned rg32f = 0x8230;
+inline constexpr unsigned rgba32f = 0x8814;
+inline constexpr unsigned rgba32ui = 0x8D70;
+inline constexpr unsigned rg16ui = 0x823A;
 inline constexpr unsigned rg32ui = 0x823C;
 inline constexpr unsigned depthComponent32f = 0x8CAC;
 inline constexpr unsigned majorVersion = 0x821B;
@@ -59,6 +71,7 @@ inline constexpr unsigned framebufferComplete = 0x8CD5;
 inline constexpr unsigned colour = 0x1800;
 inline constexpr unsigned depth = 0x1801;
 inline constexpr unsigned anySamplesPassed = 0x8C2F;
+inline constexpr unsigned samplesPassed = 0x8914;
 inline constexpr unsigned queryResult = 0x8866;
 } // namespace gl
 
@@ -94,8 +107,11 @@ struct GlFunctions {
     Function<void(int, int)> uniform1i = find("glUniform1i");
     Function<void(int, unsigned)> uniform1ui = find("glUniform1ui");
     Function<void(int, float)> uniform1f = find("glUniform1f");
+    Function<void(int, float, float)> uniform2f = find("glUniform2f");
     Function<void(int, float, float, float)> uniform3f = find("glUniform3f");
     Function<void(int, float, float, float, float)> uniform4f = find("glUniform4f");
+    Function<void(int, int, const float*)> uniform4fv = find("glUniform4fv");
+    Function<void(int, int, unsigned char, const float*)> uniformMatrix3fv = find("glUniformMatrix3fv");
     Function<void(int, int, unsigned char, const float*)> uniformMatrix4fv = find("glUniformMatrix4fv");
 
     Function<Names> genBuffers = find("glGenBuffers");
@@ -116,6 +132,7 @@ struct GlFunctions {
     Function<void(unsigned, int, int, int, int, int, unsigned, unsigned, const void*)> texImage2D =
         find("glTexImage2D");
     Function<void(unsigned, unsigned, int)> texParameteri = find("glTexParameteri");
+    Function<void(unsigned, unsigned, unsigned)> texBuffer = find("glTexBuffer");
 
     Function<Names> genFramebuffers = find("glGenFramebuffers");
     Function<ConstantNames> deleteFramebuffers = find("glDeleteFramebuffers");
@@ -126,6 +143,8 @@ struct GlFunctions {
 
     Function<NameFunction> enable = find("glEnable");
     Function<NameFunction> disable = find("glDisable");
+    Function<NameFunction> cullFace = find("glCullFace");
+    Function<NameFunction> frontFace = find("glFrontFace");
     Function<NameFunction> depthFunc = find("glDepthFunc");
     Function<void(unsigned char)> depthMask = find("glDepthMask");
     Function<void(unsigned char, unsigned char, unsigned char, unsigned char)> colorMask = find("glColorMask");

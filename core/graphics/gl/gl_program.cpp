@@ -64,10 +64,10 @@ GlProgram::~GlProgram()
     gl_.deleteProgram(name_);
 }
 
-void GlProgram::setTexture(const char* uniform, int unit, unsigned texture) const
+void GlProgram::setTexture(const char* uniform, int unit, unsigned texture, unsigned target) const
 {
     gl_.activeTexture(gl::texture0 + static_cast<unsigned>(unit));
-    gl_.bindTexture(gl::texture2D, texture);
+    gl_.bindTexture(target, texture);
     set(uniform, unit);
 }
 

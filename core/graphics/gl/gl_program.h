@@ -12,6 +12,9 @@
 
 namespace tetra {
 
+/// Texture units that are used here; every OpenGL 3.3 has as many.
+inline constexpr int textureUnits = 8;
+
 /// A shader program. The context must be current for everything, also when it goes; `gl` must outlive it.
 class GlProgram {
 public:
@@ -28,6 +31,7 @@ public:
     void set(const char* uniform, int value) const { gl_.uniform1i(location(uniform), value); }
     void set(const char* uniform, unsigned value) const { gl_.uniform1ui(location(uniform), value); }
     void set(const char* uniform, float value) const { gl_.uniform1f(location(uniform), value); }
+    void set(const char* uniform, const Eigen::Vector2f& v) const { gl_.uniform2f(location(uniform), v.x(), v.y()); }
     void set(const char* uniform, const Eigen::Vector3f& v) const
     {
         gl_.uniform3f(location(uniform), v.x(), v.y(), v.z());
@@ -36,12 +40,21 @@ public:
     {
         gl_.uniform4f(location(uniform), v.x(), v.y(), v.z(), v.w());
     }
+    void set(const char* uniform, std::span<const Eigen::Vector4f> array) const
+    {
+        if (!array.empty())
+            gl_.uniform4fv(location(uniform), static_cast<int>(array.size()), array.front().data());
+    }
+    void set(const char* uniform, const Eigen::Matrix3f& matrix) const
+    {
+        gl_.uniformMatrix3fv(location(uniform), 1, 0, matrix.data());
+    }
     void set(const char* uniform, const Eigen::Matrix4f& matrix) const
     {
         gl_.uniformMatrix4fv(location(uniform), 1, 0, matrix.data());
     }
-    /// Lets the sampler `uniform` read `texture` through the texture unit `unit`.
-    void setTexture(const char* uniform, int unit, unsigned texture) const;
+    /// Lets the sampler `uniform` read `texture` through the texture unit `unit`, below textureUnits.
+    void setTexture(const char* uniform, int unit, unsigned texture, unsigned target = gl::texture2D) const;
 
 private:
     GlProgram(const GlFunctions& gl, unsigned name) : gl_(gl), name_(name) {}

@@ -20,11 +20,15 @@ Result<PainterPrograms> makePainterPrograms(const GlFunctions& gl)
         else
             status = made.error();
     };
-    make(programs.opaque, shaders::surfaceVert, std::array{shaders::opaqueFrag, shaders::lightingFrag});
-    make(programs.peel, shaders::surfaceVert, std::array{shaders::peelFrag, shaders::lightingFrag});
+    make(programs.opaque, shaders::surfaceVert,
+         std::array{shaders::opaqueFrag, shaders::lightingFrag, shaders::cutFrag});
+    make(programs.peel, shaders::surfaceVert, std::array{shaders::peelFrag, shaders::lightingFrag, shaders::cutFrag});
     make(programs.line, shaders::lineVert, std::array{shaders::lineFrag});
     make(programs.under, shaders::screenVert, std::array{shaders::underFrag});
     make(programs.resolve, shaders::screenVert, std::array{shaders::resolveFrag});
+    make(programs.saturated, shaders::screenVert, std::array{shaders::saturatedFrag});
+    make(programs.bisect, shaders::screenVert, std::array{shaders::bisectFrag});
+    make(programs.volume, shaders::volumeVert, std::array{shaders::volumeFrag, shaders::slabFrag});
     if (!status)
         return status.error();
     return programs;

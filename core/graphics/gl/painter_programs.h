@@ -15,6 +15,9 @@ struct PainterPrograms {
     std::unique_ptr<GlProgram> line;
     std::unique_ptr<GlProgram> under;
     std::unique_ptr<GlProgram> resolve;
+    std::unique_ptr<GlProgram> volume;
+    std::unique_ptr<GlProgram> saturated;
+    std::unique_ptr<GlProgram> bisect;
 };
 
 Result<PainterPrograms> makePainterPrograms(const GlFunctions& gl);

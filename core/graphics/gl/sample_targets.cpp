@@ -2,27 +2,24 @@
 #include "core/graphics/gl/sample_targets.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <string>
 
 namespace tetra {
 namespace {
 
-struct TextureFormat {
-    unsigned internal;
-    unsigned format;
-    unsigned type;
-};
 constexpr TextureFormat colourFormat{gl::rgba16f, gl::rgba, gl::floatType};
+constexpr TextureFormat fineColourFormat{gl::rgba32f, gl::rgba, gl::floatType};
 constexpr TextureFormat depthFormat{gl::depthComponent32f, gl::depthComponent, gl::floatType};
 constexpr TextureFormat keyFormat{gl::rg32ui, gl::rgInteger, gl::unsignedInt};
 
-GlObject makeTexture(const GlFunctions& gl, const SampleTargets& targets, const TextureFormat& format)
+} // namespace
+
+GlObject makeTexture(const GlFunctions& gl, int width, int height, const TextureFormat& format)
 {
     GlObject texture(gl.genTextures, gl.deleteTextures);
     gl.bindTexture(gl::texture2D, texture.name());
-    gl.texImage2D(gl::texture2D, 0, static_cast<int>(format.internal), targets.width, targets.height, 0, format.format,
-                  format.type, nullptr);
+    gl.texImage2D(gl::texture2D, 0, static_cast<int>(format.internal), width, height, 0, format.format, format.type,
+                  nullptr);
     gl.texParameteri(gl::texture2D, gl::textureMinFilter, static_cast<int>(gl::nearest));
     gl.texParameteri(gl::texture2D, gl::textureMagFilter, static_cast<int>(gl::nearest));
     gl.bindTexture(gl::texture2D, 0);
@@ -45,7 +42,6 @@ GlObject makeFramebuffer(const GlFunctions& gl, std::initializer_list<unsigned> 
     return object;
 }
 
-/// Of the framebuffer that was made last, and of the memory for all.
 Status checkComplete(const GlFunctions& gl)
 {
     const bool complete = gl.checkFramebufferStatus(gl::framebuffer) == gl::framebufferComplete;
@@ -59,9 +55,7 @@ Status checkComplete(const GlFunctions& gl)
     return {};
 }
 
-} // namespace
-
-Result<SampleTargets> makeSampleTargets(const GlFunctions& gl, int width, int height)
+Status makeSampleTargets(const GlFunctions& gl, int width, int height, SampleTargets& targets)
 {
     int limit = 0;
     gl.getIntegerv(gl::maximumTextureSize, &limit);
@@ -69,25 +63,37 @@ Result<SampleTargets> makeSampleTargets(const GlFunctions& gl, int width, int he
         return Error{ErrorKind::OutOfResource, "This OpenGL driver draws at most " + std::to_string(limit) +
                                                    " samples a side. Make the picture smaller, take fewer samples, or "
                                                    "use the CPU back end."};
-    SampleTargets targets;
     targets.width = width;
     targets.height = height;
-    targets.opaqueColour = makeTexture(gl, targets, colourFormat);
-    targets.opaqueDepth = makeTexture(gl, targets, depthFormat);
+    targets.opaqueColour = makeTexture(gl, targets.width, targets.height, colourFormat);
+    targets.opaqueDepth = makeTexture(gl, targets.width, targets.height, depthFormat);
     targets.opaqueFramebuffer = makeFramebuffer(gl, {targets.opaqueColour.name()}, targets.opaqueDepth.name());
-    if (Status status = checkComplete(gl); !status)
-        return status.error();
-    return targets;
+    return checkComplete(gl);
+}
+
+Status makeAccumulated(const GlFunctions& gl, bool fine, SampleTargets& targets)
+{
+    if (targets.accumulated.name() != 0 && targets.fine == fine)
+        return {};
+    targets.accumulated = makeTexture(gl, targets.width, targets.height, fine ? fineColourFormat : colourFormat);
+    if (fine) {
+        targets.saturatedDepth = makeTexture(gl, targets.width, targets.height, depthFormat);
+        targets.saturatedFramebuffer = makeFramebuffer(gl, {}, targets.saturatedDepth.name());
+    }
+    targets.accumulatedFramebuffer =
+        makeFramebuffer(gl, {targets.accumulated.name()}, fine ? targets.saturatedDepth.name() : 0);
+    targets.fine = fine;
+    return checkComplete(gl);
 }
 
 Status makeLayers(const GlFunctions& gl, SampleTargets& targets)
 {
-    targets.accumulated = makeTexture(gl, targets, colourFormat);
-    targets.accumulatedFramebuffer = makeFramebuffer(gl, {targets.accumulated.name()}, 0);
-    targets.layerColour = makeTexture(gl, targets, colourFormat);
-    targets.layerDepth = makeTexture(gl, targets, depthFormat);
+    if (targets.layerColour.name() != 0)
+        return {};
+    targets.layerColour = makeTexture(gl, targets.width, targets.height, colourFormat);
+    targets.layerDepth = makeTexture(gl, targets.width, targets.height, depthFormat);
     for (std::size_t i = 0; i < 2; ++i) {
-        targets.layerKeys[i] = makeTexture(gl, targets, keyFormat);
+        targets.layerKeys[i] = makeTexture(gl, targets.width, targets.height, keyFormat);
         targets.layerFramebuffers[i] =
             makeFramebuffer(gl, {targets.layerColour.name(), targets.layerKeys[i].name()}, targets.layerDepth.name());
     }

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/graphics/gl/scene_painter.h"
 
-#include "core/graphics/gl/mesh_buffers.h"
+#include "core/graphics/gl/clip_planes.h"
+#include "core/graphics/gl/gl_state.h"
+#include "core/graphics/gl/half_light.h"
 #include "core/graphics/gl/painter_programs.h"
+#include "core/graphics/gl/pixel_depths.h"
 #include "core/graphics/gl/sample_targets.h"
+#include "core/graphics/gl/surface_painter.h"
+#include "core/graphics/gl/volume_painter.h"
 #include "core/graphics/picture_options.h"
-#include "core/graphics/scene_check.h"
-#include "core/graphics/shading.h"
-#include "core/graphics/thick_lines.h"
-#include "core/graphics/view_transform.h"
 
-#include <limits>
+#include <chrono>
 #include <new>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tetra {
@@ -23,28 +26,21 @@ constexpr std::string_view activity = "Drawing the picture";
 /// Behind this opacity nothing changes an 8-bit channel; half floats cannot tell much more from 1.
 constexpr float saturatedOpacity = 1 - 1.0f / 1024;
 
-/// A surface with its triangles' first number in the scene.
-struct DrawnSurface {
-    const Surface* surface;
-    const MeshBuffers* buffers;
-    unsigned firstTriangle;
-};
+constexpr std::array<float, 4> nothing{};
+constexpr float farthest = 1;
 
-bool isOpaque(const Surface& surface)
+bool hasVolume(const Scene& scene)
 {
-    return surface.opacity >= 1;
+    return scene.volume && scene.volume->mesh && scene.volume->transfer;
 }
 
-Eigen::Vector4f colourOf(const Surface& surface)
+/// Of all that is drawn: near and far must be those of surfaces and volume alike.
+Eigen::AlignedBox3d boundsOf(const Scene& scene)
 {
-    return {surface.colour.red, surface.colour.green, surface.colour.blue, surface.opacity};
-}
-
-/// Errors that somebody else left would be taken for ours. A lost context gives them without end.
-void forgetErrors(const GlFunctions& gl)
-{
-    for (int i = 0; i < 16 && gl.getError() != 0; ++i) {
-    }
+    Eigen::AlignedBox3d bounds = scene.bounds;
+    if (hasVolume(scene))
+        bounds.extend(scene.volume->mesh->bounds);
+    return bounds;
 }
 
 } // namespace
@@ -57,29 +53,33 @@ public:
     Status draw(const Scene& scene, const Camera& camera, const PictureOptions& options, unsigned framebuffer,
                 const Progress& progress);
     const std::string& rendererName() const noexcept { return rendererName_; }
+    const RenderStatistics& statistics() const noexcept { return statistics_; }
+    std::vector<float> takeDepth() noexcept { return std::move(depth_); }
 
 private:
-    Status prepareTargets(int width, int height);
-    Result<std::vector<DrawnSurface>> collectSurfaces(const Scene& scene);
-    void drawSurface(const GlProgram& program, const DrawnSurface& surface) const;
-    void drawLines(const LineSet& lines, double samplesPerPixelAxis);
-    void drawOpaque(const Scene& scene, const std::vector<DrawnSurface>& surfaces, const PictureOptions& options);
-    bool drawLayer(const std::vector<DrawnSurface>& surfaces, std::size_t layer);
-    Status peel(const std::vector<DrawnSurface>& surfaces, const Progress& progress);
+    Status prepareTargets(const SampleView& view, bool layers, bool fine);
+    void drawOpaque(const PictureOptions& options) const;
+    bool drawLayer(std::size_t layer, unsigned nearest) const;
+    void startBlending() const;
+    Status peel(bool withVolume, unsigned nearest, const Progress& progress);
+    Status drawVolume(const VolumeLayers& layers, const Progress& progress);
+    Status drawTranslucent(bool withVolume, unsigned nearest, const Progress& progress);
+    Status findDepth(bool withVolume, const SampleView& view, const PictureOptions& options, const Progress& progress);
     void drawOverScreen() const;
-    void resolve(const PictureOptions& options, bool layered, unsigned framebuffer) const;
+    void resolve(const PictureOptions& options, bool accumulated, unsigned framebuffer) const;
 
     const GlFunctions gl_;
     PainterPrograms programs_;
-    MeshBufferCache meshes_{gl_};
+    std::optional<SurfacePainter> surfaces_;
+    VolumePainter volume_{gl_};
     SampleTargets targets_;
+    HalfLight halfLight_{gl_};
     GlObject emptyVertexArray_;
-    GlObject lineVertexArray_;
-    GlObject lineVertices_;
-    GlObject query_;
+    GlObject layerQuery_;
+    GlObject fragmentQuery_;
     std::string rendererName_;
-    ViewTransform transform_; ///< of the picture being drawn, with its eye
-    Eigen::Vector3d eye_{0, 0, 0};
+    RenderStatistics statistics_;
+    std::vector<float> depth_;
 };
 
 Status ScenePainter::Implementation::initialise()
@@ -103,100 +103,43 @@ Status ScenePainter::Implementation::initialise()
         return programs.error();
     programs_ = std::move(*programs);
     emptyVertexArray_ = {gl_.genVertexArrays, gl_.deleteVertexArrays};
-    lineVertexArray_ = {gl_.genVertexArrays, gl_.deleteVertexArrays};
-    lineVertices_ = {gl_.genBuffers, gl_.deleteBuffers};
-    query_ = {gl_.genQueries, gl_.deleteQueries};
+    layerQuery_ = {gl_.genQueries, gl_.deleteQueries};
+    fragmentQuery_ = {gl_.genQueries, gl_.deleteQueries};
+    surfaces_.emplace(gl_, programs_);
     return {};
 }
 
-Status ScenePainter::Implementation::prepareTargets(int width, int height)
+Status ScenePainter::Implementation::prepareTargets(const SampleView& view, bool layers, bool fine)
 {
-    if (targets_.width == width && targets_.height == height)
-        return {};
-    targets_ = {};
-    Result<SampleTargets> targets = makeSampleTargets(gl_, width, height);
-    if (!targets)
-        return targets.error();
-    targets_ = std::move(*targets);
-    return {};
-}
-
-Result<std::vector<DrawnSurface>> ScenePainter::Implementation::collectSurfaces(const Scene& scene)
-{
-    meshes_.dropDead();
-    std::vector<DrawnSurface> surfaces;
-    std::uint64_t triangles = 0;
-    for (const Surface& surface : scene.surfaces) {
-        if (!surface.mesh || !(surface.opacity > 0))
-            continue;
-        const Result<const MeshBuffers*> buffers = meshes_.buffersOf(surface.mesh);
-        if (!buffers)
-            return buffers.error();
-        surfaces.push_back({&surface, *buffers, static_cast<unsigned>(triangles)});
-        triangles += surface.mesh->triangles.size();
+    Status status;
+    if (targets_.width != view.width || targets_.height != view.height) {
+        targets_ = {};
+        status = makeSampleTargets(gl_, view.width, view.height, targets_);
     }
-    if (triangles >= std::numeric_limits<std::uint32_t>::max())
-        return Error{ErrorKind::OutOfResource, "The scene has more than four thousand million triangles."};
-    return surfaces;
+    if (status && (layers || fine))
+        status = makeAccumulated(gl_, fine, targets_);
+    if (status && layers)
+        status = makeLayers(gl_, targets_);
+    if (!status)
+        targets_ = {};
+    return status;
 }
 
-void ScenePainter::Implementation::drawSurface(const GlProgram& program, const DrawnSurface& drawn) const
-{
-    const Eigen::Vector3d& origin = drawn.buffers->origin;
-    const Eigen::Matrix4d clipFromMesh =
-        transform_.clipFromWorld * Eigen::Affine3d(Eigen::Translation3d(origin)).matrix();
-    program.set("clipFromMesh", Eigen::Matrix4f(clipFromMesh.cast<float>()));
-    const Eigen::Vector3f fromMesh = (eye_ - origin).cast<float>();
-    program.set("eye", transform_.perspective ? Eigen::Vector4f(fromMesh.x(), fromMesh.y(), fromMesh.z(), 1)
-                                              : Eigen::Vector4f(transform_.towardsEye.x(), transform_.towardsEye.y(),
-                                                                transform_.towardsEye.z(), 0));
-    program.set("colour", colourOf(*drawn.surface));
-    program.set("light", Eigen::Vector3f(Shading::ambient, Shading::diffuse, Shading::specular));
-    gl_.bindVertexArray(drawn.buffers->vertexArray.name());
-    gl_.drawElements(gl::triangles, drawn.buffers->indexCount, gl::unsignedInt, nullptr);
-}
-
-void ScenePainter::Implementation::drawLines(const LineSet& lines, double samplesPerPixelAxis)
-{
-    std::vector<Eigen::Vector4f> corners;
-    for (const LineQuad& quad : thickLines(lines, transform_, lines.width * samplesPerPixelAxis))
-        for (const std::size_t corner : {0, 1, 2, 0, 2, 3})
-            corners.emplace_back(quad[corner].cast<float>());
-    gl_.bindVertexArray(lineVertexArray_.name());
-    gl_.bindBuffer(gl::arrayBuffer, lineVertices_.name());
-    gl_.bufferData(gl::arrayBuffer, static_cast<std::ptrdiff_t>(corners.size() * sizeof(corners[0])), corners.data(),
-                   gl::streamDraw);
-    gl_.enableVertexAttribArray(0);
-    gl_.vertexAttribPointer(0, 4, gl::floatType, 0, 0, nullptr);
-    programs_.line->use();
-    programs_.line->set("colour", Eigen::Vector4f(lines.colour.red, lines.colour.green, lines.colour.blue, 1));
-    gl_.drawArrays(gl::triangles, 0, static_cast<int>(corners.size()));
-}
-
-void ScenePainter::Implementation::drawOpaque(const Scene& scene, const std::vector<DrawnSurface>& surfaces,
-                                              const PictureOptions& options)
+void ScenePainter::Implementation::drawOpaque(const PictureOptions& options) const
 {
     const Colour& background = options.background;
     const std::array<float, 4> colour =
         options.transparentBackground ? std::array<float, 4>{0, 0, 0, 0}
                                       : std::array<float, 4>{background.red, background.green, background.blue, 1};
-    const float farthest = 1;
     gl_.bindFramebuffer(gl::framebuffer, targets_.opaqueFramebuffer.name());
     gl_.clearBufferfv(gl::colour, 0, colour.data());
     gl_.clearBufferfv(gl::depth, 0, &farthest);
-    programs_.opaque->use();
-    for (const DrawnSurface& surface : surfaces)
-        if (isOpaque(*surface.surface))
-            drawSurface(*programs_.opaque, surface);
-    for (const LineSet& lines : scene.lines)
-        drawLines(lines, options.samplesPerAxis);
+    surfaces_->drawOpaque();
 }
 
-/// Draws the layer behind the one before; false if it is empty.
-bool ScenePainter::Implementation::drawLayer(const std::vector<DrawnSurface>& surfaces, std::size_t layer)
+/// Draws the layer behind the one before, and before the depths in the texture `nearest`; false if it is empty.
+bool ScenePainter::Implementation::drawLayer(std::size_t layer, unsigned nearest) const
 {
-    const std::array<float, 4> nothing{};
-    const float farthest = 1;
     constexpr unsigned last = 0xffffffff;
     const std::array<unsigned, 4> nothingBehind{last, last, 0, 0};
     gl_.bindFramebuffer(gl::framebuffer, targets_.layerFramebuffers[layer % 2].name());
@@ -206,54 +149,63 @@ bool ScenePainter::Implementation::drawLayer(const std::vector<DrawnSurface>& su
 
     const GlProgram& program = *programs_.peel;
     program.use();
-    program.setTexture("opaqueDepth", 0, targets_.opaqueDepth.name());
+    program.setTexture("opaqueDepth", 0, nearest);
     program.setTexture("previousLayer", 1, targets_.layerKeys[(layer + 1) % 2].name());
     program.setTexture("accumulated", 2, targets_.accumulated.name());
     program.set("saturated", saturatedOpacity);
-    gl_.beginQuery(gl::anySamplesPassed, query_.name());
-    for (const DrawnSurface& surface : surfaces) {
-        if (isOpaque(*surface.surface))
-            continue;
-        program.set("firstTriangle", surface.firstTriangle);
-        drawSurface(program, surface);
-    }
+    gl_.beginQuery(gl::anySamplesPassed, layerQuery_.name());
+    surfaces_->drawTranslucent(program);
     gl_.endQuery(gl::anySamplesPassed);
     unsigned drawn = 0;
-    gl_.getQueryObjectuiv(query_.name(), gl::queryResult, &drawn);
+    gl_.getQueryObjectuiv(layerQuery_.name(), gl::queryResult, &drawn);
     return drawn != 0;
 }
 
-Status ScenePainter::Implementation::peel(const std::vector<DrawnSurface>& surfaces, const Progress& progress)
+void ScenePainter::Implementation::startBlending() const
 {
-    if (!targets_.hasLayers()) {
-        Status status = makeLayers(gl_, targets_);
-        if (!status) {
-            targets_ = {};
-            return status;
-        }
-    }
-    const std::array<float, 4> nothing{};
-    const std::array<unsigned, 4> nothingBefore{};
     gl_.bindFramebuffer(gl::framebuffer, targets_.accumulatedFramebuffer.name());
-    gl_.clearBufferfv(gl::colour, 0, nothing.data());
+    startBlendingUnder(gl_);
+}
+
+/// Draws the volume before each layer of the translucent surfaces, the layer, and the volume behind all.
+Status ScenePainter::Implementation::peel(bool withVolume, unsigned nearest, const Progress& progress)
+{
+    const std::array<unsigned, 4> nothingBefore{};
     gl_.bindFramebuffer(gl::framebuffer, targets_.layerFramebuffers[1].name());
     gl_.clearBufferuiv(gl::colour, 1, nothingBefore.data());
-
-    for (std::size_t layer = 0; drawLayer(surfaces, layer); ++layer) {
+    bool anyLeft = true;
+    for (std::size_t layer = 0; anyLeft; ++layer) {
         if (progress.cancelled())
             return cancelledError(activity);
-        gl_.bindFramebuffer(gl::framebuffer, targets_.accumulatedFramebuffer.name());
-        gl_.disable(gl::depthTest);
-        gl_.enable(gl::blend);
-        gl_.blendFunc(gl::oneMinusDestinationAlpha, gl::one);
-        programs_.under->use();
-        programs_.under->setTexture("layer", 0, targets_.layerColour.name());
-        drawOverScreen();
-        gl_.disable(gl::blend);
-        gl_.enable(gl::depthTest);
-        progress.report(0.9 - 0.8 / static_cast<double>(layer + 2), activity); // how many come is not known
+        anyLeft = drawLayer(layer, nearest);
+        startBlending();
+        Status status;
+        if (withVolume)
+            status = drawVolume(
+                {nearest, targets_.layerKeys[(layer + 1) % 2].name(), targets_.layerKeys[layer % 2].name()}, progress);
+        if (anyLeft && status) {
+            programs_.under->use();
+            programs_.under->setTexture("layer", 0, targets_.layerColour.name());
+            drawOverScreen();
+        }
+        endBlending(gl_);
+        if (!status)
+            return status;
+        progress.report(1 - 1 / static_cast<double>(layer + 2), activity); // how many come is not known
     }
     return {};
+}
+
+Status ScenePainter::Implementation::drawVolume(const VolumeLayers& layers, const Progress& progress)
+{
+    gl_.bindVertexArray(emptyVertexArray_.name());
+    gl_.beginQuery(gl::samplesPassed, fragmentQuery_.name());
+    Status status = volume_.draw(programs_, targets_, layers, progress);
+    gl_.endQuery(gl::samplesPassed);
+    unsigned fragments = 0;
+    gl_.getQueryObjectuiv(fragmentQuery_.name(), gl::queryResult, &fragments);
+    statistics_.fragments += fragments;
+    return status;
 }
 
 void ScenePainter::Implementation::drawOverScreen() const
@@ -262,7 +214,7 @@ void ScenePainter::Implementation::drawOverScreen() const
     gl_.drawArrays(gl::triangles, 0, 3);
 }
 
-void ScenePainter::Implementation::resolve(const PictureOptions& options, bool layered, unsigned framebuffer) const
+void ScenePainter::Implementation::resolve(const PictureOptions& options, bool accumulated, unsigned framebuffer) const
 {
     gl_.bindFramebuffer(gl::framebuffer, framebuffer);
     gl_.viewport(0, 0, options.width, options.height);
@@ -270,16 +222,52 @@ void ScenePainter::Implementation::resolve(const PictureOptions& options, bool l
     const GlProgram& program = *programs_.resolve;
     program.use();
     program.setTexture("opaqueColour", 0, targets_.opaqueColour.name());
-    program.setTexture("accumulated", 1, layered ? targets_.accumulated.name() : targets_.opaqueColour.name());
-    program.set("layered", layered ? 1 : 0);
+    program.setTexture("accumulated", 1, accumulated ? targets_.accumulated.name() : targets_.opaqueColour.name());
+    program.set("layered", accumulated ? 1 : 0);
     program.set("samplesPerAxis", options.samplesPerAxis);
     drawOverScreen();
-    gl_.useProgram(0);
-    gl_.bindVertexArray(0);
-    for (const unsigned unit : {2u, 1u, 0u}) {
-        gl_.activeTexture(gl::texture0 + unit);
-        gl_.bindTexture(gl::texture2D, 0);
+}
+
+/// Draws surfaces and volume that lie before the depths in the texture `nearest`.
+Status ScenePainter::Implementation::drawTranslucent(bool withVolume, unsigned nearest, const Progress& progress)
+{
+    gl_.bindFramebuffer(gl::framebuffer, targets_.accumulatedFramebuffer.name());
+    gl_.clearBufferfv(gl::colour, 0, nothing.data());
+    if (withVolume)
+        gl_.clearBufferfv(gl::depth, 0, &farthest);
+    if (surfaces_->anyTranslucent())
+        return peel(withVolume, nearest, progress);
+    if (!withVolume)
+        return {};
+    startBlending();
+    Status status = drawVolume({nearest}, progress);
+    endBlending(gl_);
+    return status;
+}
+
+Status ScenePainter::Implementation::findDepth(bool withVolume, const SampleView& view, const PictureOptions& options,
+                                               const Progress& progress)
+{
+    if (Status status = halfLight_.prepare(view.width, view.height); !status)
+        return status;
+    gl_.viewport(0, 0, view.width, view.height);
+    const Progress silent = progress.withCallback({});
+    const std::size_t fragments = statistics_.fragments;
+    for (int step = 0; step <= HalfLight::steps; ++step) {
+        setDrawingState(gl_);
+        if (step > 0)
+            if (Status status = drawTranslucent(withVolume, halfLight_.nearest(), silent); !status)
+                return status;
+        gl_.disable(gl::depthTest);
+        halfLight_.bindStep(*programs_.bisect, targets_, step == 0);
+        drawOverScreen();
+        halfLight_.stepDone();
+        progress.report(static_cast<double>(step) / HalfLight::steps, activity);
     }
+    statistics_.fragments = fragments;
+    std::vector<float> depths = halfLight_.read();
+    depth_ = pixelDepths(depths, view, options.samplesPerAxis);
+    return {};
 }
 
 Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& camera, const PictureOptions& options,
@@ -287,39 +275,46 @@ Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& came
 {
     if (Status status = checkOptions(options); !status)
         return status;
-    for (const LineSet& lines : scene.lines)
-        if (Status status = checkLines(lines); !status)
-            return status;
+    if (Status status = checkClipPlanes(scene.clipPlanes); !status)
+        return status;
     if (progress.cancelled())
         return cancelledError(activity);
     progress.report(0, activity);
     forgetErrors(gl_);
     const int width = options.width * options.samplesPerAxis;
     const int height = options.height * options.samplesPerAxis;
-    if (Status status = prepareTargets(width, height); !status)
+    volume_.dropDead();
+    const bool withVolume = hasVolume(scene);
+    const SampleView view{camera, width, height, boundsOf(scene), withVolume};
+    if (Status status = surfaces_->prepare(scene, view, options.samplesPerAxis); !status)
         return status;
-    transform_ = makeViewTransform(camera, width, height, scene.bounds);
-    eye_ = eyePosition(camera);
-    const Result<std::vector<DrawnSurface>> surfaces = collectSurfaces(scene);
-    if (!surfaces)
-        return surfaces.error();
-
-    for (const unsigned state :
-         {gl::blend, gl::cullFace, gl::scissorTest, gl::stencilTest, gl::dither, gl::framebufferSrgb})
-        gl_.disable(state);
-    gl_.enable(gl::depthTest);
-    gl_.depthFunc(gl::less);
-    gl_.depthMask(1);
-    gl_.colorMask(1, 1, 1, 1);
+    const bool layered = surfaces_->anyTranslucent() || withVolume || options.depth;
+    if (Status status = prepareTargets(view, surfaces_->anyTranslucent(), withVolume || options.depth); !status)
+        return status;
+    statistics_ = {};
+    depth_.clear();
+    if (withVolume) {
+        if (Status status = volume_.prepare(scene, view, options, progress.part(0, 0.3)); !status)
+            return status;
+        statistics_ = volume_.statistics();
+    }
+    const auto start = std::chrono::steady_clock::now();
+    setDrawingState(gl_);
     gl_.viewport(0, 0, width, height);
-    drawOpaque(scene, *surfaces, options);
-    progress.report(0.1, activity);
-    const bool layered =
-        std::ranges::any_of(*surfaces, [](const DrawnSurface& surface) { return !isOpaque(*surface.surface); });
+    drawOpaque(options);
+    progress.report(0.4, activity);
     Status status;
     if (layered)
-        status = peel(*surfaces, progress);
-    resolve(options, layered && targets_.hasLayers(), framebuffer); // also then: it leaves the state as promised
+        status = drawTranslucent(withVolume, targets_.opaqueDepth.name(), progress.part(0.4, options.depth ? 0.5 : 1));
+    resolve(options, layered, framebuffer);
+    if (status && options.depth)
+        status = findDepth(withVolume, view, options, progress.part(0.5, 1));
+    leaveDrawingState(gl_); // also if something went wrong
+    gl_.bindFramebuffer(gl::framebuffer, framebuffer);
+    if (status && gl_.getError() == gl::outOfMemory)
+        status = Error{ErrorKind::OutOfResource, "The graphics card has not enough memory for this picture. Make it "
+                                                 "smaller, or use the CPU back end."};
+    statistics_.fillSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     progress.report(1, activity);
     return status;
 }
@@ -352,6 +347,16 @@ Status ScenePainter::draw(const Scene& scene, const Camera& camera, const Pictur
 const std::string& ScenePainter::rendererName() const noexcept
 {
     return implementation_->rendererName();
+}
+
+RenderStatistics ScenePainter::statistics() const noexcept
+{
+    return implementation_->statistics();
+}
+
+std::vector<float> ScenePainter::takeDepth() noexcept
+{
+    return implementation_->takeDepth();
 }
 
 } // namespace tetra

@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace tetra {
 
@@ -19,7 +20,8 @@ namespace tetra {
 ///
 /// Translucency is exact to the sample, by depth peeling from the front: each layer draws the translucent surfaces once
 /// more, until a layer is empty. Sorting triangles would be cheaper, but wrong where they cross, and OpenGL 3.3 has no
-/// lists of fragments. Time is that of the scene's triangles times the largest number of layers at any sample.
+/// lists of fragments. Time is that of the scene's triangles times the largest number of layers at any sample. A volume
+/// is drawn once more for each layer, too: between the one before and that one (R21).
 ///
 /// Everything is called from one thread with the context current, the destructor, too.
 class ScenePainter {
@@ -31,11 +33,18 @@ public:
     ScenePainter& operator=(const ScenePainter&) = delete;
 
     /// Draws into `framebuffer` (0 is the window's own), over its lower left options.width x options.height pixels,
-    /// with straight alpha. Buffers of a mesh are kept while somebody holds the mesh. Leaves `framebuffer` bound, and
-    /// depth test, blending, face culling, scissor and stencil test off, no program, no vertex array. The threads in
-    /// `options` do not matter. Cancelled between layers. Errors: a scene that does not hang together, out of memory.
+    /// with straight alpha. Buffers of a mesh and the order of its cells are kept while somebody holds the mesh. Leaves
+    /// `framebuffer` bound, and depth test, blending, face culling, scissor and stencil test off, no program, no vertex
+    /// array. The threads in `options` are for the order of a volume's cells. Cancelled between layers and chunks of
+    /// cells. Errors: a scene that does not hang together, more clip planes than 16, out of memory.
     Status draw(const Scene& scene, const Camera& camera, const PictureOptions& options, unsigned framebuffer,
                 const Progress& progress = {});
+
+    /// Of the last picture.
+    RenderStatistics statistics() const noexcept;
+    /// Picture::depth of the last picture, if it was wanted. It takes HalfLight::steps times as long as the picture.
+    /// Where a hybrid's order is WithCell, too, depths are those of Exact.
+    std::vector<float> takeDepth() noexcept;
 
     /// The driver's name of what draws: "NVIDIA ...", "llvmpipe (LLVM ...)".
     const std::string& rendererName() const noexcept;

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/graphics/gl/volume_painter.h"
+
+#include "core/graphics/cpu/drawing_threads.h"
+#include "core/graphics/gl/clip_planes.h"
+#include "core/graphics/sample_rectangle.h"
+#include "core/graphics/shading.h"
+#include "core/graphics/volume/projected_volume.h"
+#include "core/graphics/volume/volume_view.h"
+
+#include <chrono>
+
+namespace tetra {
+namespace {
+
+constexpr std::string_view activity = "Drawing the volume";
+constexpr int verticesPerCell = 12;
+/// How often in a picture the samples that nothing can be added to are marked: a pass over all samples each.
+constexpr std::size_t marks = 16;
+/// Less light than this from behind is none, as on the CPU.
+constexpr float leastLight = 1.0f / 16384;
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start)
+{
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// What is left of numbers that are rounded to floats.
+Eigen::Vector3f lowPart(const Eigen::Vector3d& number)
+{
+    return (number - number.cast<float>().cast<double>()).cast<float>();
+}
+
+/// q (volume.frag) at the far plane, and how much it rises towards the eye for one unit of depth.
+Eigen::Vector2f boundOfDepth(const Eigen::Matrix4d& projection, bool perspective, double unit)
+{
+    const double a = projection(2, 2), b = projection(2, 3);
+    if (perspective)
+        return Eigen::Vector2d((1 + a) / b, -2 / b).cast<float>() * static_cast<float>(unit);
+    return Eigen::Vector2d((1 - b) / (a * unit), -2 / (a * unit)).cast<float>();
+}
+
+/// The planes in the picture, as volume.frag wants them.
+std::vector<Eigen::Vector4f> cutsOf(const std::vector<ClipPlane>& planes, const VolumeView& view,
+                                    const Eigen::Vector3d& origin)
+{
+    const Eigen::Matrix3d worldFromImage = view.imageFromWorld.leftCols<3>().inverse();
+    const Eigen::Vector3d imageOfOrigin = view.imageFromWorld * origin.homogeneous();
+    std::vector<Eigen::Vector4f> cuts;
+    for (const ClipPlane& plane : planes) {
+        const Eigen::Vector3d normal = worldFromImage.transpose() * plane.normal;
+        const double atOrigin = plane.normal.dot(origin) - plane.offset;
+        const double atZero = atOrigin - normal.dot(imageOfOrigin);
+        const Eigen::Vector4d cut = view.perspective ? Eigen::Vector4d(normal.x(), normal.y(), normal.z(), atZero)
+                                                     : Eigen::Vector4d(normal.x(), normal.y(), atZero, -normal.z());
+        cuts.emplace_back(cut.cast<float>());
+    }
+    return cuts;
+}
+
+} // namespace
+
+Status VolumePainter::prepareCells(const Volume& volume, const SampleView& view, const PictureOptions& options,
+                                   const Progress& progress)
+{
+    const Result<VolumeBuffers*> buffers = buffers_.buffersOf(volume.mesh);
+    if (!buffers)
+        return buffers.error();
+    drawn_ = *buffers;
+    Clock::time_point start = Clock::now();
+    const KeptOrder::Request request{
+        volume.mesh, view.camera, view_, {0, 0, view.width, view.height}, options.orderTolerance};
+    if (Status status = onThreads(options.threads, [&] { return drawn_->order.prepare(request, progress); }); !status)
+        return status;
+    statistics_.orderSeconds = secondsSince(start);
+    statistics_.orderReused = drawn_->order.reused();
+    statistics_.brokenCycles = drawn_->order.brokenCycles();
+    start = Clock::now();
+    if (!drawn_->order.reused() || drawn_->transfer.lock() != volume.transfer) {
+        drawn_->transfer.reset(); // until it is true
+        if (Status status = fillCells(gl_, *volume.mesh->mesh, *volume.transfer, *drawn_); !status)
+            return status;
+        drawn_->transfer = volume.transfer;
+    }
+    statistics_.setUpSeconds = secondsSince(start);
+    statistics_.cells = drawn_->cells;
+    return {};
+}
+
+Status VolumePainter::prepare(const Scene& scene, const SampleView& view, const PictureOptions& options,
+                              const Progress& progress)
+{
+    statistics_ = {};
+    const Volume& volume = *scene.volume;
+    if (!belongTogether(*volume.mesh, *volume.transfer, {}))
+        return Error{ErrorKind::WrongUsage,
+                     "The volume of the scene and its transfer function do not belong together."};
+    const Camera& camera = view.camera;
+    view_ = makeVolumeView(camera, view.width, view.height, view.bounds);
+    segments_ = scaleSegments(volume.transfer->segments, view_.unit);
+    origin_ = camera.perspective ? eyePosition(camera) : camera.target;
+    cuts_ = cutsOf(scene.clipPlanes, view_, origin_);
+    const double aspectRatio = static_cast<double>(view.width) / view.height;
+    boundOfDepth_ = boundOfDepth(projectionMatrix(camera, aspectRatio, view.bounds), camera.perspective, view_.unit);
+    shaded_ = volume.shaded;
+    wholeCells_ = scene.hybridOrder == HybridOrder::WithCell;
+    fillSegments(gl_, segments_, segmentBuffer_);
+    return prepareCells(volume, view, options, progress);
+}
+
+void VolumePainter::setUniforms(const GlProgram& program) const
+{
+    const Eigen::Vector3d imageOfOrigin = view_.imageFromWorld * origin_.homogeneous();
+    program.set("perspective", view_.perspective ? 1 : 0);
+    program.set("originHigh", Eigen::Vector3f(origin_.cast<float>()));
+    program.set("originLow", lowPart(origin_));
+    program.set("imageFromWorld", Eigen::Matrix3f(view_.imageFromWorld.leftCols<3>().cast<float>()));
+    program.set("imageOfOrigin",
+                view_.perspective ? Eigen::Vector3f(0, 0, 0) : Eigen::Vector3f(imageOfOrigin.cast<float>()));
+    const auto smallest = static_cast<float>(segments_.smallest);
+    program.set("smallestValue", Eigen::Vector2f(smallest, static_cast<float>(segments_.smallest - double(smallest))));
+    program.set("perValue", static_cast<float>(segments_.perValue));
+    program.set("pictureSize", Eigen::Vector2f(static_cast<float>(view_.width), static_cast<float>(view_.height)));
+    program.set("sampleShift", Eigen::Vector2f(static_cast<float>(sampleX - 0.5), static_cast<float>(sampleY - 0.5)));
+    program.set("samplesPerSlope", Eigen::Vector2f(view_.samplesPerSlope.cast<float>()));
+    program.set("nearest", static_cast<float>(view_.nearest));
+    program.set("nearestBound", view_.perspective ? static_cast<float>(1 / view_.nearest) : 0.0f);
+    program.set("cutCount", static_cast<int>(cuts_.size()));
+    program.set("cuts", cuts_);
+    program.set("boundOfDepth", boundOfDepth_);
+    program.set("wholeCells", wholeCells_ ? 1 : 0);
+    program.set("shaded", shaded_ ? 1 : 0);
+    program.set("light", Eigen::Vector3f(Shading::ambient, Shading::diffuse, Shading::specular));
+    // How long u and v are for one unit of length across the view, in units of w for one along it.
+    program.set(
+        "lengths",
+        Eigen::Vector2f((view_.imageFromWorld.leftCols<3>().topRows<2>().rowwise().norm() * view_.unit).cast<float>()));
+}
+
+void VolumePainter::setCellState() const
+{
+    gl_.enable(gl::cullFace);
+    gl_.cullFace(gl::front);
+    gl_.frontFace(gl::counterclockwise);
+    gl_.enable(gl::depthTest);
+    gl_.depthFunc(gl::lessOrEqual);
+    gl_.depthMask(0);
+}
+
+void VolumePainter::markSaturated(const GlProgram& program, const SampleTargets& targets) const
+{
+    gl_.bindFramebuffer(gl::framebuffer, targets.saturatedFramebuffer.name());
+    gl_.disable(gl::cullFace);
+    gl_.depthMask(1);
+    program.use();
+    program.setTexture("accumulated", textureUnits - 1, targets.accumulated.name());
+    program.set("saturated", 1 - leastLight);
+    gl_.drawArrays(gl::triangles, 0, 3);
+    // Not to be read while it is drawn into.
+    gl_.bindTexture(gl::texture2D, 0);
+    gl_.bindFramebuffer(gl::framebuffer, targets.accumulatedFramebuffer.name());
+    setCellState();
+}
+
+Status VolumePainter::draw(const PainterPrograms& programs, const SampleTargets& targets, const VolumeLayers& layers,
+                           const Progress& progress) const
+{
+    const GlProgram& program = *programs.volume;
+    program.use();
+    setUniforms(program);
+    program.set("layered", layers.behind != 0 ? 1 : 0);
+    program.setTexture("opaqueDepth", 0, layers.opaqueDepth);
+    program.setTexture("layerBefore", 1, layers.before);
+    program.setTexture("layerBehind", 2, layers.behind);
+    program.setTexture("vertices", 3, drawn_->vertices.texture.name(), gl::textureBuffer);
+    program.setTexture("segments", 4, segmentBuffer_.texture.name(), gl::textureBuffer);
+    setCellState();
+    const std::size_t chunksPerMark = (drawn_->chunks.size() + marks - 1) / marks;
+    Status status;
+    for (std::size_t i = 0; i < drawn_->chunks.size(); ++i) {
+        if (progress.cancelled()) {
+            status = cancelledError(activity);
+            break;
+        }
+        if (i > 0 && i % chunksPerMark == 0) {
+            markSaturated(*programs.saturated, targets);
+            program.use();
+        }
+        const CellChunk& chunk = drawn_->chunks[i];
+        program.setTexture("corners", 5, chunk.corners.texture.name(), gl::textureBuffer);
+        program.setTexture("segmentsOfCell", 6, chunk.segments.texture.name(), gl::textureBuffer);
+        gl_.drawArrays(gl::triangles, 0, chunk.count * verticesPerCell);
+    }
+    gl_.disable(gl::cullFace);
+    gl_.disable(gl::depthTest);
+    gl_.depthFunc(gl::less);
+    gl_.depthMask(1);
+    return status;
+}
+
+} // namespace tetra

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/graphics/gl/painter_programs.h"
+#include "core/graphics/gl/sample_targets.h"
+#include "core/graphics/gl/sample_view.h"
+#include "core/graphics/gl/volume_buffers.h"
+#include "core/graphics/render_backend.h"
+
+namespace tetra {
+
+/// The textures between whose surfaces a volume is drawn.
+struct VolumeLayers {
+    unsigned opaqueDepth = 0;
+    unsigned before = 0; ///< the key of each sample's layer before (peel.frag); 0 without translucent surfaces
+    unsigned behind = 0; ///< and of the next
+};
+
+/// Draws the volume of a scene cell by cell, front to back, under what is in the framebuffer already. Every cell is the
+/// faces of its that look away from the eye; each fragment computes the ray's way through the cell and its light in
+/// closed form, as the CPU back end does. The order comes from the CPU and stays on the card while it fits.
+///
+/// The context must be current for everything, also when it goes; `gl` must outlive it.
+class VolumePainter {
+public:
+    explicit VolumePainter(const GlFunctions& gl) : gl_(gl), buffers_(gl) {}
+
+    /// Makes ready to draw the scene's volume, which there must be. Errors: parts that do not belong together, more
+    /// vertices than the driver allows, no memory, cancelled.
+    Status prepare(const Scene& scene, const SampleView& view, const PictureOptions& options, const Progress& progress);
+
+    /// Draws what lies between two layers into targets.accumulatedFramebuffer, which is bound, with a vertex array
+    /// without attributes and blending under what is there. From time to time the samples where nothing more can be
+    /// seen are marked, and left out from then on. Leaves depth test and face culling off. Cancelled between chunks of
+    /// cells.
+    Status draw(const PainterPrograms& programs, const SampleTargets& targets, const VolumeLayers& layers,
+                const Progress& progress) const;
+
+    /// Frees the buffers of meshes that nobody holds any more.
+    void dropDead() { buffers_.dropDead(); }
+
+    /// Of what prepare() did.
+    const RenderStatistics& statistics() const noexcept { return statistics_; }
+
+private:
+    Status prepareCells(const Volume& volume, const SampleView& view, const PictureOptions& options,
+                        const Progress& progress);
+    void setUniforms(const GlProgram& program) const;
+    void markSaturated(const GlProgram& program, const SampleTargets& targets) const;
+    void setCellState() const;
+
+    const GlFunctions& gl_;
+    VolumeBufferCache buffers_;
+    TextureBuffer segmentBuffer_;
+    RenderStatistics statistics_;
+    // Of the picture being drawn.
+    VolumeBuffers* drawn_ = nullptr;
+    VolumeView view_;
+    ScaledSegments segments_;
+    Eigen::Vector3d origin_{0, 0, 0}; ///< the eye, or in orthographic views what it looks at
+    std::vector<Eigen::Vector4f> cuts_;
+    Eigen::Vector2f boundOfDepth_{0, 0};
+    bool wholeCells_ = false;
+    bool shaded_ = false;
+};
+
+} // namespace tetra

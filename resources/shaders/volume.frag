@@ -1,0 +1,125 @@
+#version 330 core
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of a ray that lies in a cell, behind one layer of surfaces and before the next. With q = 1 / w in perspective,
+// else -w, the planes of faces and cuts bound q by functions that are affine in the picture (CellSetup).
+uniform bool perspective;
+uniform vec2 pictureSize;
+uniform vec2 sampleShift;
+uniform vec2 samplesPerSlope;
+uniform float nearestBound;      // q of the near plane
+uniform int cutCount;
+uniform vec4 cuts[16];           // inside is a x + b y + c + d q >= 0, x and y from the centre
+uniform vec2 boundOfDepth;       // q is x + y * (1 - depth)
+uniform sampler2D opaqueDepth;
+uniform usampler2D layerBefore;  // depth as bits and a triangle's number plus one
+uniform usampler2D layerBehind;
+uniform bool layered;
+uniform bool wholeCells;         // each cell goes behind all layers that it meets
+uniform bool shaded;
+uniform vec3 light;              // ambient, diffuse, specular
+
+flat in vec4 faceBounds[4];
+flat in vec4 slope;
+flat in vec3 valueRange;
+flat in ivec2 segmentRange;
+flat in vec2 reference;
+flat in float perGradient;
+
+layout(location = 0) out vec4 result;
+
+const uint noLayer = 0xffffffffu;
+const float farBound = 1e30;
+
+vec4 lightOfSlabs(ivec2 range, bool fromOrigin, float valueIn, float valueOut, float way);
+
+// The range of q, back to front, that lies in the cell; empty if y <= x.
+vec2 rangeInCell(vec2 place)
+{
+    vec2 range = vec2(-farBound, perspective ? nearestBound : farBound);
+    for (int face = 0; face < 4; ++face) {
+        float bound = dot(faceBounds[face].xy, place) + faceBounds[face].z;
+        if (faceBounds[face].w > 0.0)
+            range.y = min(range.y, bound);
+        else
+            range.x = max(range.x, bound);
+    }
+    return range;
+}
+
+void cutRange(vec2 fromCentre, inout vec2 range)
+{
+    for (int i = 0; i < cutCount; ++i) {
+        float atZero = dot(cuts[i].xy, fromCentre) + cuts[i].z;
+        if (cuts[i].w > 0.0)
+            range.x = max(range.x, -atZero / cuts[i].w);
+        else if (cuts[i].w < 0.0)
+            range.y = min(range.y, -atZero / cuts[i].w);
+        else if (atZero < 0.0)
+            range.y = -farBound;
+    }
+}
+
+float boundAtDepth(float depth)
+{
+    return boundOfDepth.x + boundOfDepth.y * (1.0 - depth);
+}
+
+// What lies between the surfaces around the piece of the ray that is drawn now: as range, back to front.
+vec2 rangeOfLayers()
+{
+    ivec2 place = ivec2(gl_FragCoord.xy);
+    vec2 range = vec2(-farBound, farBound);
+    float depth = texelFetch(opaqueDepth, place, 0).x;
+    if (depth < 1.0)
+        range.x = boundAtDepth(depth);
+    if (!layered)
+        return range;
+    uvec2 before = texelFetch(layerBefore, place, 0).xy;
+    uvec2 behind = texelFetch(layerBehind, place, 0).xy;
+    if (before.x == noLayer)
+        range.y = -farBound; // all was drawn
+    else if (before.y != 0u)
+        range.y = boundAtDepth(uintBitsToFloat(before.x));
+    if (behind.x != noLayer)
+        range.x = max(range.x, boundAtDepth(uintBitsToFloat(behind.x)));
+    return range;
+}
+
+// Light and opacity of a cell, lit as a surface across the gradient would be (core/graphics/shading.h). The cosine between
+// the gradient and the ray is the value's change for one unit of w, over that for one unit of length along the gradient
+// and the ray's length for one unit of w.
+vec4 litByGradient(vec4 seen, float change, float ray)
+{
+    float cosine = min(1.0, abs(change) * perGradient / ray);
+    float power4 = cosine * cosine * cosine * cosine;
+    float power16 = power4 * power4 * power4 * power4;
+    vec3 colour = seen.rgb * (light.x + light.y * cosine) + light.z * power16 * power16 * seen.a;
+    return vec4(min(colour, vec3(seen.a)), seen.a);
+}
+
+void main()
+{
+    vec2 place = vec2(gl_FragCoord.x - reference.x, reference.y - gl_FragCoord.y);
+    vec2 fromCentre = vec2(gl_FragCoord.x - pictureSize.x * 0.5, pictureSize.y * 0.5 - gl_FragCoord.y) + sampleShift;
+    vec2 range = rangeInCell(place);
+    cutRange(fromCentre, range);
+    vec2 layers = rangeOfLayers();
+    if (!wholeCells)
+        range = vec2(max(range.x, layers.x), min(range.y, layers.y));
+    else if (!(range.x >= layers.x && range.x < layers.y))
+        discard;
+    if (!(range.y > range.x) || (perspective && !(range.x > 0.0)))
+        discard;
+
+    float enter = perspective ? 1.0 / range.y : -range.y;
+    float leave = perspective ? 1.0 / range.x : -range.x;
+    vec2 slopes = perspective ? fromCentre / samplesPerSlope : vec2(0.0);
+    float ray = sqrt(1.0 + dot(slopes, slopes)); // its length for one unit of w
+    float perPlace = dot(slope.xy, place) + slope.z;
+    float valueIn = perspective ? perPlace * enter + slope.w : perPlace + slope.w * range.y;
+    float valueOut = perspective ? perPlace * leave + slope.w : perPlace + slope.w * range.x;
+    result = lightOfSlabs(segmentRange, valueRange.z == 0.0, clamp(valueIn, valueRange.x, valueRange.y),
+                          clamp(valueOut, valueRange.x, valueRange.y), (leave - enter) * ray);
+    if (shaded && perGradient > 0.0)
+        result = litByGradient(result, perspective ? perPlace : slope.w, ray);
+}
