@@ -53,6 +53,8 @@ private:
     void showVolume() const;
     void choose(const char* dialog, const QString& path) const;
 
+    QTemporaryDir folder_;
+    QString model_;
     std::unique_ptr<WindowFixture> window_;
 };
 
@@ -62,6 +64,8 @@ void RenderingTest::initTestCase()
     QCoreApplication::setApplicationName("rendering");
     QSettings().clear();
     QLocale::setDefault(QLocale::c());
+    model_ = QString::fromStdString(
+        buildSampleModel(*hostOfThisBuild(), sampleDataset(16), folder_.path().toStdString()).string());
 }
 
 void RenderingTest::init()
@@ -69,8 +73,7 @@ void RenderingTest::init()
     window_ = std::make_unique<WindowFixture>();
     window_->window.resize(1280, 900);
     window_->window.show();
-    const auto path = buildSampleModel(*window_->host, sampleDataset(16), window_->folderPath(), 0);
-    window_->window.open(QString::fromStdString(path));
+    window_->window.open(model_);
     QTRY_VERIFY(session().model() && window_->settled());
 }
 

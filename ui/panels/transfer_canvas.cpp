@@ -71,7 +71,7 @@ TransferLimits TransferCanvas::limits() const
 TransferPlot TransferCanvas::plot() const
 {
     const int line = fontMetrics().height();
-    const int left = fontMetrics().horizontalAdvance("100 %") + 6;
+    const int left = fontMetrics().horizontalAdvance("100 %") + 10;
     return {QRectF(rect()).adjusted(left, pointRadius + 2, -pointRadius - 4, -line - stripHeight - 8), limits()};
 }
 

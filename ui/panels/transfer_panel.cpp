@@ -302,6 +302,8 @@ void TransferPanel::showFunction()
     const QSignalBlocker blocker(value_);
     value_->setValueRange(least, largest);
     step_->setChecked(point && isOnStep(function(), *point));
+    if (!point)
+        colour_->setColour(palette().color(QPalette::Button));
     if (point) {
         const TransferPoint& shown = function().points[*point];
         showNumber(*value_, shown.value);

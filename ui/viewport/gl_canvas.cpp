@@ -120,7 +120,8 @@ void GlCanvas::paintGL()
     context()->functions()->glFinish(); // so that the time is that of drawing, not of asking for it
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const int samples = options.samplesPerAxis * options.samplesPerAxis;
-    pacer_.learn(plan.level, static_cast<double>(samples) * options.width * options.height, {}, seconds);
+    pacer_.learn(plan.level, static_cast<double>(samples) * options.width * options.height, painter_->statistics(),
+                 seconds);
     settled_ = !view_.moving;
     framePainted({seconds, view_.moving, view_.moving ? clock_.tick() : 0, plan.reduction, level.tetrahedra});
 }
