@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/graphics/scene_check.h"
 
+#include "core/graphics/volume/volume_mesh.h"
+
 #include <algorithm>
 
 namespace tetra {
@@ -21,6 +23,21 @@ Status checkLines(const LineSet& lines)
         if (std::ranges::max(segment) >= lines.points.size())
             return Error{ErrorKind::WrongUsage, "A line of the scene has an end that does not exist."};
     return {};
+}
+
+bool hasVolume(const Scene& scene)
+{
+    return scene.volume && scene.volume->mesh && scene.volume->transfer;
+}
+
+bool hasFocus(const Scene& scene)
+{
+    return hasVolume(scene) && scene.focus && scene.focus->fine.mesh && scene.focus->fine.transfer;
+}
+
+Eigen::AlignedBox3d drawnBounds(const Scene& scene)
+{
+    return hasVolume(scene) ? scene.bounds.merged(scene.volume->mesh->bounds) : scene.bounds;
 }
 
 } // namespace tetra

@@ -11,4 +11,11 @@ Status checkMesh(const TriangleMesh& mesh);
 /// An error if a segment has an end that does not exist. O(segments).
 Status checkLines(const LineSet& lines);
 
+/// The scene has a volume to be seen.
+bool hasVolume(const Scene& scene);
+/// That volume has a focus with a fine volume.
+bool hasFocus(const Scene& scene);
+/// Of all that is drawn: near and far must be those of surfaces and volume alike.
+Eigen::AlignedBox3d drawnBounds(const Scene& scene);
+
 } // namespace tetra

@@ -5,6 +5,7 @@
 #include "core/graphics/cpu/picture_parts.h"
 #include "core/graphics/picture_options.h"
 #include "core/graphics/render_backend.h"
+#include "core/graphics/scene_check.h"
 #include "core/graphics/volume/projected_volume.h"
 
 #include <algorithm>
@@ -31,14 +32,6 @@ Picture emptyPicture(const PictureOptions& options, const Progress& progress)
     return picture;
 }
 
-Eigen::AlignedBox3d boundsOf(const Scene& scene)
-{
-    Eigen::AlignedBox3d bounds = scene.bounds;
-    if (hasVolume(scene))
-        bounds.extend(scene.volume->mesh->bounds);
-    return bounds;
-}
-
 class CpuBackend final : public RenderBackend {
 public:
     std::string_view id() const noexcept override { return "cpu"; }
@@ -63,7 +56,7 @@ private:
     {
         const int samples = options.samplesPerAxis;
         const int width = options.width * samples, height = options.height * samples;
-        const Eigen::AlignedBox3d bounds = boundsOf(scene);
+        const Eigen::AlignedBox3d bounds = drawnBounds(scene);
         const ViewTransform transform = makeViewTransform(camera, width, height, bounds);
         const VolumeView view = makeVolumeView(camera, width, height, bounds);
         const std::vector<SampleRectangle> parts = picturePartsOf(width, height, tileSideFor(samples));

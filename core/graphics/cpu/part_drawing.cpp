@@ -6,6 +6,7 @@
 #include "core/graphics/cpu/tile_painter.h"
 #include "core/graphics/cpu/tile_progress.h"
 #include "core/graphics/resolve.h"
+#include "core/graphics/scene_check.h"
 #include "core/graphics/volume/projected_volume.h"
 #include "core/graphics/volume/tile_picture.h"
 
@@ -172,16 +173,6 @@ private:
 int tileSideFor(int samplesPerAxis)
 {
     return volumeTileSide / samplesPerAxis * samplesPerAxis;
-}
-
-bool hasVolume(const Scene& scene)
-{
-    return scene.volume && scene.volume->mesh && scene.volume->transfer;
-}
-
-bool hasFocus(const Scene& scene)
-{
-    return hasVolume(scene) && scene.focus && scene.focus->fine.mesh && scene.focus->fine.transfer;
 }
 
 Status drawPart(const Scene& scene, const PartView& view, const VolumeOrders& orders, const PictureOptions& options,

@@ -24,12 +24,6 @@ struct PartView {
 /// Samples an axis of a tile; tiles hold whole pixels.
 int tileSideFor(int samplesPerAxis);
 
-/// The scene has a volume to be seen.
-bool hasVolume(const Scene& scene);
-
-/// That volume has a focus with a fine volume.
-bool hasFocus(const Scene& scene);
-
 /// The visibility orders of the scene's volume and of the fine one in its focus; empty if there is none.
 struct VolumeOrders {
     std::span<const std::uint32_t> volume, fine;

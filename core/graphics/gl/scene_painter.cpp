@@ -10,6 +10,7 @@
 #include "core/graphics/gl/surface_painter.h"
 #include "core/graphics/gl/volume_painter.h"
 #include "core/graphics/picture_options.h"
+#include "core/graphics/scene_check.h"
 
 #include <chrono>
 #include <new>
@@ -28,20 +29,6 @@ constexpr float saturatedOpacity = 1 - 1.0f / 1024;
 
 constexpr std::array<float, 4> nothing{};
 constexpr float farthest = 1;
-
-bool hasVolume(const Scene& scene)
-{
-    return scene.volume && scene.volume->mesh && scene.volume->transfer;
-}
-
-/// Of all that is drawn: near and far must be those of surfaces and volume alike.
-Eigen::AlignedBox3d boundsOf(const Scene& scene)
-{
-    Eigen::AlignedBox3d bounds = scene.bounds;
-    if (hasVolume(scene))
-        bounds.extend(scene.volume->mesh->bounds);
-    return bounds;
-}
 
 } // namespace
 
@@ -285,7 +272,7 @@ Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& came
     const int height = options.height * options.samplesPerAxis;
     volume_.dropDead();
     const bool withVolume = hasVolume(scene);
-    const SampleView view{camera, width, height, boundsOf(scene), withVolume};
+    const SampleView view{camera, width, height, drawnBounds(scene), withVolume};
     if (Status status = surfaces_->prepare(scene, view, options.samplesPerAxis); !status)
         return status;
     const bool layered = surfaces_->anyTranslucent() || withVolume || options.depth;

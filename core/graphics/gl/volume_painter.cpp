@@ -4,6 +4,7 @@
 #include "core/graphics/cpu/drawing_threads.h"
 #include "core/graphics/gl/clip_planes.h"
 #include "core/graphics/sample_rectangle.h"
+#include "core/graphics/scene_check.h"
 #include "core/graphics/shading.h"
 #include "core/graphics/volume/projected_volume.h"
 #include "core/graphics/volume/volume_view.h"
@@ -97,6 +98,9 @@ Status VolumePainter::prepare(const Scene& scene, const SampleView& view, const 
     if (!belongTogether(*volume.mesh, *volume.transfer, {}))
         return Error{ErrorKind::WrongUsage,
                      "The volume of the scene and its transfer function do not belong together."};
+    if (hasFocus(scene))
+        return Error{ErrorKind::WrongUsage, "OpenGL cannot draw a focus that is blended. Draw it by the processor, or "
+                                            "as one mesh of varying resolution."};
     const Camera& camera = view.camera;
     view_ = makeVolumeView(camera, view.width, view.height, view.bounds);
     segments_ = scaleSegments(volume.transfer->segments, view_.unit);
