@@ -2,10 +2,12 @@
 #include "core/model/queries/sharp_focus_work.h"
 
 #include "core/base/half.h"
+#include "core/mesh/sample_filter.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace tetra {
@@ -60,13 +62,17 @@ void SharpFocus::Work::scan(const FocusLimits& limits, ScannedPart part, const P
 {
     constexpr std::size_t pieceSlots = 512;
     const std::size_t count = (slots_.size() + pieceSlots - 1) / pieceSlots;
+    const ValueRange& range = model_.description().range;
+    const double reach = std::max(std::abs(range.minimum), std::abs(range.maximum));
     std::vector<std::vector<WorstSample>> found(count);
     const auto scanPiece = [&](std::size_t piece) {
         if (progress.cancelled())
             return;
         const std::size_t first = piece * pieceSlots;
-        scanSamples(mesh_, std::span(slots_).subspan(first, std::min(pieceSlots, slots_.size() - first)), samples_,
-                    limits, part, found[piece]);
+        std::vector<std::uint32_t> suspects;
+        findSuspects(mesh_, std::span(slots_).subspan(first, std::min(pieceSlots, slots_.size() - first)), samples_,
+                     reach, limits, part, suspects);
+        scanSamples(mesh_, suspects, samples_, limits, part, found[piece]);
     };
     if (count < 2)
         for (std::size_t piece = 0; piece < count; ++piece)

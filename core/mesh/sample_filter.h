@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/sample_scan.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tetra {
+
+/// Appends the slots that scanSamples() has to look at: in floats, sixteen rows of samples at a time, so that what lies
+/// close to a face or to its limit counts as in and beyond. None is left out that has a sample beyond its limit. No
+/// sample is farther from 0 than `reach`. Where the machine has no vectors for that, all are appended.
+void findSuspects(const LocalDelaunay& mesh, std::span<const std::uint32_t> slots, const LatticeSamples& samples,
+                  double reach, const ErrorLimits& limits, ScannedPart part, std::vector<std::uint32_t>& suspects);
+
+} // namespace tetra
