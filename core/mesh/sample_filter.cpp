@@ -25,6 +25,8 @@ constexpr double roundingShare = 2e-6;
 /// Beyond this floats cannot be relied on.
 constexpr double largestNumber = 1e30;
 constexpr std::int32_t rowsAtOnce = 16;
+/// Rows are numbered in floats, which are divided.
+constexpr double mostRows = 1 << 21;
 
 /// Looks at the rows of points along x that meet a tetrahedron's box, one in each lane, from where they enter it to
 /// where they leave it.
@@ -35,15 +37,19 @@ public:
     {
     }
 
-    TETRA_SIMD_INLINE TETRA_SIMD_16 void run(std::span<const std::uint32_t> slots, std::vector<std::uint32_t>& suspects)
+    TETRA_SIMD_INLINE TETRA_SIMD_16 void run(std::span<const std::uint32_t> slots, FilteredTetrahedra& filtered)
     {
         constexpr std::size_t ahead = 8;
         for (std::size_t i = 0; i < slots.size(); ++i) {
             if (i + ahead < slots.size())
                 mesh_.mesh().prefetch(slots[i + ahead]);
             const DelaunayTetrahedron& tetrahedron = mesh_.mesh()[slots[i]];
-            if (tetrahedron.determinant() > 0 && findBounds(tetrahedron) && (!prepare(tetrahedron) || isSuspect()))
-                suspects.push_back(slots[i]);
+            if (!(tetrahedron.determinant() > 0) || !findBounds(tetrahedron))
+                continue;
+            if (!prepare(tetrahedron) || isSuspect())
+                filtered.suspects.push_back(slots[i]);
+            else if (isFine_ && part_ == ScannedPart::All)
+                filtered.fine.push_back(slots[i]);
         }
     }
 
@@ -134,8 +140,8 @@ private:
         return magnitude < largestNumber && least_ > 0 && (count - indexOf(last_)) * sizeof(T) >= sizeof(std::int32_t);
     }
 
-    /// Whether a sample may lie in the tetrahedron and be beyond its limit.
-    TETRA_SIMD_INLINE TETRA_SIMD_16 bool isSuspect() const
+    /// Whether a sample may lie in the tetrahedron and be beyond its limit; if not, isFine_ says if all keep the least.
+    TETRA_SIMD_INLINE TETRA_SIMD_16 bool isSuspect()
     {
         constexpr Float16 lane = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
         constexpr float most = 0.9999f; // of a row of integers, to round up
@@ -149,6 +155,7 @@ private:
                                                           limits_.first[2] - first_[2]};
         const std::array<std::int32_t, 3> limitedLast = {limits_.last[0] - first_[0], limits_.last[1] - first_[1],
                                                          limits_.last[2] - first_[2]};
+        __mmask16 beyondLeast = 0;
         for (std::int32_t row = 0; row < rows; row += rowsAtOnce) {
             const Float16 number = lane + static_cast<float>(row);
             const Int16 planeNumber = __builtin_convertvector((number + 0.5f) * planesPer, Int16);
@@ -180,14 +187,17 @@ private:
                 const Float16 above =
                     gather(from, start + x, left) - (field + fieldX_ * __builtin_convertvector(x, Float16));
                 const __mmask16 inside = limited & between(x, limitedFirst[0], limitedLast[0]);
-                const __m512 limit = _mm512_mask_blend_ps(inside, _mm512_set1_ps(most_), _mm512_set1_ps(least_));
-                if (_mm512_mask_cmp_ps_mask(left, _mm512_abs_ps(reinterpret_cast<__m512>(above)), limit, _CMP_NLE_UQ) !=
-                    0)
+                const __m512 error = _mm512_abs_ps(reinterpret_cast<__m512>(above));
+                const __mmask16 notFine = _mm512_mask_cmp_ps_mask(left, error, _mm512_set1_ps(least_), _CMP_NLE_UQ);
+                if ((notFine & inside) != 0 ||
+                    _mm512_mask_cmp_ps_mask(notFine, error, _mm512_set1_ps(most_), _CMP_NLE_UQ) != 0)
                     return true;
+                beyondLeast |= notFine;
                 x += 1;
                 left &= _mm512_cmple_epi32_mask(reinterpret_cast<__m512i>(x), reinterpret_cast<__m512i>(last));
             } while (left != 0);
         }
+        isFine_ = beyondLeast == 0;
         return false;
     }
 
@@ -225,30 +235,31 @@ private:
     Float4 bound_{}, boundY_{}, boundZ_{}; ///< on x, from each face
     float field_ = 0, fieldX_ = 0, fieldY_ = 0, fieldZ_ = 0;
     float least_ = 0, most_ = 0; ///< limits
+    bool isFine_ = false;
 };
 
 template <class T> TETRA_SIMD_16 void filter(const LocalDelaunay& mesh, std::span<const std::uint32_t> slots,
                                              const T* samples, double reach, const ErrorLimits& limits,
-                                             ScannedPart part, std::vector<std::uint32_t>& suspects)
+                                             ScannedPart part, FilteredTetrahedra& filtered)
 {
-    Filter<T>(mesh, samples, reach, limits, part).run(slots, suspects);
+    Filter<T>(mesh, samples, reach, limits, part).run(slots, filtered);
 }
 
 } // namespace
 
 #endif
 
-void findSuspects(const LocalDelaunay& mesh, std::span<const std::uint32_t> slots, const LatticeSamples& samples,
-                  [[maybe_unused]] double reach, [[maybe_unused]] const ErrorLimits& limits,
-                  [[maybe_unused]] ScannedPart part, std::vector<std::uint32_t>& suspects)
+void filterTetrahedra(const LocalDelaunay& mesh, std::span<const std::uint32_t> slots, const LatticeSamples& samples,
+                      [[maybe_unused]] double reach, [[maybe_unused]] const ErrorLimits& limits,
+                      [[maybe_unused]] ScannedPart part, FilteredTetrahedra& filtered)
 {
     samples.visit([&]<class T>([[maybe_unused]] const T* values) {
 #if defined(TETRA_SIMD_16)
         if constexpr (sizeof(T) <= sizeof(std::int32_t))
             if (limits.least > 0 && hasSimd16())
-                return filter(mesh, slots, values, reach, limits, part, suspects);
+                return filter(mesh, slots, values, reach, limits, part, filtered);
 #endif
-        suspects.insert(suspects.end(), slots.begin(), slots.end());
+        filtered.suspects.insert(filtered.suspects.end(), slots.begin(), slots.end());
     });
 }
 

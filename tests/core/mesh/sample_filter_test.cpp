@@ -154,11 +154,11 @@ private slots:
         const std::vector<std::uint8_t> values = samplesOf<std::uint8_t>({30, 25, 20}, random);
         BoxLimits limits;
         limits.least = limits.most = 1000;
-        std::vector<std::uint32_t> suspects;
-        findSuspects(made.mesh, made.alive, LatticeSamples{std::span<const std::uint8_t>(values)}, 255, limits,
-                     ScannedPart::All, suspects);
-        QVERIFY2(suspects.size() < 50, qPrintable(QString::number(suspects.size())));
-        QVERIFY(made.alive.size() > 1000);
+        FilteredTetrahedra filtered;
+        filterTetrahedra(made.mesh, made.alive, LatticeSamples{std::span<const std::uint8_t>(values)}, 255, limits,
+                         ScannedPart::All, filtered);
+        QVERIFY2(filtered.suspects.size() < 50, qPrintable(QString::number(filtered.suspects.size())));
+        QVERIFY(filtered.fine.size() > 1000);
 #else
         QSKIP("skipped: no vectors of 16 floats");
 #endif
@@ -170,10 +170,15 @@ private:
     {
         std::vector<WorstSample> all, found;
         scanSamples(made.mesh, made.alive, samples, limits, part, all);
-        std::vector<std::uint32_t> suspects;
-        findSuspects(made.mesh, made.alive, samples, reach, limits, part, suspects);
-        scanSamples(made.mesh, suspects, samples, limits, part, found);
+        FilteredTetrahedra filtered;
+        filterTetrahedra(made.mesh, made.alive, samples, reach, limits, part, filtered);
+        scanSamples(made.mesh, filtered.suspects, samples, limits, part, found);
         QVERIFY(std::ranges::equal(all, found, same));
+        BoxLimits least;
+        least.least = least.most = limits.least;
+        std::vector<WorstSample> none;
+        scanSamples(made.mesh, filtered.fine, samples, least, ScannedPart::All, none);
+        QVERIFY(none.empty());
     }
 };
 
