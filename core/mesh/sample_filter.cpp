@@ -249,9 +249,10 @@ template <class T> TETRA_SIMD_16 void filter(const LocalDelaunay& mesh, std::spa
 
 #endif
 
-void filterTetrahedra(const LocalDelaunay& mesh, std::span<const std::uint32_t> slots, const LatticeSamples& samples,
-                      [[maybe_unused]] double reach, [[maybe_unused]] const ErrorLimits& limits,
-                      [[maybe_unused]] ScannedPart part, FilteredTetrahedra& filtered)
+void filterTetrahedra([[maybe_unused]] const LocalDelaunay& mesh, std::span<const std::uint32_t> slots,
+                      const LatticeSamples& samples, [[maybe_unused]] double reach,
+                      [[maybe_unused]] const ErrorLimits& limits, [[maybe_unused]] ScannedPart part,
+                      FilteredTetrahedra& filtered)
 {
     samples.visit([&]<class T>([[maybe_unused]] const T* values) {
 #if defined(TETRA_SIMD_16)
