@@ -10,8 +10,6 @@ namespace {
 
 /// Cells of the hints: the smaller, the shorter the way, but they should stay in the cache.
 constexpr std::uint32_t hintEdge = 4;
-/// Of a slot that holds no tetrahedron.
-constexpr std::uint32_t noVertex = 0xffffffff;
 
 } // namespace
 

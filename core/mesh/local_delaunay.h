@@ -56,10 +56,14 @@ public:
 
     /// The numbers of a tetrahedron's vertices, positive.
     const std::array<std::uint32_t, 4>& numbers(std::uint32_t slot) const noexcept { return numbers_[slot]; }
+    void prefetchNumbers(std::uint32_t slot) const { __builtin_prefetch(&numbers_[slot]); }
+    /// Whether a slot has a tetrahedron.
+    bool isAlive(std::uint32_t slot) const noexcept { return numbers_[slot][0] != noVertex; }
     /// All tetrahedra, by numbers of vertices; in the order of their slots.
     void copyTetrahedra(Buffer<std::array<std::uint32_t, 4>>& tetrahedra) const;
 
 private:
+    static constexpr std::uint32_t noVertex = 0xffffffff; ///< of a slot that holds no tetrahedron
     static constexpr std::uint8_t changedNow = 1;
     static constexpr std::uint8_t changedBefore = 2;
 

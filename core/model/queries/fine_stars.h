@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/model/model.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -27,6 +28,13 @@ public:
     /// Whether the tetrahedron is in the prefix's mesh; any order of sites, some of which may be no sites. Tetrahedra
     /// that are not are taken for others with a probability of 2^-60.
     bool holds(const std::array<std::uint32_t, 4>& sites) const;
+
+    /// Fetches what holds() will look at.
+    void prefetch(const std::array<std::uint32_t, 4>& sites) const
+    {
+        if (const std::uint32_t creator = std::ranges::max(sites); creator >= firstCreator_ && creator < siteCount_)
+            __builtin_prefetch(keys_.data() + starts_[creator - firstCreator_]);
+    }
 
 private:
     static std::uint64_t keyOf(std::uint64_t a, std::uint64_t b, std::uint64_t c)

@@ -2,10 +2,12 @@
 #include "core/model/queries/sharp_focus_work.h"
 
 #include "core/base/half.h"
+#include "core/mesh/sample_filter.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace tetra {
@@ -44,35 +46,41 @@ Status SharpFocus::Work::knowStars(const Range& range, const Progress& progress)
     return {};
 }
 
-/// Whether the tetrahedron is one of the uniform fine mesh.
-bool SharpFocus::Work::isKnown(std::uint32_t slot) const
+std::array<std::uint32_t, 4> SharpFocus::Work::sitesOf(std::uint32_t slot) const
 {
     std::array<std::uint32_t, 4> sites = mesh_.numbers(slot);
     for (std::uint32_t& site : sites)
         site = site < coarseSites_ ? site : addedSites_[site - coarseSites_];
-    return fine_->holds(sites);
+    return sites;
 }
 
 /// Looks at slots_. In pieces whose findings are put together in order: it does not matter how many threads there are.
 /// Some are missing once the work was cancelled.
 void SharpFocus::Work::scan(const FocusLimits& limits, ScannedPart part, const Progress& progress,
-                            std::vector<WorstSample>& worst) const
+                            std::vector<WorstSample>& worst)
 {
     constexpr std::size_t pieceSlots = 512;
     const std::size_t count = (slots_.size() + pieceSlots - 1) / pieceSlots;
+    const ValueRange& range = model_.description().range;
+    const double reach = std::max(std::abs(range.minimum), std::abs(range.maximum));
+    std::vector<FilteredTetrahedra> filtered(count);
     std::vector<std::vector<WorstSample>> found(count);
     const auto scanPiece = [&](std::size_t piece) {
         if (progress.cancelled())
             return;
         const std::size_t first = piece * pieceSlots;
-        scanSamples(mesh_, std::span(slots_).subspan(first, std::min(pieceSlots, slots_.size() - first)), samples_,
-                    limits, part, found[piece]);
+        filterTetrahedra(mesh_, std::span(slots_).subspan(first, std::min(pieceSlots, slots_.size() - first)), samples_,
+                         reach, limits, part, filtered[piece]);
+        scanSamples(mesh_, filtered[piece].suspects, samples_, limits, part, found[piece]);
     };
     if (count < 2)
         for (std::size_t piece = 0; piece < count; ++piece)
             scanPiece(piece);
     else
         tbb::parallel_for(std::size_t(0), count, scanPiece);
+    for (const FilteredTetrahedra& some : filtered)
+        for (const std::uint32_t slot : some.fine)
+            bounds_[slot] = static_cast<float>(limits.least);
     for (const std::vector<WorstSample>& some : found)
         worst.insert(worst.end(), some.begin(), some.end());
 }
@@ -83,12 +91,22 @@ void SharpFocus::Work::lookAtChanges(const FocusLimits& limits, bool mayBeKnown,
     worst_.clear();
     slots_.clear();
     bounds_.resize(mesh_.mesh().slotCount());
-    for (const std::uint32_t slot : mesh_.changed()) {
-        if (mesh_.mesh()[slot].determinant() == 0) {
+    constexpr std::size_t ahead = 12;
+    const std::span<const std::uint32_t> changed = mesh_.changed();
+    for (std::size_t i = 0; i < changed.size(); ++i) {
+        if (i + 2 * ahead < changed.size()) {
+            mesh_.prefetchNumbers(changed[i + 2 * ahead]);
+            __builtin_prefetch(&bounds_[changed[i + 2 * ahead]], 1);
+        }
+        if (mayBeKnown && i + ahead < changed.size() && mesh_.isAlive(changed[i + ahead]))
+            fine_->prefetch(sitesOf(changed[i + ahead]));
+        const std::uint32_t slot = changed[i];
+        if (!mesh_.isAlive(slot)) {
             bounds_[slot] = 0;
             continue;
         }
-        const bool known = mayBeKnown && isKnown(slot);
+        // What the uniform fine mesh has is good enough.
+        const bool known = mayBeKnown && fine_->holds(sitesOf(slot));
         bounds_[slot] = known ? static_cast<float>(limits.least) : std::numeric_limits<float>::infinity();
         if (!known)
             slots_.push_back(slot);

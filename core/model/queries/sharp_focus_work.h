@@ -46,13 +46,12 @@ private:
     bool canGoOn(const SpaceRamp& error, const FocusLimits& limits, const Range& range);
     Status insertMissing(const Progress& progress);
     Status repair(const FocusLimits& limits, const Progress& progress);
-    void scan(const FocusLimits& limits, ScannedPart part, const Progress& progress,
-              std::vector<WorstSample>& worst) const;
+    void scan(const FocusLimits& limits, ScannedPart part, const Progress& progress, std::vector<WorstSample>& worst);
     void lookAtChanges(const FocusLimits& limits, bool mayBeKnown, const Progress& progress);
     void lookAtOthers(const FocusLimits& limits, bool outsideIsKnown, const Progress& progress);
     Status knowStars(const Range& range, const Progress& progress);
     void readBounds(std::uint32_t sites);
-    bool isKnown(std::uint32_t slot) const;
+    std::array<std::uint32_t, 4> sitesOf(std::uint32_t slot) const;
     void write(ExtractedMesh& mesh) const;
 
     const Model& model_;
