@@ -76,7 +76,7 @@ View viewNamed(const QString& name)
         view.camera = fitted({}, view.scene.bounds);
         view.camera.perspective = name != "folded, orthographic";
         if (name == "folded, eye inside")
-            view.camera.distance = 0.7;
+            view.camera.distance = 0.72;
         view.options.transparentBackground = name == "folded, transparent background";
         view.options.samplesPerAxis = name == "folded, one sample" ? 1 : 2;
         return view;

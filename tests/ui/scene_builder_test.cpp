@@ -40,7 +40,7 @@ SceneRequest SceneBuilderTest::request(double percent, std::vector<Isovalue> iso
 {
     SceneRequest request;
     request.model = model_;
-    request.renderer = host_->renderers().front().plugin;
+    request.renderer = host_->renderer("isosurface")->plugin;
     request.query.error = percent;
     request.values["isovalues"] = std::move(isovalues);
     return request;

@@ -10,7 +10,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::array<std::string_view, 3> firstModes{"isosurface", "volume", "hybrid"};
+constexpr std::array<std::string_view, 4> firstModes{"isosurface", "volume", "hybrid", "focus"};
 constexpr double unitDistances = 40; ///< in the diagonal, where no renderer says otherwise
 
 auto rank(const Provided<Renderer>& mode)
