@@ -347,13 +347,14 @@ private slots:
     void cancels()
     {
         const Scene scene = sceneNamed("refined lattice", "ramp");
+        const PictureOptions small{.width = 60, .height = 50};
         std::stop_source stop;
         const Progress stopping(stop.get_token(), [&](double fraction, std::string_view) {
             if (fraction > 0.1)
                 stop.request_stop();
         });
-        QCOMPARE(gl_->render(scene, cameraFor(scene, true), {}, stopping).error().kind, ErrorKind::Cancelled);
-        QVERIFY(gl_->render(scene, cameraFor(scene, true), {}).ok());
+        QCOMPARE(gl_->render(scene, cameraFor(scene, true), small, stopping).error().kind, ErrorKind::Cancelled);
+        QVERIFY(gl_->render(scene, cameraFor(scene, true), small).ok());
     }
 };
 
