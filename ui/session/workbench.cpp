@@ -4,6 +4,7 @@
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/input_file.h"
 #include "plugins/host/model_building.h"
+#include "ui/session/field_extent.h"
 #include "ui/session/plugin_texts.h"
 #include "ui/session/recent_files.h"
 #include "ui/session/target_path.h"
@@ -17,11 +18,6 @@ namespace tetra {
 namespace {
 
 constexpr int timeBetweenLooks = 700; // milliseconds
-
-FieldExtent extentOf(const Model& model)
-{
-    return {model.description().range, model.description().bounds};
-}
 
 std::vector<Parameter> readerParameters(PluginHost& host, const std::filesystem::path& path)
 {
@@ -77,26 +73,32 @@ void Workbench::read(const std::filesystem::path& path, const ParameterValues& v
 {
     reading_.start([this, path, values](const Progress& progress) -> std::function<void()> {
         if (isModelFile(path))
-            return [this, model = Model::open(path)] { modelRead(model); };
+            return whenModelRead(Model::open(path));
         return [this, path, dataset = openDataset(host_, path, values, progress)] { datasetRead(path, dataset); };
     });
 }
 
-void Workbench::modelRead(const Result<std::shared_ptr<const Model>>& model)
+/// What is to be done in the GUI thread with a model that was opened in a worker.
+std::function<void()> Workbench::whenModelRead(const Result<std::shared_ptr<const Model>>& model)
 {
     if (!model)
-        return tell(model.error());
+        return [this, error = model.error()] { tell(error); };
+    return [this, model = *model, field = extentOf(**model)] { showModel(model, field); };
+}
+
+void Workbench::showModel(const std::shared_ptr<const Model>& model, const FieldExtent& field)
+{
     modes_ = renderingModes(host_);
     if (modes_.empty())
         return emit failed(tr("No renderer plugin could be loaded, so there is no way to show a model. %1")
                                .arg(QString::fromStdString(host_.explainMissing(PluginKind::Renderer))));
-    const FieldExtent field = extentOf(**model);
+    field_ = field;
     Look look = startingLook(modes_, field);
-    if (*model != look_)
-        addRecentFile(pathText((*model)->path()));
+    if (model != look_)
+        addRecentFile(pathText(model->path()));
     sceneBuilder_.clear();
     draftBuilder_.clear();
-    session_.open(*model, startingIsovalues(modes_, field), std::move(look));
+    session_.open(model, startingIsovalues(modes_, field), std::move(look));
 }
 
 void Workbench::datasetRead(const std::filesystem::path& path, const Result<Dataset>& dataset)
@@ -197,7 +199,7 @@ void Workbench::showLook(const Result<std::shared_ptr<const Model>>& look)
         return;
     look_ = *look;
     if (isFirst)
-        modelRead(look_);
+        showModel(look_, roughExtentOf(*look_));
     else
         session_.grow(look_);
 }
@@ -305,8 +307,7 @@ const Renderer* Workbench::renderer() const
 std::vector<Parameter> Workbench::renderingParameters() const
 {
     const Renderer* mode = renderer();
-    return mode != nullptr && session_.model() ? mode->parameters(extentOf(*session_.model()))
-                                               : std::vector<Parameter>{};
+    return mode != nullptr && session_.model() ? mode->parameters(field_) : std::vector<Parameter>{};
 }
 
 SceneRequest Workbench::sceneRequest() const

@@ -95,7 +95,8 @@ private:
     void showBuilt(const std::filesystem::path& target);
     bool showsLook() const { return look_ != nullptr && session_.model() == look_; }
     void datasetRead(const std::filesystem::path& path, const Result<Dataset>& dataset);
-    void modelRead(const Result<std::shared_ptr<const Model>>& model);
+    std::function<void()> whenModelRead(const Result<std::shared_ptr<const Model>>& model);
+    void showModel(const std::shared_ptr<const Model>& model, const FieldExtent& field);
     const Renderer* renderer() const;
     SceneRequest sceneRequest() const;
     void requestScene();
@@ -108,6 +109,7 @@ private:
     std::shared_ptr<const Dataset> dataset_;
     std::filesystem::path undescribedFile_;
     std::vector<Provided<Renderer>> modes_;
+    FieldExtent field_; ///< of the model that is open
     SceneBuilder sceneBuilder_;
     DraftBuilder draftBuilder_;
     LongTask reading_;
