@@ -3,6 +3,9 @@
 
 #include "core/graphics/volume/block_queue.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace tetra {
 namespace {
 
@@ -32,64 +35,104 @@ TETRA_SIMD_INLINE CellPassage passageOf(const CellSetup& cell, float x, float y,
     return {front > 0.0f ? 1.0f / front : never, back > 0.0f ? 1.0f / back : never, at[6]};
 }
 
-/// Shades the rays of a block from `from` to `to`, and adds what they gather.
-template <bool perspective> TETRA_SIMD_INLINE void collectLayer(const CellSetup& cell, bool fine,
-                                                                const BorderTile& tile, int column, int row,
-                                                                const CellPassage& passage, Float8 from, Float8 to,
-                                                                std::vector<BorderFragment>& fragments)
+/// A block of a tile.
+struct BlockPlace {
+    int column, row;
+    float x() const { return static_cast<float>(column * blockWidth); }
+    float y() const { return static_cast<float>(row * blockHeight); }
+};
+
+TETRA_SIMD_INLINE Float8 coordinate(const FocusWeights::Affine& affine, std::size_t axis, Float8 x, Float8 y)
 {
-    from = larger(from, passage.enter);
-    to = smaller(to, passage.leave);
-    if (!anyPositive(to - from))
-        return;
-    const SampleBlock& block = tile.blocks[static_cast<std::size_t>(row * tile.columns + column)];
-    Float8 weight = {}, front = Float8{} + 1.0f, back = front;
+    return affine.origin[axis] + affine.perColumn[axis] * x + affine.perRow[axis] * y;
+}
+
+/// Of the fine volume, at places w along the rays of a block.
+TETRA_SIMD_INLINE Float8 weightsAt(const FocusWeights& focus, const BlockPlace& place, Float8 w)
+{
+    const Float8 x = laneX + place.x(), y = laneY + place.y();
+    const Float8 nothing = {};
+    Float8 squared = {};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Float8 at = coordinate(focus.start, axis, x, y) + w * coordinate(focus.direction, axis, x, y);
+        const Float8 outside = larger(larger(at, -at) - focus.halfSize[axis], nothing);
+        squared += outside * outside;
+    }
+    Float8 distance;
     for (int lane = 0; lane < 8; ++lane)
-        if (to[lane] > from[lane]) {
-            const int x = tile.tile.left + column * blockWidth + lane % blockWidth;
-            const int y = tile.tile.top + row * blockHeight + lane / blockWidth;
-            const double ofFine = tile.rays->weightAt(x, y, 0.5 * (double(from[lane]) + to[lane]));
-            weight[lane] = static_cast<float>(fine ? ofFine : 1 - ofFine);
-            front[lane] = perspective ? 1 / from[lane] : -from[lane];
-            back[lane] = perspective ? 1 / to[lane] : -to[lane];
-        }
+        distance[lane] = std::sqrt(squared[lane]);
+    return larger(1.0f - larger(distance - focus.radius, nothing) * focus.perBorder, nothing);
+}
+
+/// Shades the rays of a block from `from` to `to`, where that is positive, and adds what they gather.
+template <bool perspective>
+TETRA_SIMD_INLINE void collectLayer(const CellSetup& cell, bool fine, const BorderTile& tile, const BlockPlace& place,
+                                    Float8 slope, Float8 from, Float8 to, std::vector<BorderFragment>& fragments)
+{
+    const SampleBlock& block = tile.blocks[static_cast<std::size_t>(place.row * tile.columns + place.column)];
+    const Float8 ones = Float8{} + 1.0f, nothing = {};
+    const Float8 middle = (from + to) * 0.5f;
+    const Float8 ofFine = weightsAt(tile.weights, place, middle);
+    const Float8 weight = fine ? ofFine : ones - ofFine;
+    const Float8 perFrom = from > nothing ? 1.0f / from : ones, perTo = to > nothing ? 1.0f / to : ones;
+    const Float8 front = to > from ? (perspective ? perFrom : -from) : ones;
+    const Float8 back = to > from ? (perspective ? perTo : -to) : ones;
     // A part of the optical depth is that of a part of the way.
-    CellRays<Float8> rays = {front, back, passage.slope, block.ray * weight, {}, {}};
-    const Gathered<Float8> nothing = {{}, {}, {}, Float8{} + 1.0f};
-    Gathered<Float8> gathered = nothing;
+    CellRays<Float8> rays = {front, back, slope, block.ray * weight, {}, {}};
+    const Gathered<Float8> before = {{}, {}, {}, ones};
+    Gathered<Float8> gathered = before;
     shade<perspective>(rays, cell, tile.segments, gathered);
     rays.ray = block.ray;
     if (cell.perGradient > 0)
-        relight<perspective>(gathered, nothing, rays, cell);
+        relight<perspective>(gathered, before, rays, cell);
     for (int lane = 0; lane < 8; ++lane)
         if (to[lane] > from[lane] && gathered.light[lane] < 1) {
-            const int x = column * blockWidth + lane % blockWidth, y = row * blockHeight + lane / blockWidth;
-            const float middle = (from[lane] + to[lane]) / 2;
+            const int x = place.column * blockWidth + lane % blockWidth;
+            const int y = place.row * blockHeight + lane / blockWidth;
             fragments.push_back(
                 {static_cast<std::uint32_t>(y * tile.tile.width() + x),
-                 {perspective ? 1 / middle : -middle,
+                 {perspective ? 1 / middle[lane] : -middle[lane],
                   {gathered.red[lane], gathered.green[lane], gathered.blue[lane], 1 - gathered.light[lane]}}});
         }
 }
 
+/// The border from `first` to `last` on one side of the region.
+template <bool perspective> TETRA_SIMD_INLINE void collectSide(const CellSetup& cell, bool fine, const BorderTile& tile,
+                                                               const BlockPlace& place, const CellPassage& passage,
+                                                               Float8 first, Float8 last,
+                                                               std::vector<BorderFragment>& fragments)
+{
+    const Float8 from = larger(first, passage.enter), to = smaller(last, passage.leave);
+    if (!anyPositive(to - from))
+        return;
+    const Float8 step = (last - first) * (1.0f / layers);
+    float before = layers, after = 0; // layers that the cell does not reach
+    for (int lane = 0; lane < 8; ++lane)
+        if (to[lane] > from[lane]) {
+            before = std::min(before, (from[lane] - first[lane]) / step[lane]);
+            after = std::max(after, (to[lane] - first[lane]) / step[lane]);
+        }
+    const int begin = std::clamp(static_cast<int>(before), 0, layers - 1);
+    const int end = std::clamp(static_cast<int>(std::ceil(after)), begin + 1, layers);
+    for (int layer = begin; layer < end; ++layer) {
+        const auto number = static_cast<float>(layer);
+        const Float8 start = layer == begin ? from : larger(from, first + number * step);
+        const Float8 stop = layer == end - 1 ? to : smaller(to, first + (number + 1) * step);
+        if (anyPositive(stop - start))
+            collectLayer<perspective>(cell, fine, tile, place, passage.slope, start, stop, fragments);
+    }
+}
+
 template <bool perspective> TETRA_SIMD_INLINE void collectBlock(const CellSetup& cell, bool fine,
-                                                                const BorderTile& tile, int column, int row,
+                                                                const BorderTile& tile, const BlockPlace& place,
                                                                 std::vector<BorderFragment>& fragments)
 {
-    const BlockPassage& region = tile.passages[static_cast<std::size_t>(row * tile.columns + column)];
+    const BlockPassage& region = tile.passages[static_cast<std::size_t>(place.row * tile.columns + place.column)];
     if (!anyPositive(region.leave - region.enter))
         return;
-    const CellPassage passage =
-        passageOf(cell, static_cast<float>(column * blockWidth), static_cast<float>(row * blockHeight), perspective);
-    const Float8 ends[2][2] = {{region.enter, region.in}, {region.out, region.leave}};
-    for (const auto& [first, last] : ends) {
-        const Float8 step = (last - first) * (1.0f / layers);
-        for (int layer = 0; layer < layers; ++layer) {
-            const auto number = static_cast<float>(layer);
-            collectLayer<perspective>(cell, fine, tile, column, row, passage, first + number * step,
-                                      first + (number + 1) * step, fragments);
-        }
-    }
+    const CellPassage passage = passageOf(cell, place.x(), place.y(), perspective);
+    collectSide<perspective>(cell, fine, tile, place, passage, region.enter, region.in, fragments);
+    collectSide<perspective>(cell, fine, tile, place, passage, region.out, region.leave, fragments);
 }
 
 } // namespace
@@ -103,9 +146,9 @@ TETRA_SIMD_CLONES void collectBorder(std::span<const CellSetup> cells, bool fine
         for (int row = cell.top; row < cell.bottom; ++row)
             for (int column = cell.left; column < cell.right; ++column)
                 if (tile.perspective)
-                    collectBlock<true>(cell, fine, tile, column, row, fragments);
+                    collectBlock<true>(cell, fine, tile, {column, row}, fragments);
                 else
-                    collectBlock<false>(cell, fine, tile, column, row, fragments);
+                    collectBlock<false>(cell, fine, tile, {column, row}, fragments);
     }
 }
 

@@ -23,7 +23,7 @@ struct BorderFragment {
 
 /// The blocks of a tile that a focus is drawn in.
 struct BorderTile {
-    const FocusRays* rays = nullptr;
+    FocusWeights weights; ///< from the tile's first sample
     SampleRectangle tile;
     std::span<const BlockPassage> passages; ///< for each block
     std::span<const SampleBlock> blocks;

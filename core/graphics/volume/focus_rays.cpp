@@ -86,13 +86,25 @@ FocusRays::Passage FocusRays::at(int column, int row) const
     return passage;
 }
 
-double FocusRays::weightAt(int column, int row, double w) const
+FocusWeights FocusRays::weightsFrom(int column, int row) const
 {
-    const auto [start, direction] = rayOf(column, row);
-    const Vector3d place = start + w * direction;
-    const double distance = std::holds_alternative<Sphere>(region_) ? std::max(0.0, place.norm() - radius_)
-                                                                    : distanceFromBox(place, halfSize_);
-    return border_ > 0 ? std::clamp(1 - distance / border_, 0.0, 1.0) : distance > 0 ? 0 : 1;
+    constexpr double steepest = 1e30;
+    const Ray first = rayOf(column, row), right = rayOf(column + 1, row), below = rayOf(column, row + 1);
+    FocusWeights weights;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<Eigen::Index>(axis);
+        const auto affine = [&](FocusWeights::Affine& to, const Vector3d Ray::*part) {
+            to.origin[axis] = static_cast<float>((first.*part)[i]);
+            to.perColumn[axis] = static_cast<float>((right.*part)[i] - (first.*part)[i]);
+            to.perRow[axis] = static_cast<float>((below.*part)[i] - (first.*part)[i]);
+        };
+        affine(weights.start, &Ray::start);
+        affine(weights.direction, &Ray::direction);
+        weights.halfSize[axis] = static_cast<float>(halfSize_[i]);
+    }
+    weights.radius = static_cast<float>(radius_);
+    weights.perBorder = static_cast<float>(border_ > 0 ? std::min(1 / border_, steepest) : steepest);
+    return weights;
 }
 
 bool FocusRays::holds(const Eigen::Vector3f& place) const

@@ -6,9 +6,22 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <utility>
 
 namespace tetra {
+
+/// The weights of a focus along the rays of a tile, in plain numbers: a place along the ray through a sample, from the
+/// region's centre, is start + w * direction, and both are affine in the sample's column and row in the tile.
+struct FocusWeights {
+    struct Affine {
+        std::array<float, 3> origin, perColumn, perRow;
+    };
+    Affine start, direction;
+    std::array<float, 3> halfSize{0, 0, 0}; ///< of a box
+    float radius = 0;                       ///< of a ball
+    float perBorder = 0;                    ///< 1 / border, very large if that is 0
+};
 
 /// The rays of a view through a focus (FocusVolume). Places along a ray are w (VolumeView).
 class FocusRays {
@@ -23,8 +36,8 @@ public:
     FocusRays(const FocusVolume& focus, const VolumeView& view);
 
     Passage at(int column, int row) const;
-    /// Of the fine volume, at a place of the ray through a sample.
-    double weightAt(int column, int row, double w) const;
+    /// Of the fine volume. Columns and rows count from the given ones.
+    FocusWeights weightsFrom(int column, int row) const;
     /// A place in the units of the dataset lies in the region.
     bool holds(const Eigen::Vector3f& place) const;
 

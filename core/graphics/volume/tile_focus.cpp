@@ -60,8 +60,13 @@ void VolumeTilePainter::collectBorderOf(const SampleRectangle& tile, std::span<c
 {
     const SetupSource& source = fine ? *focus.source : source_;
     const auto positions = fine ? focus.finePositions : focus.positions;
-    const BorderTile border{
-        focus.rays, tile, passages_, blocks_, volumeTileSide / blockWidth, source.segments.data(), view_.perspective};
+    const BorderTile border{focus.rays->weightsFrom(tile.left, tile.top),
+                            tile,
+                            passages_,
+                            blocks_,
+                            volumeTileSide / blockWidth,
+                            source.segments.data(),
+                            view_.perspective};
     const TileFrame frame = frameOf(tile);
     std::vector<BinnedCell> outside;
     for (std::size_t first = 0; first < cells.size() && !progress.cancelled(); first += batch) {
@@ -77,22 +82,26 @@ void VolumeTilePainter::collectBorderOf(const SampleRectangle& tile, std::span<c
 /// Both kinds of fragments of each sample in one list, front to back.
 void VolumeTilePainter::putBorderAmong(const SampleRectangle& tile, const SurfaceFragments* surfaces)
 {
-    const auto samples = static_cast<std::size_t>(tile.width()) * static_cast<std::size_t>(tile.height());
+    const auto samples = static_cast<std::uint32_t>(tile.width() * tile.height());
     if (surfaces != nullptr)
         for (std::uint32_t sample = 0; sample < samples; ++sample)
             for (std::uint32_t i = surfaces->first[sample]; surfaces->fragments[i].nearness > -farBound; ++i)
                 border_.push_back({sample, surfaces->fragments[i]});
-    std::ranges::sort(border_, [](const BorderFragment& one, const BorderFragment& other) {
-        return one.sample != other.sample ? one.sample < other.sample : one.surface.nearness > other.surface.nearness;
-    });
-    amongBorder_ = {};
-    std::size_t next = 0;
-    for (std::uint32_t sample = 0; sample < samples; ++sample) {
-        amongBorder_.first.push_back(static_cast<std::uint32_t>(amongBorder_.fragments.size()));
-        for (; next < border_.size() && border_[next].sample == sample; ++next)
-            amongBorder_.fragments.push_back(border_[next].surface);
-        amongBorder_.fragments.push_back({-farBound, {}});
-    }
+    std::vector<std::uint32_t>& first = amongBorder_.first;
+    first.assign(samples + 1, 0);
+    for (const BorderFragment& fragment : border_)
+        ++first[fragment.sample + 1];
+    for (std::uint32_t sample = 0; sample < samples; ++sample)
+        first[sample + 1] += first[sample] + 1; // one more for the end
+    amongBorder_.fragments.assign(first.back(), {-farBound, {}});
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for (const BorderFragment& fragment : border_)
+        amongBorder_.fragments[next[fragment.sample]++] = fragment.surface;
+    for (std::uint32_t sample = 0; sample < samples; ++sample)
+        std::sort(
+            amongBorder_.fragments.begin() + first[sample], amongBorder_.fragments.begin() + next[sample],
+            [](const SurfaceFragment& one, const SurfaceFragment& other) { return one.nearness > other.nearness; });
+    first.pop_back();
     amongBorder_.empty = border_.empty();
 }
 
