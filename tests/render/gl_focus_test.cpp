@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A finer volume inside a region, blended at its border (R24, S18), by OpenGL against the CPU back end (B4). Skipped where
-// EGL gives no OpenGL 3.3.
+// A finer volume inside a region, blended at its border (R24, S18), by OpenGL against the CPU back end (B4). Skipped
+// where EGL gives no OpenGL 3.3.
 #include "tests/core/graphics/lattice_mesh.h"
 #include "tests/render/same_picture.h"
 #include "tests/render/scenes.h"
@@ -125,7 +125,7 @@ private slots:
         compare(scene, cameraAround(scene.bounds, perspective));
     }
 
-    /// In the region, in its border and, with it behind, beyond.
+    /// With the border and the region all around, or in part behind.
     void eyeInside_data()
     {
         QTest::addColumn<bool>("isBox");
@@ -149,7 +149,6 @@ private slots:
     }
 
     void clipPlanes_data() { addRegions(); }
-    /// Both volumes are cut, and one of them shows no hidden layers of the border.
     void clipPlanes()
     {
         QFETCH(bool, isBox);
@@ -182,7 +181,7 @@ private slots:
         compare(scene, cameraAround(scene.bounds, perspective), usual, 4);
     }
 
-    /// Lit, many samples, a transparent background; the volumes have functions of their own.
+    /// Lit, many samples, a transparent background.
     void shadedAndTransparent()
     {
         Scene scene = focusScene(ball, 0.1, 0.5);
