@@ -5,8 +5,7 @@
 uniform bool perspective;
 uniform int focusPart;          // VolumePart in core/graphics/gl/region_in_view.h
 uniform bool fine;              // the volume that is drawn now is the one in the focus
-uniform int borderLayer;
-uniform int borderLayers;       // on either side
+uniform vec2 borderShares;      // where a layer of the border begins and ends, of its way on one side
 uniform bool ball;
 uniform vec3 regionSize;        // half of a box; of a ball the radius, in each coordinate
 uniform float border;
@@ -82,8 +81,7 @@ vec2 rangeOfPart(vec2 fromCentre, vec2 shown)
     if (focusPart == behind)
         return vec2(passage.w, shown.y);
     vec2 side = focusPart == frontBorder ? passage.xy : passage.zw;
-    float perLayer = (side.y - side.x) / float(borderLayers);
-    return side.x + perLayer * vec2(borderLayer, borderLayer + 1);
+    return side.x + (side.y - side.x) * borderShares;
 }
 
 // How much of the optical depth at w counts.

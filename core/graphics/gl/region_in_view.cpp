@@ -39,10 +39,21 @@ std::vector<VolumePart> partsOf(const std::optional<RegionInView>& region)
     if (!region)
         return {{Place::Whole}};
     std::vector<VolumePart> parts;
+    // What is alike at the same place cannot be drawn at once. Layers of the two volumes in turn, each half a layer
+    // ahead of the one before, make the smallest error for their number, as the errors of one side cancel those of the
+    // other.
+    constexpr int half = borderLayers / 2;
+    const auto addLayer = [&](Place place, bool fine, float begin, float end) {
+        const float first = std::max(0.0f, begin), last = std::min(1.0f, end);
+        parts.push_back({place, fine, {first, last}});
+    };
     const auto addBorder = [&](Place place) {
-        for (int layer = 0; layer < borderLayers && region->border > 0; ++layer)
-            for (const bool fine : {false, true})
-                parts.push_back({place, fine, layer});
+        for (int layer = 0; layer <= half && region->border > 0; ++layer) {
+            const auto number = static_cast<float>(layer);
+            addLayer(place, false, (number - 0.5f) / half, (number + 0.5f) / half);
+            if (layer < half)
+                addLayer(place, true, number / half, (number + 1) / half);
+        }
     };
     parts.push_back({Place::Before});
     addBorder(Place::FrontBorder);
@@ -60,14 +71,13 @@ void setRegion(const GlProgram& program, const std::optional<RegionInView>& regi
     program.set("border", used.border);
     program.set("regionFromImage", used.fromImage);
     program.set("worldFromImage", used.worldFromImage);
-    program.set("borderLayers", borderLayers);
 }
 
 void setPart(const GlProgram& program, const VolumePart& part)
 {
     program.set("focusPart", static_cast<int>(part.place));
     program.set("fine", part.fine ? 1 : 0);
-    program.set("borderLayer", part.layer);
+    program.set("borderShares", part.shares);
 }
 
 } // namespace tetra

@@ -28,7 +28,7 @@ struct VolumePart {
     enum class Place { Whole, Before, FrontBorder, Within, BackBorder, Behind };
     Place place = Place::Whole;
     bool fine = false;
-    int layer = 0; ///< of the border, front to back
+    Eigen::Vector2f shares{0, 1}; ///< of the way through the border on one side, where the part begins and ends
 };
 
 /// What a volume with a focus, or without, is drawn in, front to back.
