@@ -178,7 +178,7 @@ private slots:
         QFETCH(bool, perspective);
         Scene scene = focusScene(regionNamed(isBox), 0.1, 0.3);
         addLayer(scene, 0.55, {0.9f, 0.5f, 0.2f}, surfaceOpacity);
-        compare(scene, cameraAround(scene.bounds, perspective), usual, 4);
+        compare(scene, cameraAround(scene.bounds, perspective), usual, 1);
     }
 
     /// Lit, many samples, a transparent background.

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/graphics/gl/region_in_view.h"
 
-#include "core/graphics/volume/border_fragments.h"
-
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <variant>
 
 namespace tetra {
+namespace {
+
+/// Layers of the fine volume in the border on either side. Blending cannot mix the two volumes, so they are drawn in
+/// turn. As layers of one begin in the middle of those of the other, what comes too early makes up for what comes too
+/// late.
+constexpr int fineLayers = 2;
+
+} // namespace
 
 RegionInView regionInView(const FocusVolume& focus, const VolumeView& view)
 {
@@ -39,20 +45,16 @@ std::vector<VolumePart> partsOf(const std::optional<RegionInView>& region)
     if (!region)
         return {{Place::Whole}};
     std::vector<VolumePart> parts;
-    // What is alike at the same place cannot be drawn at once. Layers of the two volumes in turn, each half a layer
-    // ahead of the one before, make the smallest error for their number, as the errors of one side cancel those of the
-    // other.
-    constexpr int half = borderLayers / 2;
     const auto addLayer = [&](Place place, bool fine, float begin, float end) {
         const float first = std::max(0.0f, begin), last = std::min(1.0f, end);
         parts.push_back({place, fine, {first, last}});
     };
     const auto addBorder = [&](Place place) {
-        for (int layer = 0; layer <= half && region->border > 0; ++layer) {
+        for (int layer = 0; layer <= fineLayers && region->border > 0; ++layer) {
             const auto number = static_cast<float>(layer);
-            addLayer(place, false, (number - 0.5f) / half, (number + 0.5f) / half);
-            if (layer < half)
-                addLayer(place, true, number / half, (number + 1) / half);
+            addLayer(place, false, (number - 0.5f) / fineLayers, (number + 0.5f) / fineLayers);
+            if (layer < fineLayers)
+                addLayer(place, true, number / fineLayers, (number + 1) / fineLayers);
         }
     };
     parts.push_back({Place::Before});

@@ -26,7 +26,7 @@ struct VolumeLayers {
 /// faces of its that look away from the eye; each fragment computes the ray's way through the cell and its light in
 /// closed form, as the CPU back end does. The order comes from the CPU and stays on the card while it fits.
 ///
-/// A focus is drawn by parts of rays: before it, in layers of its border each of both volumes by their weights, in it,
+/// A focus is drawn by parts of rays: before it, in its border layers of both volumes in turn by their weights, in it,
 /// and behind it. Each part is a drawing of the cells that may have something in it.
 ///
 /// The context must be current for everything, also when it goes; `gl` must outlive it.

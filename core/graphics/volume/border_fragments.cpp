@@ -6,6 +6,9 @@
 namespace tetra {
 namespace {
 
+/// The border is cut into this many layers along a ray on either side of the region.
+constexpr int layers = 4;
+
 /// The rays of a block in a cell; w.
 struct CellPassage {
     Float8 enter, leave, slope;
@@ -80,8 +83,8 @@ template <bool perspective> TETRA_SIMD_INLINE void collectBlock(const CellSetup&
         passageOf(cell, static_cast<float>(column * blockWidth), static_cast<float>(row * blockHeight), perspective);
     const Float8 ends[2][2] = {{region.enter, region.in}, {region.out, region.leave}};
     for (const auto& [first, last] : ends) {
-        const Float8 step = (last - first) * (1.0f / borderLayers);
-        for (int layer = 0; layer < borderLayers; ++layer) {
+        const Float8 step = (last - first) * (1.0f / layers);
+        for (int layer = 0; layer < layers; ++layer) {
             const auto number = static_cast<float>(layer);
             collectLayer<perspective>(cell, fine, tile, column, row, passage, first + number * step,
                                       first + (number + 1) * step, fragments);

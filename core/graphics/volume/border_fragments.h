@@ -9,9 +9,6 @@
 
 namespace tetra {
 
-/// The border is cut into this many layers along a ray on either side of the region.
-inline constexpr int borderLayers = 4;
-
 /// FocusRays::Passage of the rays of a block.
 struct alignas(64) BlockPassage {
     Float8 enter, in, out, leave;
