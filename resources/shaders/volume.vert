@@ -34,6 +34,7 @@ flat out float perGradient; // 1 / length of the gradient, in values for one uni
 
 const int faceCorners[12] = int[](0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3);
 const vec4 nowhere = vec4(0.0, 0.0, 2.0, 1.0);
+const int whole = 0, before = 1, within = 3, behind = 5; // of focusPart
 const float thinnestCell = 1e-5;
 const float roundingShare = 2.5e-7;
 const float steepestBound = 1e7;
@@ -77,10 +78,10 @@ vec4 boundOf(vec3 normal, float offset)
 // Nothing of the cell is in the part of rays that is drawn now.
 bool isElsewhere(vec4 images[4])
 {
-    if (focusPart == 0)
+    if (focusPart == whole)
         return false;
-    bool outside = focusPart == 1 || focusPart == 5;
-    float margin = focusPart == 3 ? 0.0 : border;
+    bool outside = focusPart == before || focusPart == behind;
+    float margin = focusPart == within ? 0.0 : border;
     bool inRegion = true, inBorder = true;
     vec3 least = vec3(1e30), largest = vec3(-1e30);
     for (int i = 0; i < 4; ++i) {
@@ -94,7 +95,7 @@ bool isElsewhere(vec4 images[4])
     if (outside)
         return inBorder;
     return any(greaterThan(least, regionSize + margin)) || any(lessThan(largest, -regionSize - margin)) ||
-           (focusPart != 3 && inRegion);
+           (focusPart != within && inRegion);
 }
 
 void main()
