@@ -13,7 +13,7 @@ uniform vec3 regionFromImage;   // where the image (0, 0, 0) is
 uniform mat3 worldFromImage;
 
 const int whole = 0, before = 1, frontBorder = 2, within = 3, backBorder = 4, behind = 5;
-const float farBound = 1e30;
+const float endless = 1e30;
 
 struct Ray {
     vec3 start, direction; // of w
@@ -38,7 +38,7 @@ vec2 rangeWithin(Ray ray, float margin)
         float halfWay = rest > 0.0 ? sqrt(rest / squared) : 0.0;
         return nearest + vec2(-halfWay, halfWay);
     }
-    vec2 range = vec2(-farBound, farBound);
+    vec2 range = vec2(-endless, endless);
     for (int axis = 0; axis < 3; ++axis) {
         float size = regionSize[axis] + margin;
         if (ray.direction[axis] == 0.0) {
