@@ -15,6 +15,7 @@ uniform usampler2D layerBefore;  // depth as bits and a triangle's number plus o
 uniform usampler2D layerBehind;
 uniform bool layered;
 uniform bool wholeCells;         // each cell goes behind all layers that it meets
+uniform int focusPart;           // focus.frag; 0 without a focus
 uniform bool shaded;
 uniform vec3 light;              // ambient, diffuse, specular
 
@@ -31,11 +32,13 @@ const uint noLayer = 0xffffffffu;
 const float farBound = 1e30;
 
 vec4 lightOfSlabs(ivec2 range, bool fromOrigin, float valueIn, float valueOut, float way);
+vec2 rangeOfPart(vec2 fromCentre, vec2 shown);
+float weightAt(vec2 fromCentre, float w);
 
 // The range of q, back to front, that lies in the cell; empty if y <= x.
 vec2 rangeInCell(vec2 place)
 {
-    vec2 range = vec2(-farBound, perspective ? nearestBound : farBound);
+    vec2 range = vec2(-farBound, farBound);
     for (int face = 0; face < 4; ++face) {
         float bound = dot(faceBounds[face].xy, place) + faceBounds[face].z;
         if (faceBounds[face].w > 0.0)
@@ -57,6 +60,22 @@ void cutRange(vec2 fromCentre, inout vec2 range)
         else if (atZero < 0.0)
             range.y = -farBound;
     }
+}
+
+// What lies in the part of the ray that is drawn now, of what the near plane and the cuts leave.
+vec2 rangeShown(vec2 fromCentre)
+{
+    vec2 range = vec2(-farBound, perspective ? nearestBound : farBound);
+    cutRange(fromCentre, range);
+    if (focusPart == 0 || !(range.y > range.x) || (perspective && !(range.y > 0.0)))
+        return range;
+    vec2 part;
+    if (perspective) {
+        part = rangeOfPart(fromCentre, vec2(1.0 / range.y, range.x > 0.0 ? 1.0 / range.x : farBound));
+        return part.y > part.x ? vec2(part.y < farBound ? 1.0 / part.y : range.x, 1.0 / part.x) : vec2(0.0);
+    }
+    part = rangeOfPart(fromCentre, -range.yx);
+    return part.y > part.x ? -part.yx : vec2(0.0);
 }
 
 float boundAtDepth(float depth)
@@ -102,7 +121,8 @@ void main()
     vec2 place = vec2(gl_FragCoord.x - reference.x, reference.y - gl_FragCoord.y);
     vec2 fromCentre = vec2(gl_FragCoord.x - pictureSize.x * 0.5, pictureSize.y * 0.5 - gl_FragCoord.y) + sampleShift;
     vec2 range = rangeInCell(place);
-    cutRange(fromCentre, range);
+    vec2 shown = rangeShown(fromCentre);
+    range = vec2(max(range.x, shown.x), min(range.y, shown.y));
     vec2 layers = rangeOfLayers();
     if (!wholeCells)
         range = vec2(max(range.x, layers.x), min(range.y, layers.y));
@@ -118,8 +138,10 @@ void main()
     float perPlace = dot(slope.xy, place) + slope.z;
     float valueIn = perspective ? perPlace * enter + slope.w : perPlace + slope.w * range.y;
     float valueOut = perspective ? perPlace * leave + slope.w : perPlace + slope.w * range.x;
+    // A part of the optical depth is that of a part of the way.
+    float way = (leave - enter) * ray * weightAt(fromCentre, 0.5 * (enter + leave));
     result = lightOfSlabs(segmentRange, valueRange.z == 0.0, clamp(valueIn, valueRange.x, valueRange.y),
-                          clamp(valueOut, valueRange.x, valueRange.y), (leave - enter) * ray);
+                          clamp(valueOut, valueRange.x, valueRange.y), way);
     if (shaded && perGradient > 0.0)
         result = litByGradient(result, perspective ? perPlace : slope.w, ray);
 }

@@ -16,6 +16,12 @@ uniform float perValue;
 uniform vec2 pictureSize;     // in samples
 uniform vec2 sampleShift;     // of samples from the middle, right and down
 uniform float nearest;
+uniform int focusPart;        // these as in focus.frag
+uniform vec3 regionSize;
+uniform bool ball;
+uniform float border;
+uniform vec3 regionFromImage;
+uniform mat3 worldFromImage;
 uniform vec2 lengths;         // of u and v for one unit of length across the view, in units of w for one along it
 
 // Of the plane of each face: a, b, c, and positive if the face is seen from outside (CellSetup).
@@ -28,6 +34,7 @@ flat out float perGradient; // 1 / length of the gradient, in values for one uni
 
 const int faceCorners[12] = int[](0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3);
 const vec4 nowhere = vec4(0.0, 0.0, 2.0, 1.0);
+const int whole = 0, before = 1, within = 3, behind = 5; // of focusPart
 const float thinnestCell = 1e-5;
 const float roundingShare = 2.5e-7;
 const float steepestBound = 1e7;
@@ -68,6 +75,29 @@ vec4 boundOf(vec3 normal, float offset)
     return vec4(vec3(normal.xy, perspective ? normal.z : -offset) / safe, safe);
 }
 
+// Nothing of the cell is in the part of rays that is drawn now.
+bool isElsewhere(vec4 images[4])
+{
+    if (focusPart == whole)
+        return false;
+    bool outside = focusPart == before || focusPart == behind;
+    float margin = focusPart == within ? 0.0 : border;
+    bool inRegion = true, inBorder = true;
+    vec3 least = vec3(1e30), largest = vec3(-1e30);
+    for (int i = 0; i < 4; ++i) {
+        vec3 place = regionFromImage + worldFromImage * images[i].xyz;
+        float away = ball ? length(place) - regionSize.x : length(max(abs(place) - regionSize, 0.0));
+        inRegion = inRegion && away <= 0.0;
+        inBorder = inBorder && away <= border;
+        least = min(least, place);
+        largest = max(largest, place);
+    }
+    if (outside)
+        return inBorder;
+    return any(greaterThan(least, regionSize + margin)) || any(lessThan(largest, -regionSize - margin)) ||
+           (focusPart != within && inRegion);
+}
+
 void main()
 {
     int cell = gl_VertexID / 12;
@@ -76,6 +106,10 @@ void main()
     vec4 images[4];
     for (int i = 0; i < 4; ++i)
         images[i] = imageOf(cornersOfCell[i]);
+    if (isElsewhere(images)) {
+        gl_Position = nowhere;
+        return;
+    }
     vec4 u = vec4(images[0].x, images[1].x, images[2].x, images[3].x);
     vec4 v = vec4(images[0].y, images[1].y, images[2].y, images[3].y);
     vec4 w = vec4(images[0].z, images[1].z, images[2].z, images[3].z);

@@ -196,6 +196,7 @@ private slots:
     void insideTheFocus();
     void clipPlanesCutBoth();
     void surfacesAreMetInTheBorder();
+    void hasAFunctionOfItsOwn();
     void besideTheDomainItIsNothing();
     void oneThreadEqualsMany();
     void refusesAFunctionOfAnotherMesh();
@@ -296,6 +297,19 @@ void FocusSceneTest::surfacesAreMetInTheBorder()
         without.focus.reset();
         // A way through the border is drawn before or behind a surface in it as a whole.
         QVERIFY(largestDifference(rendered(scene, camera), rendered(without, camera)) <= 3);
+    }
+}
+
+void FocusSceneTest::hasAFunctionOfItsOwn()
+{
+    const Fields fields;
+    const TransferFunction function{{{0, {1, 0.2f, 0}, 0.1f}, {1, {0, 0.2f, 1}, 0.7f}}, 0.2};
+    const Scene expected = volumeScene(fields.fine, function);
+    Scene scene = volumeScene(fields.fine, rainbow(0.5));
+    scene.focus = FocusVolume{volumeOf(scene.volume->mesh, function), Sphere{{0.5, 0.5, 0.5}, 2}, 0};
+    for (const bool perspective : {true, false}) {
+        const Camera camera = cameraAround(scene.bounds, perspective);
+        QVERIFY(largestDifference(rendered(scene, camera), rendered(expected, camera)) <= 1);
     }
 }
 

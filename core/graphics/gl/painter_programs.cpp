@@ -28,7 +28,7 @@ Result<PainterPrograms> makePainterPrograms(const GlFunctions& gl)
     make(programs.resolve, shaders::screenVert, std::array{shaders::resolveFrag});
     make(programs.saturated, shaders::screenVert, std::array{shaders::saturatedFrag});
     make(programs.bisect, shaders::screenVert, std::array{shaders::bisectFrag});
-    make(programs.volume, shaders::volumeVert, std::array{shaders::volumeFrag, shaders::slabFrag});
+    make(programs.volume, shaders::volumeVert, std::array{shaders::volumeFrag, shaders::slabFrag, shaders::focusFrag});
     if (!status)
         return status.error();
     return programs;

@@ -21,7 +21,8 @@ namespace tetra {
 /// Translucency is exact to the sample, by depth peeling from the front: each layer draws the translucent surfaces once
 /// more, until a layer is empty. Sorting triangles would be cheaper, but wrong where they cross, and OpenGL 3.3 has no
 /// lists of fragments. Time is that of the scene's triangles times the largest number of layers at any sample. A volume
-/// is drawn once more for each layer, too: between the one before and that one (R21).
+/// is drawn once more for each layer, too: between the one before and that one (R21). A focus (R24) is drawn in 13
+/// parts, one without a border in three; of both only the cells that may be in a part.
 ///
 /// Everything is called from one thread with the context current, the destructor, too.
 class ScenePainter {

@@ -9,6 +9,7 @@
 #include "core/graphics/volume/projected_volume.h"
 #include "core/graphics/volume/volume_view.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace tetra {
@@ -63,30 +64,36 @@ std::vector<Eigen::Vector4f> cutsOf(const std::vector<ClipPlane>& planes, const 
 
 } // namespace
 
-Status VolumePainter::prepareCells(const Volume& volume, const SampleView& view, const PictureOptions& options,
-                                   const Progress& progress)
+Status VolumePainter::prepareVolume(const Volume& volume, const SampleView& view, const PictureOptions& options,
+                                    const Progress& progress, DrawnVolume& drawn)
 {
-    const Result<VolumeBuffers*> buffers = buffers_.buffersOf(volume.mesh);
-    if (!buffers)
-        return buffers.error();
-    drawn_ = *buffers;
+    if (!belongTogether(*volume.mesh, *volume.transfer, {}))
+        return Error{ErrorKind::WrongUsage, "A volume of the scene and its transfer function do not belong together."};
+    drawn.shaded = volume.shaded;
+    drawn.segments = scaleSegments(volume.transfer->segments, view_.unit);
+    fillSegments(gl_, drawn.segments, drawn.segmentBuffer);
+    const Result<VolumeBuffers*> kept = drawn.kept.buffersOf(volume.mesh);
+    if (!kept)
+        return kept.error();
+    drawn.buffers = *kept;
+    VolumeBuffers& buffers = *drawn.buffers;
     Clock::time_point start = Clock::now();
     const KeptOrder::Request request{
         volume.mesh, view.camera, view_, {0, 0, view.width, view.height}, options.orderTolerance};
-    if (Status status = onThreads(options.threads, [&] { return drawn_->order.prepare(request, progress); }); !status)
+    if (Status status = onThreads(options.threads, [&] { return buffers.order.prepare(request, progress); }); !status)
         return status;
-    statistics_.orderSeconds = secondsSince(start);
-    statistics_.orderReused = drawn_->order.reused();
-    statistics_.brokenCycles = drawn_->order.brokenCycles();
+    statistics_.orderSeconds += secondsSince(start);
+    statistics_.orderReused = statistics_.orderReused && buffers.order.reused();
+    statistics_.brokenCycles = std::max(statistics_.brokenCycles, buffers.order.brokenCycles());
     start = Clock::now();
-    if (!drawn_->order.reused() || drawn_->transfer.lock() != volume.transfer) {
-        drawn_->transfer.reset(); // until it is true
-        if (Status status = fillCells(gl_, *volume.mesh->mesh, *volume.transfer, *drawn_); !status)
+    if (!buffers.order.reused() || buffers.transfer.lock() != volume.transfer) {
+        buffers.transfer.reset(); // until it is true
+        if (Status status = fillCells(gl_, *volume.mesh->mesh, *volume.transfer, buffers); !status)
             return status;
-        drawn_->transfer = volume.transfer;
+        buffers.transfer = volume.transfer;
     }
-    statistics_.setUpSeconds = secondsSince(start);
-    statistics_.cells = drawn_->cells;
+    statistics_.setUpSeconds += secondsSince(start);
+    statistics_.cells += buffers.cells;
     return {};
 }
 
@@ -94,24 +101,21 @@ Status VolumePainter::prepare(const Scene& scene, const SampleView& view, const 
                               const Progress& progress)
 {
     statistics_ = {};
-    const Volume& volume = *scene.volume;
-    if (!belongTogether(*volume.mesh, *volume.transfer, {}))
-        return Error{ErrorKind::WrongUsage,
-                     "The volume of the scene and its transfer function do not belong together."};
-    if (hasFocus(scene))
-        return Error{ErrorKind::WrongUsage, "OpenGL cannot draw a focus that is blended. Draw it by the processor, or "
-                                            "as one mesh of varying resolution."};
+    statistics_.orderReused = true; // until a volume needs a new one
     const Camera& camera = view.camera;
     view_ = makeVolumeView(camera, view.width, view.height, view.bounds);
-    segments_ = scaleSegments(volume.transfer->segments, view_.unit);
     origin_ = camera.perspective ? eyePosition(camera) : camera.target;
     cuts_ = cutsOf(scene.clipPlanes, view_, origin_);
     const double aspectRatio = static_cast<double>(view.width) / view.height;
     boundOfDepth_ = boundOfDepth(projectionMatrix(camera, aspectRatio, view.bounds), camera.perspective, view_.unit);
-    shaded_ = volume.shaded;
     wholeCells_ = scene.hybridOrder == HybridOrder::WithCell;
-    fillSegments(gl_, segments_, segmentBuffer_);
-    return prepareCells(volume, view, options, progress);
+    region_.reset();
+    if (!hasFocus(scene))
+        return prepareVolume(*scene.volume, view, options, progress, coarse_);
+    region_ = regionInView(*scene.focus, view_);
+    if (Status status = prepareVolume(*scene.volume, view, options, progress.part(0, 0.5), coarse_); !status)
+        return status;
+    return prepareVolume(scene.focus->fine, view, options, progress.part(0.5, 1), fine_);
 }
 
 void VolumePainter::setUniforms(const GlProgram& program) const
@@ -123,9 +127,6 @@ void VolumePainter::setUniforms(const GlProgram& program) const
     program.set("imageFromWorld", Eigen::Matrix3f(view_.imageFromWorld.leftCols<3>().cast<float>()));
     program.set("imageOfOrigin",
                 view_.perspective ? Eigen::Vector3f(0, 0, 0) : Eigen::Vector3f(imageOfOrigin.cast<float>()));
-    const auto smallest = static_cast<float>(segments_.smallest);
-    program.set("smallestValue", Eigen::Vector2f(smallest, static_cast<float>(segments_.smallest - double(smallest))));
-    program.set("perValue", static_cast<float>(segments_.perValue));
     program.set("pictureSize", Eigen::Vector2f(static_cast<float>(view_.width), static_cast<float>(view_.height)));
     program.set("sampleShift", Eigen::Vector2f(static_cast<float>(sampleX - 0.5), static_cast<float>(sampleY - 0.5)));
     program.set("samplesPerSlope", Eigen::Vector2f(view_.samplesPerSlope.cast<float>()));
@@ -135,12 +136,23 @@ void VolumePainter::setUniforms(const GlProgram& program) const
     program.set("cuts", cuts_);
     program.set("boundOfDepth", boundOfDepth_);
     program.set("wholeCells", wholeCells_ ? 1 : 0);
-    program.set("shaded", shaded_ ? 1 : 0);
     program.set("light", Eigen::Vector3f(Shading::ambient, Shading::diffuse, Shading::specular));
     // How long u and v are for one unit of length across the view, in units of w for one along it.
     program.set(
         "lengths",
         Eigen::Vector2f((view_.imageFromWorld.leftCols<3>().topRows<2>().rowwise().norm() * view_.unit).cast<float>()));
+    setRegion(program, region_);
+}
+
+void VolumePainter::setVolume(const GlProgram& program, const DrawnVolume& volume) const
+{
+    const ScaledSegments& segments = volume.segments;
+    const auto smallest = static_cast<float>(segments.smallest);
+    program.set("smallestValue", Eigen::Vector2f(smallest, static_cast<float>(segments.smallest - double(smallest))));
+    program.set("perValue", static_cast<float>(segments.perValue));
+    program.set("shaded", volume.shaded ? 1 : 0);
+    program.setTexture("vertices", 3, volume.buffers->vertices.texture.name(), gl::textureBuffer);
+    program.setTexture("segments", 4, volume.segmentBuffer.texture.name(), gl::textureBuffer);
 }
 
 void VolumePainter::setCellState() const
@@ -168,6 +180,30 @@ void VolumePainter::markSaturated(const GlProgram& program, const SampleTargets&
     setCellState();
 }
 
+Status VolumePainter::drawPart(const PainterPrograms& programs, const SampleTargets& targets, const VolumePart& part,
+                               const Progress& progress) const
+{
+    const GlProgram& program = *programs.volume;
+    const DrawnVolume& volume = part.fine ? fine_ : coarse_;
+    const std::vector<CellChunk>& chunks = volume.buffers->chunks;
+    setVolume(program, volume);
+    setPart(program, part);
+    const std::size_t chunksPerMark = (chunks.size() + marks - 1) / marks;
+    for (std::size_t i = 0; i < chunks.size(); ++i) {
+        if (progress.cancelled())
+            return cancelledError(activity);
+        if (i > 0 && i % chunksPerMark == 0) {
+            markSaturated(*programs.saturated, targets);
+            program.use();
+        }
+        const CellChunk& chunk = chunks[i];
+        program.setTexture("corners", 5, chunk.corners.texture.name(), gl::textureBuffer);
+        program.setTexture("segmentsOfCell", 6, chunk.segments.texture.name(), gl::textureBuffer);
+        gl_.drawArrays(gl::triangles, 0, chunk.count * verticesPerCell);
+    }
+    return {};
+}
+
 Status VolumePainter::draw(const PainterPrograms& programs, const SampleTargets& targets, const VolumeLayers& layers,
                            const Progress& progress) const
 {
@@ -178,24 +214,17 @@ Status VolumePainter::draw(const PainterPrograms& programs, const SampleTargets&
     program.setTexture("opaqueDepth", 0, layers.opaqueDepth);
     program.setTexture("layerBefore", 1, layers.before);
     program.setTexture("layerBehind", 2, layers.behind);
-    program.setTexture("vertices", 3, drawn_->vertices.texture.name(), gl::textureBuffer);
-    program.setTexture("segments", 4, segmentBuffer_.texture.name(), gl::textureBuffer);
     setCellState();
-    const std::size_t chunksPerMark = (drawn_->chunks.size() + marks - 1) / marks;
     Status status;
-    for (std::size_t i = 0; i < drawn_->chunks.size(); ++i) {
-        if (progress.cancelled()) {
-            status = cancelledError(activity);
-            break;
-        }
-        if (i > 0 && i % chunksPerMark == 0) {
+    bool first = true;
+    for (const VolumePart& part : partsOf(region_)) {
+        if (!first) {
             markSaturated(*programs.saturated, targets);
             program.use();
         }
-        const CellChunk& chunk = drawn_->chunks[i];
-        program.setTexture("corners", 5, chunk.corners.texture.name(), gl::textureBuffer);
-        program.setTexture("segmentsOfCell", 6, chunk.segments.texture.name(), gl::textureBuffer);
-        gl_.drawArrays(gl::triangles, 0, chunk.count * verticesPerCell);
+        first = false;
+        if (status = drawPart(programs, targets, part, progress); !status)
+            break;
     }
     gl_.disable(gl::cullFace);
     gl_.disable(gl::depthTest);

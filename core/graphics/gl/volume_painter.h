@@ -4,10 +4,14 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/graphics/gl/painter_programs.h"
+#include "core/graphics/gl/region_in_view.h"
 #include "core/graphics/gl/sample_targets.h"
 #include "core/graphics/gl/sample_view.h"
 #include "core/graphics/gl/volume_buffers.h"
 #include "core/graphics/render_backend.h"
+
+#include <optional>
+#include <vector>
 
 namespace tetra {
 
@@ -22,10 +26,13 @@ struct VolumeLayers {
 /// faces of its that look away from the eye; each fragment computes the ray's way through the cell and its light in
 /// closed form, as the CPU back end does. The order comes from the CPU and stays on the card while it fits.
 ///
+/// A focus is drawn by parts of rays: before it, in its border layers of both volumes in turn by their weights, in it,
+/// and behind it. Each part is a drawing of the cells that may have something in it.
+///
 /// The context must be current for everything, also when it goes; `gl` must outlive it.
 class VolumePainter {
 public:
-    explicit VolumePainter(const GlFunctions& gl) : gl_(gl), buffers_(gl) {}
+    explicit VolumePainter(const GlFunctions& gl) : gl_(gl), coarse_(gl), fine_(gl) {}
 
     /// Makes ready to draw the scene's volume, which there must be. Errors: parts that do not belong together, more
     /// vertices than the driver allows, no memory, cancelled.
@@ -39,31 +46,47 @@ public:
                 const Progress& progress) const;
 
     /// Frees the buffers of meshes that nobody holds any more.
-    void dropDead() { buffers_.dropDead(); }
+    void dropDead()
+    {
+        coarse_.kept.dropDead();
+        fine_.kept.dropDead();
+    }
 
     /// Of what prepare() did.
     const RenderStatistics& statistics() const noexcept { return statistics_; }
 
 private:
-    Status prepareCells(const Volume& volume, const SampleView& view, const PictureOptions& options,
-                        const Progress& progress);
+    /// The volume of a scene, or that in its focus. They keep buffers each, as both may be of one mesh.
+    struct DrawnVolume {
+        explicit DrawnVolume(const GlFunctions& gl) : kept(gl) {}
+        VolumeBufferCache kept;
+        TextureBuffer segmentBuffer;
+        // Of the picture being drawn.
+        VolumeBuffers* buffers = nullptr;
+        ScaledSegments segments;
+        bool shaded = false;
+    };
+
+    Status prepareVolume(const Volume& volume, const SampleView& view, const PictureOptions& options,
+                         const Progress& progress, DrawnVolume& drawn);
     void setUniforms(const GlProgram& program) const;
+    void setVolume(const GlProgram& program, const DrawnVolume& volume) const;
+    Status drawPart(const PainterPrograms& programs, const SampleTargets& targets, const VolumePart& part,
+                    const Progress& progress) const;
     void markSaturated(const GlProgram& program, const SampleTargets& targets) const;
     void setCellState() const;
 
     const GlFunctions& gl_;
-    VolumeBufferCache buffers_;
-    TextureBuffer segmentBuffer_;
+    DrawnVolume coarse_;
+    DrawnVolume fine_;
     RenderStatistics statistics_;
     // Of the picture being drawn.
-    VolumeBuffers* drawn_ = nullptr;
+    std::optional<RegionInView> region_;
     VolumeView view_;
-    ScaledSegments segments_;
     Eigen::Vector3d origin_{0, 0, 0}; ///< the eye, or in orthographic views what it looks at
     std::vector<Eigen::Vector4f> cuts_;
     Eigen::Vector2f boundOfDepth_{0, 0};
     bool wholeCells_ = false;
-    bool shaded_ = false;
 };
 
 } // namespace tetra

@@ -131,6 +131,7 @@ void VolumeTilePainter::drawWithFocus(const SampleRectangle& tile, std::span<con
                 limits_[block].front[lane] = std::min(front, whole[block].front[lane]);
                 limits_[block].back[lane] = std::max(back, whole[block].back[lane]);
             }
+        shading.segments = source.segments.data();
         draw(source, some, tile, shading, progress, drawn);
     };
     using Ends = std::pair<float, float>;
