@@ -280,7 +280,8 @@ void Workbench::saveMeshWhenShown()
 {
     MeshOrder order{session_.model(), sceneBuilder_.mesh(), session_.shown() ? session_.shown()->query : MeshQuery(),
                     meshTarget_};
-    if (meshTarget_.empty() || !session_.showsQuery() || !order.mesh)
+    // While the worker is busy its mesh may be that of a picture to come.
+    if (meshTarget_.empty() || sceneBuilder_.busy() || !session_.showsQuery() || !order.mesh)
         return;
     // Of two meshes that are blended neither is what was asked for.
     if (renderer() != nullptr && renderer()->blendsFocus())
