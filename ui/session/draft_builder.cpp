@@ -121,8 +121,10 @@ void DraftBuilder::request(const SceneRequest& request, const ShownMesh& shown)
 {
     if (shown.tetrahedra == 0)
         return clear();
-    const bool isKnown = last_ && haveSameMesh(*last_, request) && last_->renderer == request.renderer &&
-                         last_->values == request.values;
+    const bool isSameMesh = last_ && haveSameMesh(*last_, request);
+    const bool isKnown = isSameMesh && last_->renderer == request.renderer && last_->values == request.values;
+    if (!isSameMesh)
+        cleared_ = newest_; // drafts of another mesh, on their way yet
     shown_ = shown;
     if (!isKnown)
         submit(request);
