@@ -4,6 +4,7 @@
 #include "core/transfer/default_transfer_functions.h"
 #include "core/transfer/transfer_text.h"
 #include "ui/panels/transfer_canvas.h"
+#include "ui/session/number_text.h"
 #include "ui/session/target_path.h"
 #include "ui/widgets/colour_button.h"
 #include "ui/widgets/file_dialogs.h"
@@ -287,7 +288,7 @@ void TransferPanel::showModel()
         const double diagonal = model->diagonal() > 0 ? model->diagonal() : 1;
         const QSignalBlocker blocker(unitDistance_);
         unitDistance_->setValueRange(leastUnit * diagonal, largestUnit * diagonal);
-        unitDistance_->setDecimals(6);
+        unitDistance_->setDecimals(std::max(unitDistance_->decimals(), decimalsFor(leastUnit * diagonal)));
         unitDistance_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     }
     showFunction();

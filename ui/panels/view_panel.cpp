@@ -18,6 +18,7 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
+#include <algorithm>
 #include <array>
 
 namespace tetra {
@@ -253,7 +254,7 @@ void ViewPanel::showModel()
         const Eigen::Vector3d room = Eigen::Vector3d::Constant(diagonal);
         const QSignalBlocker blocker(distance_);
         distance_->setValueRange(nearest * diagonal, farthest * diagonal);
-        distance_->setDecimals(decimalsFor(diagonal));
+        distance_->setDecimals(std::max(distance_->decimals(), decimalsFor(diagonal)));
         distance_->setSingleStep(diagonal / 20);
         target_->setRange(bounds.center() - room, bounds.center() + room);
     }
