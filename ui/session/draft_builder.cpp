@@ -123,9 +123,11 @@ void DraftBuilder::request(const SceneRequest& request, const ShownMesh& shown)
         return clear();
     const bool isSameMesh = last_ && haveSameMesh(*last_, request);
     const bool isKnown = isSameMesh && last_->renderer == request.renderer && last_->values == request.values;
-    if (!isSameMesh)
-        cleared_ = newest_; // drafts of another mesh, on their way yet
     shown_ = shown;
+    if (!isSameMesh) {
+        cleared_ = newest_; // drafts of another mesh, on their way yet
+        emit draftsReady({});
+    }
     if (!isKnown)
         submit(request);
 }
