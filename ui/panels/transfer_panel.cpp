@@ -14,7 +14,6 @@
 #include "ui/widgets/value_box.h"
 
 #include <QCheckBox>
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QMenu>
 #include <QPushButton>
@@ -236,10 +235,8 @@ void TransferPanel::connectControls()
                        [this](const QString& path) { load(path); });
     });
     connect(save_, &QToolButton::clicked, this, [this] {
-        const QFileInfo model(pathText(session_.model()->path()));
         askForTextTarget(this, "transferSaveDialog", tr("Save Transfer Function"), tr("Transfer functions (*.json)"),
-                         model.absolutePath() + "/" + model.completeBaseName() + "-transfer.json",
-                         [this](const QString& path) { save(path); });
+                         workbench_.proposedPath("-transfer.json"), [this](const QString& path) { save(path); });
     });
     connect(canvas_, &TransferCanvas::selectionChanged, this, &TransferPanel::showFunction);
     connect(&session_, &Session::modelChanged, this, &TransferPanel::showModel);

@@ -12,7 +12,6 @@
 #include "ui/widgets/vector_input.h"
 
 #include <QComboBox>
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -214,11 +213,10 @@ void ViewPanel::connectControls()
                        [this](const QString& path) { load(path); });
     });
     connect(save_, &QPushButton::clicked, this, [this] {
-        const QFileInfo model(pathText(workbench_.session().model()->path()));
-        askForTextTarget(
-            this, "cameraSaveDialog", tr("Save Camera"), tr("Cameras (*.json)"),
-            model.absolutePath() + "/" + model.completeBaseName() + "-camera.json",
-            [this](const QString& path) { workbench_.saveText(filePath(path), cameraToText(viewport_.camera())); });
+        askForTextTarget(this, "cameraSaveDialog", tr("Save Camera"), tr("Cameras (*.json)"),
+                         workbench_.proposedPath("-camera.json"), [this](const QString& path) {
+                             workbench_.saveText(filePath(path), cameraToText(viewport_.camera()));
+                         });
     });
     connect(&viewport_, &Viewport::cameraChanged, this, &ViewPanel::showCamera);
     connect(&viewport_, &Viewport::backgroundChanged, this, &ViewPanel::showCamera);

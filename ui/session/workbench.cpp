@@ -9,6 +9,7 @@
 #include "ui/session/target_path.h"
 #include "ui/session/text_file.h"
 
+#include <QFileInfo>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -158,6 +159,7 @@ void Workbench::build(const BuildOrder& order)
             }
         };
     });
+    buildTarget_ = order.target;
     lookPath_ = filePath(looks_.filePath(pathText(order.target.filename())));
     if (order.watch && !session_.model() && looks_.isValid())
         looking_.start();
@@ -232,6 +234,13 @@ void Workbench::closeModel()
     sceneBuilder_.clear();
     draftBuilder_.clear();
     session_.close();
+}
+
+QString Workbench::proposedPath(const QString& ending) const
+{
+    const std::filesystem::path& path = session_.model()->path();
+    const QFileInfo model(pathText(path == lookPath_ ? buildTarget_ : path)); // looks go with the program
+    return model.absolutePath() + "/" + model.completeBaseName() + ending;
 }
 
 void Workbench::savePicture(const PictureOrder& order)
