@@ -44,7 +44,6 @@ private slots:
     void theCameraIsSavedAndLoaded();
     void theBackgroundIsChosen();
     void theValuesOfTheMeshAreCounted();
-    void lengthsOfATinyDomainAreEdited();
 
 private:
     Session& session() const { return window_->workbench.session(); }
@@ -382,22 +381,6 @@ void RenderingTest::theValuesOfTheMeshAreCounted()
     for (const std::uint64_t count : histogram->counts)
         sum += count;
     QCOMPARE(sum, session().shown()->vertices);
-}
-
-void RenderingTest::lengthsOfATinyDomainAreEdited()
-{
-    Dataset tiny = sampleDataset(8);
-    tiny.lattice.spacing = {1e-14, 1e-14, 1e-14};
-    window_->window.open(
-        QString::fromStdString(buildSampleModel(*window_->host, tiny, window_->folderPath()).string()));
-    QTRY_VERIFY(session().model()->diagonal() < 1e-12 && window_->settled());
-    const double unit = function().unitDistance;
-    auto& unitDistance = window_->find<QDoubleSpinBox>("transfer.unitDistance");
-    QCOMPARE(unitDistance.value() / unit, 1.0);
-    unitDistance.setValue(2 * unit);
-    QCOMPARE(function().unitDistance / unit, 2.0);
-    auto& distance = window_->find<QDoubleSpinBox>("view.distance");
-    QCOMPARE(distance.value() / window_->viewport().camera().distance, 1.0);
 }
 
 QTEST_MAIN(RenderingTest)
