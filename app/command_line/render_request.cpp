@@ -90,7 +90,10 @@ Status checkFiles(const RenderRequest& request)
         return good;
     if (!request.depth)
         return {};
-    if (request.depth->lexically_normal() == request.output.lexically_normal())
+    const auto place = [](const std::filesystem::path& path) {
+        return std::filesystem::absolute(path).lexically_normal();
+    };
+    if (place(*request.depth) == place(request.output))
         return Error{ErrorKind::WrongUsage, "'--depth' and '--output' name the same file."};
     return checkPng(*request.depth, std::array{request.input});
 }

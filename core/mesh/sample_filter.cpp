@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 
 #if defined(TETRA_SIMD_16)
@@ -137,7 +138,10 @@ private:
         most_ = static_cast<float>(limits_.most - roundingShare * magnitude);
         const auto& size = lattice_.size();
         const std::size_t count = std::size_t(size[0]) * size[1] * size[2];
-        return magnitude < largestNumber && least_ > 0 && (count - indexOf(last_)) * sizeof(T) >= sizeof(std::int32_t);
+        const bool isNumbered = (extent[1] + 1) * (extent[2] + 1) <= mostRows &&
+                                indexOf(last_) - indexOf(first_) <= std::numeric_limits<std::int32_t>::max();
+        return magnitude < largestNumber && least_ > 0 && isNumbered &&
+               (count - indexOf(last_)) * sizeof(T) >= sizeof(std::int32_t);
     }
 
     /// Whether a sample may lie in the tetrahedron and be beyond its limit; if not, isFine_ says if all keep the least.

@@ -255,6 +255,7 @@ private slots:
         row("too large", {"--size", "16385x10"}, 2, "16384");
         row("depth in another format", {"--depth", "depth.tif"}, 2, ".png");
         row("depth over the picture", {"--depth", "./x.png"}, 2, "same file");
+        row("depth over the picture, from the root", {"--depth", path("x.png")}, 2, "same file");
         row("focus without error", {"--focus", "sphere:1,2,3,4"}, 2, "--focus-error");
         row("window beside the data", {"--window", "90,90,90,91,91,91"}, 2, "No tetrahedron");
     }

@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThread>
 
 using namespace tetra;
 
@@ -17,6 +18,7 @@ private slots:
     void meshesFallBelowTheShownOne();
     void anotherLookKeepsTheMeshes();
     void nothingArrivesAfterClear();
+    void nothingArrivesAfterAnotherMesh();
     void movingPicturesAreQuickAndRestingOnesFull();
     void draftsDoNotDisturbAFinePicture();
 
@@ -118,6 +120,22 @@ void DraftBuilderTest::nothingArrivesAfterClear()
     QSignalSpy ready(&builder, &DraftBuilder::draftsReady);
     builder.request(full.request, full.scene.mesh);
     builder.clear();
+    QVERIFY(!ready.wait(100));
+}
+
+void DraftBuilderTest::nothingArrivesAfterAnotherMesh()
+{
+    const Shown full = shown("isosurface");
+    DraftBuilder builder;
+    QSignalSpy ready(&builder, &DraftBuilder::draftsReady);
+    builder.request(full.request, full.scene.mesh);
+    QThread::msleep(1000); // drafts are made, and wait to be heard of
+    SceneRequest other = full.request;
+    other.query.error = 50.0;
+    ShownMesh small = full.scene.mesh;
+    small.tetrahedra = 100; // too few for drafts
+    builder.request(other, small);
+    QCOMPARE(ready.last()[0].value<std::vector<DraftScene>>().size(), std::size_t{0}); // the others go
     QVERIFY(!ready.wait(100));
 }
 

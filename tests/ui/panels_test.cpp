@@ -45,6 +45,7 @@ private slots:
     void everyControlHasANameForThoseWhoHearIt();
     void valueBoxesTakeAnyMagnitude();
     void weightsAreCheckedWhileTheyAreTyped();
+    void lengthsOfATinyDomainAreEdited();
 
 private:
     const Session& session() const { return window_->workbench.session(); }
@@ -314,6 +315,22 @@ void PanelsTest::weightsAreCheckedWhileTheyAreTyped()
     QVERIFY2(mistake.text().contains("it has 3 numbers"), qPrintable(mistake.text()));
     QTest::keyClicks(&weights, ",4");
     QVERIFY(!mistake.isVisible());
+}
+
+void PanelsTest::lengthsOfATinyDomainAreEdited()
+{
+    Dataset tiny = sampleDataset(8);
+    tiny.lattice.spacing = {1e-14, 1e-14, 1e-14};
+    window_->window.open(
+        QString::fromStdString(buildSampleModel(*window_->host, tiny, window_->folderPath()).string()));
+    QTRY_VERIFY(session().model() && window_->settled());
+    const double unit = session().view().look().transfer.unitDistance;
+    auto& unitDistance = window_->find<QDoubleSpinBox>("transfer.unitDistance");
+    QCOMPARE(unitDistance.value() / unit, 1.0);
+    unitDistance.setValue(2 * unit);
+    QCOMPARE(session().view().look().transfer.unitDistance / unit, 2.0);
+    auto& distance = window_->find<QDoubleSpinBox>("view.distance");
+    QCOMPARE(distance.value() / window_->viewport().camera().distance, 1.0);
 }
 
 QTEST_MAIN(PanelsTest)

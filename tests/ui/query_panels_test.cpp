@@ -11,6 +11,7 @@
 #include <QRadioButton>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QThread>
 #include <QToolButton>
 #include <QUndoStack>
 
@@ -32,6 +33,7 @@ private slots:
     void aWindowCutsTheMesh();
     void valuesChooseTetrahedra();
     void theMeshIsSaved();
+    void noMeshOfAnotherPictureIsSaved();
     void aMeshThatCannotBeSavedIsTold();
     void savingIsCancelledAndLeavesNoFile();
 
@@ -220,6 +222,26 @@ void QueryPanelsTest::theMeshIsSaved()
     const QByteArray head = file.read(2000);
     QVERIFY(head.contains(QString("NumberOfCells=\"%1\"").arg(mesh()->mesh.tetrahedra.size()).toUtf8()));
     QCOMPARE(window_->messages(), QStringList());
+}
+
+/// What was undone may have its mesh already, while the picture is still the one from before.
+void QueryPanelsTest::noMeshOfAnotherPictureIsSaved()
+{
+    const auto wanted = mesh();
+    session().setError(40);
+    while (!mesh() || mesh() == wanted)
+        QThread::yieldCurrentThread();
+    const std::size_t others = mesh()->mesh.tetrahedra.size();
+    QVERIFY(others != wanted->mesh.tetrahedra.size());
+    session().undoStack().undo();
+    QVERIFY(session().showsQuery());
+    QSignalSpy saved(&window_->workbench, &Workbench::meshSaved);
+    const QString path = window_->folder.filePath("mesh.vtu");
+    window_->workbench.saveMesh(path.toStdString());
+    QTRY_COMPARE(saved.count(), 1);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.read(2000).contains(QString("NumberOfCells=\"%1\"").arg(wanted->mesh.tetrahedra.size()).toUtf8()));
 }
 
 void QueryPanelsTest::aMeshThatCannotBeSavedIsTold()

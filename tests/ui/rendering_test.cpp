@@ -13,6 +13,7 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -29,6 +30,7 @@ private slots:
     void cleanup();
     void theModeChangesWithoutAnotherMesh();
     void settingsStayWhenTheModeChanges();
+    void aDefaultThatIsConfirmedIsNoEdit();
     void aSettingOfAnotherTypeIsLeftOut();
     void theFrameRateIsKept();
     void aFocusIsBlendedInItsMode();
@@ -146,6 +148,22 @@ void RenderingTest::settingsStayWhenTheModeChanges()
     undo();
     QTRY_COMPARE(window_->viewport().scene()->hybridOrder, HybridOrder::Exact);
     QCOMPARE(order.currentIndex(), 0);
+}
+
+void RenderingTest::aDefaultThatIsConfirmedIsNoEdit()
+{
+    showVolume();
+    const int steps = undoSteps();
+    auto& clip = window_->find<QLineEdit>("rendering.setting.clip");
+    QTest::keyClick(&clip, Qt::Key_Return);
+    QCOMPARE(undoSteps(), steps);
+    clip.setText("1,0,0,2");
+    QTest::keyClick(&clip, Qt::Key_Return);
+    QCOMPARE(undoSteps(), steps + 1);
+    clip.clear();
+    QTest::keyClick(&clip, Qt::Key_Return);
+    QCOMPARE(undoSteps(), steps + 2);
+    QTRY_VERIFY(window_->settled() && window_->viewport().scene()->clipPlanes.empty());
 }
 
 void RenderingTest::aSettingOfAnotherTypeIsLeftOut()

@@ -6,6 +6,7 @@
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -208,6 +209,10 @@ void WindowTest::aBuildIsWatchedWhileItGrows()
     connect(&session, &Session::modelGrown, this, [&] { sites.push_back(session.model()->siteCount()); });
     QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
     QTRY_VERIFY(session.model() != nullptr);
+    window_->find<QToolButton>("transfer.save").click();
+    auto& dialog = window_->find<QFileDialog>("transferSaveDialog");
+    QCOMPARE(dialog.directory().absolutePath(), QFileInfo(target).absolutePath()); // not where the looks go
+    dialog.reject();
     QVERIFY(window_->workbench.building().running());
     QTRY_VERIFY(window_->settled());
     QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.building().running(), 60'000);

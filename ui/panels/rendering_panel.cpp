@@ -11,6 +11,8 @@
 #include <QSettings>
 #include <QSpinBox>
 
+#include <algorithm>
+
 namespace tetra {
 namespace {
 
@@ -38,9 +40,7 @@ RenderingPanel::RenderingPanel(Workbench& workbench, Viewport& viewport, QWidget
     outer->addWidget(new ScrolledColumn(makeContent()));
 
     connect(mode_, &QComboBox::activated, this, [this](int index) { chooseMode(mode_->itemData(index).toString()); });
-    connect(settings_, &ParameterForm::edited, this, [this](const QString& id) {
-        workbench_.session().setSetting(id.toStdString(), settings_->value(id.toStdString()));
-    });
+    connect(settings_, &ParameterForm::edited, this, [this](const QString& id) { setSetting(id.toStdString()); });
     connect(frameRate_, &QSpinBox::valueChanged, this, &RenderingPanel::setFrameRate);
     connect(&workbench_.session(), &Session::modelChanged, this, &RenderingPanel::showModel);
     connect(&workbench_.session().view(), &ViewState::lookChanged, this, &RenderingPanel::showLook);
@@ -92,6 +92,17 @@ void RenderingPanel::chooseMode(const QString& id)
         emit transferWanted();
     else if (hasParameter<std::vector<Isovalue>>(parameters))
         emit isovaluesWanted();
+}
+
+/// A default that is confirmed, as by Enter in a line, is no edit.
+void RenderingPanel::setSetting(const std::string& id)
+{
+    const auto parameters = workbench_.renderingParameters();
+    const auto parameter = std::ranges::find(parameters, id, &Parameter::id);
+    const ParameterValue value = settings_->value(id);
+    const bool isSet = workbench_.session().view().look().settings.contains(id);
+    if (isSet || parameter == parameters.end() || parameter->defaultValue != value)
+        workbench_.session().setSetting(id, value);
 }
 
 void RenderingPanel::showModel()

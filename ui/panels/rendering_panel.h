@@ -23,6 +23,7 @@ public:
 
     /// As the user does.
     void chooseMode(const QString& id);
+    void setSetting(const std::string& id);
 
 signals:
     /// By the user: a mode that takes this.

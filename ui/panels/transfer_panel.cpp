@@ -4,6 +4,7 @@
 #include "core/transfer/default_transfer_functions.h"
 #include "core/transfer/transfer_text.h"
 #include "ui/panels/transfer_canvas.h"
+#include "ui/session/number_text.h"
 #include "ui/session/target_path.h"
 #include "ui/widgets/colour_button.h"
 #include "ui/widgets/file_dialogs.h"
@@ -13,7 +14,6 @@
 #include "ui/widgets/value_box.h"
 
 #include <QCheckBox>
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QMenu>
 #include <QPushButton>
@@ -235,10 +235,8 @@ void TransferPanel::connectControls()
                        [this](const QString& path) { load(path); });
     });
     connect(save_, &QToolButton::clicked, this, [this] {
-        const QFileInfo model(pathText(session_.model()->path()));
         askForTextTarget(this, "transferSaveDialog", tr("Save Transfer Function"), tr("Transfer functions (*.json)"),
-                         model.absolutePath() + "/" + model.completeBaseName() + "-transfer.json",
-                         [this](const QString& path) { save(path); });
+                         workbench_.proposedPath("-transfer.json"), [this](const QString& path) { save(path); });
     });
     connect(canvas_, &TransferCanvas::selectionChanged, this, &TransferPanel::showFunction);
     connect(&session_, &Session::modelChanged, this, &TransferPanel::showModel);
@@ -287,7 +285,7 @@ void TransferPanel::showModel()
         const double diagonal = model->diagonal() > 0 ? model->diagonal() : 1;
         const QSignalBlocker blocker(unitDistance_);
         unitDistance_->setValueRange(leastUnit * diagonal, largestUnit * diagonal);
-        unitDistance_->setDecimals(6);
+        unitDistance_->setDecimals(std::max(unitDistance_->decimals(), decimalsFor(leastUnit * diagonal)));
         unitDistance_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     }
     showFunction();

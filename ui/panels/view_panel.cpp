@@ -12,12 +12,12 @@
 #include "ui/widgets/vector_input.h"
 
 #include <QComboBox>
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QToolButton>
 
+#include <algorithm>
 #include <array>
 
 namespace tetra {
@@ -213,11 +213,10 @@ void ViewPanel::connectControls()
                        [this](const QString& path) { load(path); });
     });
     connect(save_, &QPushButton::clicked, this, [this] {
-        const QFileInfo model(pathText(workbench_.session().model()->path()));
-        askForTextTarget(
-            this, "cameraSaveDialog", tr("Save Camera"), tr("Cameras (*.json)"),
-            model.absolutePath() + "/" + model.completeBaseName() + "-camera.json",
-            [this](const QString& path) { workbench_.saveText(filePath(path), cameraToText(viewport_.camera())); });
+        askForTextTarget(this, "cameraSaveDialog", tr("Save Camera"), tr("Cameras (*.json)"),
+                         workbench_.proposedPath("-camera.json"), [this](const QString& path) {
+                             workbench_.saveText(filePath(path), cameraToText(viewport_.camera()));
+                         });
     });
     connect(&viewport_, &Viewport::cameraChanged, this, &ViewPanel::showCamera);
     connect(&viewport_, &Viewport::backgroundChanged, this, &ViewPanel::showCamera);
@@ -253,7 +252,7 @@ void ViewPanel::showModel()
         const Eigen::Vector3d room = Eigen::Vector3d::Constant(diagonal);
         const QSignalBlocker blocker(distance_);
         distance_->setValueRange(nearest * diagonal, farthest * diagonal);
-        distance_->setDecimals(decimalsFor(diagonal));
+        distance_->setDecimals(std::max(distance_->decimals(), decimalsFor(diagonal)));
         distance_->setSingleStep(diagonal / 20);
         target_->setRange(bounds.center() - room, bounds.center() + room);
     }

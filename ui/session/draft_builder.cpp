@@ -121,9 +121,13 @@ void DraftBuilder::request(const SceneRequest& request, const ShownMesh& shown)
 {
     if (shown.tetrahedra == 0)
         return clear();
-    const bool isKnown = last_ && haveSameMesh(*last_, request) && last_->renderer == request.renderer &&
-                         last_->values == request.values;
+    const bool isSameMesh = last_ && haveSameMesh(*last_, request);
+    const bool isKnown = isSameMesh && last_->renderer == request.renderer && last_->values == request.values;
     shown_ = shown;
+    if (!isSameMesh) {
+        cleared_ = newest_; // drafts of another mesh, on their way yet
+        emit draftsReady({});
+    }
     if (!isKnown)
         submit(request);
 }

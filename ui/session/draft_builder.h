@@ -30,7 +30,7 @@ public:
     void clear();
 
 signals:
-    /// The finest first; coarse ones come before all are there.
+    /// The finest first; coarse ones come before all are there, and none at once when the mesh is another one.
     void draftsReady(const std::vector<tetra::DraftScene>& drafts);
 
 private:

@@ -10,6 +10,7 @@
 #include "ui/session/target_path.h"
 #include "ui/session/text_file.h"
 
+#include <QFileInfo>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -160,6 +161,7 @@ void Workbench::build(const BuildOrder& order)
             }
         };
     });
+    buildTarget_ = order.target;
     lookPath_ = filePath(looks_.filePath(pathText(order.target.filename())));
     if (order.watch && !session_.model() && looks_.isValid())
         looking_.start();
@@ -236,6 +238,13 @@ void Workbench::closeModel()
     session_.close();
 }
 
+QString Workbench::proposedPath(const QString& ending) const
+{
+    const std::filesystem::path& path = session_.model()->path();
+    const QFileInfo model(pathText(path == lookPath_ ? buildTarget_ : path)); // looks go with the program
+    return model.absolutePath() + "/" + model.completeBaseName() + ending;
+}
+
 void Workbench::savePicture(const PictureOrder& order)
 {
     savingPicture_.start([this, order](const Progress& progress) -> std::function<void()> {
@@ -282,7 +291,8 @@ void Workbench::saveMeshWhenShown()
 {
     MeshOrder order{session_.model(), sceneBuilder_.mesh(), session_.shown() ? session_.shown()->query : MeshQuery(),
                     meshTarget_};
-    if (meshTarget_.empty() || !session_.showsQuery() || !order.mesh)
+    // While the worker is busy its mesh may be that of a picture to come.
+    if (meshTarget_.empty() || sceneBuilder_.busy() || !session_.showsQuery() || !order.mesh)
         return;
     // Of two meshes that are blended neither is what was asked for.
     if (renderer() != nullptr && renderer()->blendsFocus())

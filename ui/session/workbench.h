@@ -67,6 +67,9 @@ public:
     /// Ends the build; `keep`: what is finished becomes the model, of less accuracy.
     void stopBuild(bool keep);
     void closeModel();
+    /// Where a file about the model goes unless the user says otherwise: beside it, or while its build is watched to
+    /// where it will be. `ending` follows the model's name. There must be a model.
+    QString proposedPath(const QString& ending) const;
     void savePicture(const PictureOrder& order);
     /// Saves the mesh of the picture, once that is up to date.
     void saveMesh(const std::filesystem::path& target);
@@ -121,6 +124,7 @@ private:
 
     std::shared_ptr<LiveBuild> live_;         ///< of the build that is being watched
     std::shared_ptr<std::atomic<bool>> keep_; ///< of the same build
+    std::filesystem::path buildTarget_;       ///< of that build
     std::filesystem::path lookPath_;          ///< where looks at it are written
     std::shared_ptr<const Model> look_;       ///< the last one shown
     QTimer looking_;

@@ -206,21 +206,15 @@ void MainWindow::connectWorkbench()
     });
 }
 
-QString MainWindow::proposedPath(const QString& ending) const
-{
-    const QFileInfo model(pathText(workbench_.session().model()->path()));
-    return model.absolutePath() + "/" + model.completeBaseName() + ending;
-}
-
 void MainWindow::saveMesh()
 {
-    askForMeshFile(this, "meshDialog", proposedPath(".vtu"),
+    askForMeshFile(this, "meshDialog", workbench_.proposedPath(".vtu"),
                    [this](const QString& path) { workbench_.saveMesh(filePath(path)); });
 }
 
 void MainWindow::savePicture()
 {
-    askForPictureFile(this, "pictureDialog", proposedPath(".png"), [this](const QString& path) {
+    askForPictureFile(this, "pictureDialog", workbench_.proposedPath(".png"), [this](const QString& path) {
         const QSize pixels = viewport_->size() * viewport_->devicePixelRatioF();
         workbench_.savePicture({viewport_->scene(), viewport_->camera(), viewport_->background(), pixels.width(),
                                 pixels.height(), filePath(path)});

@@ -40,7 +40,6 @@ private:
     void connectWorkbench();
 
     void connectRegions();
-    QString proposedPath(const QString& ending) const;
     void savePicture();
     void saveMesh();
     void fillRecent();

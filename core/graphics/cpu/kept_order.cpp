@@ -5,23 +5,13 @@
 #include "core/graphics/volume/volume_renderer.h"
 
 namespace tetra {
-namespace {
-
-bool sameCamera(const Camera& one, const Camera& other)
-{
-    return one.target == other.target && one.distance == other.distance && one.azimuth == other.azimuth &&
-           one.elevation == other.elevation && one.fieldOfView == other.fieldOfView &&
-           one.perspective == other.perspective;
-}
-
-} // namespace
 
 bool KeptOrder::fits(const Request& request) const
 {
     if (request.mesh->mesh->tetrahedra.size() != order_.cells.size() || mesh_.lock() != request.mesh)
         return false;
     const bool sameSamples = pictureSize_ == Eigen::Vector2i(request.whole.width, request.whole.height) &&
-                             part_ == request.part && sameCamera(camera_, request.camera);
+                             part_ == request.part && camera_ == request.camera;
     if (sameSamples)
         return true;
     const SampleRectangle whole{0, 0, pictureSize_.x(), pictureSize_.y()};

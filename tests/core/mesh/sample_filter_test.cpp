@@ -57,7 +57,7 @@ void makeMesh(const std::array<std::uint32_t, 3>& size, std::size_t count, std::
     }
     QVERIFY(made.mesh.prepare(division, {1, 1, 1}).ok());
     QCOMPARE(made.mesh.load(tetrahedra, corners), MeshLoading::Done);
-    std::vector<std::uint32_t> points(std::size_t(size[0]) * size[1] * size[2]);
+    std::vector<std::uint32_t> points(count > 0 ? std::size_t(size[0]) * size[1] * size[2] : 0);
     std::iota(points.begin(), points.end(), 0u);
     std::ranges::shuffle(points, random);
     for (std::size_t i = 0; i < count; ++i) {
@@ -141,6 +141,20 @@ private slots:
         check(std::int32_t());
         check(float());
         check(double());
+    }
+
+    /// More rows than floats can number, as in a tetrahedron that fills a thin lattice.
+    void noneOfManyRowsIsMissed()
+    {
+        const std::array<std::uint32_t, 3> size{2, 4100, 4100};
+        std::mt19937 random(1);
+        Meshed made;
+        makeMesh(size, 0, random, made);
+        std::vector<float> values(std::size_t(size[0]) * size[1] * size[2]);
+        values[(std::size_t(4096) * size[1] + 2051) * size[0]] = 200;
+        BoxLimits limits;
+        limits.least = limits.most = 50;
+        compare(made, LatticeSamples{std::span<const float>(values)}, 200, limits, ScannedPart::All);
     }
 
     void whatIsGoodEnoughIsLeftOut()
