@@ -141,6 +141,8 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, const RenderReq
         return scene.error();
     figures["scene_seconds"] = secondsSince(sceneStart);
     figures["tetrahedra"] = static_cast<qint64>(shown->tetrahedra());
+    if (shown->focus)
+        figures["focus_tetrahedra"] = static_cast<qint64>(shown->focus->mesh->tetrahedra.size());
     return PreparedScene{*scene, *camera, figures, shown->tetrahedra()};
 }
 

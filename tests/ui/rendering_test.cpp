@@ -4,7 +4,6 @@
 #include "ui/widgets/colour_button.h"
 
 #include "core/graphics/camera_text.h"
-#include "core/model/queries/mesh_extractor.h"
 #include "core/transfer/default_transfer_functions.h"
 #include "core/transfer/transfer_text.h"
 
@@ -33,8 +32,6 @@ private slots:
     void aDefaultThatIsConfirmedIsNoEdit();
     void aSettingOfAnotherTypeIsLeftOut();
     void theFrameRateIsKept();
-    void aFocusIsBlendedInItsMode();
-    void aBlendedFocusIsSavedAsOneMesh();
     void aDragIsOneStepAndThePictureFollows();
     void pointsAreEditedByKeys();
     void doubleClickAddsAPoint();
@@ -187,46 +184,6 @@ void RenderingTest::theFrameRateIsKept()
     window_ = std::make_unique<WindowFixture>();
     QCOMPARE(window_->find<QSpinBox>("rendering.frameRate").value(), 24);
     window_->find<QSpinBox>("rendering.frameRate").setValue(0);
-}
-
-void RenderingTest::aFocusIsBlendedInItsMode()
-{
-    window_->find<QAction>("action.mode.focus").trigger();
-    QTRY_VERIFY(window_->settled() && window_->viewport().scene()->volume);
-    QVERIFY(!window_->viewport().scene()->focus);
-    FocusState focus = session().view().query().focus;
-    focus.shape = FocusState::Shape::Sphere;
-    focus.falloff = 1.5;
-    session().setFocus(focus);
-    QTRY_VERIFY(window_->settled() && window_->viewport().scene()->focus);
-    const FocusVolume& shown = *window_->viewport().scene()->focus;
-    QCOMPARE(shown.border, 1.5);
-    QCOMPARE(std::get<Sphere>(shown.region).radius, session().view().query().focus.radius);
-    focus = session().view().query().focus;
-    focus.shape = FocusState::Shape::Box;
-    session().setFocus(focus);
-    QTRY_VERIFY(window_->settled() && std::holds_alternative<Box>(window_->viewport().scene()->focus->region));
-    window_->find<QAction>("action.mode.volume").trigger();
-    QTRY_VERIFY(window_->settled() && !window_->viewport().scene()->focus);
-}
-
-void RenderingTest::aBlendedFocusIsSavedAsOneMesh()
-{
-    window_->find<QAction>("action.mode.focus").trigger();
-    FocusState focus = session().view().query().focus;
-    focus.shape = FocusState::Shape::Sphere;
-    session().setFocus(focus);
-    QTRY_VERIFY(window_->settled() && window_->viewport().scene()->focus);
-    const auto asked = MeshExtractor(session().model()).extract(session().shown()->query);
-    QVERIFY(asked.ok());
-    QSignalSpy saved(&window_->workbench, &Workbench::meshSaved);
-    const QString path = folder_.filePath("focus.vtu");
-    window_->workbench.saveMesh(path.toStdString());
-    QTRY_COMPARE(saved.count(), 1);
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    const QString cells = QString("NumberOfCells=\"%1\"").arg((*asked)->mesh.tetrahedra.size());
-    QVERIFY2(file.read(4096).contains(cells.toUtf8()), qPrintable(cells));
 }
 
 void RenderingTest::aDragIsOneStepAndThePictureFollows()
