@@ -48,6 +48,19 @@ double nearestFree(const Points& points, const Side& sides, double value, const 
     return least <= largest && std::isfinite(value) ? std::clamp(value, least, largest) : present;
 }
 
+/// Of points of one value the first and the last: no more may have one.
+void leaveStepsOnly(std::vector<TransferPoint>& points)
+{
+    std::vector<TransferPoint> kept;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const bool between = i > 0 && i + 1 < points.size() && points[i - 1].value == points[i].value &&
+                             points[i].value == points[i + 1].value;
+        if (!between)
+            kept.push_back(points[i]);
+    }
+    points = std::move(kept);
+}
+
 } // namespace
 
 std::optional<EditedTransfer> withPoint(const TransferFunction& function, double value)
@@ -150,6 +163,7 @@ TransferFunction mirrored(const TransferFunction& function, const TransferLimits
     for (TransferPoint& point : edited.points)
         point.value = limits.least + limits.largest - point.value;
     std::ranges::reverse(edited.points);
+    leaveStepsOnly(edited.points);
     return edited;
 }
 
@@ -164,6 +178,7 @@ TransferFunction spreadOver(const TransferFunction& function, const TransferLimi
         return edited;
     for (TransferPoint& point : edited.points)
         point.value = std::lerp(limits.least, limits.largest, (point.value - first) / extent);
+    leaveStepsOnly(edited.points);
     return edited;
 }
 

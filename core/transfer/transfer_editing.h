@@ -49,7 +49,8 @@ EditedTransfer withoutStep(const TransferFunction& function, std::size_t point);
 /// All opacities times a factor, at most 1. A factor that is negative or not finite changes nothing.
 TransferFunction withScaledOpacity(const TransferFunction& function, double factor);
 
-/// What `value` looked like, limits.least + limits.largest - value looks like, but for the values of steps.
+/// What `value` looked like, limits.least + limits.largest - value looks like, but for the values of steps. Of points
+/// that rounding brings to one value the first and the last stay, here and in what follows.
 TransferFunction mirrored(const TransferFunction& function, const TransferLimits& limits);
 
 /// The points spread so that the first and the last lie at the limits. Points of one value only stay.

@@ -71,6 +71,21 @@ class TransferEditingTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void pointsThatRoundingBringsTogetherAreAStep()
+    {
+        TransferFunction function;
+        for (const double value : {1e-17, 2e-17, 3e-17, 4e-17, 5.0})
+            function.points.push_back({value, {1, 0, 0}, static_cast<float>(value > 3.5e-17 ? 0.5 : 0.25)});
+        const TransferFunction mirror = mirrored(function, {0, 10});
+        QVERIFY(checkTransferFunction(mirror).ok());
+        QCOMPARE(mirror.points.size(), std::size_t(3));
+        QCOMPARE(mirror.points[1].opacity, 0.5f);
+        QCOMPARE(mirror.points[2].opacity, 0.25f);
+        const TransferFunction spread = spreadOver(function, {1, 3});
+        QVERIFY(checkTransferFunction(spread).ok());
+        QCOMPARE(spread.points.size(), std::size_t(3));
+    }
+
     void anyEditsGiveATransferFunction()
     {
         std::mt19937 random(1);
