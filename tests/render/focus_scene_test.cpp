@@ -4,6 +4,7 @@
 #include "core/graphics/render_backend.h"
 #include "core/graphics/volume/volume_view.h"
 #include "tests/core/graphics/lattice_mesh.h"
+#include "tests/render/focus_fields.h"
 #include "tests/render/picture_check.h"
 #include "tests/render/volume_scenes.h"
 
@@ -20,20 +21,6 @@ namespace {
 constexpr int width = 30;
 constexpr int height = 24;
 const PictureOptions usual{.width = width, .height = height, .samplesPerAxis = 1};
-
-double waves(const Vector3d& p)
-{
-    return 0.5 + 0.3 * std::sin(5 * p.x() + 2 * p.y()) * std::cos(4 * p.z()) + 0.2 * std::sin(6 * p.y() - p.z());
-}
-
-TransferFunction rainbow(double opacity)
-{
-    return {{{0, {0.1f, 0.1f, 0.9f}, 0},
-             {0.4, {0.1f, 0.8f, 0.3f}, static_cast<float>(0.3 * opacity)},
-             {0.4, {0.9f, 0.9f, 0.1f}, static_cast<float>(0.1 * opacity)},
-             {1, {0.9f, 0.1f, 0.1f}, static_cast<float>(opacity)}},
-            0.2};
-}
 
 /// The focus in the words of the test.
 struct Focus {
@@ -179,9 +166,6 @@ int largestDifference(const Picture& one, const Picture& other)
         largest = std::max(largest, difference(one.pixels[i], other.pixels[i]));
     return largest;
 }
-
-const Sphere ball{{0.45, 0.5, 0.55}, 0.3};
-const Box box{{0.2, 0.3, 0.1}, {0.7, 0.8, 0.75}};
 
 } // namespace
 

@@ -2,6 +2,7 @@
 // A finer volume inside a region, blended at its border (R24, S18), by OpenGL against the CPU back end (B4). Skipped
 // where EGL gives no OpenGL 3.3.
 #include "tests/core/graphics/lattice_mesh.h"
+#include "tests/render/focus_fields.h"
 #include "tests/render/same_picture.h"
 #include "tests/render/scenes.h"
 #include "tests/render/volume_scenes.h"
@@ -18,22 +19,6 @@ using Eigen::Vector3d;
 namespace {
 
 const PictureOptions usual{.width = 48, .height = 40, .samplesPerAxis = 1};
-const Sphere ball{{0.45, 0.5, 0.55}, 0.3};
-const Box box{{0.2, 0.3, 0.1}, {0.7, 0.8, 0.75}};
-
-double waves(const Vector3d& p)
-{
-    return 0.5 + 0.3 * std::sin(5 * p.x() + 2 * p.y()) * std::cos(4 * p.z()) + 0.2 * std::sin(6 * p.y() - p.z());
-}
-
-TransferFunction rainbow(double opacity)
-{
-    return {{{0, {0.1f, 0.1f, 0.9f}, 0},
-             {0.4, {0.1f, 0.8f, 0.3f}, static_cast<float>(0.3 * opacity)},
-             {0.4, {0.9f, 0.9f, 0.1f}, static_cast<float>(0.1 * opacity)},
-             {1, {0.9f, 0.1f, 0.1f}, static_cast<float>(opacity)}},
-            0.2};
-}
 
 /// For a focus that nobody overlooks.
 const TransferFunction fire{{{0, {1, 0.2f, 0}, 0.1f}, {1, {0, 0.2f, 1}, 0.7f}}, 0.2};
