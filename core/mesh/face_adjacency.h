@@ -28,11 +28,11 @@ inline constexpr std::size_t largestAdjacentCellCount = std::size_t(1) << 30;
 inline constexpr std::array<std::array<std::uint8_t, 3>, 4> cornersOfFace = {
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
-/// Matches the faces of tetrahedra whose corners exist. Of a face that more than two cells share two match, the others
-/// are on the boundary. First among the cells just before, by a small table; what is left, little if the mesh is in
-/// spatial order, is dealt to parts that fit the cache. O(cells), on all threads of the current arena, the same result
-/// with any number of them; up to 100 bytes a cell while it runs, a fifth of that in spatial order. May throw
-/// std::bad_alloc.
+/// Matches the faces of tetrahedra whose corners exist. A face that more than two cells share, which no sound mesh
+/// has, is matched in pairs, and what is left over is on the boundary. First among the cells just before, by a small
+/// table; what is left, little if the mesh is in spatial order, is dealt to parts that fit the cache. O(cells), on all
+/// threads of the current arena, the same result with any number of them; up to 100 bytes a cell while it runs, a fifth
+/// of that in spatial order. May throw std::bad_alloc.
 FaceAdjacency matchFaces(std::span<const std::array<std::uint32_t, 4>> tetrahedra);
 
 } // namespace tetra

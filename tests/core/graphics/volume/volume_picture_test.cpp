@@ -21,8 +21,8 @@ Q_DECLARE_METATYPE(tetra::Camera)
 
 namespace {
 
-constexpr int width = 26;
-constexpr int height = 18;
+constexpr int width = 28;
+constexpr int height = 20;
 
 const std::vector<NamedMesh>& meshes()
 {
@@ -151,7 +151,7 @@ void VolumePictureTest::eyeInTheMesh_data()
 {
     QTest::addColumn<QString>("mesh");
     QTest::addColumn<Camera>("camera");
-    for (const char* name : {"irregular with a hole", "refined lattice"}) {
+    for (const char* name : {"irregular with a hole", "refined lattice", "random lattice"}) {
         const TetrahedralMesh& mesh = meshNamed(name);
         Camera camera = cameraFor(mesh, true);
         camera.fieldOfView = 60;
@@ -170,8 +170,7 @@ void VolumePictureTest::eyeInTheMesh()
     QFETCH(QString, mesh);
     QFETCH(Camera, camera);
     const TetrahedralMesh& tetrahedra = meshNamed(mesh);
-    for (const char* name : {"ramps", "steps", "opaque"}) {
-        const NamedFunction function = functionNamed(tetrahedra, name);
+    for (const NamedFunction& function : functionsFor(tetrahedra)) {
         const auto difference = compare(drawn(tetrahedra, function.function, camera),
                                         RayIntegrator(tetrahedra, function.function, camera, width, height));
         verifyNear(difference, function.opaque);
