@@ -8,12 +8,14 @@
 
 namespace tetra {
 
-std::uint64_t contentHash(const ScalarField& values, const PointPositions& positions)
+std::uint64_t contentHash(const ScalarField& values, const PointPositions& positions, const PointTetrahedra& tetrahedra)
 {
     Checksum sum;
     sum.add(values.bytes());
     if (positions)
         sum.add(std::as_bytes(std::span(*positions)));
+    if (tetrahedra)
+        sum.add(std::as_bytes(std::span(*tetrahedra)));
     return sum.value();
 }
 

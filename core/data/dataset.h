@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -23,20 +24,28 @@ class MappedFile;
 struct Source {
     std::string name;           ///< what the user calls it: the file's name, or a sample's
     std::filesystem::path path; ///< empty when it was never a file
-    std::uint64_t hash = 0;     ///< XXH3 of the samples' bytes in memory order, then of the positions' if there are any
+    std::uint64_t hash =
+        0; ///< XXH3 of the samples' bytes in memory order, then of the positions' and the tetrahedra's if there are any
 };
 
 /// Where each point lies, all finite; shared and never changed.
 using PointPositions = std::shared_ptr<const std::vector<Eigen::Vector3d>>;
 
-/// Source::hash of such values and positions.
-std::uint64_t contentHash(const ScalarField& values, const PointPositions& positions);
+/// The tetrahedra of an irregular mesh, by numbers of points, positive: (b-a) . ((c-a) x (d-a)) > 0; shared and never
+/// changed.
+using PointTetrahedra = std::shared_ptr<const std::vector<std::array<std::uint32_t, 4>>>;
+
+/// Source::hash of such values, positions and tetrahedra.
+std::uint64_t contentHash(const ScalarField& values, const PointPositions& positions,
+                          const PointTetrahedra& tetrahedra = nullptr);
 
 /// The reference model (2.3): points with one scalar each. Immutable, cheap to copy.
 ///
 /// Regular: the lattice says where the points lie. Curvilinear (and rectilinear): the lattice is the computational
 /// space, with spacing 1 and origin 0, and `positions` the physical one. Scattered: `positions` alone; the lattice's
-/// size is {points, 1, 1} and says nothing more.
+/// size is {points, 1, 1} and says nothing more. Irregular: as scattered, and `tetrahedra` fill the domain: a
+/// conforming mesh that uses every point, of one or more components, whose boundary is a manifold (checkIrregular() in
+/// core/cells/irregular_check.h).
 struct Dataset {
     DomainClass domain = DomainClass::RegularLattice;
     Lattice lattice;
@@ -46,6 +55,7 @@ struct Dataset {
     std::vector<std::string> remarks{}; ///< what reading changed, in sentences for the user
     /// The file whose bytes the values are; null if they are in memory.
     std::shared_ptr<const MappedFile> mappedFile = nullptr;
+    PointTetrahedra tetrahedra = nullptr; ///< of irregular data, else null
 
     std::uint64_t pointCount() const noexcept { return values.count(); }
     Eigen::Vector3d position(std::uint64_t point) const

@@ -34,6 +34,9 @@ struct HistoryTraits {
     /// Units of the values for a unit of length: makes errors and warpings comparable (S4). 0 where there is no
     /// warping, as in convex domains.
     double warpingWeight = 0;
+    /// Whether the mesh of every prefix is the Delaunay mesh of its sites, so that any set of sites has a mesh. False
+    /// for decimation: there only closed sets have one.
+    bool delaunay = true;
 };
 
 /// Takes a history while a builder makes it, coarse first. Called from one thread.

@@ -8,9 +8,30 @@
 
 #include <QtPlugin>
 
+#include <optional>
 #include <span>
 
 namespace tetra {
+
+/// An array of a file that could be the scalar of a dataset.
+struct FileArray {
+    std::string name;
+    int components = 1; ///< above 1: one of them or the magnitude is taken
+    bool perCell = false;
+    std::optional<ValueRange> range{}; ///< if it is known without reading the array
+};
+
+/// What a file holds, as far as that is known without loading it. Empty lists: nothing to choose.
+struct FileContents {
+    std::optional<DomainClass> domain{};
+    Lattice lattice{};                ///< of grids its size, of a regular lattice also spacing and origin
+    std::uint64_t points = 0;         ///< 0: not known beforehand
+    std::uint64_t cells = 0;          ///< of irregular meshes; 0: not known beforehand
+    std::optional<SampleType> type{}; ///< of the samples that would be read
+    std::vector<FileArray> arrays{};
+    std::vector<double> timeSteps{};
+    std::vector<std::string> blocks{};
+};
 
 /// Reads files of some formats into datasets. Never crashes on bad input: every refusal is an Error that names the
 /// file, what is wrong in it and what to do.
@@ -25,6 +46,13 @@ public:
     virtual std::vector<Parameter> parameters() const = 0;
     virtual Result<Dataset> read(const std::filesystem::path& path, const ParameterValues& values,
                                  const Progress& progress) const = 0;
+    /// What there is to choose from, quickly: headers and names, not the samples. `values` as far as they are known
+    /// (the layout of a raw file); its refusals are those of read() as far as they show.
+    virtual Result<FileContents> probe(const std::filesystem::path& /*path*/, const ParameterValues& /*values*/,
+                                       const Progress& /*progress*/) const
+    {
+        return FileContents{};
+    }
 };
 
 /// Writes datasets into files of some formats, safely: beside the target, synced, renamed.

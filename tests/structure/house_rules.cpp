@@ -28,6 +28,7 @@ const std::vector<Room>& rooms()
         {"core/base", {}},
         {"core/data", {"core/base"}},
         {"core/mesh", {"core/base"}},
+        {"core/cells", {"core/base", "core/data", "core/mesh"}},
         {"core/transfer", {"core/base"}},
         {"core/model", {"core/base", "core/data", "core/mesh", "core/transfer"}},
         {"core/graphics", {"core/base", "core/mesh", "core/transfer"}},
