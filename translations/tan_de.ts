@@ -1796,8 +1796,24 @@ Verwerfung %2</translation>
         <translation>Laden …</translation>
     </message>
     <message>
-        <source>Take a transfer function from a JSON file</source>
-        <translation>Eine Transferfunktion aus einer JSON-Datei nehmen</translation>
+        <source>Take a transfer function from a file: one of TAn or presets of ParaView (JSON or XML)</source>
+        <translation>Eine Transferfunktion aus einer Datei nehmen: eine von TAn oder Vorlagen von ParaView (JSON oder XML)</translation>
+    </message>
+    <message>
+        <source>Save for &amp;ParaView…</source>
+        <translation>Für &amp;ParaView speichern …</translation>
+    </message>
+    <message>
+        <source>Save Transfer Function for ParaView</source>
+        <translation>Transferfunktion für ParaView speichern</translation>
+    </message>
+    <message>
+        <source>ParaView presets (*.json)</source>
+        <translation>ParaView-Vorlagen (*.json)</translation>
+    </message>
+    <message>
+        <source>Transfer functions (*.json *.xml)</source>
+        <translation>Transferfunktionen (*.json *.xml)</translation>
     </message>
     <message>
         <source>Save…</source>

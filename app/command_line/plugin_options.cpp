@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/plugin_options.h"
 
-#include "core/transfer/transfer_text.h"
+#include "core/transfer/transfer_import.h"
 #include "plugins/host/parameter_text.h"
 
 #include <QFile>
@@ -74,7 +74,7 @@ Option optionOf(const Parameter& parameter)
     if (isIsovalues(parameter))
         option.explanation += " COLOUR is #rrggbb or a name (orange, silver ...), OPACITY above 0 and at most 1.";
     if (isTransferFunction(parameter)) {
-        option.explanation += " A JSON file (docs/formats.md).";
+        option.explanation += " A file of ours or a preset of ParaView (docs/formats.md).";
         option.byDefault = "one that fits the data";
     } else if (!isSwitch(parameter) && !isList(parameter))
         option.byDefault = parameterText(parameter.defaultValue);
@@ -94,10 +94,15 @@ Result<ParameterValue> readTransferFunction(const std::string& path)
     if (file.size() > largestFile)
         return Error{ErrorKind::BadInput, "'" + path + "' is too large for a transfer function."};
     const QByteArray text = file.readAll();
-    auto function = transferFunctionFromText({text.constData(), static_cast<std::size_t>(text.size())});
-    if (!function)
-        return Error{ErrorKind::BadInput, "'" + path + "': " + function.error().text};
-    return ParameterValue(*std::move(function));
+    auto functions = importTransferFunctions({text.constData(), static_cast<std::size_t>(text.size())}, {});
+    if (!functions)
+        return Error{ErrorKind::BadInput, "'" + path + "': " + functions.error().text};
+    if (functions->front().coloursOnly)
+        return Error{ErrorKind::BadInput,
+                     "'" + path +
+                         "' has colours and no opacities, so nothing would be seen. Load it in the "
+                         "window, where it takes the present opacities, and save that."};
+    return ParameterValue(std::move(functions->front().function));
 }
 
 Result<ParameterValue> parseOption(const Arguments& arguments, const Parameter& parameter, const std::string& name)

@@ -5,7 +5,6 @@
 
 #include "core/graphics/camera_text.h"
 #include "core/transfer/default_transfer_functions.h"
-#include "core/transfer/transfer_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -38,8 +37,6 @@ private slots:
     void pointsAreEditedInNumbers();
     void aPointIsMadeAStep();
     void allPointsAreChanged();
-    void theFunctionIsSavedAndLoaded();
-    void aFileThatIsNoFunctionIsTold();
     void theCameraIsEditedInNumbers();
     void theCameraIsSavedAndLoaded();
     void theBackgroundIsChosen();
@@ -294,40 +291,6 @@ void RenderingTest::allPointsAreChanged()
     QCOMPARE(function().points.front().opacity, before.points.back().opacity);
     window_->find<QAction>("transfer.change.thinner").trigger();
     QVERIFY(function().points.front().opacity < before.points.back().opacity);
-}
-
-void RenderingTest::theFunctionIsSavedAndLoaded()
-{
-    showVolume();
-    const TransferFunction before = function();
-    const QString path = window_->folder.filePath("function.json");
-    QTest::mouseClick(&window_->find<QToolButton>("transfer.save"), Qt::LeftButton);
-    choose("transferSaveDialog", path);
-    QTRY_VERIFY(QFile::exists(path));
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    QCOMPARE(*transferFunctionFromText(file.readAll().toStdString()), before);
-    window_->find<QAction>("transfer.change.mirror").trigger();
-    const int steps = undoSteps();
-    QTest::mouseClick(&window_->find<QToolButton>("transfer.load"), Qt::LeftButton);
-    choose("transferDialog", path);
-    QTRY_COMPARE(function(), before);
-    QCOMPARE(undoSteps(), steps + 1);
-}
-
-void RenderingTest::aFileThatIsNoFunctionIsTold()
-{
-    const TransferFunction before = function();
-    const QString path = window_->folder.filePath("wrong.json");
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("{\"points\": 3}") > 0);
-    file.close();
-    showVolume();
-    QTest::mouseClick(&window_->find<QToolButton>("transfer.load"), Qt::LeftButton);
-    choose("transferDialog", path);
-    QTRY_COMPARE(window_->messages().size(), 1);
-    QVERIFY(window_->messages().first().contains("wrong.json"));
-    QCOMPARE(function(), before);
 }
 
 void RenderingTest::theCameraIsEditedInNumbers()

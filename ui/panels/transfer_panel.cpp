@@ -2,6 +2,7 @@
 #include "ui/panels/transfer_panel.h"
 
 #include "core/transfer/default_transfer_functions.h"
+#include "core/transfer/transfer_import.h"
 #include "core/transfer/transfer_text.h"
 #include "ui/panels/transfer_canvas.h"
 #include "ui/session/number_text.h"
@@ -14,6 +15,7 @@
 #include "ui/widgets/value_box.h"
 
 #include <QCheckBox>
+#include <QFileInfo>
 #include <QGridLayout>
 #include <QMenu>
 #include <QPushButton>
@@ -105,7 +107,7 @@ void TransferPanel::nameControls()
     edits_->setToolTip(tr("Change all points"));
     load_->setObjectName("transfer.load");
     load_->setText(tr("Load…"));
-    load_->setToolTip(tr("Take a transfer function from a JSON file"));
+    load_->setToolTip(tr("Take a transfer function from a file: one of TAn or presets of ParaView (JSON or XML)"));
     save_->setObjectName("transfer.save");
     save_->setText(tr("Save…"));
     save_->setToolTip(tr("Save the transfer function as a JSON file, which “tan render” takes, too"));
@@ -152,6 +154,8 @@ QWidget* TransferPanel::makeTools()
         button->setPopupMode(QToolButton::InstantPopup);
         button->setMenu(new QMenu(button));
     }
+    save_->setPopupMode(QToolButton::MenuButtonPopup);
+    save_->setMenu(new QMenu(save_));
     row->addWidget(presets_);
     row->addWidget(edits_);
     row->addStretch();
@@ -231,12 +235,17 @@ void TransferPanel::connectControls()
             [this](double distance) { session_.setTransfer(withUnitDistance(function(), distance)); });
     connect(logarithmic_, &QCheckBox::toggled, canvas_, &TransferCanvas::setLogarithmic);
     connect(load_, &QToolButton::clicked, this, [this] {
-        askForTextFile(this, "transferDialog", tr("Load Transfer Function"), tr("Transfer functions (*.json)"),
+        askForTextFile(this, "transferDialog", tr("Load Transfer Function"), tr("Transfer functions (*.json *.xml)"),
                        [this](const QString& path) { load(path); });
     });
     connect(save_, &QToolButton::clicked, this, [this] {
         askForTextTarget(this, "transferSaveDialog", tr("Save Transfer Function"), tr("Transfer functions (*.json)"),
                          workbench_.proposedPath("-transfer.json"), [this](const QString& path) { save(path); });
+    });
+    connect(newAction(*save_->menu(), "save.paraview", tr("Save for &ParaView…")), &QAction::triggered, this, [this] {
+        askForTextTarget(this, "transferParaviewDialog", tr("Save Transfer Function for ParaView"),
+                         tr("ParaView presets (*.json)"), workbench_.proposedPath("-paraview.json"),
+                         [this](const QString& path) { saveForParaview(path); });
     });
     connect(canvas_, &TransferCanvas::selectionChanged, this, &TransferPanel::showFunction);
     connect(&session_, &Session::modelChanged, this, &TransferPanel::showModel);
@@ -264,17 +273,39 @@ void TransferPanel::addPoint()
 void TransferPanel::load(const QString& path)
 {
     workbench_.loadText(filePath(path), [this](const std::string& text) -> Status {
-        const auto loaded = transferFunctionFromText(text);
-        if (!loaded)
-            return loaded.error();
-        session_.setTransfer(*loaded);
+        const ValueRange range = session_.range();
+        auto imported = importTransferFunctions(text, {function(), TransferLimits{range.minimum, range.maximum}});
+        if (!imported)
+            return imported.error();
+        if (imported->size() == 1)
+            session_.setTransfer(imported->front().function);
+        else
+            offerChoice(*std::move(imported));
         return {};
     });
+}
+
+/// A menu of the presets that a file holds.
+void TransferPanel::offerChoice(std::vector<ImportedTransfer> imported)
+{
+    auto* menu = new QMenu(this);
+    menu->setObjectName("transfer.choice");
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    for (ImportedTransfer& preset : imported)
+        connect(menu->addAction(QString::fromStdString(preset.name).replace('&', "&&")), &QAction::triggered, this,
+                [this, chosen = std::move(preset.function)] { session_.setTransfer(chosen); });
+    menu->popup(load_->mapToGlobal(QPoint(0, load_->height())));
 }
 
 void TransferPanel::save(const QString& path)
 {
     workbench_.saveText(filePath(path), transferFunctionToText(function()));
+}
+
+void TransferPanel::saveForParaview(const QString& path)
+{
+    workbench_.saveText(filePath(path),
+                        transferFunctionToParaview(function(), QFileInfo(path).completeBaseName().toStdString()));
 }
 
 void TransferPanel::showModel()

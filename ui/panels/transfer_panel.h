@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/transfer/transfer_import.h"
 #include "ui/session/workbench.h"
 
 #include <QWidget>
@@ -33,7 +34,9 @@ private:
     const TransferFunction& function() const;
     void addPoint();
     void load(const QString& path);
+    void offerChoice(std::vector<ImportedTransfer> imported);
     void save(const QString& path);
+    void saveForParaview(const QString& path);
     void showModel();
     void showFunction();
 
