@@ -1800,6 +1800,10 @@ Verwerfung %2</translation>
         <translation>Eine Transferfunktion aus einer Datei nehmen: eine von TAn oder Vorlagen von ParaView (JSON oder XML)</translation>
     </message>
     <message>
+        <source>Colours alone</source>
+        <translation>Nur Farben</translation>
+    </message>
+    <message>
         <source>Save for &amp;ParaView…</source>
         <translation>Für &amp;ParaView speichern …</translation>
     </message>
@@ -1870,6 +1874,17 @@ Verwerfung %2</translation>
     <message>
         <source>Save Transfer Function</source>
         <translation>Transferfunktion speichern</translation>
+    </message>
+</context>
+<context>
+    <name>ColourMapNames</name>
+    <message>
+        <source>&amp;Cool to warm</source>
+        <translation>&amp;Kalt bis warm</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>&amp;Grau</translation>
     </message>
 </context>
 <context>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
 
-#include "core/transfer/default_transfer_functions.h"
+#include "core/transfer/colour_map.h"
 #include "core/transfer/transfer_import.h"
 #include "core/transfer/transfer_text.h"
 
@@ -14,7 +14,7 @@
 
 using namespace tetra;
 
-/// Transfer functions in files, as a user loads and saves them (R18): ours and ParaView's.
+/// Transfer functions in files, as a user loads and saves them (R18): ours and ParaView's; and colours by name.
 class TransferFilesTest : public QObject {
     Q_OBJECT
 private slots:
@@ -26,6 +26,7 @@ private slots:
     void coloursOfParaviewKeepTheOpacities();
     void ofSeveralPresetsOneIsChosen();
     void aFileForParaviewLooksTheSame();
+    void aColourMapChangesTheColoursAlone();
 
 private:
     Session& session() const { return window_->workbench.session(); }
@@ -171,6 +172,18 @@ void TransferFilesTest::aFileForParaviewLooksTheSame()
     load(path);
     QTRY_VERIFY(function() != between);
     compareLooks(before, function(), true);
+}
+
+void TransferFilesTest::aColourMapChangesTheColoursAlone()
+{
+    const TransferFunction before = function();
+    for (const ColourMap& map : colourMaps()) {
+        auto& action = window_->find<QAction>(("transfer.colours." + map.id).c_str());
+        QVERIFY(!action.icon().isNull());
+        action.trigger();
+        compareLooks(before, function(), false);
+        QCOMPARE(function().points.front().colour, map.nodes.front().colour);
+    }
 }
 
 QTEST_MAIN(TransferFilesTest)

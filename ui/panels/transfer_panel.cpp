@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/transfer_panel.h"
 
+#include "core/transfer/colour_map.h"
 #include "core/transfer/default_transfer_functions.h"
 #include "core/transfer/transfer_import.h"
 #include "core/transfer/transfer_text.h"
+#include "ui/panels/colour_map_icon.h"
 #include "ui/panels/transfer_canvas.h"
 #include "ui/session/number_text.h"
 #include "ui/session/target_path.h"
@@ -174,6 +176,17 @@ void TransferPanel::fillPresets()
     };
     add("preset.sequential", tr("&Sequential: opaque where values are large"), &sequentialTransferFunction);
     add("preset.diverging", tr("&Diverging: opaque at both ends"), &divergingTransferFunction);
+    presets_->menu()->addSection(tr("Colours alone"));
+    for (const ColourMap& map : colourMaps()) {
+        QAction* action =
+            newAction(*presets_->menu(), QString::fromStdString("colours." + map.id).toUtf8(), colourMapName(map.id));
+        action->setIcon(colourMapIcon(map));
+        action->setToolTip(QString::fromStdString(map.source));
+        connect(action, &QAction::triggered, this, [this, &map] {
+            session_.setTransfer(withColourMap(function(), map, {session_.range().minimum, session_.range().maximum}));
+        });
+    }
+    presets_->menu()->setToolTipsVisible(true);
 }
 
 void TransferPanel::fillEdits()
