@@ -183,6 +183,22 @@
         <source>&amp;Show</source>
         <translation>&amp;Zeigen</translation>
     </message>
+    <message>
+        <source>&amp;Save Session</source>
+        <translation>&amp;Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Save what is open and how it is seen, to go on with later</source>
+        <translation>Speichern, was offen ist und wie es zu sehen ist, um später weiterzumachen</translation>
+    </message>
+    <message>
+        <source>Save Session &amp;As…</source>
+        <translation>Sitzung speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Save the session in another file</source>
+        <translation>Die Sitzung in einer anderen Datei speichern</translation>
+    </message>
 </context>
 <context>
     <name>AddIsovalue</name>
@@ -1888,6 +1904,25 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::KeepSession</name>
+    <message>
+        <source>Save Session</source>
+        <translation>Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Sessions (*.tansession)</source>
+        <translation>Sitzungen (*.tansession)</translation>
+    </message>
+    <message>
+        <source>TAn ended unexpectedly while %1 was open. How it was seen can be restored.</source>
+        <translation>TAn wurde unerwartet beendet, während %1 geöffnet war. Die Ansicht kann wiederhergestellt werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+</context>
+<context>
     <name>tetra::ViewPanel</name>
     <message>
         <source>&amp;Load…</source>
@@ -2086,6 +2121,14 @@ Verwerfung %2</translation>
     <message>
         <source>It was read as %1.</source>
         <translation>Gelesen wurde sie als %1.</translation>
+    </message>
+    <message>
+        <source>Sessions (*.tansession)</source>
+        <translation>Sitzungen (*.tansession)</translation>
+    </message>
+    <message>
+        <source>The model %1 is another one than when the session was saved: it was built anew, or replaced. It is shown as the session says, as far as that fits.</source>
+        <translation>Das Modell %1 ist ein anderes als beim Speichern der Sitzung: Es wurde neu gebaut oder ersetzt. Es wird so gezeigt, wie die Sitzung sagt, soweit das passt.</translation>
     </message>
 </context>
 </TS>

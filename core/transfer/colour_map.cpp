@@ -53,12 +53,12 @@ ColourMap published(std::string id, std::string source, std::span<const Publishe
 /// From blue over white to red through a space in which it looks even.
 ColourMap coolWarm()
 {
-    constexpr Colour blue = {0.230, 0.299, 0.754}, red = {0.706, 0.016, 0.150};
+    constexpr SrgbColour blue = {0.230, 0.299, 0.754}, red = {0.706, 0.016, 0.150};
     constexpr int steps = 32;
     ColourMap map{"cool-warm", "K. Moreland, 2009, formula", {}};
     for (int step = 0; step <= steps; ++step) {
         const double share = static_cast<double>(step) / steps;
-        const Colour colour = between(blue, red, share, ColourSpace::Diverging);
+        const SrgbColour colour = between(blue, red, share, ColourSpace::Diverging);
         map.nodes.push_back(
             {share, {static_cast<float>(colour[0]), static_cast<float>(colour[1]), static_cast<float>(colour[2])}});
     }

@@ -28,10 +28,22 @@ ValueRange Session::range() const
 
 void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues, Look look)
 {
+    const QueryState query = startingQuery(*model, startingError(*model));
+    open(std::move(model), std::move(isovalues), std::move(look), query);
+}
+
+void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues, Look look,
+                   const QueryState& query)
+{
     model_ = std::move(model);
     undoStack_.clear();
     shown_.reset();
-    view_.reset(startingQuery(*model_, startingError(*model_)), std::move(isovalues), std::move(look));
+    for (Isovalue& isovalue : isovalues) {
+        isovalue.value = std::clamp(isovalue.value, range().minimum, range().maximum);
+        isovalue.opacity = std::clamp(isovalue.opacity, leastOpacity, 1.0F);
+    }
+    view_.reset(corrected(query, startingQuery(*model_, startingError(*model_)), *model_), std::move(isovalues),
+                std::move(look));
     emit modelChanged();
 }
 

@@ -32,6 +32,8 @@ public:
 
     /// Shows `model` at an accuracy that is quick to draw. The history of edits starts anew.
     void open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues, Look look = {});
+    /// Shows `model` as somebody has left it; what of the query does not fit the model is brought into it.
+    void open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues, Look look, const QueryState& query);
     /// Shows a model of the same dataset that has more sites, as the model is seen now: the history of edits goes on.
     /// As long as nothing was edited the accuracy follows what is quick to draw.
     void grow(std::shared_ptr<const Model> model);

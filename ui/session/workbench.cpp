@@ -53,7 +53,7 @@ Workbench::~Workbench() = default;
 
 QStringList Workbench::nameFilters()
 {
-    QStringList filters{tr("Models (*.tan)")};
+    QStringList filters{tr("Models (*.tan)"), tr("Sessions (*.tansession)")};
     for (const std::string& filter : readableFiles(host_))
         filters.append(pluginText(filter));
     static const QRegularExpression patterns(R"(\(([^)]*)\)$)");
@@ -67,7 +67,13 @@ QStringList Workbench::nameFilters()
 
 void Workbench::open(const QString& path)
 {
-    read(filePath(path), {});
+    if (const std::filesystem::path file = filePath(path); isSessionFile(file))
+        loadText(file, [this, file](const std::string& text) -> Status {
+            openSession(text, std::filesystem::absolute(file).parent_path(), file);
+            return {};
+        });
+    else
+        read(file, {});
 }
 
 void Workbench::read(const std::filesystem::path& path, const ParameterValues& values)
@@ -89,17 +95,27 @@ std::function<void()> Workbench::whenModelRead(const Result<std::shared_ptr<cons
 
 void Workbench::showModel(const std::shared_ptr<const Model>& model, const FieldExtent& field)
 {
+    if (prepareToShow(model, field))
+        session_.open(model, startingIsovalues(modes_, field), startingLook(modes_, field));
+}
+
+/// Whether there is a way to show it.
+bool Workbench::prepareToShow(const std::shared_ptr<const Model>& model, const FieldExtent& field)
+{
     modes_ = renderingModes(host_);
-    if (modes_.empty())
-        return emit failed(tr("No renderer plugin could be loaded, so there is no way to show a model. %1")
-                               .arg(QString::fromStdString(host_.explainMissing(PluginKind::Renderer))));
+    if (modes_.empty()) {
+        emit failed(tr("No renderer plugin could be loaded, so there is no way to show a model. %1")
+                        .arg(QString::fromStdString(host_.explainMissing(PluginKind::Renderer))));
+        return false;
+    }
     field_ = field;
-    Look look = startingLook(modes_, field);
     if (model != look_)
         addRecentFile(pathText(model->path()));
     sceneBuilder_.clear();
     draftBuilder_.clear();
-    session_.open(model, startingIsovalues(modes_, field), std::move(look));
+    sessionFile_.clear();
+    sessionFound_ = {};
+    return true;
 }
 
 void Workbench::datasetRead(const std::filesystem::path& path, const Result<Dataset>& dataset)
@@ -232,6 +248,8 @@ void Workbench::showBuilt(const std::filesystem::path& target)
 
 void Workbench::closeModel()
 {
+    sessionFile_.clear();
+    sessionFound_ = {};
     meshTarget_.clear();
     sceneBuilder_.clear();
     draftBuilder_.clear();

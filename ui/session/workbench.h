@@ -9,6 +9,7 @@
 #include "ui/session/picture_file.h"
 #include "ui/session/scene_builder.h"
 #include "ui/session/session.h"
+#include "ui/session/session_document.h"
 #include "ui/work/long_task.h"
 
 #include <QTemporaryDir>
@@ -54,8 +55,18 @@ public:
 
     /// Filters for a file dialog: all that can be opened first.
     QStringList nameFilters();
-    /// Opens a model, or a dataset by the reader that fits it best.
+    /// Opens a model, a session, or a dataset by the reader that fits it best.
     void open(const QString& path);
+    /// Opens the session that `text` describes, with paths from `folder` on; `file` is where it is saved from now on,
+    /// empty if it has no file.
+    void openSession(const std::string& text, const std::filesystem::path& folder,
+                     const std::filesystem::path& file = {});
+    /// What is open and how it is seen; nothing without a model, or while a build is watched. The camera and the
+    /// background are the window's.
+    std::optional<SessionDocument> sessionDocument() const;
+    /// The file of the session that is open; empty if it has none.
+    const std::filesystem::path& sessionFile() const noexcept { return sessionFile_; }
+    void saveSession(const std::filesystem::path& target, const SessionDocument& document);
     /// Whether the file of the dataset that is open could be read in another way: another array, other columns.
     bool canReadDifferently() const;
     /// Asks by descriptionNeeded() how the file of the dataset that is open is to be read.
@@ -84,6 +95,8 @@ signals:
     void datasetOpened();
     /// `reason` is the reader's: what it misses, or does not understand of the description.
     void descriptionNeeded(const std::vector<tetra::Parameter>& parameters, const QString& reason);
+    /// A session's model is shown; this is how it was seen.
+    void sessionOpened(const tetra::SessionDocument& document);
     /// The build is done; its model is opened next.
     void modelBuilt();
     void pictureSaved(const QString& path);
@@ -100,6 +113,9 @@ private:
     void datasetRead(const std::filesystem::path& path, const Result<Dataset>& dataset);
     std::function<void()> whenModelRead(const Result<std::shared_ptr<const Model>>& model);
     void showModel(const std::shared_ptr<const Model>& model, const FieldExtent& field);
+    void showSession(const std::shared_ptr<const Model>& model, const FieldExtent& field,
+                     const SessionDocument& document);
+    bool prepareToShow(const std::shared_ptr<const Model>& model, const FieldExtent& field);
     const Renderer* renderer() const;
     SceneRequest sceneRequest() const;
     void requestScene();
@@ -120,6 +136,8 @@ private:
     LongTask savingPicture_;
     LongTask savingMesh_;
     LongTask textFiles_;
+    std::filesystem::path sessionFile_;
+    QJsonObject sessionFound_;         ///< the text of that file: what is not known here stays in it
     std::filesystem::path meshTarget_; ///< of the mesh that waits to be saved; empty if none does
 
     std::shared_ptr<LiveBuild> live_;         ///< of the build that is being watched

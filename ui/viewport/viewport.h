@@ -30,6 +30,8 @@ public:
     void setOutlines(std::vector<LineSet> outlines);
     const Camera& camera() const noexcept { return view_.camera; }
     const Colour& background() const noexcept { return view_.background; }
+    /// Nothing: the one that fits the palette is used.
+    const std::optional<Colour>& chosenBackground() const noexcept { return background_; }
     /// From places to this widget's coordinates.
     PictureProjection projection() const { return {view_.camera, size()}; }
 

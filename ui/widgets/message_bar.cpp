@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QPushButton>
 #include <QToolButton>
 
 #include <algorithm>
@@ -20,7 +21,8 @@ constexpr int iconSide = 20;
 
 } // namespace
 
-MessageRow::MessageRow(const QString& text, QWidget* parent) : QFrame(parent), text_(text), count_(new QLabel)
+MessageRow::MessageRow(const QString& text, QWidget* parent)
+    : QFrame(parent), text_(text), count_(new QLabel), layout_(new QHBoxLayout(this))
 {
     setObjectName("message");
     auto* sign = new QLabel;
@@ -38,13 +40,19 @@ MessageRow::MessageRow(const QString& text, QWidget* parent) : QFrame(parent), t
     close->setAccessibleName(tr("Dismiss this message"));
     count_->hide();
 
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(10, 6, 6, 6);
-    layout->addWidget(sign, 0, Qt::AlignTop);
-    layout->addWidget(label, 1);
-    layout->addWidget(count_, 0, Qt::AlignTop);
-    layout->addWidget(close, 0, Qt::AlignTop);
+    layout_->setContentsMargins(10, 6, 6, 6);
+    layout_->addWidget(sign, 0, Qt::AlignTop);
+    layout_->addWidget(label, 1);
+    layout_->addWidget(count_, 0, Qt::AlignTop);
+    layout_->addWidget(close, 0, Qt::AlignTop);
     connect(close, &QToolButton::clicked, this, &MessageRow::dismissed);
+}
+
+QPushButton& MessageRow::addButton(const QString& text)
+{
+    auto* button = new QPushButton(text);
+    layout_->insertWidget(layout_->count() - 1, button, 0, Qt::AlignTop);
+    return *button;
 }
 
 void MessageRow::countAgain()
@@ -84,6 +92,28 @@ void MessageBar::add(const QString& text)
     }
     auto* row = new MessageRow(text);
     connect(row, &MessageRow::dismissed, this, [this, row] { dismiss(row); });
+    insert(row);
+}
+
+void MessageBar::ask(const QString& text, const QString& answer, const std::function<void()>& accepted,
+                     const std::function<void()>& declined)
+{
+    auto* row = new MessageRow(text);
+    QPushButton& button = row->addButton(answer);
+    button.setObjectName("message.answer");
+    connect(&button, &QPushButton::clicked, this, [this, row, accepted] {
+        dismiss(row);
+        accepted();
+    });
+    connect(row, &MessageRow::dismissed, this, [this, row, declined] {
+        dismiss(row);
+        declined();
+    });
+    insert(row);
+}
+
+void MessageBar::insert(MessageRow* row)
+{
     layout_->insertWidget(0, row);
     rows_.prepend(row);
     showNewest();

@@ -3,7 +3,11 @@
 
 #include <QFrame>
 
+#include <functional>
+
+class QHBoxLayout;
 class QLabel;
+class QPushButton;
 class QVBoxLayout;
 
 namespace tetra {
@@ -13,6 +17,8 @@ class MessageRow : public QFrame {
     Q_OBJECT
 public:
     explicit MessageRow(const QString& text, QWidget* parent = nullptr);
+    /// A button before the one that takes the message away.
+    QPushButton& addButton(const QString& text);
     const QString& text() const noexcept { return text_; }
     /// The same happened again.
     void countAgain();
@@ -26,6 +32,7 @@ protected:
 private:
     QString text_;
     QLabel* count_;
+    QHBoxLayout* layout_;
     int times_ = 1;
 };
 
@@ -36,11 +43,15 @@ class MessageBar : public QWidget {
 public:
     explicit MessageBar(QWidget* parent = nullptr);
     void add(const QString& text);
+    /// A message that asks: it goes when it was answered. `declined` is called when it is taken away instead.
+    void ask(const QString& text, const QString& answer, const std::function<void()>& accepted,
+             const std::function<void()>& declined);
     /// The texts that are shown, newest first.
     QStringList texts() const;
     void clear();
 
 private:
+    void insert(MessageRow* row);
     void showNewest();
     void dismiss(MessageRow* row);
 

@@ -42,6 +42,12 @@ void addFileMenu(QMainWindow& window, Actions& actions)
     actions.open->setIcon(glyphIcon(Glyph::Open));
     actions.recent = menu->addMenu(Texts::tr("Open &Recent"));
     actions.recent->setObjectName("menu.recent");
+    menu->addSeparator();
+    actions.saveSession = add(menu, "saveSession", Texts::tr("&Save Session"), QKeySequence::Save,
+                              Texts::tr("Save what is open and how it is seen, to go on with later"));
+    actions.saveSessionAs =
+        add(menu, "saveSessionAs", Texts::tr("Save Session &As…"), {}, Texts::tr("Save the session in another file"));
+    menu->addSeparator();
     actions.savePicture = add(menu, "savePicture", Texts::tr("Save &Picture…"), QKeySequence("Ctrl+Shift+S"),
                               Texts::tr("Save what is seen as a PNG picture"));
     actions.savePicture->setIcon(glyphIcon(Glyph::Picture));

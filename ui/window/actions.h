@@ -14,6 +14,8 @@ namespace tetra {
 struct Actions {
     QAction* open = nullptr;
     QAction* close = nullptr;
+    QAction* saveSession = nullptr;
+    QAction* saveSessionAs = nullptr;
     QAction* savePicture = nullptr;
     QAction* saveMesh = nullptr;
     QAction* quit = nullptr;

@@ -11,6 +11,7 @@
 #include "ui/widgets/icons.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/window/empty_page.h"
+#include "ui/window/keep_session.h"
 #include "ui/window/mode_actions.h"
 #include "ui/window/plugin_window.h"
 #include "ui/window/region_actions.h"
@@ -104,6 +105,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     QSettings settings;
     settings.setValue(geometryKey, saveGeometry());
     settings.setValue(layoutKey, saveState(layoutVersion));
+    keptSession_->end();
     event->accept();
 }
 
@@ -133,6 +135,9 @@ void MainWindow::connectActions()
         askForFile(this, "openDialog", workbench_.nameFilters(), [this](const QString& path) { open(path); });
     });
     connect(actions_.recent, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
+    keptSession_ = new KeepSession(workbench_, *viewport_, *messages_, this);
+    connect(actions_.saveSession, &QAction::triggered, keptSession_, &KeepSession::save);
+    connect(actions_.saveSessionAs, &QAction::triggered, keptSession_, &KeepSession::saveAs);
     connect(actions_.savePicture, &QAction::triggered, this, &MainWindow::savePicture);
     connect(actions_.saveMesh, &QAction::triggered, this, &MainWindow::saveMesh);
     connect(actions_.close, &QAction::triggered, &workbench_, &Workbench::closeModel);
@@ -253,9 +258,9 @@ void MainWindow::showModel()
 {
     const auto& model = workbench_.session().model();
     showFile();
-    for (QAction* action :
-         QList<QAction*>{actions_.savePicture, actions_.saveMesh, actions_.close, actions_.addIsovalue, actions_.fit} +
-             actions_.namedViews)
+    for (QAction* action : QList<QAction*>{actions_.saveSession, actions_.saveSessionAs, actions_.savePicture,
+                                           actions_.saveMesh, actions_.close, actions_.addIsovalue, actions_.fit} +
+                               actions_.namedViews)
         action->setEnabled(model != nullptr);
     viewport_->setScene(nullptr);
     if (model) {

@@ -13,6 +13,7 @@ class QStackedWidget;
 namespace tetra {
 
 class EmptyPage;
+class KeepSession;
 class MessageBar;
 class RegionActions;
 class StatusLine;
@@ -61,6 +62,7 @@ private:
     QStackedWidget* pages_;
     StatusLine* status_;
     RegionActions* regions_;
+    KeepSession* keptSession_ = nullptr;
     Docks docks_;
 };
 

@@ -10,15 +10,15 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Colour mixed(const Colour& from, const Colour& to, double s)
+SrgbColour mixed(const SrgbColour& from, const SrgbColour& to, double s)
 {
-    Colour result{};
+    SrgbColour result{};
     for (std::size_t channel = 0; channel < 3; ++channel)
         result[channel] = (1 - s) * from[channel] + s * to[channel];
     return result;
 }
 
-Colour hsvOf(const Colour& colour)
+SrgbColour hsvOf(const SrgbColour& colour)
 {
     const auto& [red, green, blue] = colour;
     const double largest = std::max({red, green, blue}), extent = largest - std::min({red, green, blue});
@@ -32,7 +32,7 @@ Colour hsvOf(const Colour& colour)
     return {(sixth < 0 ? sixth + 6 : sixth) / 6, extent / largest, largest};
 }
 
-Colour colourOfHsv(const Colour& hsv)
+SrgbColour colourOfHsv(const SrgbColour& hsv)
 {
     const auto channel = [&hsv](double shift) {
         const double place = std::fmod(hsv[0] * 6 + shift, 6);
@@ -41,17 +41,17 @@ Colour colourOfHsv(const Colour& hsv)
     return {channel(5), channel(3), channel(1)};
 }
 
-Colour betweenHsv(const Colour& from, const Colour& to, double s, bool wrapped)
+SrgbColour betweenHsv(const SrgbColour& from, const SrgbColour& to, double s, bool wrapped)
 {
-    Colour first = hsvOf(from), second = hsvOf(to);
+    SrgbColour first = hsvOf(from), second = hsvOf(to);
     if (wrapped && std::abs(first[0] - second[0]) > 0.5)
         (first[0] > second[0] ? first[0] : second[0]) -= 1;
-    Colour hsv = mixed(first, second, s);
+    SrgbColour hsv = mixed(first, second, s);
     hsv[0] += hsv[0] < 0 ? 1 : 0;
     return colourOfHsv(hsv);
 }
 
-constexpr Colour whiteOfD65 = {0.9505, 1.0, 1.0890};
+constexpr SrgbColour whiteOfD65 = {0.9505, 1.0, 1.0890};
 
 double linearLight(double channel)
 {
@@ -74,7 +74,7 @@ double labCurveInverse(double value)
     return cube > 0.008856 ? cube : (value - 16.0 / 116) / 7.787;
 }
 
-Colour labOf(const Colour& colour)
+SrgbColour labOf(const SrgbColour& colour)
 {
     const double red = linearLight(colour[0]), green = linearLight(colour[1]), blue = linearLight(colour[2]);
     const double x = labCurve((red * 0.4124 + green * 0.3576 + blue * 0.1805) / whiteOfD65[0]);
@@ -84,15 +84,15 @@ Colour labOf(const Colour& colour)
 }
 
 /// Colours that no screen has are darkened until the largest channel fits, then negative ones cut, as VTK does.
-Colour colourOfLab(const Colour& lab)
+SrgbColour colourOfLab(const SrgbColour& lab)
 {
     const double middle = (lab[0] + 16) / 116;
     const double x = whiteOfD65[0] * labCurveInverse(middle + lab[1] / 500);
     const double y = whiteOfD65[1] * labCurveInverse(middle);
     const double z = whiteOfD65[2] * labCurveInverse(middle - lab[2] / 200);
-    Colour colour = {standardChannel(x * 3.2406 + y * -1.5372 + z * -0.4986),
-                     standardChannel(x * -0.9689 + y * 1.8758 + z * 0.0415),
-                     standardChannel(x * 0.0557 + y * -0.2040 + z * 1.0570)};
+    SrgbColour colour = {standardChannel(x * 3.2406 + y * -1.5372 + z * -0.4986),
+                         standardChannel(x * -0.9689 + y * 1.8758 + z * 0.0415),
+                         standardChannel(x * 0.0557 + y * -0.2040 + z * 1.0570)};
     const double largest = std::max(1.0, *std::ranges::max_element(colour));
     for (double& channel : colour)
         channel = std::max(0.0, channel / largest);
@@ -104,15 +104,15 @@ struct Msh {
     double magnitude, saturation, hue;
 };
 
-Msh mshOf(const Colour& colour)
+Msh mshOf(const SrgbColour& colour)
 {
-    const Colour lab = labOf(colour);
+    const SrgbColour lab = labOf(colour);
     const double magnitude = std::hypot(lab[0], lab[1], lab[2]);
     const double saturation = magnitude > 0.001 ? std::acos(lab[0] / magnitude) : 0;
     return {magnitude, saturation, saturation > 0.001 ? std::atan2(lab[2], lab[1]) : 0};
 }
 
-Colour colourOfMsh(const Msh& msh)
+SrgbColour colourOfMsh(const Msh& msh)
 {
     const double radius = msh.magnitude * std::sin(msh.saturation);
     return colourOfLab(
@@ -130,7 +130,7 @@ double hueToward(const Msh& saturated, double magnitude)
     return saturated.hue > -0.3 * pi ? saturated.hue + turn : saturated.hue - turn;
 }
 
-Colour betweenDiverging(const Colour& from, const Colour& to, double s)
+SrgbColour betweenDiverging(const SrgbColour& from, const SrgbColour& to, double s)
 {
     constexpr double unsaturated = 0.05;
     Msh first = mshOf(from), second = mshOf(to);
@@ -151,7 +151,7 @@ Colour betweenDiverging(const Colour& from, const Colour& to, double s)
 
 } // namespace
 
-Colour between(const Colour& from, const Colour& to, double s, ColourSpace space)
+SrgbColour between(const SrgbColour& from, const SrgbColour& to, double s, ColourSpace space)
 {
     switch (space) {
     case ColourSpace::Rgb: return mixed(from, to, s);

@@ -7,7 +7,7 @@
 namespace tetra {
 
 /// A colour as sRGB, each channel in [0, 1].
-using Colour = std::array<double, 3>;
+using SrgbColour = std::array<double, 3>;
 
 /// How ParaView and VTK go from one colour to the next.
 enum class ColourSpace : std::uint8_t {
@@ -20,6 +20,6 @@ enum class ColourSpace : std::uint8_t {
 };
 
 /// The colour a share `s` in [0, 1] of the way from `from` to `to`, as VTK 9 computes it.
-Colour between(const Colour& from, const Colour& to, double s, ColourSpace space);
+SrgbColour between(const SrgbColour& from, const SrgbColour& to, double s, ColourSpace space);
 
 } // namespace tetra

@@ -27,7 +27,7 @@ template <class Node> std::size_t nodeBeyond(std::span<const Node> nodes, double
     return static_cast<std::size_t>(std::ranges::upper_bound(nodes, value, {}, &Node::value) - nodes.begin());
 }
 
-Colour colourAt(const ColourCurve& curve, double value)
+SrgbColour colourAt(const ColourCurve& curve, double value)
 {
     const std::size_t beyond = nodeBeyond(std::span(curve.nodes), value);
     if (beyond == 0 || beyond == curve.nodes.size())
@@ -66,7 +66,7 @@ double opacityAt(std::span<const OpacityNode> nodes, double value)
 
 /// What a value looks like, as files say it.
 struct Look {
-    Colour colour{};
+    SrgbColour colour{};
     double opacity = 0;
 };
 

@@ -12,7 +12,7 @@ namespace tetra {
 /// Where a colour curve has a colour.
 struct ColourNode {
     double value = 0;
-    Colour colour{};
+    SrgbColour colour{};
 };
 
 /// A colour map as ParaView and VTK have it. Beyond the ends it is constant.

@@ -210,7 +210,7 @@ void PresetTest::xml()
     const CurvePreset &first = presets->front(), &second = presets->back();
     QCOMPARE(first.name, std::string("two & three"));
     QVERIFY(first.colours.space == ColourSpace::Hsv && first.opacities.empty());
-    QCOMPARE(first.colours.nodes[1].colour, (Colour{0, 0, 1}));
+    QCOMPARE(first.colours.nodes[1].colour, (SrgbColour{0, 0, 1}));
     QCOMPARE(second.opacities.size(), std::size_t(2));
     QCOMPARE(second.opacities[1].opacity, 0.5);
 }

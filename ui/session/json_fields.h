@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QString>
+
+#include <array>
+#include <optional>
+
+namespace tetra {
+
+/// The members of a JSON object, read one after the other: a member that is missing leaves the value as it is, one of
+/// another type is remembered as the error, by its whole name ("mesh.focus.radius"). The first error stays.
+class JsonFields {
+public:
+    JsonFields(QJsonObject object, QString name, std::optional<Error>& error)
+        : object_(std::move(object)), name_(std::move(name)), error_(error)
+    {
+    }
+
+    bool has(const QString& key) const { return object_.contains(key); }
+    const QJsonObject& object() const noexcept { return object_; }
+
+    void read(const QString& key, bool& value) const
+    {
+        if (const QJsonValue found = object_.value(key); found.isBool())
+            value = found.toBool();
+        else
+            refuse(key, found, "true or false");
+    }
+    void read(const QString& key, double& value) const
+    {
+        if (const QJsonValue found = object_.value(key); found.isDouble())
+            value = found.toDouble();
+        else
+            refuse(key, found, "a number");
+    }
+    void read(const QString& key, float& value) const
+    {
+        double wide = value;
+        read(key, wide);
+        value = static_cast<float>(wide);
+    }
+    void read(const QString& key, std::string& value) const
+    {
+        if (const QJsonValue found = object_.value(key); found.isString())
+            value = found.toString().toStdString();
+        else
+            refuse(key, found, "a text");
+    }
+    /// Three numbers.
+    template <class Vector> void readThree(const QString& key, Vector& value) const
+    {
+        const QJsonArray numbers = object_.value(key).toArray();
+        const bool good =
+            numbers.size() == 3 && numbers[0].isDouble() && numbers[1].isDouble() && numbers[2].isDouble();
+        for (int axis = 0; good && axis < 3; ++axis)
+            value[axis] = numbers[axis].toDouble();
+        if (!good)
+            refuse(key, object_.value(key), "three numbers in brackets");
+    }
+    /// The members of a member; none if it is missing.
+    JsonFields fields(const QString& key) const
+    {
+        const QJsonValue found = object_.value(key);
+        if (!found.isObject())
+            refuse(key, found, "an object, in braces");
+        return {found.toObject(), full(key), error_};
+    }
+    void refuse(const QString& key, const QJsonValue& found, const char* wanted) const
+    {
+        if (!found.isUndefined() && !error_)
+            error_ = Error{ErrorKind::BadInput, QString("\"%1\" must be %2.").arg(full(key), wanted).toStdString()};
+    }
+
+private:
+    QString full(const QString& key) const { return name_.isEmpty() ? key : name_ + "." + key; }
+
+    QJsonObject object_;
+    QString name_;
+    std::optional<Error>& error_;
+};
+
+} // namespace tetra

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/session_document.h"
+
+#include "core/graphics/camera_text.h"
+#include "ui/session/target_path.h"
+#include "ui/session/view_json.h"
+
+#include <QDir>
+#include <QJsonDocument>
+
+#include <cstring>
+
+namespace tetra {
+namespace {
+
+constexpr const char* formatName = "tan-session";
+constexpr int formatVersion = 1;
+/// Of the checksum in a model's header (FORMAT.md).
+constexpr std::size_t headerChecksum = 248;
+
+Error wrong(const std::string& what)
+{
+    return {ErrorKind::BadInput, "The session cannot be read: " + what};
+}
+
+/// `ours` over `found`: objects member by member, all else whole.
+QJsonObject over(QJsonObject found, const QJsonObject& ours)
+{
+    for (auto member = ours.begin(); member != ours.end(); ++member)
+        found[member.key()] = member.value().isObject() && found.value(member.key()).isObject()
+                                  ? QJsonValue(over(found.value(member.key()).toObject(), member.value().toObject()))
+                                  : member.value();
+    return found;
+}
+
+/// As it is written: with slashes, and relative if the model lies in the folder or below it.
+QString writtenPath(const std::filesystem::path& model, const std::filesystem::path& folder)
+{
+    const QString relative = QDir(pathText(folder)).relativeFilePath(pathText(model));
+    return relative.startsWith("..") ? pathText(model) : relative;
+}
+
+Result<QJsonObject> objectOf(std::string_view text)
+{
+    QJsonParseError parsed;
+    const auto document =
+        QJsonDocument::fromJson(QByteArray(text.data(), static_cast<qsizetype>(text.size())), &parsed);
+    if (parsed.error != QJsonParseError::NoError)
+        return wrong(parsed.errorString().toStdString() + " at byte " + std::to_string(parsed.offset) + ".");
+    const QJsonObject object = document.object();
+    if (object.value("format").toString() != formatName)
+        return wrong("its \"format\" is not \"" + std::string(formatName) + "\".");
+    if (object.value("version").toInt() != formatVersion)
+        return wrong("this program knows version " + std::to_string(formatVersion) + " of sessions only.");
+    return object;
+}
+
+void readCamera(const QJsonObject& root, std::optional<Camera>& camera, std::optional<Error>& error)
+{
+    if (!root.contains("camera"))
+        return;
+    const QByteArray text = QJsonDocument(root.value("camera").toObject()).toJson();
+    const auto read =
+        cameraFromText(text.toStdString(), Eigen::AlignedBox3d(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1)));
+    if (read)
+        camera = *read;
+    else if (!error)
+        error = read.error();
+}
+
+} // namespace
+
+std::uint64_t modelIdentity(const Model& model)
+{
+    std::uint64_t identity = 0;
+    std::memcpy(&identity, model.fileBytes().data() + headerChecksum, sizeof identity);
+    return identity;
+}
+
+bool isSessionFile(const std::filesystem::path& path)
+{
+    return path.extension() == std::string(".") + sessionSuffix;
+}
+
+std::string sessionToText(const SessionDocument& document, const std::filesystem::path& folder)
+{
+    QJsonObject ours = {{"format", formatName},
+                        {"version", formatVersion},
+                        {"model", QJsonObject{{"path", writtenPath(document.model, folder)},
+                                              {"identity", QString::number(document.identity, 16)}}},
+                        {"mesh", toJson(document.query)},
+                        {"look", toJson(document.look)},
+                        {"isovalues", toJson(document.isovalues)}};
+    QJsonObject found = document.found;
+    found.remove("background");
+    found.remove("camera");
+    // Settings and functions are whole values: what was in the old ones must not come back.
+    QJsonObject look = found.value("look").toObject();
+    look.remove("transfer");
+    look.remove("settings");
+    found.insert("look", look);
+    if (document.camera)
+        ours["camera"] = QJsonDocument::fromJson(QByteArray::fromStdString(cameraToText(*document.camera))).object();
+    if (const auto& background = document.background)
+        ours["background"] = QJsonArray{background->red, background->green, background->blue};
+    return QJsonDocument(over(found, ours)).toJson().toStdString();
+}
+
+Result<SessionDocument> sessionFromText(std::string_view text, const std::filesystem::path& folder)
+{
+    const Result<QJsonObject> root = objectOf(text);
+    if (!root)
+        return root.error();
+    SessionDocument document;
+    document.found = *root;
+    std::optional<Error> error;
+    const JsonFields fields(*root, {}, error);
+    const JsonFields model = fields.fields("model");
+    std::string path, identity;
+    model.read("path", path);
+    model.read("identity", identity);
+    document.identity = QString::fromStdString(identity).toULongLong(nullptr, 16);
+    document.model = (folder / filePath(QString::fromStdString(path))).lexically_normal();
+    readQuery(fields.fields("mesh"), document.query);
+    readLook(fields.fields("look"), document.look, error);
+    document.isovalues = isovaluesOf(root->value("isovalues").toArray(), error);
+    readCamera(*root, document.camera, error);
+    if (fields.has("background")) {
+        std::array<double, 3> background{};
+        fields.readThree("background", background);
+        const auto channel = [](double value) { return static_cast<float>(std::clamp(value, 0.0, 1.0)); };
+        document.background = Colour{channel(background[0]), channel(background[1]), channel(background[2])};
+    }
+    if (path.empty() && !error)
+        error = Error{ErrorKind::BadInput, "it names no model in \"model.path\"."};
+    if (error)
+        return wrong(error->text);
+    return document;
+}
+
+} // namespace tetra

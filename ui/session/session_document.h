@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/graphics/camera.h"
+#include "core/graphics/picture.h"
+#include "ui/session/look.h"
+#include "ui/session/query_state.h"
+
+#include <QJsonObject>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tetra {
+
+/// What is open and how it is seen, as a file keeps it: a JSON text of the format "tan-session", version 1. Models are
+/// named by a path relative to the session's folder where they lie in it, so that a folder can be moved as a whole.
+struct SessionDocument {
+    std::filesystem::path model; ///< absolute
+    std::uint64_t identity = 0;  ///< modelIdentity() of the model; 0 if the file does not say
+    QueryState query;
+    Look look;
+    std::vector<Isovalue> isovalues;
+    std::optional<Camera> camera;
+    std::optional<Colour> background; ///< none: the one that fits the desktop's colours
+    QJsonObject found{};              ///< the whole text that was read: what is not known here stays in it
+};
+
+inline constexpr const char* sessionSuffix = "tansession";
+
+/// Differs for models of different content: the checksum of the header and the section table (FORMAT.md).
+std::uint64_t modelIdentity(const Model& model);
+
+/// Whether the file's name is that of a session.
+bool isSessionFile(const std::filesystem::path& path);
+
+std::string sessionToText(const SessionDocument& document, const std::filesystem::path& folder);
+
+/// What the text leaves open is as `SessionDocument` has it, a focus of no shape and so on. Errors name the key.
+Result<SessionDocument> sessionFromText(std::string_view text, const std::filesystem::path& folder);
+
+} // namespace tetra

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/view_json.h"
+
+#include "core/transfer/transfer_text.h"
+
+#include <QJsonDocument>
+
+#include <array>
+#include <cmath>
+
+namespace tetra {
+namespace {
+
+constexpr std::array shapeNames = {"none", "box", "sphere"};
+constexpr std::array borderNames = {"intersecting", "contained", "clipped"};
+
+QJsonArray three(const Eigen::Vector3d& vector)
+{
+    return {vector[0], vector[1], vector[2]};
+}
+
+/// The number of the name among `names`, an enumeration's.
+template <class Enumeration, std::size_t Count> void
+readName(const JsonFields& fields, const QString& key, const std::array<const char*, Count>& names, Enumeration& value)
+{
+    std::string name = names[static_cast<std::size_t>(value)];
+    fields.read(key, name);
+    for (std::size_t i = 0; i < Count; ++i)
+        if (name == names[i]) {
+            value = static_cast<Enumeration>(i);
+            return;
+        }
+    fields.refuse(key, fields.object().value(key), "a name that is known here");
+}
+
+QJsonObject toJson(const FocusState& focus)
+{
+    return {{"shape", shapeNames[static_cast<std::size_t>(focus.shape)]},
+            {"centre", three(focus.centre)},
+            {"size", three(focus.size)},
+            {"radius", focus.radius},
+            {"error", focus.error},
+            {"falloff", focus.falloff}};
+}
+
+void readFocus(const JsonFields& fields, FocusState& focus)
+{
+    readName(fields, "shape", shapeNames, focus.shape);
+    fields.readThree("centre", focus.centre);
+    fields.readThree("size", focus.size);
+    fields.read("radius", focus.radius);
+    fields.read("error", focus.error);
+    fields.read("falloff", focus.falloff);
+}
+
+QJsonObject toJson(const WindowState& window)
+{
+    return {{"on", window.enabled},
+            {"least", three(window.window.box.least)},
+            {"largest", three(window.window.box.largest)},
+            {"border", borderNames[static_cast<std::size_t>(window.window.border)]}};
+}
+
+void readWindow(const JsonFields& fields, WindowState& window)
+{
+    fields.read("on", window.enabled);
+    fields.readThree("least", window.window.box.least);
+    fields.readThree("largest", window.window.box.largest);
+    readName(fields, "border", borderNames, window.window.border);
+}
+
+QJsonValue toJson(const ParameterValue& value)
+{
+    if (const bool* truth = std::get_if<bool>(&value))
+        return *truth;
+    if (const std::int64_t* integer = std::get_if<std::int64_t>(&value))
+        return QJsonObject{{"integer", static_cast<qint64>(*integer)}};
+    if (const double* number = std::get_if<double>(&value))
+        return QJsonObject{{"number", *number}};
+    if (const std::string* text = std::get_if<std::string>(&value))
+        return QString::fromStdString(*text);
+    return {};
+}
+
+std::optional<ParameterValue> settingOf(const QJsonValue& value)
+{
+    if (value.isBool())
+        return ParameterValue(value.toBool());
+    if (value.isString())
+        return ParameterValue(value.toString().toStdString());
+    const QJsonObject tagged = value.toObject();
+    if (tagged.value("integer").isDouble())
+        return ParameterValue(static_cast<std::int64_t>(tagged.value("integer").toInteger()));
+    if (tagged.value("number").isDouble())
+        return ParameterValue(tagged.value("number").toDouble());
+    return std::nullopt;
+}
+
+void readTransfer(const QJsonValue& value, TransferFunction& transfer, std::optional<Error>& error)
+{
+    const QByteArray text = QJsonDocument(value.toObject()).toJson();
+    const auto read = transferFunctionFromText({text.constData(), static_cast<std::size_t>(text.size())});
+    if (read)
+        transfer = *read;
+    else if (!error)
+        error = read.error();
+}
+
+} // namespace
+
+QJsonObject toJson(const QueryState& query)
+{
+    return {
+        {"error", query.error},
+        {"byBudget", query.byBudget},
+        {"budget", static_cast<qint64>(query.budget)},
+        {"focus", toJson(query.focus)},
+        {"window", toJson(query.window)},
+        {"values",
+         QJsonObject{{"on", query.values.enabled}, {"least", query.values.least}, {"largest", query.values.largest}}}};
+}
+
+void readQuery(const JsonFields& fields, QueryState& query)
+{
+    fields.read("error", query.error);
+    fields.read("byBudget", query.byBudget);
+    double budget = static_cast<double>(query.budget);
+    fields.read("budget", budget);
+    constexpr double mostTetrahedra = 1e15;
+    query.budget = static_cast<std::uint64_t>(std::clamp(budget, 0.0, mostTetrahedra));
+    readFocus(fields.fields("focus"), query.focus);
+    readWindow(fields.fields("window"), query.window);
+    const JsonFields values = fields.fields("values");
+    values.read("on", query.values.enabled);
+    values.read("least", query.values.least);
+    values.read("largest", query.values.largest);
+}
+
+QJsonObject toJson(const Look& look)
+{
+    QJsonObject settings;
+    for (const auto& [id, value] : look.settings)
+        if (const QJsonValue json = toJson(value); !json.isNull())
+            settings.insert(QString::fromStdString(id), json);
+    const QByteArray transfer = QByteArray::fromStdString(transferFunctionToText(look.transfer));
+    return {{"mode", QString::fromStdString(look.mode)},
+            {"transfer", QJsonDocument::fromJson(transfer).object()},
+            {"settings", settings}};
+}
+
+void readLook(const JsonFields& fields, Look& look, std::optional<Error>& error)
+{
+    fields.read("mode", look.mode);
+    if (fields.has("transfer"))
+        readTransfer(fields.object().value("transfer"), look.transfer, error);
+    const QJsonObject settings = fields.fields("settings").object();
+    for (auto setting = settings.begin(); setting != settings.end(); ++setting)
+        if (const auto value = settingOf(setting.value()))
+            look.settings[setting.key().toStdString()] = *value;
+}
+
+QJsonArray toJson(const std::vector<Isovalue>& isovalues)
+{
+    QJsonArray list;
+    for (const Isovalue& isovalue : isovalues)
+        list.append(QJsonObject{{"value", isovalue.value},
+                                {"colour", QJsonArray{isovalue.red, isovalue.green, isovalue.blue}},
+                                {"opacity", isovalue.opacity},
+                                {"visible", isovalue.visible}});
+    return list;
+}
+
+std::vector<Isovalue> isovaluesOf(const QJsonArray& list, std::optional<Error>& error)
+{
+    std::vector<Isovalue> isovalues;
+    for (qsizetype i = 0; i < list.size(); ++i) {
+        const JsonFields fields(list[i].toObject(), QString("isovalues[%1]").arg(i), error);
+        Isovalue isovalue;
+        std::array<double, 3> colour = {isovalue.red, isovalue.green, isovalue.blue};
+        fields.read("value", isovalue.value);
+        fields.readThree("colour", colour);
+        fields.read("opacity", isovalue.opacity);
+        fields.read("visible", isovalue.visible);
+        isovalue.red = static_cast<float>(std::clamp(colour[0], 0.0, 1.0));
+        isovalue.green = static_cast<float>(std::clamp(colour[1], 0.0, 1.0));
+        isovalue.blue = static_cast<float>(std::clamp(colour[2], 0.0, 1.0));
+        isovalues.push_back(isovalue);
+    }
+    return isovalues;
+}
+
+} // namespace tetra

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/keep_session.h"
+
+#include "ui/session/target_path.h"
+#include "ui/viewport/viewport.h"
+#include "ui/widgets/file_dialogs.h"
+#include "ui/widgets/message_bar.h"
+
+#include <QFileInfo>
+
+namespace tetra {
+namespace {
+
+/// From the first change that is not kept yet, so that no more than this is ever lost.
+constexpr int keepAfter = 10'000; // milliseconds
+
+} // namespace
+
+KeepSession::KeepSession(Workbench& workbench, Viewport& viewport, MessageBar& messages, QWidget* window)
+    : QObject(window), workbench_(workbench), viewport_(viewport), messages_(messages), window_(window),
+      recovery_(recoveryFolder())
+{
+    waiting_.setSingleShot(true);
+    waiting_.setInterval(keepAfter);
+    connect(&waiting_, &QTimer::timeout, this, &KeepSession::keep);
+    const Session* session = &workbench.session();
+    const ViewState* view = &session->view();
+    connect(session, &Session::modelChanged, this, &KeepSession::changed);
+    connect(view, &ViewState::queryChanged, this, &KeepSession::changed);
+    connect(view, &ViewState::lookChanged, this, &KeepSession::changed);
+    connect(view, &ViewState::isovalueInserted, this, &KeepSession::changed);
+    connect(view, &ViewState::isovalueRemoved, this, &KeepSession::changed);
+    connect(view, &ViewState::isovalueChanged, this, &KeepSession::changed);
+    connect(&viewport, &Viewport::cameraChanged, this, &KeepSession::changed);
+    connect(&viewport, &Viewport::backgroundChanged, this, &KeepSession::changed);
+    connect(&workbench, &Workbench::sessionOpened, this, &KeepSession::restore);
+    offerLost();
+}
+
+std::optional<SessionDocument> KeepSession::document() const
+{
+    auto document = workbench_.sessionDocument();
+    if (document) {
+        document->camera = viewport_.camera();
+        document->background = viewport_.chosenBackground();
+    }
+    return document;
+}
+
+void KeepSession::save()
+{
+    if (workbench_.sessionFile().empty())
+        return saveAs();
+    if (const auto now = document())
+        workbench_.saveSession(workbench_.sessionFile(), *now);
+}
+
+void KeepSession::saveAs()
+{
+    if (!workbench_.session().model())
+        return;
+    const QString proposed = workbench_.sessionFile().empty() ? workbench_.proposedPath(QString(".") + sessionSuffix)
+                                                              : pathText(workbench_.sessionFile());
+    askForTextTarget(window_, "sessionDialog", tr("Save Session"), tr("Sessions (*.tansession)"), proposed,
+                     [this](const QString& path) {
+                         if (const auto now = document())
+                             workbench_.saveSession(filePath(path), *now);
+                     });
+}
+
+void KeepSession::end()
+{
+    waiting_.stop();
+    if (!keeping_.running()) // else the file goes when that has ended
+        recovery_.forget();
+}
+
+void KeepSession::restore(const SessionDocument& document)
+{
+    if (document.camera)
+        viewport_.setCamera(*document.camera);
+    viewport_.setBackground(document.background);
+}
+
+void KeepSession::offerLost()
+{
+    for (const LostSession& lost : lostSessions(recovery_.folder())) {
+        const auto document = sessionFromText(lost.text, recovery_.folder());
+        if (!document)
+            continue;
+        const QString name = QFileInfo(pathText(document->model)).fileName();
+        messages_.ask(
+            tr("TAn ended unexpectedly while %1 was open. How it was seen can be restored.").arg(name), tr("&Restore"),
+            [this, lost] {
+                workbench_.openSession(lost.text, recovery_.folder());
+                removeLostSession(lost);
+            },
+            [lost] { removeLostSession(lost); });
+    }
+}
+
+void KeepSession::changed()
+{
+    if (!waiting_.isActive())
+        waiting_.start();
+}
+
+void KeepSession::keep()
+{
+    const auto now = document();
+    if (keeping_.running())
+        return waiting_.start();
+    if (!now)
+        return recovery_.forget();
+    keeping_.start([this, text = sessionToText(*now, recovery_.folder())](const Progress&) -> std::function<void()> {
+        return [this, kept = recovery_.keep(text)] {
+            if (!kept && !told_)
+                messages_.add(QString::fromStdString(kept.error().text));
+            told_ = !kept;
+        };
+    });
+}
+
+} // namespace tetra
