@@ -70,7 +70,8 @@ bool DecimatedMesh::collapseOnBoundary(std::uint32_t vertex, std::uint32_t targe
     const auto link = star_.link();
     const auto place = static_cast<std::uint32_t>(std::ranges::find(link, target) - link.begin());
     setBoundaryChange(place);
-    if (boundary_->meetsItself(addedTriangles_, removedTriangles_))
+    linkCondition_.set(star_);
+    if (!linkCondition_.allows(mesh_, star_, place) || boundary_->meetsItself(addedTriangles_, removedTriangles_))
         return false;
     boundary_->replace(removedTriangles_, addedTriangles_);
     boundaryJudge_.set(mesh_, star_, points_.points, boundaryPoints_);

@@ -41,8 +41,8 @@ public:
     /// The legal collapse of a vertex that has the smallest key; among equals the target of the smallest number.
     Candidate best(std::uint32_t vertex);
 
-    /// Does a collapse that best() named; nothing around the vertex has changed since. False, and nothing is done, if a
-    /// part of an irregular boundary far along it has come into the way.
+    /// Does a collapse that best() named; nothing around the vertex has changed since. False, and nothing is done, if
+    /// what lies behind its neighbours has come into the way on an irregular boundary.
     [[nodiscard]] bool collapse(std::uint32_t vertex, std::uint32_t target);
     /// The vertices around the one that was removed last: their stars have changed.
     std::span<const std::uint32_t> touched() const noexcept { return touched_; }
