@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/mesh/history.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tetra {
+
+/// What a decimation did, fine to coarse, and its reading backwards as a history of vertex splits. Some 28 bytes a
+/// tetrahedron that ever lived.
+class CollapseLog {
+public:
+    static constexpr std::uint32_t none = 0xffffffff;
+
+    struct Tetrahedron {
+        std::array<std::uint32_t, 3> others{}; ///< (vertex, others) is positive
+        float error = 0;
+        float warping = 0;
+        std::uint32_t madeBy = none; ///< the collapse, by number, that made it; none: it is of the input
+    };
+
+    /// A collapse that takes `vertex` out with the tetrahedra around it, in a mesh of `keyAfter` then. May throw
+    /// std::bad_alloc.
+    void add(std::uint32_t vertex, float keyAfter, std::span<const Tetrahedron> star);
+
+    std::uint32_t collapseCount() const noexcept { return static_cast<std::uint32_t>(collapses_.size()); }
+    std::uint64_t tetrahedronCount() const noexcept { return tetrahedra_.size(); }
+
+    /// A tetrahedron of the coarsest mesh.
+    struct Coarsest {
+        std::array<std::uint32_t, 4> vertices{}; ///< positive
+        float error = 0;
+        float warping = 0;
+        std::uint32_t madeBy = none;
+    };
+
+    /// Hands all to `sink`, coarse first. `finalKey` is that of the input. Errors: the sink's, cancelled.
+    Status emit(std::uint32_t pointCount, std::span<const Coarsest> coarsest, float finalKey, HistorySink& sink,
+                const Progress& progress) const;
+
+private:
+    struct Collapse {
+        std::uint32_t vertex;
+        float keyAfter;
+        std::uint64_t firstTetrahedron;
+    };
+    std::vector<Collapse> collapses_;
+    std::vector<Tetrahedron> tetrahedra_;
+};
+
+} // namespace tetra

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/decimation/decimated_mesh.h"
+
+#include "core/mesh/exact_orientation.h"
+#include "core/mesh/rounding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace tetra {
+
+namespace {
+
+/// Marks of vertices of irregular meshes.
+constexpr std::uint8_t onBoundary = 1, locked = 0xff;
+
+std::array<double, 3> arrayOf(const Eigen::Vector3d& vector)
+{
+    return {vector.x(), vector.y(), vector.z()};
+}
+
+std::array<double, 3> difference(const std::array<double, 3>& a, const std::array<double, 3>& b)
+{
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+/// Residuals are sums of a few products of numbers of this size, each rounded at 2^-53 of it.
+double roundingOf(double magnitude)
+{
+    return std::ldexp(magnitude, -48);
+}
+
+double largestCoordinate(std::span<const Eigen::Vector3d> positions)
+{
+    double largest = 0;
+    for (const Eigen::Vector3d& position : positions)
+        largest = std::max(largest, position.cwiseAbs().maxCoeff());
+    return largest;
+}
+
+/// Whether six-fold volumes are exact in doubles, whatever the order of their terms.
+bool exactVolumes(std::span<const Eigen::Vector3d> positions)
+{
+    return std::ranges::all_of(positions, [](const Eigen::Vector3d& position) {
+        return (position.array() == position.array().floor()).all() && position.cwiseAbs().maxCoeff() < 32768;
+    });
+}
+
+} // namespace
+
+DecimatedMesh::DecimatedMesh(const DecimationMesh& mesh, const DecimationOptions& options)
+    : input_(mesh), options_(options), mesh_(vertexCount(), mesh.tetrahedra), states_(mesh_.slotCount()),
+      keys_(mesh_.slotCount()), boundaryPoints_(mesh_.triangleCount()), live_(mesh_.slotCount()),
+      star_(mesh.positions, exactVolumes(mesh.positions)), boundaryJudge_(input_, measure_)
+{
+    double largestValue = 0;
+    for (const double value : input_.values)
+        largestValue = std::max(largestValue, std::abs(value));
+    measure_ = {roundingOf(largestValue),
+                roundingOf(2 * largestCoordinate(input_.box ? input_.lifted : input_.positions)),
+                options.warpingWeight};
+    handedness_ = handednessOfInput();
+    findSides();
+}
+
+void DecimatedMesh::findSides()
+{
+    sides_.resize(vertexCount(), 0);
+    if (!input_.box) {
+        findBoundary();
+        return;
+    }
+    Eigen::Vector3d least = input_.positions.front(), greatest = least;
+    for (const Eigen::Vector3d& position : input_.positions) {
+        least = least.cwiseMin(position);
+        greatest = greatest.cwiseMax(position);
+    }
+    for (std::uint32_t vertex = 0; vertex < vertexCount(); ++vertex)
+        for (int axis = 0; axis < 3; ++axis) {
+            const double coordinate = input_.positions[vertex][axis];
+            const int bits = (coordinate == least[axis] ? 1 : 0) | (coordinate == greatest[axis] ? 2 : 0);
+            sides_[vertex] = static_cast<std::uint8_t>(sides_[vertex] | bits << 2 * axis);
+        }
+}
+
+/// Marks the vertices of an irregular boundary. Where that is no surface, they stay; so does, for want of a meaning of
+/// its warping in two spaces, that of a grid with holes.
+void DecimatedMesh::findBoundary()
+{
+    std::vector<std::uint32_t> tetrahedraOfVertex(vertexCount(), 0);
+    for (const auto& vertices : input_.tetrahedra)
+        for (const std::uint32_t vertex : vertices)
+            ++tetrahedraOfVertex[vertex];
+    for (std::uint32_t triangle = 0; triangle < mesh_.triangleCount(); ++triangle)
+        for (const std::uint32_t corner : mesh_.cornersOf(CollapsibleMesh::firstTriangle + triangle))
+            sides_[corner] = onBoundary;
+    for (std::uint32_t vertex = 0; vertex < vertexCount(); ++vertex) {
+        if (sides_[vertex] == 0)
+            continue;
+        star_.set(mesh_, vertex);
+        if (!input_.lifted.empty() || star_.slots().size() != tetrahedraOfVertex[vertex] || !star_.rimIsOneCycle())
+            sides_[vertex] = locked;
+    }
+}
+
+/// 1 if most tetrahedra are positive in physical space, else -1 (S5).
+int DecimatedMesh::handednessOfInput() const
+{
+    std::int64_t balance = 0;
+    if (!input_.lifted.empty())
+        for (const auto& vertices : input_.tetrahedra)
+            balance += orientationSign(arrayOf(input_.lifted[vertices[0]]), arrayOf(input_.lifted[vertices[1]]),
+                                       arrayOf(input_.lifted[vertices[2]]), arrayOf(input_.lifted[vertices[3]]));
+    return balance < 0 ? -1 : 1;
+}
+
+/// Whether the boundary allows it: in a box vertices stay on their sides.
+bool DecimatedMesh::mayMove(std::uint32_t vertex, std::uint32_t target) const
+{
+    return !input_.box || (sides_[vertex] & ~sides_[target]) == 0;
+}
+
+float DecimatedMesh::keyOf(float error, float warping) const
+{
+    return std::max(error, roundedUp(options_.warpingWeight * static_cast<double>(warping)));
+}
+
+void DecimatedMesh::setStar(std::uint32_t vertex)
+{
+    star_.set(mesh_, vertex);
+    gatherPoints();
+}
+
+void DecimatedMesh::gatherPoints()
+{
+    points_.points.clear();
+    points_.points.push_back(star_.vertex());
+    for (const std::uint32_t slot : star_.slots()) {
+        const auto inside = std::as_const(pool_)[states_[slot].inside];
+        points_.points.insert(points_.points.end(), inside.begin(), inside.end());
+    }
+    const std::size_t count = points_.count();
+    const std::size_t room = (count + StarPoints::lanes - 1) / StarPoints::lanes * StarPoints::lanes;
+    const Eigen::Vector3d& origin = input_.positions[star_.vertex()];
+    const bool lifted = !input_.lifted.empty(), weighted = !input_.weights.empty();
+    for (auto* values : {&points_.value, &points_.error, &points_.place[0], &points_.place[1], &points_.place[2]})
+        values->resize(room);
+    points_.owner.resize(room);
+    points_.weight.resize(weighted ? room : 0);
+    points_.warping.resize(lifted ? room : 0);
+    for (auto& coordinates : points_.lifted)
+        coordinates.resize(lifted ? room : 0);
+    for (std::size_t i = 0; i < room; ++i) {
+        const std::uint32_t point = points_.points[i < count ? i : 0];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            points_.place[axis][i] = input_.positions[point][static_cast<int>(axis)] - origin[static_cast<int>(axis)];
+            if (lifted)
+                points_.lifted[axis][i] = input_.lifted[point][static_cast<int>(axis)];
+        }
+        points_.value[i] = input_.values[point];
+        if (weighted)
+            points_.weight[i] = static_cast<double>(input_.weights[point]);
+    }
+}
+
+/// The tetrahedra that a collapse makes.
+void DecimatedMesh::setFan(std::uint32_t linkPlace)
+{
+    const auto link = star_.link();
+    const std::uint32_t target = link[linkPlace];
+    fan_.clear();
+    fanSlots_.clear();
+    fan_.apex = star_.place(linkPlace);
+    fan_.apexValue = input_.values[target];
+    if (!input_.lifted.empty())
+        fan_.lifted = arrayOf(input_.lifted[target]);
+    for (std::size_t face = 0; face < star_.faces().size(); ++face) {
+        if (star_.holds(face, linkPlace))
+            continue;
+        std::array<std::array<double, 3>, 3> corners{}, lifted{};
+        std::array<double, 3> steps{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t corner = star_.faces()[face][i];
+            corners[i] = difference(star_.place(corner), fan_.apex);
+            steps[i] = input_.values[link[corner]] - fan_.apexValue;
+            if (!input_.lifted.empty())
+                lifted[i] = difference(arrayOf(input_.lifted[link[corner]]), fan_.lifted);
+        }
+        fan_.add(corners, steps);
+        if (!input_.lifted.empty())
+            fan_.addLifted(lifted);
+        fanSlots_.push_back(star_.slots()[face]);
+    }
+}
+
+/// Whether a tetrahedron that the collapse makes is inverted in physical space.
+bool DecimatedMesh::inverts(std::uint32_t linkPlace) const
+{
+    if (input_.lifted.empty())
+        return false;
+    const auto at = [&](std::uint32_t place) { return arrayOf(input_.lifted[star_.link()[place]]); };
+    for (std::size_t face = 0; face < star_.faces().size(); ++face) {
+        const auto& [a, b, c] = star_.faces()[face];
+        if (!star_.holds(face, linkPlace) && handedness_ * orientationSign(at(linkPlace), at(a), at(b), at(c)) < 0)
+            return true;
+    }
+    return false;
+}
+
+DecimatedMesh::Candidate DecimatedMesh::best(std::uint32_t vertex)
+{
+    if (sides_[vertex] == locked)
+        return {};
+    setStar(vertex);
+    if (movesOnBoundary(vertex))
+        return bestOnBoundary();
+    double least = std::numeric_limits<double>::infinity();
+    std::uint32_t target = none;
+    const auto link = star_.link();
+    for (std::uint32_t place = 0; place < link.size(); ++place) {
+        if (!mayMove(vertex, link[place]) || !star_.opensOnto(place))
+            continue;
+        setFan(place);
+        ++evaluations_;
+        const double key = evaluateFan(fan_, measure_, least, points_);
+        if (key > least || (key == least && link[place] > target) || inverts(place))
+            continue;
+        least = key;
+        target = link[place];
+    }
+    return {target, target == none ? 0 : roundedUp(std::max(least, keyOfFacesAround()))};
+}
+
+void DecimatedMesh::collapse(std::uint32_t vertex, std::uint32_t target)
+{
+    if (star_.vertex() != vertex)
+        setStar(vertex);
+    const auto link = star_.link();
+    setFan(static_cast<std::uint32_t>(std::ranges::find(link, target) - link.begin()));
+    touched_.assign(link.begin(), link.end());
+    logStar();
+    if (movesOnBoundary(vertex)) {
+        collapseOnBoundary(vertex, target);
+    } else {
+        evaluateFan(fan_, measure_, std::numeric_limits<double>::infinity(), points_);
+        mesh_.collapse(vertex, target, star_.slots());
+        clearStates();
+        giveOutPoints();
+    }
+    for (const std::uint32_t slot : fanSlots_)
+        raiseOwn(slot);
+    live_ -= star_.slots().size() - fanSlots_.size();
+    log_.add(vertex, key(), logged_);
+}
+
+/// What there is to say of the tetrahedra that go.
+void DecimatedMesh::logStar()
+{
+    logged_.clear();
+    for (std::size_t i = 0; i < star_.slots().size(); ++i) {
+        const State& state = states_[star_.slots()[i]];
+        CollapseLog::Tetrahedron& entry = logged_.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k)
+            entry.others[k] = star_.link()[star_.faces()[i][k]];
+        entry.error = state.error;
+        entry.warping = state.warping;
+        entry.madeBy = state.madeBy;
+    }
+}
+
+void DecimatedMesh::clearStates()
+{
+    for (const std::uint32_t slot : star_.slots()) {
+        pool_.release(states_[slot].inside);
+        states_[slot] = {};
+        states_[slot].madeBy = log_.collapseCount();
+        keys_.set(slot, 0);
+    }
+}
+
+/// Gives the points of the star to the tetrahedra of the fan, as they were evaluated.
+void DecimatedMesh::giveOutPoints()
+{
+    for (std::size_t i = 0; i < points_.count(); ++i)
+        ++states_[fanSlots_[points_.owner[i]]].inside.count;
+    for (const std::uint32_t slot : fanSlots_)
+        states_[slot].inside = {pool_.allocate(states_[slot].inside.count).place, 0};
+    for (std::size_t i = 0; i < points_.count(); ++i) {
+        State& state = states_[fanSlots_[points_.owner[i]]];
+        ++state.inside.count;
+        pool_[state.inside].back() = points_.points[i];
+        state.insideError = std::max(state.insideError, roundedUp(points_.error[i]));
+        if (!points_.warping.empty())
+            state.warping = std::max(state.warping, roundedUp(points_.warping[i]));
+    }
+}
+
+/// Brings a tetrahedron's own error and warping up to what is related to it.
+void DecimatedMesh::raiseOwn(std::uint32_t slot)
+{
+    State& state = states_[slot];
+    state.error = std::max(state.error, state.insideError);
+    if (!input_.box)
+        for (const std::uint32_t neighbour : mesh_[slot].neighbours)
+            if (CollapsibleMesh::isTriangle(neighbour)) {
+                state.error = std::max(state.error, boundaryPoints_[neighbour].error);
+                state.warping = std::max(state.warping, boundaryPoints_[neighbour].warping);
+            }
+    keys_.set(slot, keyOf(state.error, state.warping));
+}
+
+std::vector<CollapseLog::Coarsest> DecimatedMesh::coarsest() const
+{
+    std::vector<CollapseLog::Coarsest> tetrahedra;
+    for (std::uint32_t slot = 0; slot < mesh_.slotCount(); ++slot)
+        if (mesh_.alive(slot))
+            tetrahedra.push_back(
+                {mesh_[slot].vertices, states_[slot].error, states_[slot].warping, states_[slot].madeBy});
+    return tetrahedra;
+}
+
+} // namespace tetra

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/decimation/apex_fan.h"
+#include "core/mesh/decimation/boundary_judge.h"
+#include "core/mesh/decimation/boundary_points.h"
+#include "core/mesh/decimation/collapse_log.h"
+#include "core/mesh/decimation/collapsible_mesh.h"
+#include "core/mesh/decimation/decimation.h"
+#include "core/mesh/decimation/index_pool.h"
+#include "core/mesh/decimation/key_tournament.h"
+#include "core/mesh/decimation/link_condition.h"
+#include "core/mesh/decimation/star_points.h"
+#include "core/mesh/decimation/vertex_star.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tetra {
+
+/// A mesh on its way from the input to the coarsest, each tetrahedron with the removed points that are related to it
+/// and bounds on their errors and warpings. Judges and does collapses; which and when is the caller's choice.
+class DecimatedMesh {
+public:
+    static constexpr std::uint32_t none = CollapsibleMesh::none;
+
+    /// `mesh` must outlive this and be sound. May throw std::bad_alloc.
+    DecimatedMesh(const DecimationMesh& mesh, const DecimationOptions& options);
+
+    std::uint32_t vertexCount() const noexcept { return static_cast<std::uint32_t>(input_.positions.size()); }
+
+    /// A collapse and the largest key of the tetrahedra that it makes.
+    struct Candidate {
+        std::uint32_t target = none; ///< none: no collapse of the vertex is legal
+        float key = 0;
+        bool exists() const noexcept { return target != none; }
+    };
+    /// The legal collapse of a vertex that has the smallest key; among equals the target of the smallest number.
+    Candidate best(std::uint32_t vertex);
+
+    /// Does a collapse that best() named; nothing around the vertex has changed since.
+    void collapse(std::uint32_t vertex, std::uint32_t target);
+    /// The vertices around the one that was removed last: their stars have changed.
+    std::span<const std::uint32_t> touched() const noexcept { return touched_; }
+
+    /// The key of the whole mesh.
+    float key() const noexcept { return keys_.largest(); }
+    std::uint64_t evaluations() const noexcept { return evaluations_; }
+    std::uint64_t liveTetrahedra() const noexcept { return live_; }
+
+    const CollapseLog& log() const noexcept { return log_; }
+    std::vector<CollapseLog::Coarsest> coarsest() const;
+
+private:
+    /// What is known of a tetrahedron besides its geometry.
+    struct State {
+        IndexPool::List inside; ///< the removed points that it has
+        float insideError = 0;  ///< bound on their errors
+        float error = 0;        ///< its own: also on those of the points outside that are related to it
+        float warping = 0;      ///< its own
+        std::uint32_t madeBy = CollapseLog::none;
+    };
+
+    void findSides();
+    int handednessOfInput() const;
+    void findBoundary();
+    bool movesOnBoundary(std::uint32_t vertex) const { return !input_.box && sides_[vertex] != 0; }
+    bool mayMove(std::uint32_t vertex, std::uint32_t target) const;
+    double keyOfFacesAround() const;
+    Candidate bestOnBoundary();
+    void collapseOnBoundary(std::uint32_t vertex, std::uint32_t target);
+    void relateToBoundary();
+    void raiseOwn(std::uint32_t slot);
+    void setStar(std::uint32_t vertex);
+    void gatherPoints();
+    void setFan(std::uint32_t linkPlace);
+    bool inverts(std::uint32_t linkPlace) const;
+    void logStar();
+    void clearStates();
+    void giveOutPoints();
+    float keyOf(float error, float warping) const;
+
+    const DecimationMesh input_;
+    const DecimationOptions options_;
+    FanMeasure measure_;
+    CollapsibleMesh mesh_;
+    std::vector<State> states_; ///< by slot
+    IndexPool pool_;
+    KeyTournament keys_;
+    CollapseLog log_;
+    std::vector<std::uint8_t> sides_; ///< by vertex: the sides of the box that it lies on, or 1 on another boundary
+    BoundaryPoints boundaryPoints_;
+    int handedness_ = 1;
+    std::uint64_t evaluations_ = 0;
+    std::uint64_t live_ = 0;
+
+    VertexStar star_;
+    LinkCondition linkCondition_;
+    BoundaryJudge boundaryJudge_;
+    StarPoints points_;
+    ApexFan fan_;
+    std::vector<std::uint32_t> fanSlots_;
+    std::vector<std::uint32_t> touched_;
+    std::vector<CollapseLog::Tetrahedron> logged_;
+};
+
+} // namespace tetra

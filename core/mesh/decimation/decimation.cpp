@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/decimation/decimation.h"
+
+#include "core/mesh/decimation/collapse_orders.h"
+#include "core/mesh/decimation/decimated_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <string>
+
+namespace tetra {
+
+namespace {
+
+Error badInput(const std::string& text)
+{
+    return {ErrorKind::BadInput, "The mesh cannot be decimated: " + text};
+}
+
+Status checkSizes(const DecimationMesh& mesh)
+{
+    const std::size_t points = mesh.positions.size();
+    if (points >= 0xffffffff || mesh.tetrahedra.size() >= std::size_t(1) << 30)
+        return Error{
+            ErrorKind::OutOfResource,
+            "Meshes of more than 4294967294 points or 1073741823 tetrahedra cannot be decimated. Take a part."};
+    if (mesh.tetrahedra.empty())
+        return badInput("it has no tetrahedra.");
+    if (mesh.values.size() != points || (!mesh.lifted.empty() && mesh.lifted.size() != points) ||
+        (!mesh.weights.empty() && mesh.weights.size() != points))
+        return badInput("it has not one value, weight and place for each of its " + std::to_string(points) +
+                        " points.");
+    return {};
+}
+
+Status checkNumbers(const DecimationMesh& mesh)
+{
+    const auto finite = [](const Eigen::Vector3d& position) { return position.allFinite(); };
+    for (const auto& positions : {mesh.positions, mesh.lifted})
+        if (const auto bad = std::ranges::find_if_not(positions, finite); bad != positions.end())
+            return badInput("point " + std::to_string(bad - positions.begin()) + " has no finite place.");
+    if (const auto bad = std::ranges::find_if_not(mesh.values, [](double value) { return std::isfinite(value); });
+        bad != mesh.values.end())
+        return badInput("point " + std::to_string(bad - mesh.values.begin()) + " has no finite value.");
+    if (!std::ranges::all_of(mesh.weights, [](float weight) { return weight > 0 && weight <= 1; }))
+        return badInput("weights must be above 0 and at most 1.");
+    std::vector<bool> used(mesh.positions.size(), false);
+    for (const auto& tetrahedron : mesh.tetrahedra)
+        for (const std::uint32_t vertex : tetrahedron) {
+            if (vertex >= used.size())
+                return badInput("a tetrahedron has vertex " + std::to_string(vertex) + ", which does not exist.");
+            used[vertex] = true;
+        }
+    if (const auto alone = std::ranges::find(used, false); alone != used.end())
+        return badInput("point " + std::to_string(alone - used.begin()) + " is in no tetrahedron. Leave it out.");
+    return {};
+}
+
+Status checkOptions(const DecimationMesh& mesh, const DecimationOptions& options)
+{
+    const bool warps = !mesh.box || !mesh.lifted.empty();
+    if (!(options.warpingWeight >= 0) || !std::isfinite(options.warpingWeight) || (warps && options.warpingWeight == 0))
+        return Error{ErrorKind::WrongUsage, "The weight of the warping must be a positive number."};
+    if (!(options.stopKey >= 0))
+        return Error{ErrorKind::WrongUsage, "The error to stop at must not be negative."};
+    return {};
+}
+
+Result<DecimationResult> decimateSound(const DecimationMesh& mesh, const DecimationOptions& options, HistorySink& sink,
+                                       const Progress& progress)
+{
+    DecimatedMesh decimated(mesh, options);
+    if (Status status = decimateByExactError(decimated, options.stopKey, progress.part(0, .9)); !status)
+        return status.error();
+    const bool warps = !mesh.box || !mesh.lifted.empty();
+    if (Status status = sink.begin({.warpingWeight = warps ? options.warpingWeight : 0, .delaunay = false}); !status)
+        return status.error();
+    const auto pointCount = static_cast<std::uint32_t>(mesh.positions.size());
+    const CollapseLog& log = decimated.log();
+    const std::vector<CollapseLog::Coarsest> coarsest = decimated.coarsest();
+    if (Status status = log.emit(pointCount, coarsest, 0, sink, progress.part(.9, 1)); !status)
+        return status.error();
+    return DecimationResult{pointCount, pointCount - log.collapseCount(), log.tetrahedronCount() + coarsest.size(),
+                            decimated.evaluations()};
+}
+
+} // namespace
+
+Result<DecimationResult> decimate(const DecimationMesh& mesh, const DecimationOptions& options, HistorySink& sink,
+                                  const Progress& progress)
+{
+    for (const Status& status : {checkSizes(mesh), checkOptions(mesh, options)})
+        if (!status)
+            return status.error();
+    try {
+        if (Status status = checkNumbers(mesh); !status)
+            return status.error();
+        return decimateSound(mesh, options, sink, progress);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorKind::OutOfResource, "Not enough memory to decimate this mesh. Close other programs, use a "
+                                               "machine with more memory, or take a part of the data."};
+    }
+}
+
+std::uint64_t decimationBytes(std::uint64_t points, std::uint64_t tetrahedra)
+{
+    constexpr std::uint64_t bytesPerPoint = 700, bytesPerTetrahedron = 100;
+    return points * bytesPerPoint + tetrahedra * bytesPerTetrahedron;
+}
+
+} // namespace tetra

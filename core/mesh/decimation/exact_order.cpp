@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/decimation/collapse_orders.h"
+
+#include <queue>
+#include <tuple>
+#include <vector>
+
+namespace tetra {
+
+namespace {
+
+/// The best collapse of a vertex, when it was looked at.
+struct Entry {
+    float key;
+    std::uint32_t vertex;
+    std::uint32_t target;
+    std::uint32_t version;
+    bool operator<(const Entry& other) const { return std::tie(other.key, other.vertex) < std::tie(key, vertex); }
+};
+
+class ExactOrder {
+public:
+    ExactOrder(DecimatedMesh& mesh, double stopKey) : mesh_(mesh), stopKey_(stopKey), states_(mesh.vertexCount()) {}
+
+    Status run(const Progress& progress);
+
+private:
+    struct VertexState {
+        std::uint32_t version = 0; ///< of the vertex's newest entry
+        bool queued = false;       ///< whether that is in the queue
+        bool changed = false;      ///< whether something around the vertex has changed since it was made
+    };
+
+    void evaluate(std::uint32_t vertex);
+    void collapse(const Entry& entry);
+
+    DecimatedMesh& mesh_;
+    double stopKey_;
+    std::vector<VertexState> states_;
+    std::priority_queue<Entry> queue_;
+};
+
+void ExactOrder::evaluate(std::uint32_t vertex)
+{
+    const DecimatedMesh::Candidate candidate = mesh_.best(vertex);
+    VertexState& state = states_[vertex];
+    ++state.version;
+    state.changed = false;
+    state.queued = candidate.exists() && static_cast<double>(candidate.key) <= stopKey_;
+    if (state.queued)
+        queue_.push({candidate.key, vertex, candidate.target, state.version});
+}
+
+void ExactOrder::collapse(const Entry& entry)
+{
+    mesh_.collapse(entry.vertex, entry.target);
+    states_[entry.vertex].queued = false;
+    for (const std::uint32_t vertex : mesh_.touched()) {
+        VertexState& state = states_[vertex];
+        state.changed = true;
+        if (state.queued)
+            continue;
+        // What could not go may be able to now: its turn to be looked at comes at once.
+        state.queued = true;
+        queue_.push({entry.key, vertex, DecimatedMesh::none, ++state.version});
+    }
+}
+
+Status ExactOrder::run(const Progress& progress)
+{
+    constexpr std::uint32_t workBetweenReports = 1024;
+    const std::uint32_t vertices = mesh_.vertexCount();
+    for (std::uint32_t vertex = 0; vertex < vertices; ++vertex) {
+        if (vertex % workBetweenReports == 0) {
+            if (progress.cancelled())
+                return cancelledError("The decimation");
+            progress.report(.2 * vertex / vertices, "Judging the vertices");
+        }
+        evaluate(vertex);
+    }
+    std::uint32_t work = 0;
+    while (!queue_.empty()) {
+        if (++work % workBetweenReports == 0) {
+            if (progress.cancelled())
+                return cancelledError("The decimation");
+            progress.report(.2 + .8 * mesh_.log().collapseCount() / vertices, "Collapsing");
+        }
+        const Entry entry = queue_.top();
+        queue_.pop();
+        const VertexState& state = states_[entry.vertex];
+        if (state.version != entry.version || !state.queued)
+            continue;
+        if (state.changed)
+            evaluate(entry.vertex);
+        else
+            collapse(entry);
+    }
+    return {};
+}
+
+} // namespace
+
+Status decimateByExactError(DecimatedMesh& mesh, double stopKey, const Progress& progress)
+{
+    return ExactOrder(mesh, stopKey).run(progress);
+}
+
+} // namespace tetra
