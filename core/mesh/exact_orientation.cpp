@@ -65,6 +65,22 @@ int exactSign(const Point& a, const Point& b, const Point& c, const Point& d)
     return sum.sign();
 }
 
+/// Whether the subtraction rounded nothing.
+bool isExactDifference(double minuend, double subtrahend, double difference)
+{
+    const double part = minuend - difference;
+    return (minuend - (difference + part)) + (part - subtrahend) == 0;
+}
+
+bool areExactOffsets(const Point& from, const Point& to, const Point& offset)
+{
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (!isExactDifference(to[k], from[k], offset[k]))
+            return false;
+    }
+    return true;
+}
+
 } // namespace
 
 int orientationSign(const Point& a, const Point& b, const Point& c, const Point& d)
@@ -85,6 +101,14 @@ int orientationSign(const Point& a, const Point& b, const Point& c, const Point&
         return determinant > 0 ? 1 : -1;
     if (a == b || a == c || a == d || b == c || b == d || c == d)
         return 0;
+    if (magnitude == 0)
+        return 0; // a difference is zero only of equal numbers: the four lie in a plane across an axis
+    // Coordinates of single precision mostly have exact differences: a quarter of the products.
+    if (areExactOffsets(a, b, u) && areExactOffsets(a, c, v) && areExactOffsets(a, d, w)) {
+        ExactSum sum;
+        sum.addDeterminant(u, v, w, 1);
+        return sum.sign();
+    }
     return exactSign(a, b, c, d);
 }
 
