@@ -24,6 +24,8 @@ std::uint32_t initialSiteCount(const Model& model);
 /// The sites of the first mesh whose error is at most `asked`, in units of the values, found by looking at one after
 /// the other (S1).
 std::uint32_t firstPassage(const Model& model, double asked);
+/// The largest running key of a mesh that keeps both thresholds (S4), for values and points of this extent.
+double keyAsked(const Model& model, double extent, double diagonal, const Accuracy& asked);
 /// What the model claims of the mesh of its first sites.
 double claimedKey(const Model& model, std::uint32_t sites);
 
@@ -47,6 +49,10 @@ Status verifyHistory(const Model& model, const std::vector<LatticePoint>& places
 /// that reaches from one group to another of its batch or dies in the batch that made it. For a history whose indices
 /// can be followed.
 Status verifyGroups(const Model& model, std::vector<std::string>& failures, const Progress& progress);
+
+/// Of histories that are not Delaunay: the tetrahedra that a group makes stand on faces of those that it destroys and
+/// on no others, so that a closed set, which has those, has a mesh. For a history whose indices can be followed.
+Status verifyClosure(const Model& model, std::vector<std::string>& failures, const Progress& progress);
 
 /// One for each sample that its error is multiplied by (R6); empty if the model was built without.
 using Weights = std::vector<float>;
