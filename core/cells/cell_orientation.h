@@ -4,6 +4,7 @@
 #include "core/mesh/exact_orientation.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
 #include <cstdint>

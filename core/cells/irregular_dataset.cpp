@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cells/cell_complex.h"
 #include "core/cells/cut_cells.h"
+#include "core/cells/irregular_check.h"
 #include "core/cells/mending.h"
+#include "core/cells/pinch_mending.h"
 #include "core/cells/point_values.h"
 #include "core/cells/prepared_cells.h"
 #include "core/data/sample_buffer.h"
@@ -45,6 +47,19 @@ Result<CutCells> cut(const CellComplex& complex, PreparedCells& cells, Mending& 
         return result;
     mending = again;
     return cutCells(complex.positions, cells, mending, progress);
+}
+
+/// Without holes that the file has or that were made, parts that touch in an edge or a point are the mesh's own, and
+/// so is what would be taken away: no more than one in so many tetrahedra.
+constexpr std::uint64_t tetrahedraPerPinchingOne = 100;
+
+Status mendMesh(std::span<const Eigen::Vector3d> positions, CutCells& cut, Mending& mending, const Progress& progress)
+{
+    mending.duplicates = removeDuplicates(cut);
+    const bool holes = mending.blanked + mending.notFinite + mending.warped > 0;
+    const std::uint64_t count = cut.tetrahedra.size();
+    mending.pinching = removePinches(cut, holes ? count : count / tetrahedraPerPinchingOne, progress.part(0, 0.3));
+    return checkTetrahedra(positions, cut.tetrahedra, true, progress.part(0.3, 1));
 }
 
 /// Numbers the points that are used from 0, in their order. Returns which they were.
@@ -93,10 +108,12 @@ try {
         return cutting.error();
     if (const Status sound = checkWarped(complex, *cells, *cutting, mending); !sound)
         return sound.error();
-    const std::vector<double> all = pointValues(complex, values, *cells, *cutting, mending);
-    Tetrahedra tetrahedra = std::move(cutting->tetrahedra);
-    if (tetrahedra.empty())
+    if (cutting->tetrahedra.empty())
         return Error{ErrorKind::BadInput, "No cell of the mesh has a volume: nothing is left."};
+    const std::vector<double> all = pointValues(complex, values, *cells, *cutting, mending);
+    if (const Status sound = mendMesh(complex.positions, *cutting, mending, progress.part(0.5, 0.95)); !sound)
+        return sound.error();
+    Tetrahedra tetrahedra = std::move(cutting->tetrahedra);
 
     const std::vector<std::uint32_t> used = renumber(tetrahedra, complex.positions.size());
     std::vector<double> usedValues(used.size());

@@ -47,7 +47,7 @@ std::vector<std::string> mendingRemarks(const Mending& mending)
     remarks.add(mending.duplicates, "tetrahedron was", "tetrahedra were", " there twice.");
     remarks.add(mending.pinching, "tetrahedron was", "tetrahedra were",
                 " left out where parts of the mesh touched in an edge or a point only.");
-    remarks.add(mending.unused, "point is", "points are", " not part of any cell and was left out.");
+    remarks.add(mending.unused, "point is", "points are", " of no cell: left out.");
     return std::move(remarks.sentences);
 }
 
