@@ -15,7 +15,7 @@ struct FormatEntry {
 };
 
 /// Names that other readers claim too have a score that leaves those the first choice.
-constexpr std::array<FormatEntry, 18> formats = {{
+constexpr std::array<FormatEntry, 17> formats = {{
     {VtkFormat::Xml, "VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)", 0.9},
     {VtkFormat::Legacy, "VTK legacy (*.vtk)", 0.9},
     {VtkFormat::Hdf, "VTK HDF (*.vtkhdf *.hdf)", 0.6},
@@ -28,7 +28,6 @@ constexpr std::array<FormatEntry, 18> formats = {{
     {VtkFormat::Mrc, "MRC electron microscopy (*.mrc *.ccp4)", 0.8},
     {VtkFormat::Tiff, "TIFF stack (*.tif *.tiff)", 0.6},
     {VtkFormat::Dicom, "DICOM series (*.dcm *.dicom)", 0.6},
-    {VtkFormat::Ucd, "AVS UCD (*.inp)", 0.5},
     {VtkFormat::Plot3d, "PLOT3D, also text (*.xyz *.x *.g *.p3d *.q)", 0.15},
     {VtkFormat::Gambit, "GAMBIT (*.neu)", 0.8},
     {VtkFormat::Fluent, "Fluent (*.cas)", 0.8},
@@ -83,16 +82,34 @@ VtkFormat bySignature(std::string_view bytes)
     return isTiff(bytes) ? VtkFormat::Tiff : VtkFormat::None;
 }
 
+/// Whether a file begins as a PLOT3D text does: numbers alone, first one or three whole ones in a line. (Tables of
+/// points have four in each; chemical structures have names in the third line.)
+bool isPlot3dText(std::string_view bytes)
+{
+    constexpr std::string_view whole = "0123456789";
+    constexpr std::string_view blank = " \t\r\n";
+    if (bytes.find_first_not_of("0123456789+-.eEdD \t\r\n") != std::string_view::npos)
+        return false;
+    std::string_view line = bytes.substr(0, bytes.find('\n'));
+    int words = 0;
+    for (; line.find_first_not_of(blank) != std::string_view::npos; ++words) {
+        line.remove_prefix(line.find_first_not_of(blank));
+        const std::string_view word = line.substr(0, line.find_first_of(blank));
+        if (word.find_first_not_of(whole) != std::string_view::npos)
+            return false;
+        line.remove_prefix(word.size());
+    }
+    return words == 1 || words == 3;
+}
+
 /// Whether the name alone would send a file to a reader for which its beginning is nothing.
 bool isOutOfQuestion(VtkFormat format, std::string_view bytes)
 {
     const bool isNetCdf = hasAt(bytes, 0, "CDF") || hasAt(bytes, 0, "\x89HDF");
-    const bool isBinary = bytes.find('\0') != std::string_view::npos;
     switch (format) {
     case VtkFormat::Exodus:
     case VtkFormat::NetCdf: return !isNetCdf;
     case VtkFormat::Hdf: return !hasAt(bytes, 0, "\x89HDF");
-    case VtkFormat::Ucd: return isBinary;
     default: return false;
     }
 }
@@ -108,6 +125,8 @@ VtkGuess guessVtkFormat(const std::filesystem::path& path, std::span<const std::
     const auto entry = std::ranges::find_if(formats, [&](const FormatEntry& e) { return fitsFilter(name, e.filter); });
     if (entry == formats.end())
         return {};
+    if (entry->format == VtkFormat::Plot3d && isPlot3dText(bytes))
+        return {entry->format, 0.85};
     return {entry->format, isOutOfQuestion(entry->format, bytes) ? entry->byName / 4 : entry->byName};
 }
 

@@ -25,7 +25,6 @@ enum class VtkFormat : std::uint8_t {
     Mrc,
     Tiff,
     Dicom,
-    Ucd,
     Plot3d,
     Gambit,
     Fluent,

@@ -10,8 +10,10 @@
 #include <vtkInformationVector.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredDataReader.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace tetra {
 namespace {
@@ -44,7 +46,7 @@ void addGrid(vtkDataSet& data, FileContents& contents)
     }
 }
 
-/// The fields of points or cells that the information names, with the number of elements; false if it names none.
+/// The fields of points or cells that the information names; false if one has no name.
 bool addFields(vtkInformation& information, vtkInformationInformationVectorKey* key, bool perCell,
                FileContents& contents)
 {
@@ -58,9 +60,6 @@ bool addFields(vtkInformation& information, vtkInformationInformationVectorKey* 
             array.components = entry.Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS());
         if (const double* range = entry.Get(vtkDataObject::FIELD_RANGE()); range != nullptr && array.components == 1)
             array.range = ValueRange{range[0], range[1]};
-        if (entry.Has(vtkDataObject::FIELD_NUMBER_OF_TUPLES()) != 0)
-            (perCell ? contents.cells : contents.points) =
-                static_cast<std::uint64_t>(entry.Get(vtkDataObject::FIELD_NUMBER_OF_TUPLES()));
         contents.arrays.push_back(std::move(array));
     }
     return true;
@@ -88,6 +87,16 @@ bool addExtent(vtkInformation& information, FileContents& contents)
     return true;
 }
 
+void addCounts(vtkAlgorithm& reader, FileContents& contents)
+{
+    auto* xml = vtkXMLUnstructuredDataReader::SafeDownCast(&reader);
+    if (xml == nullptr)
+        return;
+    xml->SetupUpdateExtent(0, 1, 0);
+    contents.points = static_cast<std::uint64_t>(std::max<vtkIdType>(0, xml->GetNumberOfPoints()));
+    contents.cells = static_cast<std::uint64_t>(std::max<vtkIdType>(0, xml->GetNumberOfCells()));
+}
+
 } // namespace
 
 std::optional<FileContents> contentsFromInformation(vtkAlgorithm& reader)
@@ -107,6 +116,7 @@ std::optional<FileContents> contentsFromInformation(vtkAlgorithm& reader)
             return std::nullopt;
     } else if (type == VTK_UNSTRUCTURED_GRID || type == VTK_POLY_DATA) {
         contents.domain = type == VTK_POLY_DATA ? DomainClass::Scattered : DomainClass::Irregular;
+        addCounts(reader, contents);
     } else {
         return std::nullopt;
     }

@@ -3,7 +3,6 @@
 
 #include "plugins/readers/vtk/helper/plot3d_source.h"
 
-#include <vtkAVSucdReader.h>
 #include <vtkCGNSReader.h>
 #include <vtkExodusIIReader.h>
 #include <vtkFLUENTReader.h>
@@ -109,7 +108,6 @@ Result<VtkSource> makeMeshSource(const VtkRequest& request)
     case VtkFormat::EnSight: return enSightSource(request.path);
     case VtkFormat::NetCdf: return netCdfSource(request);
     case VtkFormat::Cgns: return cgnsSource(request.path);
-    case VtkFormat::Ucd: return plainSource<vtkAVSucdReader>(request.path);
     case VtkFormat::Gambit: return plainSource<vtkGAMBITReader>(request.path);
     case VtkFormat::Fluent: return plainSource<vtkFLUENTReader>(request.path);
     case VtkFormat::OpenFoam: return openFoamSource(request.path);
