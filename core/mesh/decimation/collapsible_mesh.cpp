@@ -14,10 +14,22 @@ CollapsibleMesh::CollapsibleMesh(std::uint32_t vertexCount, std::span<const std:
         tetrahedron.vertices = tetrahedra[slot];
         for (std::size_t i = 0; i < 4; ++i) {
             const std::uint32_t neighbour = adjacency.neighbours[slot][i];
-            tetrahedron.neighbours[i] = neighbour == FaceAdjacency::none ? none : FaceAdjacency::cellOf(neighbour);
+            if (neighbour == FaceAdjacency::none) {
+                tetrahedron.neighbours[i] = firstTriangle + triangleCount();
+                slotOfTriangle_.push_back(slot);
+            } else {
+                tetrahedron.neighbours[i] = FaceAdjacency::cellOf(neighbour);
+            }
             slotOfVertex_[tetrahedron.vertices[i]] = slot;
         }
     }
+}
+
+std::array<std::uint32_t, 3> CollapsibleMesh::cornersOf(std::uint32_t triangle) const noexcept
+{
+    const Tetrahedron& tetrahedron = tetrahedra_[slotOfTriangle(triangle)];
+    const auto& corners = cornersOfFace[indexOf(tetrahedron.neighbours, triangle)];
+    return {tetrahedron.vertices[corners[0]], tetrahedron.vertices[corners[1]], tetrahedron.vertices[corners[2]]};
 }
 
 void CollapsibleMesh::findStar(std::uint32_t vertex, std::vector<std::uint32_t>& star) const
@@ -36,7 +48,7 @@ void CollapsibleMesh::findStar(std::uint32_t vertex, std::vector<std::uint32_t>&
         const Tetrahedron& tetrahedron = tetrahedra_[star[next]];
         const std::size_t own = indexOf(tetrahedron.vertices, vertex);
         for (std::size_t i = 0; i < 4; ++i)
-            if (i != own && tetrahedron.neighbours[i] != none)
+            if (i != own && !isTriangle(tetrahedron.neighbours[i]))
                 add(tetrahedron.neighbours[i]);
     }
 }
@@ -66,14 +78,16 @@ void CollapsibleMesh::joinAcross(std::uint32_t slot, std::uint32_t vertex, std::
     replaceNeighbour(ofVertex, slot, ofTarget);
     for (const std::uint32_t corner : gone.vertices)
         if (slotOfVertex_[corner] == slot && corner != vertex)
-            slotOfVertex_[corner] = ofTarget != none ? ofTarget : ofVertex;
+            slotOfVertex_[corner] = isTriangle(ofTarget) ? ofVertex : ofTarget;
     tetrahedra_[slot].vertices.fill(none);
 }
 
 void CollapsibleMesh::replaceNeighbour(std::uint32_t slot, std::uint32_t before, std::uint32_t after)
 {
-    if (slot == none)
+    if (isTriangle(slot)) {
+        slotOfTriangle_[slot - firstTriangle] = after;
         return;
+    }
     auto& neighbours = tetrahedra_[slot].neighbours;
     neighbours[indexOf(neighbours, before)] = after;
 }

@@ -13,10 +13,13 @@ namespace tetra {
 class CollapsibleMesh {
 public:
     static constexpr std::uint32_t none = 0xffffffff;
+    /// Numbers of boundary triangles begin here, numbers of slots end before.
+    static constexpr std::uint32_t firstTriangle = 0x80000000;
+    static constexpr bool isTriangle(std::uint32_t neighbour) noexcept { return neighbour >= firstTriangle; }
 
     struct Tetrahedron {
         std::array<std::uint32_t, 4> vertices{};   ///< positive; the first is none where the slot is empty
-        std::array<std::uint32_t, 4> neighbours{}; ///< slots, each opposite to the vertex; none on the boundary
+        std::array<std::uint32_t, 4> neighbours{}; ///< slots or boundary triangles, each opposite to the vertex
     };
 
     /// `tetrahedra` conform, fewer than 2^30. May throw std::bad_alloc.
@@ -25,6 +28,15 @@ public:
     const Tetrahedron& operator[](std::uint32_t slot) const noexcept { return tetrahedra_[slot]; }
     std::uint32_t slotCount() const noexcept { return static_cast<std::uint32_t>(tetrahedra_.size()); }
     bool alive(std::uint32_t slot) const noexcept { return tetrahedra_[slot].vertices[0] != none; }
+    /// Boundary triangles that ever were: they keep their numbers when a vertex of theirs moves.
+    std::uint32_t triangleCount() const noexcept { return static_cast<std::uint32_t>(slotOfTriangle_.size()); }
+    /// The tetrahedron that has a boundary triangle now.
+    std::uint32_t slotOfTriangle(std::uint32_t triangle) const noexcept
+    {
+        return slotOfTriangle_[triangle - firstTriangle];
+    }
+    /// The corners of a boundary triangle, counterclockwise from outside.
+    std::array<std::uint32_t, 3> cornersOf(std::uint32_t triangle) const noexcept;
     /// A tetrahedron of the vertex, or none.
     std::uint32_t slotOf(std::uint32_t vertex) const noexcept { return slotOfVertex_[vertex]; }
 
@@ -41,6 +53,7 @@ private:
 
     std::vector<Tetrahedron> tetrahedra_;
     std::vector<std::uint32_t> slotOfVertex_;
+    std::vector<std::uint32_t> slotOfTriangle_;
     mutable std::vector<std::uint32_t> placeInStar_; ///< by slot; valid if the star has the slot there
 };
 

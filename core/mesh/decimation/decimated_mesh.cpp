@@ -7,10 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace tetra {
 
 namespace {
+
+/// Marks of vertices of irregular meshes.
+constexpr std::uint8_t onBoundary = 1, locked = 0xff;
 
 std::array<double, 3> arrayOf(const Eigen::Vector3d& vector)
 {
@@ -48,12 +52,15 @@ bool exactVolumes(std::span<const Eigen::Vector3d> positions)
 
 DecimatedMesh::DecimatedMesh(const DecimationMesh& mesh, const DecimationOptions& options)
     : input_(mesh), options_(options), mesh_(vertexCount(), mesh.tetrahedra), states_(mesh_.slotCount()),
-      keys_(mesh_.slotCount()), live_(mesh_.slotCount()), star_(mesh.positions, exactVolumes(mesh.positions))
+      keys_(mesh_.slotCount()), boundaryPoints_(mesh_.triangleCount()), live_(mesh_.slotCount()),
+      star_(mesh.positions, exactVolumes(mesh.positions)), boundaryJudge_(input_, measure_)
 {
     double largestValue = 0;
     for (const double value : input_.values)
         largestValue = std::max(largestValue, std::abs(value));
-    measure_ = {roundingOf(largestValue), roundingOf(2 * largestCoordinate(input_.lifted)), options.warpingWeight};
+    measure_ = {roundingOf(largestValue),
+                roundingOf(2 * largestCoordinate(input_.box ? input_.lifted : input_.positions)),
+                options.warpingWeight};
     handedness_ = handednessOfInput();
     findSides();
 }
@@ -62,11 +69,7 @@ void DecimatedMesh::findSides()
 {
     sides_.resize(vertexCount(), 0);
     if (!input_.box) {
-        for (std::uint32_t slot = 0; slot < mesh_.slotCount(); ++slot)
-            for (std::size_t face = 0; face < 4; ++face)
-                if (mesh_[slot].neighbours[face] == none)
-                    for (std::size_t i = 1; i < 4; ++i)
-                        sides_[mesh_[slot].vertices[(face + i) % 4]] = 1;
+        findBoundary();
         return;
     }
     Eigen::Vector3d least = input_.positions.front(), greatest = least;
@@ -80,6 +83,26 @@ void DecimatedMesh::findSides()
             const int bits = (coordinate == least[axis] ? 1 : 0) | (coordinate == greatest[axis] ? 2 : 0);
             sides_[vertex] = static_cast<std::uint8_t>(sides_[vertex] | bits << 2 * axis);
         }
+}
+
+/// Marks the vertices of an irregular boundary. Where that is no surface, they stay; so does, for want of a meaning of
+/// its warping in two spaces, that of a grid with holes.
+void DecimatedMesh::findBoundary()
+{
+    std::vector<std::uint32_t> tetrahedraOfVertex(vertexCount(), 0);
+    for (const auto& vertices : input_.tetrahedra)
+        for (const std::uint32_t vertex : vertices)
+            ++tetrahedraOfVertex[vertex];
+    for (std::uint32_t triangle = 0; triangle < mesh_.triangleCount(); ++triangle)
+        for (const std::uint32_t corner : mesh_.cornersOf(CollapsibleMesh::firstTriangle + triangle))
+            sides_[corner] = onBoundary;
+    for (std::uint32_t vertex = 0; vertex < vertexCount(); ++vertex) {
+        if (sides_[vertex] == 0)
+            continue;
+        star_.set(mesh_, vertex);
+        if (!input_.lifted.empty() || star_.slots().size() != tetrahedraOfVertex[vertex] || !star_.rimIsOneCycle())
+            sides_[vertex] = locked;
+    }
 }
 
 /// 1 if most tetrahedra are positive in physical space, else -1 (S5).
@@ -96,7 +119,7 @@ int DecimatedMesh::handednessOfInput() const
 /// Whether the boundary allows it: in a box vertices stay on their sides.
 bool DecimatedMesh::mayMove(std::uint32_t vertex, std::uint32_t target) const
 {
-    return input_.box ? (sides_[vertex] & ~sides_[target]) == 0 : sides_[vertex] == 0;
+    return !input_.box || (sides_[vertex] & ~sides_[target]) == 0;
 }
 
 float DecimatedMesh::keyOf(float error, float warping) const
@@ -188,7 +211,11 @@ bool DecimatedMesh::inverts(std::uint32_t linkPlace) const
 
 DecimatedMesh::Candidate DecimatedMesh::best(std::uint32_t vertex)
 {
+    if (sides_[vertex] == locked)
+        return {};
     setStar(vertex);
+    if (movesOnBoundary(vertex))
+        return bestOnBoundary();
     double least = std::numeric_limits<double>::infinity();
     std::uint32_t target = none;
     const auto link = star_.link();
@@ -203,7 +230,7 @@ DecimatedMesh::Candidate DecimatedMesh::best(std::uint32_t vertex)
         least = key;
         target = link[place];
     }
-    return {target, target == none ? 0 : roundedUp(least)};
+    return {target, target == none ? 0 : roundedUp(std::max(least, keyOfFacesAround()))};
 }
 
 void DecimatedMesh::collapse(std::uint32_t vertex, std::uint32_t target)
@@ -212,11 +239,18 @@ void DecimatedMesh::collapse(std::uint32_t vertex, std::uint32_t target)
         setStar(vertex);
     const auto link = star_.link();
     setFan(static_cast<std::uint32_t>(std::ranges::find(link, target) - link.begin()));
-    evaluateFan(fan_, measure_, std::numeric_limits<double>::infinity(), points_);
     touched_.assign(link.begin(), link.end());
     logStar();
-    mesh_.collapse(vertex, target, star_.slots());
-    giveOutPoints();
+    if (movesOnBoundary(vertex)) {
+        collapseOnBoundary(vertex, target);
+    } else {
+        evaluateFan(fan_, measure_, std::numeric_limits<double>::infinity(), points_);
+        mesh_.collapse(vertex, target, star_.slots());
+        clearStates();
+        giveOutPoints();
+    }
+    for (const std::uint32_t slot : fanSlots_)
+        raiseOwn(slot);
     live_ -= star_.slots().size() - fanSlots_.size();
     log_.add(vertex, key(), logged_);
 }
@@ -236,13 +270,19 @@ void DecimatedMesh::logStar()
     }
 }
 
-/// Gives the points of the star to the tetrahedra of the fan, as they were evaluated.
-void DecimatedMesh::giveOutPoints()
+void DecimatedMesh::clearStates()
 {
     for (const std::uint32_t slot : star_.slots()) {
         pool_.release(states_[slot].inside);
-        states_[slot] = {{}, 0, 0, log_.collapseCount()};
+        states_[slot] = {};
+        states_[slot].madeBy = log_.collapseCount();
+        keys_.set(slot, 0);
     }
+}
+
+/// Gives the points of the star to the tetrahedra of the fan, as they were evaluated.
+void DecimatedMesh::giveOutPoints()
+{
     for (std::size_t i = 0; i < points_.count(); ++i)
         ++states_[fanSlots_[points_.owner[i]]].inside.count;
     for (const std::uint32_t slot : fanSlots_)
@@ -251,12 +291,24 @@ void DecimatedMesh::giveOutPoints()
         State& state = states_[fanSlots_[points_.owner[i]]];
         ++state.inside.count;
         pool_[state.inside].back() = points_.points[i];
-        state.error = std::max(state.error, roundedUp(points_.error[i]));
+        state.insideError = std::max(state.insideError, roundedUp(points_.error[i]));
         if (!points_.warping.empty())
             state.warping = std::max(state.warping, roundedUp(points_.warping[i]));
     }
-    for (const std::uint32_t slot : star_.slots())
-        keys_.set(slot, keyOf(states_[slot].error, states_[slot].warping));
+}
+
+/// Brings a tetrahedron's own error and warping up to what is related to it.
+void DecimatedMesh::raiseOwn(std::uint32_t slot)
+{
+    State& state = states_[slot];
+    state.error = std::max(state.error, state.insideError);
+    if (!input_.box)
+        for (const std::uint32_t neighbour : mesh_[slot].neighbours)
+            if (CollapsibleMesh::isTriangle(neighbour)) {
+                state.error = std::max(state.error, boundaryPoints_[neighbour].error);
+                state.warping = std::max(state.warping, boundaryPoints_[neighbour].warping);
+            }
+    keys_.set(slot, keyOf(state.error, state.warping));
 }
 
 std::vector<CollapseLog::Coarsest> DecimatedMesh::coarsest() const

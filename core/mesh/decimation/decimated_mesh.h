@@ -2,11 +2,14 @@
 #pragma once
 
 #include "core/mesh/decimation/apex_fan.h"
+#include "core/mesh/decimation/boundary_judge.h"
+#include "core/mesh/decimation/boundary_points.h"
 #include "core/mesh/decimation/collapse_log.h"
 #include "core/mesh/decimation/collapsible_mesh.h"
 #include "core/mesh/decimation/decimation.h"
 #include "core/mesh/decimation/index_pool.h"
 #include "core/mesh/decimation/key_tournament.h"
+#include "core/mesh/decimation/link_condition.h"
 #include "core/mesh/decimation/star_points.h"
 #include "core/mesh/decimation/vertex_star.h"
 
@@ -53,19 +56,28 @@ private:
     /// What is known of a tetrahedron besides its geometry.
     struct State {
         IndexPool::List inside; ///< the removed points that it has
-        float error = 0;
-        float warping = 0;
+        float insideError = 0;  ///< bound on their errors
+        float error = 0;        ///< its own: also on those of the points outside that are related to it
+        float warping = 0;      ///< its own
         std::uint32_t madeBy = CollapseLog::none;
     };
 
     void findSides();
     int handednessOfInput() const;
+    void findBoundary();
+    bool movesOnBoundary(std::uint32_t vertex) const { return !input_.box && sides_[vertex] != 0; }
     bool mayMove(std::uint32_t vertex, std::uint32_t target) const;
+    double keyOfFacesAround() const;
+    Candidate bestOnBoundary();
+    void collapseOnBoundary(std::uint32_t vertex, std::uint32_t target);
+    void relateToBoundary();
+    void raiseOwn(std::uint32_t slot);
     void setStar(std::uint32_t vertex);
     void gatherPoints();
     void setFan(std::uint32_t linkPlace);
     bool inverts(std::uint32_t linkPlace) const;
     void logStar();
+    void clearStates();
     void giveOutPoints();
     float keyOf(float error, float warping) const;
 
@@ -77,12 +89,15 @@ private:
     IndexPool pool_;
     KeyTournament keys_;
     CollapseLog log_;
-    std::vector<std::uint8_t> sides_; ///< by vertex: the sides of the box that it lies on, or 1 on a boundary
+    std::vector<std::uint8_t> sides_; ///< by vertex: the sides of the box that it lies on, or 1 on another boundary
+    BoundaryPoints boundaryPoints_;
     int handedness_ = 1;
     std::uint64_t evaluations_ = 0;
     std::uint64_t live_ = 0;
 
     VertexStar star_;
+    LinkCondition linkCondition_;
+    BoundaryJudge boundaryJudge_;
     StarPoints points_;
     ApexFan fan_;
     std::vector<std::uint32_t> fanSlots_;

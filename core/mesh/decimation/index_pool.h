@@ -47,6 +47,25 @@ public:
         return {place, count};
     }
 
+    /// The list with more at its end; it may have moved. May throw std::bad_alloc.
+    List appended(List list, std::span<const std::uint32_t> more)
+    {
+        const List longer = allocate(list.count + static_cast<std::uint32_t>(more.size()));
+        std::ranges::copy((*this)[list], (*this)[longer].begin());
+        std::ranges::copy(more, (*this)[longer].begin() + list.count);
+        release(list);
+        return longer;
+    }
+
+    /// The list without its last number. May throw std::bad_alloc.
+    List shortened(List list)
+    {
+        const List shorter = allocate(list.count - 1);
+        std::ranges::copy((*this)[list].first(shorter.count), (*this)[shorter].begin());
+        release(list);
+        return shorter;
+    }
+
     void release(List list)
     {
         if (list.count > 0)

@@ -18,15 +18,52 @@ void VertexStar::set(const CollapsibleMesh& mesh, std::uint32_t vertex)
     faces_.clear();
     places_.clear();
     planes_.clear();
+    rim_.clear();
     for (const std::uint32_t slot : slots_) {
         // An even permutation brings the vertex to the front.
         constexpr std::uint8_t order[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
         const auto& vertices = mesh[slot].vertices;
-        const auto& others = order[indexOf(vertices, vertex)];
+        const std::size_t own = indexOf(vertices, vertex);
+        const auto& others = order[own];
         faces_.push_back(
             {linkPlaceOf(vertices[others[0]]), linkPlaceOf(vertices[others[1]]), linkPlaceOf(vertices[others[2]])});
         planes_.push_back(planeOf(faces_.back()));
+        addRim(mesh[slot], own);
     }
+}
+
+/// The boundary triangles among the faces of the tetrahedron met last that have the vertex.
+void VertexStar::addRim(const CollapsibleMesh::Tetrahedron& tetrahedron, std::size_t own)
+{
+    for (std::size_t face = 0; face < 4; ++face) {
+        if (face == own || !CollapsibleMesh::isTriangle(tetrahedron.neighbours[face]))
+            continue;
+        const auto& [a, b, c] = faces_.back();
+        // Of (vertex, a, b, c) the faces (vertex, c, b), (vertex, a, c) and (vertex, b, a) look outwards.
+        const std::uint32_t opposite = linkPlaceOf(tetrahedron.vertices[face]);
+        rim_.push_back({tetrahedron.neighbours[face], static_cast<std::uint32_t>(faces_.size() - 1),
+                        opposite == a   ? std::array{c, b}
+                        : opposite == b ? std::array{a, c}
+                                        : std::array{b, a}});
+    }
+}
+
+bool VertexStar::rimIsOneCycle() const
+{
+    if (rim_.empty())
+        return false;
+    std::vector<std::uint32_t> next(link_.size(), CollapsibleMesh::none);
+    for (const RimTriangle& triangle : rim_) {
+        if (next[triangle.corners[0]] != CollapsibleMesh::none)
+            return false;
+        next[triangle.corners[0]] = triangle.corners[1];
+    }
+    std::size_t length = 1;
+    const std::uint32_t first = rim_.front().corners[0];
+    std::uint32_t at = next[first];
+    for (; at != first && at != CollapsibleMesh::none && length <= rim_.size(); ++length)
+        at = next[at];
+    return at == first && length == rim_.size();
 }
 
 std::uint32_t VertexStar::linkPlaceOf(std::uint32_t vertex)

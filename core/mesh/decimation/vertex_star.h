@@ -28,6 +28,15 @@ public:
     std::span<const std::uint32_t> link() const noexcept { return link_; }
     /// The faces opposite to the vertex, one a slot, as places in link(); (vertex, face) is positive.
     std::span<const std::array<std::uint32_t, 3>> faces() const noexcept { return faces_; }
+    /// A boundary triangle of the vertex: its face of slots()[slotPlace] has two more corners, places in link().
+    struct RimTriangle {
+        std::uint32_t triangle;
+        std::uint32_t slotPlace;
+        std::array<std::uint32_t, 2> corners; ///< (vertex, corners) is counterclockwise from outside
+    };
+    std::span<const RimTriangle> rim() const noexcept { return rim_; }
+    /// Whether the boundary around the vertex is a disk: what collapses of it need.
+    bool rimIsOneCycle() const;
     const std::array<double, 3>& place(std::uint32_t linkPlace) const noexcept { return places_[linkPlace]; }
 
     /// Whether all tetrahedra that a collapse onto a vertex of the link makes have a volume that is positive beyond
@@ -47,6 +56,7 @@ private:
         std::array<double, 3> magnitude{}; ///< of the normal's terms
         double offsetMagnitude = 0;
     };
+    void addRim(const CollapsibleMesh::Tetrahedron& tetrahedron, std::size_t own);
     std::uint32_t linkPlaceOf(std::uint32_t vertex);
     Plane planeOf(const std::array<std::uint32_t, 3>& face) const;
 
@@ -56,6 +66,7 @@ private:
     std::vector<std::uint32_t> slots_;
     std::vector<std::uint32_t> link_;
     std::vector<std::array<std::uint32_t, 3>> faces_;
+    std::vector<RimTriangle> rim_;
     std::vector<std::array<double, 3>> places_;
     std::vector<Plane> planes_;
     std::vector<std::uint32_t> placeInLink_; ///< by vertex; valid if the link has the vertex there

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/decimation/boundary_judge.h"
+
+#include "core/mesh/decimation/nearest_place.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetra {
+
+namespace {
+
+/// How far outside of a tetrahedron, as a share of it, a place may seem by rounding.
+constexpr double insideTolerance = 1e-11;
+
+} // namespace
+
+void BoundaryJudge::set(const CollapsibleMesh& mesh, const VertexStar& star, std::span<const std::uint32_t> inside,
+                        const BoundaryPoints& relations)
+{
+    vertex_ = star.vertex();
+    findRing(mesh, star);
+    points_.clear();
+    ofBoundary_.clear();
+    for (const std::uint32_t point : inside)
+        addPoint(point, none, false, points_);
+    addPoint(vertex_, none, false, ofBoundary_);
+    for (const VertexStar::RimTriangle& rim : star.rim()) {
+        for (const std::uint32_t point : relations.outside(rim.triangle))
+            addPoint(point, rim.triangle, false, points_);
+        for (const std::uint32_t point : relations.ofBoundary(rim.triangle))
+            addPoint(point, rim.triangle, false, ofBoundary_);
+    }
+    for (const Triangle& triangle : ring_)
+        for (const std::uint32_t point : relations.outside(triangle.number)) {
+            addPoint(point, triangle.number, true, points_);
+            approach(triangle, points_.back().place, points_.back().onRing);
+            points_.back().ringKnown = true;
+        }
+}
+
+/// The boundary triangles that share a vertex with those of the star's vertex.
+void BoundaryJudge::findRing(const CollapsibleMesh& mesh, const VertexStar& star)
+{
+    ring_.clear();
+    for (const VertexStar::RimTriangle& rim : star.rim()) {
+        // Each vertex around is once the first corner.
+        mesh.findStar(star.link()[rim.corners[0]], star_);
+        for (const std::uint32_t slot : star_)
+            for (const std::uint32_t neighbour : mesh[slot].neighbours) {
+                if (!CollapsibleMesh::isTriangle(neighbour))
+                    continue;
+                const auto corners = mesh.cornersOf(neighbour);
+                if (std::ranges::find(corners, star.link()[rim.corners[0]]) != corners.end() &&
+                    std::ranges::find(corners, vertex_) == corners.end())
+                    ring_.push_back({neighbour, corners});
+            }
+    }
+    std::ranges::sort(ring_, {}, &Triangle::number);
+    const auto surplus = std::ranges::unique(ring_, {}, &Triangle::number);
+    ring_.erase(surplus.begin(), surplus.end());
+}
+
+void BoundaryJudge::addPoint(std::uint32_t point, std::uint32_t triangleBefore, bool ofRing, std::vector<Point>& to)
+{
+    to.push_back({point, triangleBefore, ofRing, {}, placeOf(point)});
+}
+
+BoundaryJudge::Vector BoundaryJudge::placeOf(std::uint32_t vertex) const
+{
+    const Eigen::Vector3d place = input_.positions[vertex] - input_.positions[vertex_];
+    return {place.x(), place.y(), place.z()};
+}
+
+/// Takes the triangle, if it is nearer.
+void BoundaryJudge::approach(const Triangle& triangle, const Vector& place, Nearest& nearest) const
+{
+    std::array<Vector, 3> corners{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vector corner = placeOf(triangle.corners[i]);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            corners[i][axis] = corner[axis] - place[axis];
+    }
+    const auto weights = nearestWeights(corners);
+    double squaredDistance = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double away =
+            weights[0] * corners[0][axis] + weights[1] * corners[1][axis] + weights[2] * corners[2][axis];
+        squaredDistance += away * away;
+    }
+    if (squaredDistance >= nearest.squaredDistance)
+        return;
+    nearest = {squaredDistance, 0, triangle.number};
+    for (std::size_t i = 0; i < 3; ++i)
+        nearest.value += weights[i] * input_.values[triangle.corners[i]];
+}
+
+const BoundaryJudge::Nearest& BoundaryJudge::onRing(Point& point) const
+{
+    if (!point.ringKnown)
+        for (const Triangle& triangle : ring_)
+            approach(triangle, point.place, point.onRing);
+    point.ringKnown = true;
+    return point.onRing;
+}
+
+BoundaryJudge::Nearest BoundaryJudge::nearest(Point& point) const
+{
+    Nearest nearest = onRing(point);
+    for (const Triangle& triangle : fresh_)
+        approach(triangle, point.place, nearest);
+    return nearest;
+}
+
+double BoundaryJudge::judgeError(Point& point, const ApexFan& fan)
+{
+    Vector place{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        place[axis] = point.place[axis] - fan.apex[axis];
+    const auto dot = [&](const Vector& row) { return row[0] * place[0] + row[1] * place[1] + row[2] * place[2]; };
+    double deepest = -insideTolerance;
+    Error error{point.point, point.triangleBefore, none, none, 0};
+    for (std::size_t i = 0; i < fan.weights.size(); ++i) {
+        const auto& [a, b, c] = fan.weights[i];
+        const double first = dot(a), second = dot(b), third = dot(c);
+        const double depth = std::min({first, second, third, 1 - first - second - third});
+        if (depth > deepest) {
+            deepest = depth;
+            error.inFan = static_cast<std::uint32_t>(i);
+        }
+    }
+    double interpolated = 0;
+    if (error.inFan != none) {
+        interpolated = fan.apexValue + dot(fan.gradients[error.inFan]);
+    } else {
+        const Nearest projection = nearest(point);
+        if (point.ofRing && projection.triangle == point.triangleBefore)
+            return 0;
+        interpolated = projection.value;
+        error.triangle = projection.triangle;
+    }
+    const double residual = std::abs(input_.values[point.point] - interpolated);
+    error.error = residual > measure_.leastError ? weight(point.point) * residual : 0;
+    errors_.push_back(error);
+    return error.error;
+}
+
+double BoundaryJudge::judgeWarping(Point& point)
+{
+    const Nearest projection = nearest(point);
+    const double distance = std::sqrt(projection.squaredDistance);
+    const double warping = distance > measure_.leastWarping ? weight(point.point) * distance : 0;
+    warpings_.push_back({point.point, projection.triangle, warping});
+    return measure_.warpingWeight * warping;
+}
+
+double BoundaryJudge::evaluate(const VertexStar& star, std::uint32_t linkPlace, const ApexFan& fan, double bound)
+{
+    fresh_.clear();
+    for (const VertexStar::RimTriangle& rim : star.rim())
+        if (rim.corners[0] != linkPlace && rim.corners[1] != linkPlace)
+            fresh_.push_back(
+                {rim.triangle, {star.link()[linkPlace], star.link()[rim.corners[0]], star.link()[rim.corners[1]]}});
+    errors_.clear();
+    warpings_.clear();
+    double largest = 0;
+    for (auto point = ofBoundary_.begin(); point != ofBoundary_.end() && largest <= bound; ++point)
+        largest = std::max(largest, judgeWarping(*point));
+    for (auto point = points_.begin(); point != points_.end() && largest <= bound; ++point)
+        largest = std::max(largest, judgeError(*point, fan));
+    return largest;
+}
+
+} // namespace tetra

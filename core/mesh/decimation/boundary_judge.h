@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/decimation/apex_fan.h"
+#include "core/mesh/decimation/boundary_points.h"
+#include "core/mesh/decimation/collapsible_mesh.h"
+#include "core/mesh/decimation/decimation.h"
+#include "core/mesh/decimation/vertex_star.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace tetra {
+
+/// Judges collapses of boundary vertices of an irregular mesh: there removed points come to lie out- or inside, and the
+/// distance of the original boundary changes (R4, R5). Points outside go to the nearest of the new boundary triangles
+/// and those around them. Coordinates are relative to the star's vertex.
+class BoundaryJudge {
+public:
+    static constexpr std::uint32_t none = CollapsibleMesh::none;
+
+    BoundaryJudge(const DecimationMesh& input, const FanMeasure& measure) : input_(input), measure_(measure) {}
+
+    /// For collapses of a boundary vertex; `inside` are the removed points that its tetrahedra have, and itself.
+    void set(const CollapsibleMesh& mesh, const VertexStar& star, std::span<const std::uint32_t> inside,
+             const BoundaryPoints& relations);
+
+    /// The largest of the errors and weighted warpings that a collapse gives, or, as soon as that exceeds `bound`, what
+    /// it is so far. `fan` are the tetrahedra that it makes.
+    double evaluate(const VertexStar& star, std::uint32_t linkPlace, const ApexFan& fan, double bound);
+
+    /// What becomes of a point by the collapse evaluated last.
+    struct Error {
+        std::uint32_t point = none;
+        std::uint32_t triangleBefore = none; ///< that it was related to as a point outside
+        std::uint32_t inFan = none;          ///< which tetrahedron of the fan has it; none: it lies outside
+        std::uint32_t triangle = none;       ///< then which boundary triangle is nearest
+        double error = 0;                    ///< weighted
+    };
+    struct Warping {
+        std::uint32_t point = none;
+        std::uint32_t triangle = none; ///< the nearest
+        double warping = 0;            ///< weighted
+    };
+    std::span<const Error> errors() const noexcept { return errors_; }
+    std::span<const Warping> warpings() const noexcept { return warpings_; }
+    /// The boundary triangles around those of the vertex.
+    struct Triangle {
+        std::uint32_t number = none;
+        std::array<std::uint32_t, 3> corners{}; ///< vertices
+    };
+    std::span<const Triangle> ring() const noexcept { return ring_; }
+
+private:
+    using Vector = std::array<double, 3>;
+
+    struct Nearest {
+        double squaredDistance = std::numeric_limits<double>::infinity();
+        double value = 0;
+        std::uint32_t triangle = none;
+    };
+    /// A removed point that the collapse may relate otherwise.
+    struct Point {
+        std::uint32_t point = none;
+        std::uint32_t triangleBefore = none;
+        bool ofRing = false; ///< it may stay as it is
+        Nearest onRing;      ///< on the triangles that stay; for points of the ring on theirs
+        Vector place{};
+        bool ringKnown = false;
+    };
+
+    void findRing(const CollapsibleMesh& mesh, const VertexStar& star);
+    void addPoint(std::uint32_t point, std::uint32_t triangleBefore, bool ofRing, std::vector<Point>& to);
+    Vector placeOf(std::uint32_t vertex) const;
+    void approach(const Triangle& triangle, const Vector& place, Nearest& nearest) const;
+    const Nearest& onRing(Point& point) const;
+    Nearest nearest(Point& point) const;
+    double judgeError(Point& point, const ApexFan& fan);
+    double judgeWarping(Point& point);
+    double weight(std::uint32_t point) const
+    {
+        return input_.weights.empty() ? 1 : static_cast<double>(input_.weights[point]);
+    }
+
+    const DecimationMesh& input_;
+    const FanMeasure& measure_;
+    std::uint32_t vertex_ = none;
+    std::vector<Triangle> ring_;
+    std::vector<Triangle> fresh_; ///< the new boundary triangles of the collapse at hand
+    std::vector<Point> points_;   ///< whose errors change
+    std::vector<Point> ofBoundary_;
+    std::vector<Error> errors_;
+    std::vector<Warping> warpings_;
+    std::vector<std::uint32_t> star_;
+};
+
+} // namespace tetra

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/decimation/decimated_mesh.h"
+#include "core/mesh/rounding.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace tetra {
+
+/// The key that the faces of the star opposite to its vertex have by the points outside: collapses leave it as it is.
+double DecimatedMesh::keyOfFacesAround() const
+{
+    double largest = 0;
+    if (input_.box)
+        return largest;
+    for (const std::uint32_t slot : star_.slots()) {
+        const CollapsibleMesh::Tetrahedron& tetrahedron = mesh_[slot];
+        const std::uint32_t opposite = tetrahedron.neighbours[indexOf(tetrahedron.vertices, star_.vertex())];
+        if (!CollapsibleMesh::isTriangle(opposite))
+            continue;
+        const BoundaryPoints::Relation& relation = boundaryPoints_[opposite];
+        largest = std::max(largest, static_cast<double>(keyOf(relation.error, relation.warping)));
+    }
+    return largest;
+}
+
+DecimatedMesh::Candidate DecimatedMesh::bestOnBoundary()
+{
+    double least = std::numeric_limits<double>::infinity();
+    std::uint32_t target = none;
+    const auto link = star_.link();
+    linkCondition_.set(star_);
+    bool judging = false;
+    for (std::uint32_t place = 0; place < link.size(); ++place) {
+        if (sides_[link[place]] == 0 || !star_.opensOnto(place) || !linkCondition_.allows(mesh_, star_, place))
+            continue;
+        if (!judging)
+            boundaryJudge_.set(mesh_, star_, points_.points, boundaryPoints_);
+        judging = true;
+        setFan(place);
+        ++evaluations_;
+        const double key = boundaryJudge_.evaluate(star_, place, fan_, least);
+        if (key > least || (key == least && link[place] > target))
+            continue;
+        least = key;
+        target = link[place];
+    }
+    return {target, target == none ? 0 : roundedUp(std::max(least, keyOfFacesAround()))};
+}
+
+void DecimatedMesh::collapseOnBoundary(std::uint32_t vertex, std::uint32_t target)
+{
+    const auto link = star_.link();
+    const auto place = static_cast<std::uint32_t>(std::ranges::find(link, target) - link.begin());
+    boundaryJudge_.set(mesh_, star_, points_.points, boundaryPoints_);
+    boundaryJudge_.evaluate(star_, place, fan_, std::numeric_limits<double>::infinity());
+    mesh_.collapse(vertex, target, star_.slots());
+    clearStates();
+    for (const VertexStar::RimTriangle& rim : star_.rim())
+        boundaryPoints_.clear(rim.triangle);
+    relateToBoundary();
+}
+
+/// Gives the points to the tetrahedra and boundary triangles that have them, as they were evaluated.
+void DecimatedMesh::relateToBoundary()
+{
+    const auto changed = [this](std::uint32_t triangle) {
+        const auto corners = mesh_.cornersOf(triangle);
+        touched_.insert(touched_.end(), corners.begin(), corners.end());
+        raiseOwn(mesh_.slotOfTriangle(triangle));
+    };
+    const auto ofRing = [this](std::uint32_t triangle) {
+        return std::ranges::any_of(boundaryJudge_.ring(), [&](const auto& other) { return other.number == triangle; });
+    };
+    for (const BoundaryJudge::Error& error : boundaryJudge_.errors()) {
+        if (error.triangleBefore != none && ofRing(error.triangleBefore))
+            boundaryPoints_.takeOutside(error.triangleBefore, error.point);
+        if (error.inFan != none) {
+            State& state = states_[fanSlots_[error.inFan]];
+            state.inside = pool_.appended(state.inside, {&error.point, 1});
+            state.insideError = std::max(state.insideError, roundedUp(error.error));
+        } else {
+            boundaryPoints_.addOutside(error.triangle, error.point, roundedUp(error.error));
+            changed(error.triangle);
+        }
+    }
+    for (const BoundaryJudge::Warping& warping : boundaryJudge_.warpings()) {
+        boundaryPoints_.addOfBoundary(warping.triangle, warping.point, roundedUp(warping.warping));
+        changed(warping.triangle);
+    }
+    std::ranges::sort(touched_);
+    const auto surplus = std::ranges::unique(touched_);
+    touched_.erase(surplus.begin(), surplus.end());
+    std::erase(touched_, star_.vertex());
+}
+
+} // namespace tetra

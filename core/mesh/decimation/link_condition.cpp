@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/decimation/link_condition.h"
+
+#include <algorithm>
+
+namespace tetra {
+
+namespace {
+
+template <class Number> void sortOut(std::vector<Number>& numbers)
+{
+    std::ranges::sort(numbers);
+    numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
+}
+
+template <class Number> bool has(const std::vector<Number>& sorted, Number number)
+{
+    return std::ranges::binary_search(sorted, number);
+}
+
+} // namespace
+
+void LinkCondition::set(const VertexStar& star)
+{
+    link_.assign(star.link().begin(), star.link().end());
+    edges_.clear();
+    rim_.clear();
+    rimEdges_.clear();
+    const auto link = star.link();
+    for (const auto& [a, b, c] : star.faces())
+        edges_.insert(edges_.end(), {edgeOf(link[a], link[b]), edgeOf(link[b], link[c]), edgeOf(link[c], link[a])});
+    for (const VertexStar::RimTriangle& triangle : star.rim()) {
+        const std::uint32_t a = link[triangle.corners[0]], b = link[triangle.corners[1]];
+        rim_.insert(rim_.end(), {a, b});
+        rimEdges_.push_back(edgeOf(a, b));
+    }
+    std::ranges::sort(link_);
+    sortOut(edges_);
+    sortOut(rim_);
+    sortOut(rimEdges_);
+}
+
+bool LinkCondition::allows(const CollapsibleMesh& mesh, const VertexStar& star, std::uint32_t linkPlace)
+{
+    const std::uint32_t vertex = star.vertex(), target = star.link()[linkPlace];
+    if (!has(rim_, target))
+        return false;
+    shared_.clear();
+    sharedEdges_.clear();
+    sharedRim_.clear();
+    for (std::size_t face = 0; face < star.faces().size(); ++face)
+        if (star.holds(face, linkPlace)) {
+            std::uint32_t others[2];
+            std::size_t count = 0;
+            for (const std::uint32_t corner : star.faces()[face])
+                if (corner != linkPlace)
+                    others[count++] = star.link()[corner];
+            shared_.insert(shared_.end(), {others[0], others[1]});
+            sharedEdges_.push_back(edgeOf(others[0], others[1]));
+        }
+    for (const VertexStar::RimTriangle& triangle : star.rim())
+        for (std::size_t i = 0; i < 2; ++i)
+            if (triangle.corners[i] == linkPlace)
+                sharedRim_.push_back(star.link()[triangle.corners[1 - i]]);
+    sortOut(shared_);
+    sortOut(sharedEdges_);
+    if (sharedRim_.size() != 2)
+        return false;
+
+    mesh.findStar(target, targetStar_);
+    for (const std::uint32_t slot : targetStar_) {
+        const CollapsibleMesh::Tetrahedron& tetrahedron = mesh[slot];
+        const std::size_t own = indexOf(tetrahedron.vertices, target);
+        if (std::ranges::find(tetrahedron.vertices, vertex) != tetrahedron.vertices.end()) {
+            // A face of the target and one of the vertex would fold onto one another.
+            const std::size_t other = indexOf(tetrahedron.vertices, vertex);
+            if (CollapsibleMesh::isTriangle(tetrahedron.neighbours[own]) &&
+                CollapsibleMesh::isTriangle(tetrahedron.neighbours[other]))
+                return false;
+        }
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::uint32_t corner = tetrahedron.vertices[i];
+            if (i != own && corner != vertex && has(link_, corner) && !has(shared_, corner))
+                return false;
+        }
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (i == own)
+                continue;
+            // The edge opposite to the target and corner i.
+            std::uint32_t ends[2];
+            std::size_t count = 0;
+            for (std::size_t k = 0; k < 4; ++k)
+                if (k != own && k != i)
+                    ends[count++] = tetrahedron.vertices[k];
+            if (ends[0] == vertex || ends[1] == vertex)
+                continue;
+            const Edge edge = edgeOf(ends[0], ends[1]);
+            if (has(edges_, edge) && !has(sharedEdges_, edge))
+                return false;
+            if (!CollapsibleMesh::isTriangle(tetrahedron.neighbours[i]))
+                continue;
+            if (has(rimEdges_, edge))
+                return false;
+            for (const std::uint32_t end : ends)
+                if (has(rim_, end) && end != sharedRim_[0] && end != sharedRim_[1])
+                    return false;
+        }
+    }
+    return true;
+}
+
+} // namespace tetra
