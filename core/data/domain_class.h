@@ -15,4 +15,16 @@ constexpr std::string_view domainClassName(DomainClass domain) noexcept
     return names[static_cast<std::uint32_t>(domain)];
 }
 
+/// Whether the points are those of a lattice of computational space.
+constexpr bool isOnLattice(DomainClass domain) noexcept
+{
+    return domain == DomainClass::RegularLattice || domain == DomainClass::Curvilinear;
+}
+
+/// Whether a mesh of fewer points can fill another space than the data do (R4).
+constexpr bool canWarp(DomainClass domain) noexcept
+{
+    return domain == DomainClass::Curvilinear || domain == DomainClass::Irregular;
+}
+
 } // namespace tetra

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace tetra {
@@ -143,6 +145,53 @@ int exactSign(const Corners& corners)
     return (edge[0][0] * minor(1, 2) - edge[0][1] * minor(0, 2) + edge[0][2] * minor(0, 1)).sign();
 }
 
+/// Whether two of the points are one, or all lie in one plane along the axes: what is flat is mostly so.
+bool isPlainlyFlat(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                   const Eigen::Vector3d& d)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        if (a[axis] == b[axis] && a[axis] == c[axis] && a[axis] == d[axis])
+            return true;
+    return a == b || a == c || a == d || b == c || b == d || c == d;
+}
+
+/// In 128 bits, where all differences are exact and whole numbers of less than 40 bits in a common unit, as they are of
+/// points that are near each other and were floats.
+std::optional<int> signInWholeNumbers(const Corners& corners)
+{
+    constexpr int mostBits = 40;
+    constexpr int mantissaBits = std::numeric_limits<double>::digits;
+    std::array<double, 9> edges{};
+    int largest = std::numeric_limits<int>::min();
+    int smallest = std::numeric_limits<int>::max();
+    for (std::size_t row = 0; row < 3; ++row)
+        for (int axis = 0; axis < 3; ++axis) {
+            const double from = corners[0][axis], to = corners[row + 1][axis];
+            const double edge = to - from;
+            const double back = to - edge;
+            if ((to - (edge + back)) + (back - from) != 0 || !std::isfinite(edge))
+                return {};
+            edges[3 * row + static_cast<std::size_t>(axis)] = edge;
+            if (edge == 0)
+                continue;
+            int exponent = 0;
+            const auto mantissa =
+                static_cast<std::int64_t>(std::ldexp(std::frexp(std::abs(edge), &exponent), mantissaBits));
+            largest = std::max(largest, exponent);
+            smallest = std::min(smallest, exponent - mantissaBits + std::countr_zero(std::uint64_t(mantissa)));
+        }
+    if (largest == std::numeric_limits<int>::min())
+        return 0;
+    if (largest - smallest > mostBits)
+        return {};
+    std::array<__int128, 9> e{};
+    std::ranges::transform(edges, e.begin(),
+                           [&](double edge) { return static_cast<std::int64_t>(std::ldexp(edge, -smallest)); });
+    const __int128 volume = e[0] * (e[4] * e[8] - e[5] * e[7]) - e[1] * (e[3] * e[8] - e[5] * e[6]) +
+                            e[2] * (e[3] * e[7] - e[4] * e[6]);
+    return volume > 0 ? 1 : volume < 0 ? -1 : 0;
+}
+
 } // namespace
 
 int volumeSign(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d)
@@ -150,6 +199,8 @@ int volumeSign(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::
     const Eigen::Vector3d u = b - a;
     const Eigen::Vector3d v = c - a;
     const Eigen::Vector3d w = d - a;
+    if (isPlainlyFlat(a, b, c, d))
+        return 0;
     const double volume = u.dot(v.cross(w));
     // Each of the six products is wrong by less than 8 units of rounding of its size.
     const Eigen::Vector3d x = v.cwiseAbs();
@@ -160,7 +211,8 @@ int volumeSign(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::
     // Far from underflow, where the bound would not hold.
     if (doubt > 1e-290 && std::isfinite(size) && std::abs(volume) > doubt)
         return volume > 0 ? 1 : -1;
-    return exactSign({a, b, c, d});
+    const std::optional<int> sign = signInWholeNumbers({a, b, c, d});
+    return sign ? *sign : exactSign({a, b, c, d});
 }
 
 } // namespace tetra

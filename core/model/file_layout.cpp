@@ -135,11 +135,8 @@ Status LayoutReader::readTable()
 Status LayoutReader::checkWhatItHolds() const
 {
     const Header& header = layout_.header;
-    if (isDomain(header, DomainClass::Irregular) ||
-        header.domainClass > static_cast<std::uint32_t>(DomainClass::Scattered))
-        return bad("is a model of " +
-                   (isDomain(header, DomainClass::Irregular) ? std::string("an irregular mesh")
-                                                             : "domain class " + std::to_string(header.domainClass)) +
+    if (header.domainClass > static_cast<std::uint32_t>(DomainClass::Scattered))
+        return bad("is a model of domain class " + std::to_string(header.domainClass) +
                    ", which this version cannot read." + update);
     if (header.sampleType > static_cast<std::uint32_t>(SampleType::Float64))
         return bad("has samples of type " + std::to_string(header.sampleType) + ", which this version cannot read." +
@@ -150,10 +147,12 @@ Status LayoutReader::checkWhatItHolds() const
 Status LayoutReader::checkLattice() const
 {
     const Header& header = layout_.header;
-    const bool scattered = isDomain(header, DomainClass::Scattered);
+    const bool onLattice = isOnLattice(DomainClass(header.domainClass));
     std::uint64_t points = 1;
-    for (const std::uint32_t size : header.latticeSize)
-        if (size < (scattered ? 1u : 2u) || __builtin_mul_overflow(points, std::uint64_t(size), &points) ||
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (const std::uint32_t size = header.latticeSize[axis];
+            size < (onLattice ? 2u : 1u) || (!onLattice && axis > 0 && size > 1) ||
+            __builtin_mul_overflow(points, std::uint64_t(size), &points) ||
             points > (1ull << 32))
             return damaged("a lattice of " + std::to_string(header.latticeSize[0]) + " x " +
                            std::to_string(header.latticeSize[1]) + " x " + std::to_string(header.latticeSize[2]) +
@@ -161,10 +160,10 @@ Status LayoutReader::checkLattice() const
     for (int axis = 0; axis < 3; ++axis)
         if (!(header.spacing[axis] > 0) || !std::isfinite(header.spacing[axis]) || !std::isfinite(header.origin[axis]))
             return damaged("the spacing or the origin of its lattice makes no sense");
-    const std::uint32_t fewest = scattered ? 4 : 8;
+    const std::uint32_t fewest = onLattice ? 8 : 4;
     if (header.siteCount < fewest || header.siteCount > points || header.siteCount == Model::never ||
         header.tetrahedronCount == 0)
-        return damaged("a " + std::string(scattered ? "set" : "lattice") + " of " + std::to_string(points) +
+        return damaged("a " + std::string(onLattice ? "lattice" : "set") + " of " + std::to_string(points) +
                        " points cannot have " + std::to_string(header.siteCount) + " sites and " +
                        std::to_string(header.tetrahedronCount) + " tetrahedra");
     return {};
@@ -186,9 +185,9 @@ Status LayoutReader::checkPlace() const
         if (!std::isfinite(header.boundingBox[axis]) || !std::isfinite(header.boundingBox[axis + 3]) ||
             header.boundingBox[axis] > header.boundingBox[axis + 3])
             return damaged("its bounding box makes no sense");
-    const bool lifted = isDomain(header, DomainClass::Curvilinear);
-    if (!(header.warpingWeight >= 0) || !std::isfinite(header.warpingWeight) || lifted != (header.warpingWeight > 0) ||
-        header.leftHanded > (lifted ? 1u : 0u))
+    const bool warps = canWarp(DomainClass(header.domainClass));
+    if (!(header.warpingWeight >= 0) || !std::isfinite(header.warpingWeight) || warps != (header.warpingWeight > 0) ||
+        header.leftHanded > (isDomain(header, DomainClass::Curvilinear) ? 1u : 0u))
         return damaged("its warping weight or its handedness makes no sense");
     return {};
 }
@@ -235,8 +234,12 @@ Status LayoutReader::checkCounts() const
     for (const Expected& expected : perTetrahedron)
         if (const Status status = checkCount(expected, header.tetrahedronCount); !status)
             return status;
-    if (isDomain(header, DomainClass::Curvilinear))
+    if (canWarp(DomainClass(header.domainClass)))
         if (const Status status = checkCount({SectionId::OwnWarpings, 2}, header.tetrahedronCount); !status)
+            return status;
+    // Irregular meshes are nowhere Delaunay ones.
+    if (layout_.has(SectionId::HistoryKind) || isDomain(header, DomainClass::Irregular))
+        if (const Status status = checkCount({SectionId::HistoryKind, 4}, 1); !status)
             return status;
     const auto text = std::ranges::find(layout_.sections, std::uint32_t(SectionId::Text), &Section::id);
     if (text == layout_.sections.end() || text->bytes > format::longestText)
@@ -264,7 +267,7 @@ Status LayoutReader::checkSamples() const
     const auto& size = layout_.header.latticeSize;
     const std::uint64_t points = std::uint64_t(size[0]) * size[1] * size[2];
     const bool lifted = isDomain(layout_.header, DomainClass::Curvilinear);
-    if (!layout_.has(SectionId::Samples) || !(lifted || isDomain(layout_.header, DomainClass::RegularLattice)))
+    if (!layout_.has(SectionId::Samples) || !isOnLattice(DomainClass(layout_.header.domainClass)))
         return {};
     if (lifted)
         if (const Status counted = checkCount({SectionId::SamplePositions, positionBytes()}, points); !counted)

@@ -18,7 +18,7 @@ static_assert(std::numeric_limits<float>::is_iec559 && std::numeric_limits<doubl
 
 constexpr std::array<char, 8> magic = {'\x89', 'T', 'A', 'N', '\r', '\n', '\x1a', '\n'};
 constexpr std::uint16_t majorVersion = 1;
-constexpr std::uint16_t minorVersion = 1;
+constexpr std::uint16_t minorVersion = 2;
 constexpr std::uint32_t byteOrderMark = 0x01020304;
 constexpr std::uint32_t byteOrderMarkReversed = 0x04030201;
 
@@ -33,6 +33,7 @@ enum class Codec : std::uint32_t { None = 0 };
 
 enum class SectionId : std::uint32_t {
     Text = 1,
+    HistoryKind = 2,
     SitePoints = 16,
     SiteValues = 17,
     SiteRunningErrors = 18,
@@ -46,6 +47,11 @@ enum class SectionId : std::uint32_t {
     Destroyers = 33,
     OwnErrors = 34,
     OwnWarpings = 35,
+};
+
+/// What the section HistoryKind says; a file without it holds a history of Delaunay meshes.
+enum class HistoryKind : std::uint32_t {
+    ClosedSetsOnly = 1 ///< only closed sets of sites have a mesh: nothing can be inserted into one
 };
 
 /// The name that messages give a section.

@@ -65,6 +65,12 @@ private:
     std::vector<std::uint64_t> historyNumbers_;
 };
 
+/// A face of one cell only, seen from outside counterclockwise.
+struct BoundaryFace {
+    std::array<std::uint32_t, 3> vertices;
+    std::uint32_t cell = 0;
+};
+
 /// What a domain says of its cells' faces.
 struct FaceRule {
     std::function<bool(const std::array<std::uint32_t, 3>& vertices)> onBoundary;
@@ -72,7 +78,9 @@ struct FaceRule {
 };
 
 /// Every face belongs to two cells, one on each side, or to one and lies on the domain's boundary. Sorts the faces in
-/// batches of at most about 8 million. An Error only if cancelled.
-Status verifyFaces(const LevelCells& cells, const FaceRule& rule, LevelVerdict& verdict, const Progress& progress);
+/// batches of at most about 8 million. The faces of one cell go to `boundary` if it is given, in a fixed order. An Error
+/// only if cancelled.
+Status verifyFaces(const LevelCells& cells, const FaceRule& rule, LevelVerdict& verdict, const Progress& progress,
+                   std::vector<BoundaryFace>* boundary = nullptr);
 
 } // namespace tetra

@@ -47,7 +47,7 @@ public:
             ownWarpings_ = elementsOf<std::uint16_t>(*file_, layout, SectionId::OwnWarpings);
         if (description_.domain != DomainClass::RegularLattice)
             mapPositions(layout);
-        if (description_.domain != DomainClass::Scattered && layout.has(SectionId::Samples))
+        if (isOnLattice(description_.domain) && layout.has(SectionId::Samples))
             mapSamples(layout);
     }
 
@@ -76,6 +76,24 @@ private:
     std::shared_ptr<const MappedFile> file_;
 };
 
+/// Whether the meshes are Delaunay ones. A kind that is not known may mean anything.
+Result<bool> readHistoryKind(const MappedFile& file, const FileLayout& layout)
+{
+    if (!layout.has(SectionId::HistoryKind))
+        return true;
+    const Section& section = layout.section(SectionId::HistoryKind);
+    if (checksum(bytesOf(file, section)) != section.checksum)
+        return Error{ErrorKind::BadInput, "'" + file.path().string() +
+                                              "' is damaged: the checksum of its history kind is wrong. Copy it again "
+                                              "from where it came from, or build it again."};
+    const auto kind = elementsOf<std::uint32_t>(file, layout, SectionId::HistoryKind).front();
+    if (kind != static_cast<std::uint32_t>(format::HistoryKind::ClosedSetsOnly))
+        return Error{ErrorKind::BadInput, "'" + file.path().string() + "' has a history of kind " +
+                                              std::to_string(kind) +
+                                              ", which this version cannot read. Install a later version of TAn."};
+    return false;
+}
+
 } // namespace
 
 Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& path)
@@ -93,7 +111,11 @@ Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& pa
         return Error{ErrorKind::BadInput, "'" + path.string() +
                                               "' is damaged: the checksum of its text is wrong. Copy it again from "
                                               "where it came from, or build it again."};
+    const Result<bool> delaunay = readHistoryKind(mapped, *layout);
+    if (!delaunay)
+        return delaunay.error();
     ModelDescription description = descriptionOf(layout->header);
+    description.delaunay = *delaunay;
     readText({reinterpret_cast<const char*>(text.data()), text.size()}, description);
     std::shared_ptr<const Model> model =
         std::make_shared<const MappedModel>(file.value(), layout.value(), std::move(description));

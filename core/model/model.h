@@ -27,10 +27,12 @@ struct ModelDescription {
     double warpingWeight = 0;
     /// Whether what is positive in computational space is negative in physical space: curvilinear data only.
     bool leftHanded = false;
+    /// HistoryTraits::delaunay: if not, only closed sets of sites have a mesh.
+    bool delaunay = true;
     SampleType sampleType = SampleType::UInt8;
     ValueRange range;                                            ///< of the whole dataset, not of the sites
     std::string sourceName;                                      ///< provenance: the dataset's name ...
-    std::uint64_t sourceHash = 0;                                ///< ... and the XXH3 of its samples
+    std::uint64_t sourceHash = 0;                                ///< ... and Source::hash
     std::string builder;                                         ///< id of the builder plugin
     std::vector<std::pair<std::string, std::string>> parameters; ///< the builder's parameters, as text
 };

@@ -22,19 +22,20 @@ namespace {
 
 using format::SectionId;
 
-/// Sections of every model; domains with positions of their own and with warping have more.
+/// Sections of every model; domains with positions of their own and with warping have more, as have histories that are
+/// not Delaunay.
 constexpr std::uint32_t commonSections = 10;
 
 /// Room in the table: also for the samples, which a model of few sites leaves out.
 std::uint32_t mostSections(DomainClass domain)
 {
-    return commonSections + 1 + (domain == DomainClass::Curvilinear ? 3 : 0);
+    return commonSections + 2 + (canWarp(domain) ? 3 : 0);
 }
 
 /// A first mesh needs as many sites: the corners of a lattice, or those of one tetrahedron.
 std::uint32_t fewestSites(DomainClass domain)
 {
-    return domain == DomainClass::Scattered ? 4 : 8;
+    return isOnLattice(domain) ? 8 : 4;
 }
 
 constexpr std::size_t fileBufferBytes = 1 << 20;
@@ -60,6 +61,7 @@ private:
     Status add(const ArrangedBatch& batch) override;
     Status writeArrays(float finalError);
     void storeMeshSizes(const ArrangedBatch& batch);
+    Status writeHistoryKind();
     Status writeGeometry();
     Status writeAllSamples();
     template <class T> Status writeArray(SectionId id, const SpooledArray<T>& array);
@@ -105,18 +107,20 @@ Status HistoryFileWriter::writeFront()
 
 Status HistoryFileWriter::begin(const HistoryTraits& traits)
 {
-    const bool lifted = description_.domain == DomainClass::Curvilinear;
     if (siteCount() > 0 || !(traits.warpingWeight >= 0) || !std::isfinite(traits.warpingWeight) ||
-        lifted != (traits.warpingWeight > 0))
+        canWarp(description_.domain) != (traits.warpingWeight > 0))
         return inconsistent("its warping weight is " + std::to_string(traits.warpingWeight));
+    if (description_.domain == DomainClass::Irregular && traits.delaunay)
+        return inconsistent("meshes of irregular data are not Delaunay ones");
     description_.warpingWeight = traits.warpingWeight;
+    description_.delaunay = traits.delaunay;
     return {};
 }
 
 Status HistoryFileWriter::add(const HistoryStep& step)
 {
-    if (description_.domain == DomainClass::Curvilinear && !(description_.warpingWeight > 0))
-        return inconsistent("curvilinear data need a warping weight");
+    if (canWarp(description_.domain) && !(description_.warpingWeight > 0))
+        return inconsistent(std::string(domainClassName(description_.domain)) + " data need a warping weight");
     try {
         const Status added = arranger_.add(step);
         return added || added.error().kind != ErrorKind::BadInput ? added : inconsistent(added.error().text);
@@ -205,7 +209,7 @@ Status HistoryFileWriter::writeArrays(float finalError)
          {writeArray(SectionId::SitePoints, points_), writeSiteValues(sections_, dataset_, points_),
           writeArray(SectionId::SiteRunningErrors, runningErrors_), writeArray(SectionId::StarOffsets, starOffsets_),
           writeArray(SectionId::MeshSizes, meshSizes_), writeArray(SectionId::SiteGroups, groupGoesOn_),
-          writeDestroyers(), writeArray(SectionId::OwnErrors, ownErrors_), writeGeometry(), writeAllSamples()})
+          writeDestroyers(), writeArray(SectionId::OwnErrors, ownErrors_), writeHistoryKind(), writeGeometry(), writeAllSamples()})
         if (!written)
             return written;
     format::Header header = headerOf(description_);
@@ -238,13 +242,26 @@ Status HistoryFileWriter::writeDestroyers()
     return {};
 }
 
+/// A section that readers must know: one that does not would insert points where it cannot be done.
+Status HistoryFileWriter::writeHistoryKind()
+{
+    if (description_.delaunay)
+        return {};
+    constexpr auto kind = format::HistoryKind::ClosedSetsOnly;
+    if (const Status begun = sections_.begin(SectionId::HistoryKind, sizeof kind); !begun)
+        return begun;
+    const Status written = sections_.add(std::as_bytes(std::span(&kind, 1)));
+    sections_.end();
+    return written;
+}
+
 /// What only domains that are no regular lattices have.
 Status HistoryFileWriter::writeGeometry()
 {
     if (description_.domain == DomainClass::RegularLattice)
         return {};
     const Status positions = writeSitePositions(sections_, dataset_, points_);
-    if (!positions || description_.domain != DomainClass::Curvilinear)
+    if (!positions || !canWarp(description_.domain))
         return positions;
     return writeArray(SectionId::OwnWarpings, ownWarpings_);
 }

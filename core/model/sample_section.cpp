@@ -22,7 +22,7 @@ std::uint64_t arrayBytes(const ModelCounts& counts, SampleType type) noexcept
 bool keepsSamples(DomainClass domain, SampleType type, std::size_t positionBytes, std::uint64_t points,
                   const ModelCounts& counts) noexcept
 {
-    return domain != DomainClass::Scattered &&
+    return isOnLattice(domain) &&
            points * (sampleSize(type) + positionBytes) <= arrayBytes(counts, type) / shareOfArrays;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/verification.h"
 
+#include "core/model/irregular/verify_irregular.h"
 #include "core/model/verify_parts.h"
 #include "core/model/verify_scattered.h"
 
@@ -38,16 +39,24 @@ Result<Verdict> verifyAll(const Model& model, const Dataset& original, const std
         return weights.error();
     bool usable = !places.empty();
     std::optional<ScatteredOriginal> scattered;
+    std::optional<IrregularOriginal> irregular;
     if (usable && original.domain == DomainClass::Scattered)
         scattered.emplace(original);
+    if (usable && original.domain == DomainClass::Irregular)
+        irregular.emplace(original, verdict.failures);
     const std::vector<LatticePoint> none;
     if (usable)
-        if (const Status done = verifyHistory(model, scattered ? none : places, verdict.failures, usable,
-                                              progress.part(bytesEnd, historyEnd));
+        if (const Status done = verifyHistory(model, isOnLattice(original.domain) ? places : none, verdict.failures,
+                                              usable, progress.part(bytesEnd, historyEnd));
             !done)
             return done.error();
     if (usable && scattered)
         if (const Status done = verifyScatteredHistory(model, *scattered, places, *weights, verdict.failures,
+                                                       progress.withCallback({}));
+            !done)
+            return done.error();
+    if (usable && irregular)
+        if (const Status done = verifyIrregularHistory(model, *irregular, places, *weights, verdict.failures,
                                                        progress.withCallback({}));
             !done)
             return done.error();
@@ -63,8 +72,9 @@ Result<Verdict> verifyAll(const Model& model, const Dataset& original, const std
         const double begin = groupsEnd + share * static_cast<double>(number);
         const Progress part = progress.part(begin, begin + share);
         Result<LevelVerdict> level =
-            scattered ? verifyScatteredLevel(model, *scattered, places, *weights, levels[number], part)
-                      : verifyLevel(model, original, places, *weights, levels[number], part);
+            scattered   ? verifyScatteredLevel(model, *scattered, places, *weights, levels[number], part)
+            : irregular ? verifyIrregularLevel(model, *irregular, places, *weights, levels[number], part)
+                        : verifyLevel(model, original, places, *weights, levels[number], part);
         if (!level)
             return level.error();
         verdict.levels.push_back(std::move(*level));

@@ -6,6 +6,7 @@
 #include "core/data/dataset.h"
 #include "core/model/extraction.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,11 @@ struct LevelVerdict {
     std::uint64_t inverted = 0;
     std::uint64_t degenerate = 0;      ///< cells of curvilinear data without volume in physical space (S6)
     double largestError = 0;           ///< recomputed at every original sample, weighted (R6), % of the value range
-    double largestWarping = 0;         ///< likewise, % of the diagonal
+    double largestWarping = 0;         ///< likewise, % of the diagonal; of irregular data at the boundary's vertices
+    /// Of irregular data the larger of that and the distance from the mesh's boundary to the original one (S13), not
+    /// weighted, % of the diagonal: as far as was found, and what no place exceeds.
+    std::optional<double> twoSidedWarping{};
+    double twoSidedBound = 0;
     std::vector<std::string> failures; ///< in words; empty means proved
     bool ok() const noexcept { return failures.empty(); }
 };
@@ -38,8 +43,9 @@ struct Verdict {
 /// Proves, sharing no code with builders or extraction, that each level of `model` is a conforming, exact cover of the
 /// domain without flat or inverted cells and keeps the error and the warping that it claims against the original data,
 /// weighted if the model was built with weights. Curvilinear data: exact in computational space, then lifted; cells
-/// without volume are counted apart, and those that even the last mesh leaves inverted are no failure there (S5). An
-/// Error only if checking itself was impossible.
+/// without volume are counted apart, and those that even the last mesh leaves inverted are no failure there (S5).
+/// Irregular data: the boundary, wherever it lies, is a manifold that does not meet itself, with the components and the
+/// surfaces of the original (S12). An Error only if checking itself was impossible.
 Result<Verdict> verify(const Model& model, const Dataset& original, const std::vector<Accuracy>& levels,
                        const Progress& progress = {});
 

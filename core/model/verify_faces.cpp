@@ -47,7 +47,10 @@ Face faceOf(const std::array<std::uint32_t, 4>& s, int opposite, std::uint32_t c
 
 class FaceCheck {
 public:
-    FaceCheck(const LevelCells& cells, const FaceRule& rule) : cells_(cells), rule_(rule) {}
+    FaceCheck(const LevelCells& cells, const FaceRule& rule, std::vector<BoundaryFace>* boundary)
+        : cells_(cells), rule_(rule), boundary_(boundary)
+    {
+    }
 
     Status run(const Progress& progress);
     void moveTo(LevelVerdict& verdict)
@@ -64,6 +67,7 @@ private:
 
     const LevelCells& cells_;
     const FaceRule& rule_;
+    std::vector<BoundaryFace>* boundary_;
     std::vector<Face> faces_;
     Findings findings_;
 };
@@ -132,6 +136,10 @@ void FaceCheck::checkFace(std::span<const Face> sameFace)
 {
     const Face& face = sameFace.front();
     std::string wrong;
+    if (sameFace.size() == 1 && boundary_ != nullptr) {
+        const auto& [a, b, c] = face.vertices;
+        boundary_->push_back({face.odd ? std::array{a, c, b} : face.vertices, face.cell});
+    }
     if (sameFace.size() > 2)
         wrong = " belongs to " + std::to_string(sameFace.size()) + " cells.";
     else if (sameFace.size() == 2 && face.odd == sameFace.back().odd)
@@ -146,9 +154,10 @@ void FaceCheck::checkFace(std::span<const Face> sameFace)
 
 } // namespace
 
-Status verifyFaces(const LevelCells& cells, const FaceRule& rule, LevelVerdict& verdict, const Progress& progress)
+Status verifyFaces(const LevelCells& cells, const FaceRule& rule, LevelVerdict& verdict, const Progress& progress,
+                   std::vector<BoundaryFace>* boundary)
 {
-    FaceCheck check(cells, rule);
+    FaceCheck check(cells, rule, boundary);
     const Status done = check.run(progress);
     check.moveTo(verdict);
     return done;

@@ -7,21 +7,15 @@
 
 namespace tetra {
 
-namespace {
-
-/// The largest running key of a mesh that keeps both thresholds (S4).
-double keyAsked(const Model& model, const Dataset& original, const Accuracy& asked)
+double keyAsked(const Model& model, double extent, double diagonal, const Accuracy& asked)
 {
     constexpr double anything = std::numeric_limits<double>::infinity();
-    const double extent = original.values.range().extent();
     const double weight = model.description().warpingWeight;
     double key = weight > 0 && extent == 0 ? anything : asked.error / 100 * extent;
     if (weight > 0 && asked.warping < anyWarping)
-        key = std::min(key, asked.warping / 100 * weight * original.bounds().diagonal().norm());
+        key = std::min(key, asked.warping / 100 * weight * diagonal);
     return key;
 }
-
-} // namespace
 
 std::uint32_t firstPassage(const Model& model, double asked)
 {
@@ -41,7 +35,7 @@ Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, co
 {
     LevelVerdict verdict;
     verdict.asked = asked;
-    verdict.sites = firstPassage(model, keyAsked(model, original, asked));
+    verdict.sites = firstPassage(model, keyAsked(model, original.values.range().extent(), original.bounds().diagonal().norm(), asked));
     const double claimed = claimedKey(model, verdict.sites);
     const double warpingWeight = model.description().warpingWeight;
     const LevelCells cells(model, places, verdict.sites);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/verify_mesh.h"
 
+#include "core/model/irregular/verify_irregular.h"
 #include "core/model/mesh_vertices.h"
 #include "core/model/verify_cells.h"
 #include "core/model/verify_scattered.h"
@@ -98,10 +99,15 @@ Result<LevelVerdict> verifyWhole(const Model& model, const Dataset& original, co
     const LevelCells cells(points, places, cellsOf(model, mesh));
     const MeshClaims claims(query, mesh.scale, original);
     const auto mayBeInverted = [&](std::size_t cell) { return isOfFinestMesh(model, mesh, cells.vertices(cell)); };
-    const Status done =
-        original.domain == DomainClass::Scattered
-            ? verifyScatteredCells(model, ScatteredOriginal(original), *weights, cells, claims, verdict, progress)
-            : verifyLatticeCells({model, original, *weights, cells, claims, mayBeInverted}, verdict, progress);
+    const auto verifyCells = [&] {
+        if (original.domain == DomainClass::Irregular)
+            return verifyIrregularCells(model, IrregularOriginal(original, verdict.failures), *weights, cells, claims,
+                                        verdict, progress);
+        if (original.domain == DomainClass::Scattered)
+            return verifyScatteredCells(model, ScatteredOriginal(original), *weights, cells, claims, verdict, progress);
+        return verifyLatticeCells({model, original, *weights, cells, claims, mayBeInverted}, verdict, progress);
+    };
+    const Status done = verifyCells();
     if (!done)
         return done.error();
     if (const Status intact = model.checkIntact(); !intact)

@@ -24,6 +24,8 @@ std::uint32_t initialSiteCount(const Model& model);
 /// The sites of the first mesh whose error is at most `asked`, in units of the values, found by looking at one after
 /// the other (S1).
 std::uint32_t firstPassage(const Model& model, double asked);
+/// The largest running key of a mesh that keeps both thresholds (S4), for values and points of this extent.
+double keyAsked(const Model& model, double extent, double diagonal, const Accuracy& asked);
 /// What the model claims of the mesh of its first sites.
 double claimedKey(const Model& model, std::uint32_t sites);
 

@@ -20,11 +20,19 @@ struct ScatteredOriginal {
     std::vector<double> values;
     double extent = 0; ///< of the values
     PointTree tree;
+
+    double percent(double error) const { return extent > 0 ? 100 * error / extent : 0; }
 };
 
-/// That every site lies where its point lies, every tetrahedron that ever lived is positive, and the first mesh fills
-/// the convex hull of all points: with that, a later mesh fills it if its boundary faces have the first mesh's sites on
-/// one side only. For a history whose indices can be followed. An Error only if cancelled.
+/// That every site lies where its point lies, and every tetrahedron that ever lived is positive. For a history whose
+/// indices can be followed. An Error only if cancelled.
+Status verifyPlacedHistory(const Model& model, const ScatteredOriginal& original, std::vector<std::string>& failures,
+                           const Progress& progress);
+/// That cells are positive; appends to `verdict`.
+void verifyPlacedVolumes(const ScatteredOriginal& original, const LevelCells& cells, LevelVerdict& verdict);
+
+/// verifyPlacedHistory(), and that the first mesh fills the convex hull of all points: with that, a later mesh fills it
+/// if its boundary faces have the first mesh's sites on one side only. For a history whose indices can be followed. An Error only if cancelled.
 Status verifyScatteredHistory(const Model& model, const ScatteredOriginal& original,
                               const std::vector<LatticePoint>& places, const Weights& weights,
                               std::vector<std::string>& failures, const Progress& progress);

@@ -13,6 +13,8 @@ namespace {
 std::string kindText(DomainClass domain, const Lattice& lattice, SampleType type)
 {
     const std::string ofType = " of type " + std::string(sampleTypeName(type));
+    if (domain == DomainClass::Irregular)
+        return "an irregular mesh of " + std::to_string(lattice.pointCount()) + " points" + ofType;
     if (domain == DomainClass::Scattered)
         return std::to_string(lattice.pointCount()) + " scattered points" + ofType;
     const std::string kind =
@@ -79,7 +81,7 @@ void verifyPlaces(const Model& model, const Dataset& original, std::vector<Latti
     }
     if (!usable)
         places.clear();
-    else if (original.domain != DomainClass::Scattered)
+    else if (isOnLattice(original.domain))
         verifyCorners(model, lattice, places, findings);
 }
 
@@ -182,14 +184,15 @@ bool verifySource(const Model& model, const Dataset& original, std::vector<std::
     const ModelDescription& description = model.description();
     const Lattice& lattice = original.lattice;
     if (description.domain != original.domain || description.lattice.size != lattice.size ||
-        description.sampleType != original.values.type()) {
+        description.sampleType != original.values.type() ||
+        (original.domain == DomainClass::Irregular && !original.tetrahedra)) {
         failures.push_back("The model was built from another dataset: " +
                            kindText(description.domain, description.lattice, description.sampleType) + " ('" +
                            description.sourceName + "'), and '" + original.source.name + "' has " +
                            kindText(original.domain, lattice, original.values.type()) + ".");
         return false;
     }
-    const std::uint64_t hash = contentHash(original.values, original.positions);
+    const std::uint64_t hash = contentHash(original.values, original.positions, original.tetrahedra);
     if (description.sourceHash != hash)
         failures.push_back("The model was built from other samples or positions ('" + description.sourceName +
                            "', XXH3 " + hexadecimal(description.sourceHash) + ") than those of '" +

@@ -61,6 +61,7 @@ std::uint16_t halfWithin(double percent)
 
 FieldJudge::FieldJudge(const Model& model, const MeshQuery& query, const SitePlaces& places)
     : model_(model), query_(query), places_(places), warps_(!model.ownWarpings().empty()),
+      canInvert_(model.description().domain == DomainClass::Curvilinear),
       byValue_(query.error.dependsOnValue() || (warps_ && query.warping.dependsOnValue())),
       valuesBounded_(!weighted(model))
 {
@@ -173,7 +174,7 @@ FieldJudge::Asked FieldJudge::askedOf(std::uint64_t tetrahedron, std::uint32_t c
 /// Inverted in physical space, exactly, and only for a while.
 bool FieldJudge::mustGo(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const
 {
-    if (!warps_ || destroyer >= model_.siteCount())
+    if (!canInvert_ || destroyer >= model_.siteCount())
         return false;
     const std::array<std::uint32_t, 3> others = model_.otherSites()[tetrahedron];
     const auto place = [this, creator](std::uint32_t site) {

@@ -70,6 +70,7 @@ private:
     const MeshQuery& query_;
     const SitePlaces& places_;
     bool warps_;
+    bool canInvert_; ///< in physical space
     bool byValue_;
     bool valuesBounded_; ///< own errors bound the samples' values: not if they are weighted
     double leastError_;

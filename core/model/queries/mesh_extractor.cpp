@@ -175,6 +175,8 @@ const char* MeshExtractor::Work::obstacleToInsertion(const MeshQuery& query) con
 {
     if (model_->description().domain == DomainClass::Scattered)
         return "is for lattices and curvilinear grids, not for scattered points";
+    if (!model_->description().delaunay)
+        return "needs a model made by refinement, whose meshes are Delaunay ones";
     if (model_->samples().empty())
         return "needs all samples of the dataset, which this model's file does not hold";
     if (LiftedFocus::fits(*model_))

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/model/irregular/boundary_surfaces.h"
+#include "core/model/irregular/triangle_distance.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace tetra {
+
+/// Triangles halved again and again along the longest side of their box, to find those near a place. For verification.
+/// Safe to ask from any number of threads.
+class TriangleTree {
+public:
+    /// Both outlive it.
+    TriangleTree(std::span<const Eigen::Vector3d> positions, std::span<const PointTriangle> triangles);
+
+    struct Nearest {
+        std::uint32_t triangle = 0;
+        TrianglePlace place{{}, std::numeric_limits<double>::infinity()};
+    };
+    /// The first one at an infinite distance if there are no triangles.
+    Nearest nearest(const Eigen::Vector3d& from) const;
+
+    /// Calls visit(triangle) for each triangle whose box has a place in common with the box.
+    template <class Visit> void visitMeeting(const Eigen::AlignedBox3d& box, Visit&& visit) const
+    {
+        visitIf([&box](const Eigen::AlignedBox3d& other) { return box.intersects(other); }, visit);
+    }
+    /// Calls visit(triangle) for each triangle that has a place within `radius`, and for some more.
+    template <class Visit> void visitWithin(const Eigen::Vector3d& from, double radius, Visit&& visit) const
+    {
+        constexpr double roundedUp = 1 + 1e-14;
+        visitIf(
+            [&from, squared = radius * radius * roundedUp](const Eigen::AlignedBox3d& box) {
+                return box.squaredExteriorDistance(from) <= squared;
+            },
+            visit);
+    }
+
+    TriangleCorners corners(std::uint32_t triangle) const
+    {
+        const PointTriangle& t = triangles_[triangle];
+        return {positions_[t[0]], positions_[t[1]], positions_[t[2]]};
+    }
+    Eigen::AlignedBox3d boxOf(std::uint32_t triangle) const;
+
+private:
+    static constexpr std::uint32_t leafSize = 4;
+
+    void build(std::size_t node, std::uint32_t first, std::uint32_t end);
+    void findNearest(std::size_t node, std::uint32_t first, std::uint32_t end, const Eigen::Vector3d& from,
+                     Nearest& best) const;
+
+    template <class Test, class Visit> void visitIf(Test&& test, Visit&& visit) const
+    {
+        if (!triangles_.empty())
+            descend(0, 0, static_cast<std::uint32_t>(triangles_.size()), test, visit);
+    }
+    template <class Test, class Visit>
+    void descend(std::size_t node, std::uint32_t first, std::uint32_t end, Test& test, Visit& visit) const
+    {
+        if (!test(boxes_[node]))
+            return;
+        if (end - first <= leafSize) {
+            for (std::uint32_t i = first; i < end; ++i)
+                if (test(boxOf(order_[i])))
+                    visit(order_[i]);
+            return;
+        }
+        const std::uint32_t middle = first + (end - first) / 2;
+        descend(2 * node + 1, first, middle, test, visit);
+        descend(2 * node + 2, middle, end, test, visit);
+    }
+
+    std::span<const Eigen::Vector3d> positions_;
+    std::span<const PointTriangle> triangles_;
+    std::vector<std::uint32_t> order_;
+    std::vector<Eigen::AlignedBox3d> boxes_; ///< node n has the children 2n + 1 and 2n + 2
+};
+
+} // namespace tetra

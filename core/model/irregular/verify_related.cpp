@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/irregular/verify_related.h"
+
+#include "core/base/half.h"
+#include "core/model/point_check.h"
+#include "core/model/scattered_cells.h"
+#include "core/model/shared_progress.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tetra {
+
+namespace {
+
+constexpr std::uint32_t pointsAtOnce = 64;
+
+class RelatedCheck {
+public:
+    RelatedCheck(const IrregularMesh& mesh, const PointCheck& inside)
+        : mesh_(mesh), original_(mesh.original), inside_(inside), isVertex_(original_.points.positions.size()),
+          tolerance_(errorAllowance * original_.points.extent)
+    {
+        for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
+            for (const std::uint32_t vertex : mesh.cells.vertices(cell))
+                isVertex_[mesh.cells.point(vertex)] = true;
+        for (const std::uint32_t cell : mesh.boundary.cells)
+            largestOwnWarping_ = std::max(largestOwnWarping_, ownWarping(cell));
+    }
+
+    Status run(const Progress& progress);
+    void moveTo(LevelVerdict& verdict);
+
+private:
+    /// A point, and what is next to it on the boundary.
+    struct Related {
+        std::uint32_t point;
+        const Eigen::Vector3d& place;
+        double value;
+        double weight;
+        TriangleTree::Nearest nearest;
+    };
+
+    void checkPoint(std::uint32_t point);
+    void checkWarping(const Related& related);
+    void checkOutside(const Related& related);
+    void checkOwn(const Related& related, bool covered);
+    double leastErrorWithin(const Related& related, double radius) const;
+    double errorOn(const Related& related, std::uint32_t triangle, double radius) const;
+    std::array<double, 3> valuesOf(std::uint32_t triangle) const
+    {
+        const PointTriangle& t = mesh_.boundary.triangles[triangle];
+        return {original_.points.values[t[0]], original_.points.values[t[1]], original_.points.values[t[2]]};
+    }
+    bool ofHistory() const { return mesh_.cells.size() > 0 && mesh_.cells.historyNumber(0).has_value(); }
+    /// What the history grants a cell; anything if it is of no history.
+    double ownError(std::size_t cell) const
+    {
+        const auto number = mesh_.cells.historyNumber(cell);
+        return number ? static_cast<double>(halfToFloat(mesh_.model.ownErrors()[*number])) * original_.points.extent
+                      : std::numeric_limits<double>::infinity();
+    }
+    double ownWarping(std::size_t cell) const
+    {
+        const auto number = mesh_.cells.historyNumber(cell);
+        return number ? static_cast<double>(halfToFloat(mesh_.model.ownWarpings()[*number])) * original_.diagonal
+                      : std::numeric_limits<double>::infinity();
+    }
+    std::string name(const Related& related) const
+    {
+        return "point " + std::to_string(related.point) + " " + textOf(related.place);
+    }
+
+    const IrregularMesh& mesh_;
+    const IrregularOriginal& original_;
+    const PointCheck& inside_;
+    std::vector<bool> isVertex_;
+    double tolerance_;             ///< by which a claimed error may be exceeded
+    double largestOwnWarping_ = 0; ///< of cells on the boundary
+    tbb::enumerable_thread_specific<double> largestError_{0.0};
+    tbb::enumerable_thread_specific<double> largestWarping_{0.0};
+    Findings tooFar_;
+    Findings tooLarge_;
+    Findings beyondOwn_;
+};
+
+Status RelatedCheck::run(const Progress& progress)
+{
+    const auto points = static_cast<std::uint32_t>(original_.points.positions.size());
+    SharedProgress shared(progress, points, "Verifying the boundary's distance at every vertex");
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, points, pointsAtOnce), [&](const auto& range) {
+        if (shared.cancelled())
+            return;
+        for (std::uint32_t point = range.begin(); point != range.end(); ++point)
+            if (!isVertex_[point])
+                checkPoint(point);
+        shared.done(range.size());
+    });
+    if (progress.cancelled())
+        return cancelledError("Verifying the model");
+    return {};
+}
+
+void RelatedCheck::checkPoint(std::uint32_t point)
+{
+    const bool covered = inside_.isCovered(point);
+    const bool beyondOwn = ofHistory() && !inside_.isWithinOwn(point);
+    if (covered && !original_.isOnBoundary(point) && !beyondOwn)
+        return;
+    const Eigen::Vector3d& place = original_.points.positions[point];
+    const Related related{point, place, original_.points.values[point],
+                          mesh_.weights.empty() ? 1 : static_cast<double>(mesh_.weights[point]),
+                          mesh_.boundary.tree.nearest(place)};
+    if (original_.isOnBoundary(point))
+        checkWarping(related);
+    if (!covered)
+        checkOutside(related);
+    if (ofHistory())
+        checkOwn(related, covered);
+}
+
+void RelatedCheck::checkWarping(const Related& related)
+{
+    const double warping = related.weight * related.nearest.place.distance;
+    const double claimed = mesh_.claims.warping(related.point);
+    largestWarping_.local() = std::max(largestWarping_.local(), warping);
+    if (warping > claimed + original_.allowance)
+        tooFar_.add(related.point, [&] {
+            return "The warping at " + name(related) + " is " + textOf(100 * warping / original_.diagonal) +
+                   " % of the diagonal, more than the claimed " + textOf(100 * claimed / original_.diagonal) + " %.";
+        });
+}
+
+/// The difference, weighted, from the point's value to that of the place of the triangle within the radius that comes
+/// closest to it; infinity if there is none.
+double RelatedCheck::errorOn(const Related& related, std::uint32_t triangle, double radius) const
+{
+    const auto range =
+        valuesWithin(mesh_.boundary.tree.corners(triangle), valuesOf(triangle), related.place, radius);
+    if (!range)
+        return std::numeric_limits<double>::infinity();
+    return related.weight * std::max({0.0, (*range)[0] - related.value, related.value - (*range)[1]});
+}
+
+double RelatedCheck::leastErrorWithin(const Related& related, double radius) const
+{
+    double least = std::numeric_limits<double>::infinity();
+    mesh_.boundary.tree.visitWithin(related.place, radius, [&](std::uint32_t triangle) {
+        least = std::min(least, errorOn(related, triangle, radius));
+    });
+    return least;
+}
+
+void RelatedCheck::checkOutside(const Related& related)
+{
+    const std::array<double, 3> values = valuesOf(related.nearest.triangle);
+    const std::array<double, 3>& weights = related.nearest.place.weights;
+    const double there = weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2];
+    double error = related.weight * std::abs(there - related.value);
+    const double claimed = mesh_.claims.error(related.point);
+    if (error > claimed + tolerance_) {
+        const double radius = std::max(related.nearest.place.distance,
+                                       mesh_.claims.warping(related.point) / related.weight + original_.allowance);
+        error = std::min(error, leastErrorWithin(related, radius));
+    }
+    largestError_.local() = std::max(largestError_.local(), error);
+    if (error > claimed + tolerance_)
+        tooLarge_.add(related.point, [&] {
+            return "The error at " + name(related) + ", outside the mesh, is " +
+                   textOf(original_.points.percent(error)) + " % of the range, more than the claimed " +
+                   textOf(original_.points.percent(claimed)) + " %.";
+        });
+}
+
+/// The point counts for a cell: the one that holds it, or one on the boundary that is near enough.
+void RelatedCheck::checkOwn(const Related& related, bool covered)
+{
+    const bool needsError = !inside_.isWithinOwn(related.point);
+    const bool needsWarping = original_.isOnBoundary(related.point);
+    const auto grants = [&](std::uint32_t triangle) {
+        const std::uint32_t cell = mesh_.boundary.cells[triangle];
+        double radius = ownWarping(cell) / related.weight + original_.allowance;
+        if (!needsWarping)
+            radius = std::max(radius, related.nearest.place.distance);
+        if (!needsError)
+            return nearestPlace(mesh_.boundary.tree.corners(triangle), related.place).distance <= radius;
+        return errorOn(related, triangle, radius) <= ownError(cell) + tolerance_;
+    };
+    if (grants(related.nearest.triangle))
+        return;
+    bool granted = false;
+    const double farthest = std::max(related.nearest.place.distance,
+                                     largestOwnWarping_ / related.weight + original_.allowance);
+    mesh_.boundary.tree.visitWithin(related.place, farthest,
+                                    [&](std::uint32_t triangle) { granted = granted || grants(triangle); });
+    if (!granted)
+        beyondOwn_.add(related.point, [&] {
+            return "The error or the warping at " + name(related) + " is larger than the own ones of every cell " +
+                   (covered ? "that holds it." : "on the boundary near it.");
+        });
+}
+
+void RelatedCheck::moveTo(LevelVerdict& verdict)
+{
+    const auto larger = [](double a, double b) { return std::max(a, b); };
+    verdict.largestError = std::max(verdict.largestError, original_.points.percent(largestError_.combine(larger)));
+    verdict.largestWarping = 100 * largestWarping_.combine(larger) / original_.diagonal;
+    for (Findings* findings : {&tooLarge_, &tooFar_, &beyondOwn_})
+        findings->moveTo(verdict.failures);
+}
+
+} // namespace
+
+Status verifyRelated(const IrregularMesh& mesh, LevelVerdict& verdict, const Progress& progress)
+{
+    PointCheck inside(mesh.model, mesh.original.points, mesh.weights, mesh.cells, mesh.claims);
+    if (const Status done = inside.run(progress.part(0, 0.6)); !done)
+        return done;
+    verdict.largestError = mesh.original.points.percent(inside.largestError());
+    inside.tooLarge().moveTo(verdict.failures);
+    if (mesh.boundary.triangles.empty())
+        return {}; // said already
+    RelatedCheck check(mesh, inside);
+    if (const Status done = check.run(progress.part(0.6, 1)); !done)
+        return done;
+    check.moveTo(verdict);
+    return {};
+}
+
+} // namespace tetra
