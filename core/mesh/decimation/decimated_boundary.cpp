@@ -24,6 +24,20 @@ double DecimatedMesh::keyOfFacesAround() const
     return largest;
 }
 
+/// The boundary triangles that go and come with a collapse.
+void DecimatedMesh::setBoundaryChange(std::uint32_t linkPlace)
+{
+    const auto link = star_.link();
+    addedTriangles_.clear();
+    removedTriangles_.clear();
+    for (const VertexStar::RimTriangle& rim : star_.rim()) {
+        const std::uint32_t a = link[rim.corners[0]], b = link[rim.corners[1]];
+        removedTriangles_.push_back({star_.vertex(), a, b});
+        if (rim.corners[0] != linkPlace && rim.corners[1] != linkPlace)
+            addedTriangles_.push_back({link[linkPlace], a, b});
+    }
+}
+
 DecimatedMesh::Candidate DecimatedMesh::bestOnBoundary()
 {
     double least = std::numeric_limits<double>::infinity();
@@ -42,16 +56,24 @@ DecimatedMesh::Candidate DecimatedMesh::bestOnBoundary()
         const double key = boundaryJudge_.evaluate(star_, place, fan_, least);
         if (key > least || (key == least && link[place] > target))
             continue;
+        setBoundaryChange(place);
+        if (boundary_->meetsItself(addedTriangles_, removedTriangles_))
+            continue;
         least = key;
         target = link[place];
     }
     return {target, target == none ? 0 : roundedUp(std::max(least, keyOfFacesAround()))};
 }
 
-void DecimatedMesh::collapseOnBoundary(std::uint32_t vertex, std::uint32_t target)
+bool DecimatedMesh::collapseOnBoundary(std::uint32_t vertex, std::uint32_t target)
 {
     const auto link = star_.link();
     const auto place = static_cast<std::uint32_t>(std::ranges::find(link, target) - link.begin());
+    setBoundaryChange(place);
+    linkCondition_.set(star_);
+    if (!linkCondition_.allows(mesh_, star_, place) || boundary_->meetsItself(addedTriangles_, removedTriangles_))
+        return false;
+    boundary_->replace(removedTriangles_, addedTriangles_);
     boundaryJudge_.set(mesh_, star_, points_.points, boundaryPoints_);
     boundaryJudge_.evaluate(star_, place, fan_, std::numeric_limits<double>::infinity());
     mesh_.collapse(vertex, target, star_.slots());
@@ -59,6 +81,7 @@ void DecimatedMesh::collapseOnBoundary(std::uint32_t vertex, std::uint32_t targe
     for (const VertexStar::RimTriangle& rim : star_.rim())
         boundaryPoints_.clear(rim.triangle);
     relateToBoundary();
+    return true;
 }
 
 /// Gives the points to the tetrahedra and boundary triangles that have them, as they were evaluated.
@@ -80,7 +103,7 @@ void DecimatedMesh::relateToBoundary()
             state.inside = pool_.appended(state.inside, {&error.point, 1});
             state.insideError = std::max(state.insideError, roundedUp(error.error));
         } else {
-            boundaryPoints_.addOutside(error.triangle, error.point, roundedUp(error.error));
+            boundaryPoints_.addOutside(error.triangle, error.point, roundedUp(error.error), roundedUp(error.warping));
             changed(error.triangle);
         }
     }

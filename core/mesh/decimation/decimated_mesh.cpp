@@ -93,9 +93,13 @@ void DecimatedMesh::findBoundary()
     for (const auto& vertices : input_.tetrahedra)
         for (const std::uint32_t vertex : vertices)
             ++tetrahedraOfVertex[vertex];
+    std::vector<SurfaceTriangle> triangles;
     for (std::uint32_t triangle = 0; triangle < mesh_.triangleCount(); ++triangle)
-        for (const std::uint32_t corner : mesh_.cornersOf(CollapsibleMesh::firstTriangle + triangle))
+        triangles.push_back(mesh_.cornersOf(CollapsibleMesh::firstTriangle + triangle));
+    for (const SurfaceTriangle& triangle : triangles)
+        for (const std::uint32_t corner : triangle)
             sides_[corner] = onBoundary;
+    boundary_.emplace(input_.positions, triangles);
     for (std::uint32_t vertex = 0; vertex < vertexCount(); ++vertex) {
         if (sides_[vertex] == 0)
             continue;
@@ -233,7 +237,7 @@ DecimatedMesh::Candidate DecimatedMesh::best(std::uint32_t vertex)
     return {target, target == none ? 0 : roundedUp(std::max(least, keyOfFacesAround()))};
 }
 
-void DecimatedMesh::collapse(std::uint32_t vertex, std::uint32_t target)
+bool DecimatedMesh::collapse(std::uint32_t vertex, std::uint32_t target)
 {
     if (star_.vertex() != vertex)
         setStar(vertex);
@@ -242,7 +246,8 @@ void DecimatedMesh::collapse(std::uint32_t vertex, std::uint32_t target)
     touched_.assign(link.begin(), link.end());
     logStar();
     if (movesOnBoundary(vertex)) {
-        collapseOnBoundary(vertex, target);
+        if (!collapseOnBoundary(vertex, target))
+            return false;
     } else {
         evaluateFan(fan_, measure_, std::numeric_limits<double>::infinity(), points_);
         mesh_.collapse(vertex, target, star_.slots());
@@ -253,6 +258,7 @@ void DecimatedMesh::collapse(std::uint32_t vertex, std::uint32_t target)
         raiseOwn(slot);
     live_ -= star_.slots().size() - fanSlots_.size();
     log_.add(vertex, key(), logged_);
+    return true;
 }
 
 /// What there is to say of the tetrahedra that go.

@@ -4,6 +4,7 @@
 #include "core/mesh/decimation/apex_fan.h"
 #include "core/mesh/decimation/boundary_judge.h"
 #include "core/mesh/decimation/boundary_points.h"
+#include "core/mesh/decimation/boundary_surface.h"
 #include "core/mesh/decimation/collapse_log.h"
 #include "core/mesh/decimation/collapsible_mesh.h"
 #include "core/mesh/decimation/decimation.h"
@@ -14,6 +15,7 @@
 #include "core/mesh/decimation/vertex_star.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,8 +41,9 @@ public:
     /// The legal collapse of a vertex that has the smallest key; among equals the target of the smallest number.
     Candidate best(std::uint32_t vertex);
 
-    /// Does a collapse that best() named; nothing around the vertex has changed since.
-    void collapse(std::uint32_t vertex, std::uint32_t target);
+    /// Does a collapse that best() named; nothing around the vertex has changed since. False, and nothing is done, if
+    /// what lies behind its neighbours has come into the way on an irregular boundary.
+    [[nodiscard]] bool collapse(std::uint32_t vertex, std::uint32_t target);
     /// The vertices around the one that was removed last: their stars have changed.
     std::span<const std::uint32_t> touched() const noexcept { return touched_; }
 
@@ -69,7 +72,8 @@ private:
     bool mayMove(std::uint32_t vertex, std::uint32_t target) const;
     double keyOfFacesAround() const;
     Candidate bestOnBoundary();
-    void collapseOnBoundary(std::uint32_t vertex, std::uint32_t target);
+    void setBoundaryChange(std::uint32_t linkPlace);
+    bool collapseOnBoundary(std::uint32_t vertex, std::uint32_t target);
     void relateToBoundary();
     void raiseOwn(std::uint32_t slot);
     void setStar(std::uint32_t vertex);
@@ -91,6 +95,7 @@ private:
     CollapseLog log_;
     std::vector<std::uint8_t> sides_; ///< by vertex: the sides of the box that it lies on, or 1 on another boundary
     BoundaryPoints boundaryPoints_;
+    std::optional<BoundarySurface> boundary_; ///< of irregular meshes
     int handedness_ = 1;
     std::uint64_t evaluations_ = 0;
     std::uint64_t live_ = 0;
@@ -98,6 +103,8 @@ private:
     VertexStar star_;
     LinkCondition linkCondition_;
     BoundaryJudge boundaryJudge_;
+    std::vector<SurfaceTriangle> addedTriangles_;
+    std::vector<SurfaceTriangle> removedTriangles_;
     StarPoints points_;
     ApexFan fan_;
     std::vector<std::uint32_t> fanSlots_;

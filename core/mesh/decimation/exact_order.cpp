@@ -53,7 +53,10 @@ void ExactOrder::evaluate(std::uint32_t vertex)
 
 void ExactOrder::collapse(const Entry& entry)
 {
-    mesh_.collapse(entry.vertex, entry.target);
+    if (!mesh_.collapse(entry.vertex, entry.target)) {
+        evaluate(entry.vertex);
+        return;
+    }
     states_[entry.vertex].queued = false;
     for (const std::uint32_t vertex : mesh_.touched()) {
         VertexState& state = states_[vertex];
