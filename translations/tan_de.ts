@@ -1180,6 +1180,10 @@ Verwerfung %2</translation>
         <translation>%1 verstreute Punkte</translation>
     </message>
     <message>
+        <source>irregular mesh of %1 points, %2 tetrahedra</source>
+        <translation>unregelmäßiges Netz aus %1 Punkten, %2 Tetraedern</translation>
+    </message>
+    <message>
         <source>curvilinear grid of %1 points, %2 cells</source>
         <translation>krummliniges Gitter mit %1 Punkten, %2 Zellen</translation>
     </message>

@@ -26,6 +26,13 @@ std::string placeText(const Eigen::Vector3d& place)
     return "(" + rounded(place[0]) + ", " + rounded(place[1]) + ", " + rounded(place[2]) + ")";
 }
 
+std::uint64_t cellsOf(DomainClass domain, const Lattice& lattice, std::uint64_t tetrahedra)
+{
+    if (domain == DomainClass::Irregular)
+        return tetrahedra;
+    return isOnLattice(domain) ? lattice.cellCount() : 0;
+}
+
 } // namespace
 
 Result<Dataset> openDatasetWithOptions(const Invocation& invocation, const std::filesystem::path& path,
@@ -47,25 +54,36 @@ Result<Dataset> openDatasetWithOptions(const Invocation& invocation, const std::
 
 DatasetSummary summaryOf(const Dataset& dataset)
 {
-    return {dataset.domain, dataset.lattice, dataset.bounds(), dataset.values.type(), dataset.values.range()};
+    return {dataset.domain,
+            dataset.lattice,
+            dataset.bounds(),
+            dataset.values.type(),
+            dataset.values.range(),
+            cellsOf(dataset.domain, dataset.lattice, dataset.tetrahedra ? dataset.tetrahedra->size() : 0)};
 }
 
-DatasetSummary summaryOf(const ModelDescription& description)
+DatasetSummary summaryOf(const Model& model)
 {
-    return {description.domain, description.lattice, description.bounds, description.sampleType, description.range};
+    const ModelDescription& description = model.description();
+    // The finest mesh of irregular data is the dataset's own.
+    return {description.domain,
+            description.lattice,
+            description.bounds,
+            description.sampleType,
+            description.range,
+            cellsOf(description.domain, description.lattice, model.meshSizes().back())};
 }
 
 QJsonObject datasetFigures(const DatasetSummary& summary)
 {
     const Lattice& lattice = summary.lattice;
-    const bool onGrid = summary.domain != DomainClass::Scattered;
     QJsonObject figures = {{"kind", QString::fromStdString(std::string(domainClassName(summary.domain)))},
                            {"points", static_cast<qint64>(lattice.pointCount())},
-                           {"cells", static_cast<qint64>(onGrid ? lattice.cellCount() : 0)},
+                           {"cells", static_cast<qint64>(summary.cells)},
                            {"range", QJsonArray{summary.range.minimum, summary.range.maximum}},
                            {"type", QString::fromStdString(std::string(sampleTypeName(summary.type)))},
                            {"bounds", QJsonArray{toJson(summary.bounds.min()), toJson(summary.bounds.max())}}};
-    if (onGrid)
+    if (isOnLattice(summary.domain))
         figures["size"] = QJsonArray{qint64(lattice.size[0]), qint64(lattice.size[1]), qint64(lattice.size[2])};
     if (summary.domain == DomainClass::RegularLattice) {
         figures["spacing"] = toJson(lattice.spacing);
@@ -79,7 +97,10 @@ std::string datasetText(const DatasetSummary& summary)
     const Lattice& lattice = summary.lattice;
     const std::string type = "(" + std::string(sampleTypeName(summary.type)) + ")";
     std::string text;
-    if (summary.domain == DomainClass::Scattered)
+    if (summary.domain == DomainClass::Irregular)
+        text = "mesh of " + std::to_string(lattice.pointCount()) + " points " + type + " in " +
+               std::to_string(summary.cells) + " tetrahedra";
+    else if (summary.domain == DomainClass::Scattered)
         text = "set of " + std::to_string(lattice.pointCount()) + " scattered points " + type;
     else if (summary.domain == DomainClass::Curvilinear)
         text = "curvilinear grid of " + sizeText(lattice) + " points " + type;

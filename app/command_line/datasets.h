@@ -20,10 +20,11 @@ struct DatasetSummary {
     Eigen::AlignedBox3d bounds;
     SampleType type = SampleType::UInt8;
     ValueRange range;
+    std::uint64_t cells = 0; ///< of grids their cells, of irregular data the tetrahedra
 };
 
 DatasetSummary summaryOf(const Dataset& dataset);
-DatasetSummary summaryOf(const ModelDescription& description);
+DatasetSummary summaryOf(const Model& model);
 
 /// "kind", "points", "cells", "range", "type" and "bounds"; of grids also "size", of lattices "spacing" and "origin".
 QJsonObject datasetFigures(const DatasetSummary& summary);

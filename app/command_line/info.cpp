@@ -82,14 +82,14 @@ Result<Outcome> describeModel(const std::string& path, const std::vector<Accurac
         return intact.error();
 
     Outcome outcome;
-    outcome.figures = datasetFigures(summaryOf(description));
+    outcome.figures = datasetFigures(summaryOf(model));
     for (const auto& [key, value] : provenanceFigures(description).toVariantMap().asKeyValueRange())
         outcome.figures[key] = QJsonValue::fromVariant(value);
     outcome.figures["sites"] = static_cast<qint64>(model.siteCount());
     outcome.figures["tetrahedra"] = static_cast<qint64>(model.tetrahedronCount());
     outcome.figures["bytes"] = static_cast<qint64>(model.fileSize());
     outcome.figures["levels"] = found.list;
-    outcome.text = path + ": model of a " + datasetText(summaryOf(description)) + "\n" + provenanceText(description) +
+    outcome.text = path + ": model of a " + datasetText(summaryOf(model)) + "\n" + provenanceText(description) +
                    std::to_string(model.siteCount()) + " sites, " + std::to_string(model.tetrahedronCount()) +
                    " tetrahedra in the history, " + byteText(model.fileSize()) + "\n\n" + table(found.rows);
     return outcome;

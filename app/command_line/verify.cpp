@@ -27,7 +27,7 @@ QJsonArray toJson(const std::vector<std::string>& texts)
 
 QJsonObject levelFigures(const LevelVerdict& level, bool warps)
 {
-    return {{"error", level.asked.error},
+    QJsonObject figures = {{"error", level.asked.error},
             {"warping", warps ? level.asked.warping : 0},
             {"ok", level.ok()},
             {"conforming", level.conforming},
@@ -39,9 +39,14 @@ QJsonObject levelFigures(const LevelVerdict& level, bool warps)
             {"sites", static_cast<qint64>(level.sites)},
             {"tetrahedra", static_cast<qint64>(level.tetrahedra)},
             {"failures", toJson(level.failures)}};
+    if (level.twoSidedWarping) {
+        figures["two_sided_warping"] = *level.twoSidedWarping;
+        figures["two_sided_bound"] = level.twoSidedBound;
+    }
+    return figures;
 }
 
-std::vector<std::string> levelRow(const LevelVerdict& level, bool warps)
+std::vector<std::string> levelRow(const LevelVerdict& level, bool warps, bool twoSided)
 {
     const auto yes = [](bool answer) { return std::string(answer ? "yes" : "NO"); };
     std::vector<std::string> row = {
@@ -51,6 +56,8 @@ std::vector<std::string> levelRow(const LevelVerdict& level, bool warps)
         row.push_back(rounded(level.largestWarping));
         row.push_back(std::to_string(level.degenerate));
     }
+    if (twoSided)
+        row.push_back(level.twoSidedWarping ? rounded(*level.twoSidedWarping) : "-");
     return row;
 }
 
@@ -83,9 +90,13 @@ Outcome describe(const Verdict& verdict, const std::string& path, bool warps)
         {"error %", "ok", "sites", "tetrahedra", "conforming", "covers", "inverted", "largest error %"}};
     if (warps)
         rows[0].insert(rows[0].end(), {"largest warping %", "degenerate"});
+    const bool twoSided =
+        std::ranges::any_of(verdict.levels, [](const auto& level) { return level.twoSidedWarping.has_value(); });
+    if (twoSided)
+        rows[0].emplace_back("from both sides %");
     for (const LevelVerdict& level : verdict.levels) {
         levels.append(levelFigures(level, warps));
-        rows.push_back(levelRow(level, warps));
+        rows.push_back(levelRow(level, warps, twoSided));
     }
     outcome.isYes = verdict.ok();
     outcome.figures = {{"ok", verdict.ok()}, {"failures", toJson(verdict.failures)}, {"levels", levels}};
@@ -124,7 +135,9 @@ Syntax verifySyntax(PluginHost& host)
             "cells or to the hull, the cells fill the domain exactly, none is flat or inverted, and the error "
             "at every sample of the original data is at most the one claimed; for curvilinear data also the "
             "warping, and that no cell is inverted in physical space (those that even all points leave inverted are "
-            "counted). Also the file itself: its checksums, its structure, and its values against the original ones.\n"
+            "counted). For irregular data, whose boundary may lie elsewhere: that the boundary is a manifold that does not "
+            "meet itself, with the components, the surfaces and the holes of the data, and how far it is from theirs. "
+            "Also the file itself: its checksums, its structure, and its values against the original ones.\n"
             "With an error, a focus, a field or a budget the mesh that these ask for is extracted and proved in the "
             "same way: its error at every sample is at most the one asked for at that place.",
         .positionals = {{"MODEL", "The model."}},

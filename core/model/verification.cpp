@@ -63,6 +63,9 @@ Result<Verdict> verifyAll(const Model& model, const Dataset& original, const std
     if (usable)
         if (const Status done = verifyGroups(model, verdict.failures, progress.part(historyEnd, groupsEnd)); !done)
             return done.error();
+    if (usable && !model.description().delaunay)
+        if (const Status done = verifyClosure(model, verdict.failures, progress.withCallback({})); !done)
+            return done.error();
     for (std::size_t number = 0; number < levels.size(); ++number) {
         if (!usable) {
             verdict.levels.push_back(notChecked(levels[number]));

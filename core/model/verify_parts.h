@@ -50,6 +50,10 @@ Status verifyHistory(const Model& model, const std::vector<LatticePoint>& places
 /// can be followed.
 Status verifyGroups(const Model& model, std::vector<std::string>& failures, const Progress& progress);
 
+/// Of histories that are not Delaunay: the tetrahedra that a group makes stand on faces of those that it destroys and
+/// on no others, so that a closed set, which has those, has a mesh. For a history whose indices can be followed.
+Status verifyClosure(const Model& model, std::vector<std::string>& failures, const Progress& progress);
+
 /// One for each sample that its error is multiplied by (R6); empty if the model was built without.
 using Weights = std::vector<float>;
 

@@ -48,6 +48,9 @@ QString shapeOf(const Dataset& dataset)
     const QString sizes = QString("%1 × %2 × %3").arg(size[0]).arg(size[1]).arg(size[2]);
     if (dataset.domain == DomainClass::Scattered)
         return BuildPanel::tr("%1 scattered points").arg(countText(dataset.pointCount()));
+    if (dataset.domain == DomainClass::Irregular)
+        return BuildPanel::tr("irregular mesh of %1 points, %2 tetrahedra")
+            .arg(countText(dataset.pointCount()), countText(dataset.tetrahedra ? dataset.tetrahedra->size() : 0));
     if (dataset.domain == DomainClass::Curvilinear)
         return BuildPanel::tr("curvilinear grid of %1 points, %2 cells")
             .arg(sizes, countText(dataset.lattice.cellCount()));
