@@ -900,6 +900,62 @@
         <source>with-cell</source>
         <translation>mit der Zelle</translation>
     </message>
+    <message>
+        <source>Decimation by edge collapse</source>
+        <translation>Vergröberung durch Kantenschrumpfen</translation>
+    </message>
+    <message>
+        <source>Starts from the whole mesh and takes away the points that matter least; takes meshes of any shape and keeps their cavities.</source>
+        <translation>Beginnt mit dem ganzen Netz und nimmt die Punkte weg, auf die es am wenigsten ankommt; nimmt Netze jeder Form und erhält ihre Hohlräume.</translation>
+    </message>
+    <message>
+        <source>The error at which to stop; 0 goes on to the coarsest mesh.</source>
+        <translation>Der Fehler, bei dem aufgehört wird; 0 geht bis zum gröbsten Netz.</translation>
+    </message>
+    <message>
+        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values, 1 : 1 if either is 0, and then the other holds for both; two of 0 go on to the coarsest mesh.</source>
+        <translation>Für krummlinige und irreguläre Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt, 1 : 1, wenn eines von beiden 0 ist, und dann gilt das andere für beide; sind beide 0, geht es bis zum gröbsten Netz.</translation>
+    </message>
+    <message>
+        <source>Which point goes next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points at a time that do not touch, so that a focus region needs the least besides.</source>
+        <translation>Welcher Punkt als nächster geht: „exact“ nimmt den, dessen Verlust am wenigsten schadet, für die wenigsten Punkte; „paper“ schätzt das durch Gradienten und Ebenen, wie der Aufsatz; „rounds“ nimmt viele Punkte auf einmal, die einander nicht berühren, so dass ein Fokusbereich am wenigsten sonst braucht.</translation>
+    </message>
+    <message>
+        <source>rounds</source>
+        <translation>Runden</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>For irregular meshes, how far a boundary is off: &apos;one-sided&apos; from the points of the original boundary, as in the paper; &apos;two-sided&apos; from any place of the new one too.</source>
+        <translation>Für irreguläre Netze, wie weit ein Rand abweicht: „one-sided“ von den Punkten des ursprünglichen Randes aus, wie im Aufsatz; „two-sided“ auch von jeder Stelle des neuen aus.</translation>
+    </message>
+    <message>
+        <source>one-sided</source>
+        <translation>einseitig</translation>
+    </message>
+    <message>
+        <source>two-sided</source>
+        <translation>beidseitig</translation>
+    </message>
+    <message>
+        <source>Judging the vertices</source>
+        <translation>Die Knoten werden beurteilt</translation>
+    </message>
+    <message>
+        <source>Collapsing</source>
+        <translation>Kanten schrumpfen</translation>
+    </message>
+    <message>
+        <source>Scattered points have no tetrahedra that decimation could begin with. Refine them instead.</source>
+        <translation>Verstreute Punkte haben keine Tetraeder, mit denen die Vergröberung beginnen könnte. Verfeinern Sie sie stattdessen.</translation>
+    </message>
+    <message>
+        <source>A tetrahedral mesh needs a cell: two points or more along each axis.</source>
+        <translation>Ein Tetraedernetz braucht eine Zelle: zwei Punkte oder mehr entlang jeder Achse.</translation>
+    </message>
 </context>
 <context>
     <name>RemoveIsovalue</name>

@@ -158,7 +158,7 @@ bool BoundarySurface::meetsInCell(const Cell& cell, const SurfaceTriangle& trian
     for (std::uint32_t entry = cell.first; entry != none; entry = entries_[entry].next) {
         const SurfaceTriangle& other = entries_[entry].triangle;
         if (box.intersects(boxOf(positions_, other)) && !isAmong(other, removed) &&
-            trianglesMeet(positions_, triangle, other))
+            surfaceTrianglesMeet(positions_, triangle, other))
             return true;
     }
     return false;
@@ -206,7 +206,7 @@ bool BoundarySurface::meetsItself(std::span<const SurfaceTriangle> added,
         if (withoutArea(positions_, added[i]))
             return true;
         for (std::size_t j = 0; j < i; ++j) {
-            if (trianglesMeet(positions_, added[i], added[j]))
+            if (surfaceTrianglesMeet(positions_, added[i], added[j]))
                 return true;
         }
     }

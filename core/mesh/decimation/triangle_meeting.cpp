@@ -170,7 +170,8 @@ bool meetBesideEdge(const Corners& one, const Corners& other)
 
 } // namespace
 
-bool trianglesMeet(std::span<const Eigen::Vector3d> positions, const SurfaceTriangle& one, const SurfaceTriangle& other)
+bool surfaceTrianglesMeet(std::span<const Eigen::Vector3d> positions, const SurfaceTriangle& one,
+                          const SurfaceTriangle& other)
 {
     // What they share comes first, in the same order in both.
     SurfaceTriangle left = one, right = other;

@@ -25,7 +25,8 @@ std::vector<PointTriangle> trianglesOf(const LevelCells& cells, std::span<const 
     std::vector<PointTriangle> triangles;
     triangles.reserve(faces.size());
     for (const BoundaryFace& face : faces)
-        triangles.push_back({cells.point(face.vertices[0]), cells.point(face.vertices[1]), cells.point(face.vertices[2])});
+        triangles.push_back(
+            {cells.point(face.vertices[0]), cells.point(face.vertices[1]), cells.point(face.vertices[2])});
     return triangles;
 }
 
@@ -98,8 +99,9 @@ void BoundaryCheck::checkManifold()
                    " does not belong to two of its faces.";
         });
     for (const std::uint32_t vertex : boundary_.surfaces.brokenVertices)
-        manifold_.add(vertex,
-                      [&] { return "The boundary touches itself at point " + name(vertex) + ": it is no manifold there."; });
+        manifold_.add(vertex, [&] {
+            return "The boundary touches itself at point " + name(vertex) + ": it is no manifold there.";
+        });
 }
 
 void BoundaryCheck::checkComponents()
@@ -241,9 +243,9 @@ bool BoundaryCheck::isUndivided(std::size_t cell) const
     bool undivided = true;
     boundary_.tree.visitMeeting(boxOf(corners), [&](std::uint32_t number) {
         const PointTriangle& other = boundary_.triangles[number];
-        undivided = undivided && std::ranges::none_of(boundary_.tree.corners(number), [&](const Eigen::Vector3d& place) {
-                        return holdsInside(corners, place);
-                    });
+        undivided = undivided &&
+                    std::ranges::none_of(boundary_.tree.corners(number),
+                                         [&](const Eigen::Vector3d& place) { return holdsInside(corners, place); });
         for (const PointTriangle& face : faces)
             undivided = undivided && (std::ranges::is_permutation(face, other) ||
                                       !trianglesMeet(original_.points.positions, face, other));
@@ -275,8 +277,7 @@ void BoundaryCheck::checkCoveredOnce()
             continue;
         const std::uint32_t first = boundary_.surfaces.surfaces[surface].firstTriangle;
         coverage_.add(first, [&] {
-            return (triangle ? "Cells lie on one another"
-                             : std::string("No cell has room for a number in doubles")) +
+            return (triangle ? "Cells lie on one another" : std::string("No cell has room for a number in doubles")) +
                    " inside the surface of the boundary with the face " + name(boundary_.triangles[first]) + ".";
         });
     }

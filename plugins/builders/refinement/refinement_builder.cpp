@@ -2,6 +2,7 @@
 #include "plugins/builders/refinement/refinement_builder.h"
 
 #include "core/data/weighting.h"
+#include "plugins/api/weights_parameter.h"
 #include "plugins/builders/refinement/block_choice.h"
 #include "plugins/builders/refinement/curvilinear_build.h"
 #include "plugins/builders/refinement/lattice_build.h"
@@ -30,24 +31,6 @@ Parameter errorParameter()
     error.minimum = 0;
     error.maximum = 100;
     return error;
-}
-
-Parameter weightsParameter()
-{
-    Parameter weights;
-    weights.id = "weights";
-    weights.label = "Weights";
-    weights.explanation =
-        "Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, several separated by "
-        "';'. Errors there count in full, falling linearly to a tenth (or to ',floor' at the end) at the distance "
-        "'reach'; the largest weight holds. Examples: 'point:16,16,8,10', 'value:120,15,0.05'.";
-    weights.defaultValue = std::string();
-    weights.separator = ';';
-    weights.mistake = [](const std::string& text) {
-        const auto weighting = parseWeighting(text);
-        return weighting ? std::string() : weighting.error().text;
-    };
-    return weights;
 }
 
 constexpr std::string_view normalised = "normalised";

@@ -34,7 +34,7 @@ public:
             if (withoutArea(positions_, triangle))
                 return true;
             for (const SurfaceTriangle& other : others) {
-                if (trianglesMeet(positions_, triangle, other))
+                if (surfaceTrianglesMeet(positions_, triangle, other))
                     return true;
             }
             others.push_back(triangle);

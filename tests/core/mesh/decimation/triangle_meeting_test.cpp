@@ -96,8 +96,8 @@ std::array<Row, 5> equations(std::span<const Eigen::Vector3d> positions, const S
     return rows;
 }
 
-/// trianglesMeet() by the definition: the corners of the set of all pairs of weights that give the same point are its
-/// basic solutions, and one of them must give a point that what is shared does not have. In fractions.
+/// surfaceTrianglesMeet() by the definition: the corners of the set of all pairs of weights that give the same point
+/// are its basic solutions, and one of them must give a point that what is shared does not have. In fractions.
 bool meetInFractions(std::span<const Eigen::Vector3d> positions, const SurfaceTriangle& one,
                      const SurfaceTriangle& other)
 {
@@ -159,8 +159,8 @@ private slots:
             if (withoutArea(points, one) || withoutArea(points, other))
                 continue;
             const bool expected = meetInFractions(points, one, other);
-            QCOMPARE(trianglesMeet(points, one, other), expected);
-            QCOMPARE(trianglesMeet(points, other, one), expected);
+            QCOMPARE(surfaceTrianglesMeet(points, one, other), expected);
+            QCOMPARE(surfaceTrianglesMeet(points, other, one), expected);
             ++seen[expected];
         }
         QVERIFY(seen[1] > 50);
@@ -183,7 +183,7 @@ private slots:
     void sameCornersMeet()
     {
         const std::vector<Eigen::Vector3d> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-        QVERIFY(trianglesMeet(points, {0, 1, 2}, {2, 1, 0}));
+        QVERIFY(surfaceTrianglesMeet(points, {0, 1, 2}, {2, 1, 0}));
     }
 };
 

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/data/weighting.h"
+#include "plugins/api/parameter.h"
+
+#include <string>
+
+namespace tetra {
+
+/// "weights", the parameter of builders that weight errors and warpings (R6): a text for parseWeighting().
+inline Parameter weightsParameter()
+{
+    Parameter weights;
+    weights.id = "weights";
+    weights.label = "Weights";
+    weights.explanation =
+        "Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, several separated by "
+        "';'. Errors there count in full, falling linearly to a tenth (or to ',floor' at the end) at the distance "
+        "'reach'; the largest weight holds. Examples: 'point:16,16,8,10', 'value:120,15,0.05'.";
+    weights.defaultValue = std::string();
+    weights.separator = ';';
+    weights.mistake = [](const std::string& text) {
+        const auto weighting = parseWeighting(text);
+        return weighting ? std::string() : weighting.error().text;
+    };
+    return weights;
+}
+
+} // namespace tetra
