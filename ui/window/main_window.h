@@ -13,6 +13,7 @@ class QStackedWidget;
 namespace tetra {
 
 class EmptyPage;
+class ImportDialog;
 class MessageBar;
 class RegionActions;
 class StatusLine;
@@ -59,6 +60,7 @@ private:
     EmptyPage* empty_;
     Viewport* viewport_;
     QStackedWidget* pages_;
+    ImportDialog* import_ = nullptr; ///< once a file needed it
     StatusLine* status_;
     RegionActions* regions_;
     Docks docks_;
