@@ -32,7 +32,7 @@ std::string provenanceText(const ModelDescription& description)
 {
     std::string text = "built by " + description.builder + " from " + description.sourceName;
     for (const auto& [id, value] : description.parameters)
-        if (!value.empty())
+        if (!value.empty() && !id.starts_with(importPrefix)) // the source's name tells of it
             text += ", " + id + " " + value;
     return text + "\n";
 }

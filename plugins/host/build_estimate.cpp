@@ -10,7 +10,7 @@ namespace {
 
 /// What a build of one kind takes, measured (docs/performance.md, "Estimates").
 struct Costs {
-    double fixedBytes = 30e6;   ///< of memory: the program
+    double fixedBytes = 36e6;   ///< of memory: the program
     double pointBytes = 0;      ///< of memory, for each point ...
     double siteBytes = 0;       ///< ... and besides for each site
     double modelSiteBytes = 0;  ///< of the file, for each site
@@ -38,10 +38,10 @@ Costs costsOf(const BuildSize& size)
                 .pointSeconds = 0.08e-6,
                 .usesThreads = true};
     const double memoryMisses = std::clamp(std::log2(points / 32768) / 6, 0.0, 1.0); // 0 at 32^3, 1 at 128^3
-    return {.pointBytes = 120,
-            .siteBytes = 500,
-            .modelSiteBytes = 320,
-            .siteSeconds = (2.6 + 3 * memoryMisses) * 1e-6,
+    return {.pointBytes = 60,
+            .siteBytes = 560,
+            .modelSiteBytes = 300,
+            .siteSeconds = (3.2 + 3 * memoryMisses) * 1e-6,
             .pointSeconds = 0.1e-6};
 }
 

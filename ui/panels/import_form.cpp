@@ -33,7 +33,7 @@ QString arrayText(const FileArray& array)
 {
     QString text = pluginText(array.name);
     if (array.components > 1)
-        text = ImportForms::tr("%1, %n components", nullptr, array.components).arg(text);
+        text = ImportForms::tr("%1, %2 components").arg(text).arg(array.components);
     if (array.perCell)
         text = ImportForms::tr("%1 (of the cells)").arg(text);
     return text;

@@ -19,6 +19,11 @@ namespace {
 
 constexpr std::array axisNames{"x", "y", "z"};
 
+int pointOf(double number, int last)
+{
+    return static_cast<int>(std::clamp(number, 0.0, static_cast<double>(last)));
+}
+
 } // namespace
 
 ImportRegion::ImportRegion(QWidget* parent)
@@ -160,8 +165,9 @@ void ImportRegion::setPart(const DatasetPart& part)
         const QSignalBlocker first(axes_[a].first);
         const QSignalBlocker last(axes_[a].last);
         const QSignalBlocker stride(axes_[a].stride);
-        axes_[a].first->setValue(part.region ? static_cast<int>(part.region->min()[axis]) : 0);
-        axes_[a].last->setValue(part.region ? static_cast<int>(part.region->max()[axis]) : axes_[a].last->maximum());
+        const int end = axes_[a].last->maximum();
+        axes_[a].first->setValue(part.region ? pointOf(part.region->min()[axis], end) : 0);
+        axes_[a].last->setValue(part.region ? pointOf(part.region->max()[axis], end) : end);
         axes_[a].stride->setValue(static_cast<int>(part.stride[a]));
     }
     showCount();

@@ -125,7 +125,7 @@ void SlicePreview::request()
 {
     const std::uint64_t number = ++asked_;
     if (!samples_) {
-        job_.cancel();
+        job_.submit([this](const std::stop_token&) { file_.reset(); });
         shown_ = number;
         image_ = {};
         picture_->setText(tr("No layout that could be shown"));
@@ -135,8 +135,10 @@ void SlicePreview::request()
     const int axis = axis_->currentIndex();
     const auto layer = static_cast<std::uint32_t>(layer_->value());
     job_.submit([this, number, path = path_, samples = *samples_, axis, layer](const std::stop_token& stop) {
-        if (file_ == nullptr || file_->path() != path)
-            file_ = MappedFile::open(path).ok() ? *MappedFile::open(path) : nullptr;
+        if (file_ == nullptr || file_->path() != path) {
+            const auto opened = MappedFile::open(path);
+            file_ = opened ? *opened : nullptr;
+        }
         const auto bytes = file_ != nullptr ? file_->bytes() : std::span<const std::byte>();
         const auto slice = readSampleSlice(bytes, samples, axis, layer, mostRead, Progress(stop, {}));
         QMetaObject::invokeMethod(

@@ -98,7 +98,8 @@ ImportCheck countPart(const Lattice& lattice, const DatasetPart& part)
 {
     const auto taken = partOfLattice(lattice, part);
     if (!taken)
-        return {false, pluginText(taken.error().text)};
+        return {false, ImportTexts::tr("A volume needs at least two points along each axis. Take a larger region or a "
+                                       "smaller stride.")};
     if (part.isWhole())
         return {true, ImportTexts::tr("All %1 = %2 points.").arg(sizeText(lattice.size), countText(lattice.pointCount()))};
     return {true, ImportTexts::tr("%1 = %2 of %3 points.")

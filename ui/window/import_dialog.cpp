@@ -130,6 +130,7 @@ void ImportDialog::connectAll()
     connect(probe_, &ImportProbe::probed, this, &ImportDialog::showContents);
     connect(read_, &QPushButton::clicked, this, &ImportDialog::read);
     connect(cancel_, &QPushButton::clicked, this, &ImportDialog::reject);
+    connect(this, &QDialog::finished, preview_, [this] { preview_->setSamples({}, std::nullopt); });
     connect(&workbench_.reading(), &LongTask::progressed, this, [this](const TaskProgress& progress) {
         bar_->setValue(static_cast<int>(std::lround(progress.fraction * barSteps)));
     });
@@ -169,8 +170,10 @@ void ImportDialog::ask(const ImportQuestion& question)
     showForm();
     form_->setValues(question_.options.values);
     showSuggestions();
+    wantedPart_ = question_.options.part;
+    region_->setSpace();
+    region_->setPart({});
     showGrid();
-    region_->setPart(question_.options.part);
     valuesEdited();
     layoutHelp_->setVisible(withLayout_);
     resize(withLayout_ ? QSize(900, 620) : QSize(520, 480));
@@ -295,6 +298,10 @@ void ImportDialog::showGrid()
     else
         region_->setSpace();
     region_->setEnabled(isGrid || !withLayout_);
+    const bool isKnown = isGrid || contents_.domain == DomainClass::Scattered ||
+                         contents_.domain == DomainClass::Irregular;
+    if (const auto part = isKnown ? std::exchange(wantedPart_, std::nullopt) : std::nullopt)
+        region_->setPart(*part);
     showPart();
 }
 

@@ -57,6 +57,7 @@ private:
     ImportQuestion question_;
     std::vector<Provided<Reader>> readers_;
     FileContents contents_; ///< with the values that are chosen
+    std::optional<DatasetPart> wantedPart_; ///< until it is known what there is to take a part of
     ImportForm shownFields_;
     std::string formReader_; ///< whose they are
     std::uint64_t fileBytes_ = 0;
