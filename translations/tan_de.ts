@@ -390,6 +390,10 @@
         <source>A volume needs at least two points along each axis. Take a larger region or a smaller stride.</source>
         <translation>Ein Volumen braucht mindestens zwei Punkte entlang jeder Achse. Nehmen Sie einen größeren Bereich oder eine kleinere Schrittweite.</translation>
     </message>
+    <message>
+        <source>%1 MiB</source>
+        <translation>%1 MiB</translation>
+    </message>
 </context>
 <context>
     <name>MeshText</name>
@@ -1368,10 +1372,6 @@ Verwerfung %2</translation>
 <context>
     <name>tetra::ImportDialog</name>
     <message>
-        <source>Layout</source>
-        <translation>Anordnung</translation>
-    </message>
-    <message>
         <source>&amp;Read</source>
         <translation>&amp;Lesen</translation>
     </message>
@@ -1408,10 +1408,6 @@ Verwerfung %2</translation>
         <translation>Größen und Typen, die die Datei genau füllen würden, die wahrscheinlichsten zuerst</translation>
     </message>
     <message>
-        <source>&amp;Fitting</source>
-        <translation>&amp;Passend</translation>
-    </message>
-    <message>
         <source>Measured on other data; a larger error takes less. Half or twice as much is possible.</source>
         <translation>An anderen Daten gemessen; ein größerer Fehler braucht weniger. Die Hälfte oder das Doppelte ist möglich.</translation>
     </message>
@@ -1434,6 +1430,22 @@ Verwerfung %2</translation>
     <message>
         <source>Give the number of points along x, y and z, as in 64x64x32.</source>
         <translation>Geben Sie die Zahl der Punkte entlang x, y und z an, wie in 64x64x32.</translation>
+    </message>
+    <message>
+        <source>Whether that fits</source>
+        <translation>Ob das passt</translation>
+    </message>
+    <message>
+        <source>&amp;Suggestion</source>
+        <translation>&amp;Vorschlag</translation>
+    </message>
+    <message>
+        <source>Opens the dataset so</source>
+        <translation>Öffnet den Datensatz so</translation>
+    </message>
+    <message>
+        <source>Stops reading, or closes this window</source>
+        <translation>Bricht das Lesen ab oder schließt dieses Fenster</translation>
     </message>
 </context>
 <context>

@@ -68,8 +68,9 @@ void addImportOptions(Syntax& syntax, PluginHost& host)
     syntax.options.push_back(
         {.name = "region",
          .placeholder = "X0,Y0,Z0,X1,Y1,Z1",
-         .explanation = "The part of the dataset to take: of grids the first and the last point along each axis, counted "
-                        "from 0; of other data a box in space, of irregular meshes the tetrahedra that lie in it.",
+         .explanation =
+             "The part of the dataset to take: of grids the first and the last point along each axis, counted "
+             "from 0; of other data a box in space, of irregular meshes the tetrahedra that lie in it.",
          .byDefault = "all of it"});
     syntax.options.push_back({.name = "stride",
                               .placeholder = "N[,N,N]",

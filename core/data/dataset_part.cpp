@@ -32,8 +32,7 @@ struct GridPart {
     /// Whether its points follow one another in the dataset.
     bool isContiguous() const
     {
-        return stride == std::array<std::uint32_t, 3>{1, 1, 1} && count[0] == from.size[0] &&
-               count[1] == from.size[1];
+        return stride == std::array<std::uint32_t, 3>{1, 1, 1} && count[0] == from.size[0] && count[1] == from.size[1];
     }
 };
 
@@ -71,8 +70,7 @@ Result<GridPart> gridPart(const Lattice& lattice, const DatasetPart& part)
             return wrongPart("A stride is a whole number from 1.");
         const std::uint32_t points = *last >= *first ? (*last - *first) / part.stride[a] + 1 : 0;
         if (points < 2)
-            return wrongPart("The part has " + std::to_string(points) + " points along " +
-                             std::string(1, "xyz"[axis]) +
+            return wrongPart("The part has " + std::to_string(points) + " points along " + std::string(1, "xyz"[axis]) +
                              ", and a volume needs at least two along each axis. Take a larger region or a smaller "
                              "stride.");
         grid.first[a] = *first;

@@ -15,8 +15,9 @@ constexpr std::uint32_t notTaken = std::numeric_limits<std::uint32_t>::max();
 
 Error nothingInside(const std::string& what)
 {
-    return {ErrorKind::WrongUsage, "The region holds " + what + ". Take a larger one; 'bounds' of 'tan info' says where "
-                                                               "the points lie."};
+    return {ErrorKind::WrongUsage, "The region holds " + what +
+                                       ". Take a larger one; 'bounds' of 'tan info' says where "
+                                       "the points lie."};
 }
 
 /// The points that are taken, in their order, and the number that each point has there.
@@ -67,12 +68,11 @@ Result<Dataset> partOfIrregular(const Dataset& dataset, const Eigen::AlignedBox3
     const auto& all = *dataset.tetrahedra;
     std::vector<std::uint8_t> taken(all.size());
     for (std::size_t i = 0; i < all.size(); ++i)
-        taken[i] = std::ranges::all_of(
-            all[i], [&](std::uint32_t point) { return box.contains((*dataset.positions)[point]); });
+        taken[i] =
+            std::ranges::all_of(all[i], [&](std::uint32_t point) { return box.contains((*dataset.positions)[point]); });
     if (progress.cancelled())
         return cancelledError("Reading");
-    const std::uint64_t removed =
-        restrictToManifold(all, static_cast<std::uint32_t>(dataset.positions->size()), taken);
+    const std::uint64_t removed = restrictToManifold(all, static_cast<std::uint32_t>(dataset.positions->size()), taken);
     std::vector<std::uint8_t> isUsed(dataset.positions->size());
     for (std::size_t i = 0; i < all.size(); ++i)
         for (const std::uint32_t point : all[i])
@@ -90,8 +90,7 @@ Result<Dataset> partOfIrregular(const Dataset& dataset, const Eigen::AlignedBox3
                                    chosen.numbers[all[i][3]]});
     result->tetrahedra = std::move(tetrahedra);
     if (removed > 0)
-        result->remarks.push_back(std::to_string(removed) +
-                                  (removed == 1 ? " tetrahedron" : " tetrahedra") +
+        result->remarks.push_back(std::to_string(removed) + (removed == 1 ? " tetrahedron" : " tetrahedra") +
                                   " inside the region that hung on the others by a point or an edge alone, left out.");
     return result;
 }
@@ -103,8 +102,8 @@ Result<Dataset> partOfPoints(const Dataset& dataset, const Eigen::AlignedBox3d& 
     if (dataset.tetrahedra)
         return partOfIrregular(dataset, box, progress);
     constexpr std::size_t leastPoints = 4;
-    const Chosen chosen = choose(dataset.pointCount(),
-                                 [&](std::uint32_t point) { return box.contains((*dataset.positions)[point]); });
+    const Chosen chosen =
+        choose(dataset.pointCount(), [&](std::uint32_t point) { return box.contains((*dataset.positions)[point]); });
     if (chosen.points.size() < leastPoints)
         return nothingInside(std::to_string(chosen.points.size()) + " points, and a volume needs four");
     return ofPoints(dataset, chosen.points);

@@ -54,9 +54,8 @@ Result<SampleSlice> readSampleSlice(std::span<const std::byte> file, const Store
     slice.width = std::min(samples.size[right], most);
     slice.height = std::min(samples.size[up], most);
     slice.values.resize(std::size_t(slice.width) * slice.height);
-    const std::uint64_t held = file.size() > samples.skippedBytes
-                                   ? (file.size() - samples.skippedBytes) / sampleSize(samples.type)
-                                   : 0;
+    const std::uint64_t held =
+        file.size() > samples.skippedBytes ? (file.size() - samples.skippedBytes) / sampleSize(samples.type) : 0;
     const bool finished = visitSampleType(samples.type, [&]<class T>() {
         for (std::uint32_t y = 0; y < slice.height; ++y) {
             if (progress.cancelled())

@@ -10,13 +10,13 @@ namespace {
 
 /// What a build of one kind takes, measured (docs/performance.md, "Estimates").
 struct Costs {
-    double fixedBytes = 36e6;   ///< of memory: the program
-    double pointBytes = 0;      ///< of memory, for each point ...
-    double siteBytes = 0;       ///< ... and besides for each site
-    double modelSiteBytes = 0;  ///< of the file, for each site
-    double diskFactor = 1;      ///< of disk while it is built, over the model
-    double siteSeconds = 0;     ///< on one thread, for each site
-    double pointSeconds = 0;    ///< likewise for each point
+    double fixedBytes = 30e6;  ///< of memory: the program
+    double pointBytes = 0;     ///< of memory, for each point ...
+    double siteBytes = 0;      ///< ... and besides for each site
+    double modelSiteBytes = 0; ///< of the file, for each site
+    double diskFactor = 1;     ///< of disk while it is built, over the model
+    double siteSeconds = 0;    ///< on one thread, for each site
+    double pointSeconds = 0;   ///< likewise for each point
     bool usesThreads = false;
 };
 
@@ -26,9 +26,9 @@ Costs costsOf(const BuildSize& size)
 {
     const auto points = static_cast<double>(size.points);
     if (size.domain == DomainClass::Scattered)
-        return {.pointBytes = 60, .siteBytes = 700, .modelSiteBytes = 420, .siteSeconds = 12e-6};
+        return {.pointBytes = 60, .siteBytes = 700, .modelSiteBytes = 440, .siteSeconds = 25e-6};
     if (size.domain == DomainClass::Curvilinear)
-        return {.pointBytes = 60, .siteBytes = 600, .modelSiteBytes = 380, .siteSeconds = 7e-6};
+        return {.pointBytes = 60, .siteBytes = 600, .modelSiteBytes = 340, .siteSeconds = 7e-6};
     if (points > mostPointsAsWhole)
         return {.fixedBytes = 100e6,
                 .siteBytes = 45,
@@ -38,10 +38,10 @@ Costs costsOf(const BuildSize& size)
                 .pointSeconds = 0.08e-6,
                 .usesThreads = true};
     const double memoryMisses = std::clamp(std::log2(points / 32768) / 6, 0.0, 1.0); // 0 at 32^3, 1 at 128^3
-    return {.pointBytes = 60,
-            .siteBytes = 560,
-            .modelSiteBytes = 300,
-            .siteSeconds = (3.2 + 3 * memoryMisses) * 1e-6,
+    return {.pointBytes = 160,
+            .siteBytes = 450,
+            .modelSiteBytes = 295,
+            .siteSeconds = (4 + 3 * memoryMisses) * 1e-6,
             .pointSeconds = 0.1e-6};
 }
 
@@ -107,8 +107,8 @@ BuildEstimate estimateBuild(const BuildSize& size, unsigned threads)
     estimate.diskBytes = static_cast<std::uint64_t>(static_cast<double>(estimate.modelBytes) * costs.diskFactor);
     estimate.memoryBytes =
         static_cast<std::uint64_t>(costs.fixedBytes + data + points * costs.pointBytes + sites * costs.siteBytes);
-    estimate.seconds = (sites * costs.siteSeconds + points * costs.pointSeconds) /
-                       (costs.usesThreads ? std::max(1u, threads) : 1);
+    estimate.seconds =
+        (sites * costs.siteSeconds + points * costs.pointSeconds) / (costs.usesThreads ? std::max(1u, threads) : 1);
     return estimate;
 }
 

@@ -85,8 +85,8 @@ Result<Dataset> openDataset(PluginHost& host, const std::filesystem::path& path,
     if (!reader)
         return reader.error();
     const double readEnd = options.part.isWhole() ? 1 : 0.8;
-    const auto whole = callPlugin(
-        reader->id, [&] { return reader->plugin->read(path, options.values, progress.part(0, readEnd)); });
+    const auto whole =
+        callPlugin(reader->id, [&] { return reader->plugin->read(path, options.values, progress.part(0, readEnd)); });
     if (!whole)
         return whole;
     return takePart(*whole, options.part, progress.part(readEnd, 1));

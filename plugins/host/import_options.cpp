@@ -18,8 +18,7 @@ std::string key(std::string_view name)
 
 std::optional<std::string> textOf(const ModelDescription& description, const std::string& name)
 {
-    const auto found =
-        std::ranges::find(description.parameters, name, &std::pair<std::string, std::string>::first);
+    const auto found = std::ranges::find(description.parameters, name, &std::pair<std::string, std::string>::first);
     return found == description.parameters.end() ? std::nullopt : std::optional(found->second);
 }
 

@@ -52,12 +52,14 @@ private slots:
         const Run info = tan(QStringList{"info", "c60.nrrd", "--json"} + part);
         QVERIFY2(info.exitCode == 0, info.messages);
         QCOMPARE(info.json()["size"].toArray(), (QJsonArray{4, 12, 8}));
-        QCOMPARE(info.json()["spacing"].toArray()[0].toDouble(), 3 * tan({"info", "c60.nrrd", "--json"}).json()["spacing"].toArray()[0].toDouble());
+        QCOMPARE(info.json()["spacing"].toArray()[0].toDouble(),
+                 3 * tan({"info", "c60.nrrd", "--json"}).json()["spacing"].toArray()[0].toDouble());
         const Run build = tan(QStringList{"build", "c60.nrrd", "-o", "part.tan", "--json"} + part);
         QVERIFY2(build.exitCode == 0, build.messages);
         QCOMPARE(tan({"verify", "part.tan", "--against", "c60.nrrd", "--lod", "1,0"}).exitCode, 0);
         QCOMPARE(tan({"verify", "part.tan", "--against", "c60.nrrd", "--lod", "1", "--stride", "2,1,1"}).exitCode, 1);
-        QCOMPARE(tan({"info", "part.tan", "--json"}).json()["parameters"].toObject()["import.stride"].toString(), QString("3,1,1"));
+        QCOMPARE(tan({"info", "part.tan", "--json"}).json()["parameters"].toObject()["import.stride"].toString(),
+                 QString("3,1,1"));
         for (const char* wrong : {"0,0,0,12,11,11", "0,0,0,11,11", "0,0,5,11,11,5"})
             QCOMPARE(tan({"build", "c60.nrrd", "--region", wrong, "-o", "no.tan"}).exitCode, 2);
         QCOMPARE(tan({"info", "part.tan", "--stride", "2"}).exitCode, 2);

@@ -23,10 +23,19 @@ public:
     }
     std::vector<Parameter> parameters() const override
     {
-        return {{.id = "array", .label = "Values", .explanation = "Which.", .unit = "", .defaultValue = std::string("automatic")},
-                {.id = "component", .label = "Component", .explanation = "Which.", .unit = "", .defaultValue = std::string("magnitude")},
-                {.id = "time", .label = "Time step", .explanation = "Which.", .unit = "", .defaultValue = std::int64_t(1)},
-                {.id = "part", .label = "Part", .explanation = "Which.", .unit = "", .defaultValue = std::string()}};
+        return {
+            {.id = "array",
+             .label = "Values",
+             .explanation = "Which.",
+             .unit = "",
+             .defaultValue = std::string("automatic")},
+            {.id = "component",
+             .label = "Component",
+             .explanation = "Which.",
+             .unit = "",
+             .defaultValue = std::string("magnitude")},
+            {.id = "time", .label = "Time step", .explanation = "Which.", .unit = "", .defaultValue = std::int64_t(1)},
+            {.id = "part", .label = "Part", .explanation = "Which.", .unit = "", .defaultValue = std::string()}};
     }
     Result<FileContents> probe(const std::filesystem::path&, const ParameterValues&, const Progress&) const override
     {

@@ -24,7 +24,7 @@ private slots:
     {
         QCoreApplication::setOrganizationName("TAn");
         QCoreApplication::setApplicationName("importValues");
-        QLocale::setDefault(QLocale::c());
+        QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
         QSettings().clear();
     }
 
@@ -65,7 +65,8 @@ private slots:
     {
         const StoredSamples samples{.size = {32, 32, 32}, .type = SampleType::UInt8};
         QVERIFY(checkRawSize(samples, 32768).fits);
-        QCOMPARE(checkRawSize(samples, 32768).text, QString("32 × 32 × 32 × uint8 = 32,768 bytes: the file has exactly that."));
+        QCOMPARE(checkRawSize(samples, 32768).text,
+                 QString("32 × 32 × 32 × uint8 = 32,768 bytes: the file has exactly that."));
         QVERIFY(!checkRawSize(samples, 32767).fits);
         QVERIFY(checkRawSize(samples, 32767).text.contains("1 too few") ||
                 checkRawSize(samples, 32767).text.contains("1 too many"));
@@ -113,7 +114,8 @@ private slots:
 
     void whatIsMissingIsNotGrey()
     {
-        SampleSlice slice{.width = 2, .height = 2, .values = {0, 10, std::numeric_limits<float>::quiet_NaN(), 20}, .window = {0, 10}};
+        SampleSlice slice{
+            .width = 2, .height = 2, .values = {0, 10, std::numeric_limits<float>::quiet_NaN(), 20}, .window = {0, 10}};
         const QImage image = sliceImage(slice);
         QCOMPARE(image.pixel(0, 1), qRgb(0, 0, 0)); // the first row is the lowest
         QCOMPARE(image.pixel(1, 1), qRgb(255, 255, 255));
@@ -125,10 +127,11 @@ private slots:
 
     void theLastFiftyFilesAreRemembered()
     {
-        const ImportOptions options{.reader = "lattice",
-                                    .values = {{"size", std::string("4x4x4")}, {"skip", std::int64_t(3)}},
-                                    .part = {.region = Eigen::AlignedBox3d(Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(2, 2, 3)),
-                                             .stride = {1, 2, 1}}};
+        const ImportOptions options{
+            .reader = "lattice",
+            .values = {{"size", std::string("4x4x4")}, {"skip", std::int64_t(3)}},
+            .part = {.region = Eigen::AlignedBox3d(Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(2, 2, 3)),
+                     .stride = {1, 2, 1}}};
         for (int i = 0; i < 51; ++i)
             rememberImport("/nowhere/file" + std::to_string(i) + ".raw", options);
         const ImportOptions last = rememberedImport("/nowhere/file50.raw", *host_);
@@ -143,7 +146,10 @@ private slots:
     }
 
 private:
-    std::vector<Parameter> parametersOf(const std::string& reader) { return host_->reader(reader)->plugin->parameters(); }
+    std::vector<Parameter> parametersOf(const std::string& reader)
+    {
+        return host_->reader(reader)->plugin->parameters();
+    }
 
     std::unique_ptr<PluginHost> host_ = hostOfThisBuild();
 };

@@ -94,7 +94,8 @@ QWidget* BuildPanel::makeBuildPage()
     facts_ = wrappedLabel("build.facts");
     differently_ = new QPushButton(tr("Read &Differently…"));
     differently_->setObjectName("build.differently");
-    differently_->setToolTip(tr("Reads the file again in another way: other values, a part of it, every so many points"));
+    differently_->setToolTip(
+        tr("Reads the file again in another way: other values, a part of it, every so many points"));
     connect(differently_, &QPushButton::clicked, this, [this] { workbench_.readDifferently(); });
     builder_ = new QComboBox;
     builder_->setObjectName("build.builder");

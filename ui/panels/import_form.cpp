@@ -57,8 +57,8 @@ int componentsOf(const FileContents& contents, const ParameterValues& values)
         return 1;
     const auto chosen = values.find("array");
     const auto* const name = chosen != values.end() ? std::get_if<std::string>(&chosen->second) : nullptr;
-    const auto found = name != nullptr ? std::ranges::find(contents.arrays, *name, &FileArray::name)
-                                       : contents.arrays.end();
+    const auto found =
+        name != nullptr ? std::ranges::find(contents.arrays, *name, &FileArray::name) : contents.arrays.end();
     return found != contents.arrays.end() ? found->components : contents.arrays.front().components;
 }
 
@@ -67,7 +67,8 @@ std::vector<ParameterChoice> componentChoices(int components)
     std::vector<ParameterChoice> choices = {{std::string("magnitude"), ImportForms::tr("Magnitude")}};
     for (int component = 0; component < components; ++component) {
         const QString number = QString::number(component);
-        const QString name = components == 3 ? QString("%1 (%2)").arg(number, QString("xyz").mid(component, 1)) : number;
+        const QString name =
+            components == 3 ? QString("%1 (%2)").arg(number, QString("xyz").mid(component, 1)) : number;
         choices.push_back({std::to_string(component), name});
     }
     return choices;

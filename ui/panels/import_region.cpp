@@ -27,7 +27,8 @@ int pointOf(double number, int last)
 } // namespace
 
 ImportRegion::ImportRegion(QWidget* parent)
-    : QWidget(parent), count_(new CheckLabel("import.region.count")), reset_(new QPushButton(tr("&All Points"))), inBox_(new QCheckBox(tr("Only a &box in space")))
+    : QWidget(parent), count_(new CheckLabel("import.region.count")), reset_(new QPushButton(tr("&All Points"))),
+      inBox_(new QCheckBox(tr("Only a &box in space")))
 {
     setObjectName("import.region");
     reset_->setObjectName("import.region.reset");
@@ -178,9 +179,9 @@ DatasetPart ImportRegion::part() const
     DatasetPart part;
     if (!isGrid()) {
         if (inBox_->isChecked())
-            part.region = Eigen::AlignedBox3d(
-                Eigen::Vector3d(corners_[0]->value(), corners_[1]->value(), corners_[2]->value()),
-                Eigen::Vector3d(corners_[3]->value(), corners_[4]->value(), corners_[5]->value()));
+            part.region =
+                Eigen::AlignedBox3d(Eigen::Vector3d(corners_[0]->value(), corners_[1]->value(), corners_[2]->value()),
+                                    Eigen::Vector3d(corners_[3]->value(), corners_[4]->value(), corners_[5]->value()));
         return part;
     }
     Eigen::Vector3d first;

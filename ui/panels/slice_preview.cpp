@@ -2,10 +2,10 @@
 #include "ui/panels/slice_preview.h"
 
 #include "core/base/mapped_file.h"
-#include "ui/session/number_text.h"
 
 #include <QComboBox>
 #include <QLabel>
+#include <QLocale>
 #include <QPainter>
 #include <QResizeEvent>
 #include <QSignalBlocker>
@@ -19,7 +19,7 @@
 namespace tetra {
 namespace {
 
-constexpr int least = 200;             // pixels
+constexpr int least = 200;              // pixels
 constexpr std::uint32_t mostRead = 512; // samples along a side
 
 } // namespace
@@ -160,11 +160,12 @@ void SlicePreview::show(const Result<SampleSlice>& slice)
     image_ = sliceImage(*slice);
     static constexpr std::array directions{"yz", "xz", "xy"};
     const char* axes = directions[static_cast<std::size_t>(axis_->currentIndex())];
-    const double extent = slice->window.extent();
-    legend_->setText(tr("%1 to the right, %2 up; black %3, white %4")
-                         .arg(QChar(axes[0]))
-                         .arg(QChar(axes[1]))
-                         .arg(valueText(slice->window.minimum, extent), valueText(slice->window.maximum, extent)));
+    const QLocale locale;
+    legend_->setText(
+        tr("%1 to the right, %2 up; black %3, white %4")
+            .arg(QChar(axes[0]))
+            .arg(QChar(axes[1]))
+            .arg(locale.toString(slice->window.minimum, 'g', 5), locale.toString(slice->window.maximum, 'g', 5)));
     showImage();
 }
 

@@ -13,10 +13,10 @@ namespace tetra {
 /// A dataset of which the user is to say how it is to be read.
 struct ImportQuestion {
     std::filesystem::path path;
-    Provided<Reader> reader;  ///< that the options name, or that suits the file best
-    FileContents contents{};  ///< with these options
-    ImportOptions options{};  ///< to begin with
-    QString reason{};         ///< why it is asked, in a sentence; empty if the user wanted to be
+    Provided<Reader> reader; ///< that the options name, or that suits the file best
+    FileContents contents{}; ///< with these options
+    ImportOptions options{}; ///< to begin with
+    QString reason{};        ///< why it is asked, in a sentence; empty if the user wanted to be
 };
 
 /// Whether a file offers a choice that a user wants to be asked about: an array, a time step, a block, a layout.

@@ -59,6 +59,18 @@ QString typeText(SampleType type)
     return pluginText(std::string(sampleTypeName(type)));
 }
 
+/// No more digits than an estimate has.
+QString roughBytesText(std::uint64_t bytes)
+{
+    constexpr std::uint64_t mebibyte = 1 << 20;
+    constexpr std::uint64_t gibibyte = 1 << 30;
+    if (bytes >= gibibyte)
+        return bytesText(bytes);
+    const std::uint64_t step = bytes >= 100 * mebibyte ? 10 : 1;
+    const std::uint64_t steps = std::max<std::uint64_t>(1, (bytes + step * mebibyte / 2) / (step * mebibyte));
+    return ImportTexts::tr("%1 MiB").arg(countText(steps * step));
+}
+
 } // namespace
 
 std::optional<StoredSamples> storedSamplesOf(const ParameterValues& values)
@@ -67,11 +79,11 @@ std::optional<StoredSamples> storedSamplesOf(const ParameterValues& values)
     if (!size)
         return std::nullopt;
     const bool big = valueOf<std::string>(values, "byte-order", "little") == "big";
-    return StoredSamples{
-        .size = *size,
-        .type = typeOf(valueOf<std::string>(values, "type", "uint8")),
-        .order = big ? std::endian::big : std::endian::little,
-        .skippedBytes = static_cast<std::uint64_t>(std::max<std::int64_t>(valueOf<std::int64_t>(values, "skip", 0), 0))};
+    return StoredSamples{.size = *size,
+                         .type = typeOf(valueOf<std::string>(values, "type", "uint8")),
+                         .order = big ? std::endian::big : std::endian::little,
+                         .skippedBytes = static_cast<std::uint64_t>(
+                             std::max<std::int64_t>(valueOf<std::int64_t>(values, "skip", 0), 0))};
 }
 
 ImportCheck checkRawSize(const StoredSamples& samples, std::uint64_t fileBytes)
@@ -101,7 +113,8 @@ ImportCheck countPart(const Lattice& lattice, const DatasetPart& part)
         return {false, ImportTexts::tr("A volume needs at least two points along each axis. Take a larger region or a "
                                        "smaller stride.")};
     if (part.isWhole())
-        return {true, ImportTexts::tr("All %1 = %2 points.").arg(sizeText(lattice.size), countText(lattice.pointCount()))};
+        return {true,
+                ImportTexts::tr("All %1 = %2 points.").arg(sizeText(lattice.size), countText(lattice.pointCount()))};
     return {true, ImportTexts::tr("%1 = %2 of %3 points.")
                       .arg(sizeText(taken->size), countText(taken->pointCount()), countText(lattice.pointCount()))};
 }
@@ -109,12 +122,11 @@ ImportCheck countPart(const Lattice& lattice, const DatasetPart& part)
 QString estimateText(const BuildSize& size)
 {
     const BuildEstimate estimate = estimateBuild(size, std::max(1u, std::thread::hardware_concurrency()));
-    const QString text = size.siteShare < 1
-                             ? ImportTexts::tr("Building to an error of 0 takes about %1 of memory, %2 of disk and %3.")
-                             : ImportTexts::tr(
-                                   "Building to an error of 0 takes up to %1 of memory, %2 of disk and %3.");
-    const QString needs =
-        text.arg(bytesText(estimate.memoryBytes), bytesText(estimate.diskBytes), durationText(estimate.seconds));
+    const QString text =
+        size.siteShare < 1 ? ImportTexts::tr("Building to an error of 0 takes about %1 of memory, %2 of disk and %3.")
+                           : ImportTexts::tr("Building to an error of 0 takes up to %1 of memory, %2 of disk and %3.");
+    const QString needs = text.arg(roughBytesText(estimate.memoryBytes), roughBytesText(estimate.diskBytes),
+                                   durationText(estimate.seconds));
     const std::uint64_t usable = usableBytes();
     if (usable != 0 && estimate.memoryBytes > usable)
         return needs + " " + ImportTexts::tr("This machine has %1 of memory.").arg(bytesText(usable));

@@ -99,7 +99,9 @@ void Workbench::look(const std::filesystem::path& path, bool ask)
 std::function<void()> Workbench::whenLookedAt(const std::filesystem::path& path, bool ask, const Progress& progress)
 {
     const auto tellLater = [this](const Error& error) { return [this, error] { tell(error); }; };
-    ImportQuestion question{.path = path, .options = rememberedImport(path, host_)};
+    ImportQuestion question;
+    question.path = path;
+    question.options = rememberedImport(path, host_);
     const auto reader = chooseReader(host_, path);
     if (!reader)
         return tellLater(reader.error());
@@ -185,17 +187,18 @@ void Workbench::build(const BuildOrder& order)
     look_.reset();
     building_.start([this, order, dataset = dataset_, imported = imported_, live = live_,
                      keep = keep_](const Progress& progress) -> std::function<void()> {
-        return [this, order,
-                built = tetra::buildModel(host_, *dataset, order.builder, order.values, order.target, progress,
-                                          {.live = live.get(), .keepWhenCancelled = keep.get(), .imported = imported})] {
-            if (built) {
-                emit modelBuilt();
-                showBuilt(order.target);
-            } else {
-                closeLook();
-                tell(built.error());
-            }
-        };
+        return
+            [this, order,
+             built = tetra::buildModel(host_, *dataset, order.builder, order.values, order.target, progress,
+                                       {.live = live.get(), .keepWhenCancelled = keep.get(), .imported = imported})] {
+                if (built) {
+                    emit modelBuilt();
+                    showBuilt(order.target);
+                } else {
+                    closeLook();
+                    tell(built.error());
+                }
+            };
     });
     buildTarget_ = order.target;
     lookPath_ = filePath(looks_.filePath(pathText(order.target.filename())));

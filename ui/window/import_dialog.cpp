@@ -42,10 +42,11 @@ QLabel* wrapped(const char* name)
 ImportDialog::ImportDialog(Workbench& workbench, QWidget* parent)
     : QDialog(parent), workbench_(workbench), probe_(new ImportProbe(workbench.host(), this)),
       file_(wrapped("import.file")), reason_(new CheckLabel("import.reason")), reader_(new QComboBox),
-      form_(new ParameterForm("import.option")), fields_(new QWidget), layoutHelp_(new QGroupBox(tr("Layout"))),
-      suggestions_(new QComboBox), sizeCheck_(new CheckLabel("import.sizeCheck")), preview_(new SlicePreview),
-      region_(new ImportRegion), estimate_(wrapped("import.estimate")), bar_(new QProgressBar),
-      read_(new QPushButton(tr("&Read"))), cancel_(new QPushButton(tr("Cancel")))
+      form_(new ParameterForm("import.option")), fields_(new QWidget),
+      layoutHelp_(new QGroupBox(tr("Whether that fits"))), suggestions_(new QComboBox),
+      sizeCheck_(new CheckLabel("import.sizeCheck")), preview_(new SlicePreview), region_(new ImportRegion),
+      estimate_(wrapped("import.estimate")), bar_(new QProgressBar), read_(new QPushButton(tr("&Read"))),
+      cancel_(new QPushButton(tr("Cancel")))
 {
     setObjectName("importDialog");
     fillFields();
@@ -91,7 +92,7 @@ void ImportDialog::fillLayoutHelp()
     suggestions_->setAccessibleName(tr("Layouts that fit"));
     suggestions_->setToolTip(tr("Sizes and types that would fill the file exactly, the likeliest first"));
     auto* row = new QFormLayout;
-    row->addRow(tr("&Fitting"), suggestions_);
+    row->addRow(tr("&Suggestion"), suggestions_);
     auto* layout = new QVBoxLayout(layoutHelp_);
     layout->addLayout(row);
     layout->addWidget(sizeCheck_);
@@ -107,8 +108,10 @@ QLayout* ImportDialog::makeFoot()
     bar_->setRange(0, barSteps);
     bar_->hide();
     read_->setObjectName("import.read");
+    read_->setToolTip(tr("Opens the dataset so"));
     read_->setDefault(true);
     cancel_->setObjectName("import.cancel");
+    cancel_->setToolTip(tr("Stops reading, or closes this window"));
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(bar_, 1);
     buttons->addStretch();
@@ -298,8 +301,8 @@ void ImportDialog::showGrid()
     else
         region_->setSpace();
     region_->setEnabled(isGrid || !withLayout_);
-    const bool isKnown = isGrid || contents_.domain == DomainClass::Scattered ||
-                         contents_.domain == DomainClass::Irregular;
+    const bool isKnown =
+        isGrid || contents_.domain == DomainClass::Scattered || contents_.domain == DomainClass::Irregular;
     if (const auto part = isKnown ? std::exchange(wantedPart_, std::nullopt) : std::nullopt)
         region_->setPart(*part);
     showPart();
@@ -339,9 +342,8 @@ void ImportDialog::showReading(bool reading)
 void ImportDialog::read()
 {
     showReason(true, {});
-    workbench_.importDataset(
-        question_.path,
-        {.reader = question_.reader.id, .values = form_->values(), .part = region_->part()});
+    workbench_.importDataset(question_.path,
+                             {.reader = question_.reader.id, .values = form_->values(), .part = region_->part()});
     showReading(true);
 }
 

@@ -56,7 +56,7 @@ private:
     Workbench& workbench_;
     ImportQuestion question_;
     std::vector<Provided<Reader>> readers_;
-    FileContents contents_; ///< with the values that are chosen
+    FileContents contents_;                 ///< with the values that are chosen
     std::optional<DatasetPart> wantedPart_; ///< until it is known what there is to take a part of
     ImportForm shownFields_;
     std::string formReader_; ///< whose they are

@@ -159,8 +159,7 @@ FileContents guessedContents(const fs::path& path, std::uint64_t bytes)
 
 Result<FileContents> contentsOf(const fs::path& path, const Volume& volume)
 {
-    const Status whole =
-        checkSampleBytes(volume.file->bytes().subspan(volume.headerBytes), volume.layout);
+    const Status whole = checkSampleBytes(volume.file->bytes().subspan(volume.headerBytes), volume.layout);
     if (!whole) {
         const Error error = inFile(volume.file->path(), whole.error());
         return volume.file->path() == path ? error : withHeader(path, error);

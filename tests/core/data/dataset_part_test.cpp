@@ -87,8 +87,8 @@ Dataset irregular(std::uint32_t n)
                     ++at[order[i]];
             }
             const Eigen::Vector3d a = (*positions)[corners[0]];
-            if (((*positions)[corners[1]] - a)
-                    .dot(((*positions)[corners[2]] - a).cross((*positions)[corners[3]] - a)) < 0)
+            if (((*positions)[corners[1]] - a).dot(((*positions)[corners[2]] - a).cross((*positions)[corners[3]] - a)) <
+                0)
                 std::swap(corners[2], corners[3]);
             tetrahedra->push_back(corners);
         }
@@ -202,7 +202,8 @@ private slots:
         DatasetPart part{.region = boxOf({0, 0, 3}, {15, 15, 9})};
         const auto layers = takePart(dataset, part);
         QVERIFY(layers);
-        QCOMPARE(layers->values.bytes().data(), dataset.values.bytes().data() + 3 * 16 * 16 * sampleSize(dataset.values.type()));
+        QCOMPARE(layers->values.bytes().data(),
+                 dataset.values.bytes().data() + 3 * 16 * 16 * sampleSize(dataset.values.type()));
         QCOMPARE(layers->mappedFile, dataset.mappedFile);
         part.stride = {1, 1, 2};
         const auto thinned = takePart(dataset, part);
@@ -214,11 +215,21 @@ private slots:
         QTest::addColumn<QString>("region");
         QTest::addColumn<QString>("stride");
         QTest::addColumn<QString>("says");
-        QTest::newRow("outside") << "0,0,0,8,7,7" << "" << "from 0 to 7";
-        QTest::newRow("negative") << "-1,0,0,7,7,7" << "" << "from 0 to 7";
-        QTest::newRow("no whole number") << "0,0.5,0,7,7,7" << "" << "along y";
-        QTest::newRow("one layer") << "0,0,3,7,7,3" << "" << "1 points along z";
-        QTest::newRow("too large a stride") << "" << "1,8,1" << "1 points along y";
+        QTest::newRow("outside") << "0,0,0,8,7,7"
+                                 << ""
+                                 << "from 0 to 7";
+        QTest::newRow("negative") << "-1,0,0,7,7,7"
+                                  << ""
+                                  << "from 0 to 7";
+        QTest::newRow("no whole number") << "0,0.5,0,7,7,7"
+                                         << ""
+                                         << "along y";
+        QTest::newRow("one layer") << "0,0,3,7,7,3"
+                                   << ""
+                                   << "1 points along z";
+        QTest::newRow("too large a stride") << ""
+                                            << "1,8,1"
+                                            << "1 points along y";
     }
 
     void wrongPartsAreRefused()
@@ -261,10 +272,10 @@ private slots:
         for (std::uint32_t round = 0; round < rounds; ++round) {
             Eigen::AlignedBox3d box;
             for (int corner = 0; corner < 2; ++corner)
-                box.extend(bounds.min() + bounds.sizes().cwiseProduct(Eigen::Vector3d(
-                                              std::uniform_real_distribution<double>(0, 1)(random),
-                                              std::uniform_real_distribution<double>(0, 1)(random),
-                                              std::uniform_real_distribution<double>(0, 1)(random))));
+                box.extend(bounds.min() + bounds.sizes().cwiseProduct(
+                                              Eigen::Vector3d(std::uniform_real_distribution<double>(0, 1)(random),
+                                                              std::uniform_real_distribution<double>(0, 1)(random),
+                                                              std::uniform_real_distribution<double>(0, 1)(random))));
             std::vector<std::pair<double, double>> expected; // x and value, in order
             for (std::uint64_t point = 0; point < dataset.pointCount(); ++point)
                 if (box.contains(dataset.position(point)))
@@ -281,8 +292,8 @@ private slots:
     void tetrahedraInABoxAreTakenWhole()
     {
         const Dataset dataset = irregular(6);
-        const auto taken = takePart(dataset, {.region = Eigen::AlignedBox3d(Eigen::Vector3d(0.5, -1, 2),
-                                                                            Eigen::Vector3d(4.5, 3, 9))});
+        const auto taken =
+            takePart(dataset, {.region = Eigen::AlignedBox3d(Eigen::Vector3d(0.5, -1, 2), Eigen::Vector3d(4.5, 3, 9))});
         QVERIFY2(taken, taken ? "" : taken.error().text.c_str());
         QCOMPARE(taken->tetrahedra->size(), std::size_t(3 * 3 * 4 * 6)); // cubes 1..4 x 0..3 x 2..6
         QCOMPARE(taken->pointCount(), std::uint64_t(4 * 4 * 5));
@@ -290,8 +301,8 @@ private slots:
             for (const std::uint32_t point : corners) // the values are the numbers that the points had
                 QCOMPARE(taken->position(point), dataset.position(static_cast<std::uint64_t>(taken->values.at(point))));
         QVERIFY(boundaryIsManifold(*taken->tetrahedra));
-        QVERIFY(!takePart(dataset, {.region = Eigen::AlignedBox3d(Eigen::Vector3d(0.1, 0.1, 0.1),
-                                                                  Eigen::Vector3d(0.9, 5, 5))}));
+        QVERIFY(!takePart(dataset,
+                          {.region = Eigen::AlignedBox3d(Eigen::Vector3d(0.1, 0.1, 0.1), Eigen::Vector3d(0.9, 5, 5))}));
     }
 
     void whatHangsByAPointOrAnEdgeGoes()
@@ -305,8 +316,7 @@ private slots:
             for (std::uint8_t& one : chosen)
                 one = random() % 10 < share;
             const std::vector<std::uint8_t> before = chosen;
-            const auto removed =
-                restrictToManifold(all, static_cast<std::uint32_t>(dataset.pointCount()), chosen);
+            const auto removed = restrictToManifold(all, static_cast<std::uint32_t>(dataset.pointCount()), chosen);
             std::vector<std::array<std::uint32_t, 4>> left;
             std::uint64_t gone = 0;
             for (std::size_t i = 0; i < all.size(); ++i) {

@@ -49,10 +49,18 @@ private slots:
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("region");
         QTest::addColumn<QString>("stride");
-        QTest::newRow("region") << "c60.nrrd" << "1,2,3,9,8,10" << "";
-        QTest::newRow("stride") << "c60.nrrd" << "" << "2,1,3";
-        QTest::newRow("both") << "c60.nrrd" << "0,0,2,11,10,11" << "2";
-        QTest::newRow("points") << "points.csv" << "-1,-0.5,-1,1,1,0.5" << "";
+        QTest::newRow("region") << "c60.nrrd"
+                                << "1,2,3,9,8,10"
+                                << "";
+        QTest::newRow("stride") << "c60.nrrd"
+                                << ""
+                                << "2,1,3";
+        QTest::newRow("both") << "c60.nrrd"
+                              << "0,0,2,11,10,11"
+                              << "2";
+        QTest::newRow("points") << "points.csv"
+                                << "-1,-0.5,-1,1,1,0.5"
+                                << "";
     }
 
     void aModelIsVerifiedAgainstThePartThatItKeeps()
@@ -84,11 +92,11 @@ private slots:
     void optionsAreKeptAsTexts()
     {
         const auto parameters = host_->reader("lattice")->plugin->parameters();
-        const ImportOptions options{.reader = "lattice",
-                                    .values = {{"size", std::string("3x4x5")}, {"skip", std::int64_t(12)}},
-                                    .part = {.region = Eigen::AlignedBox3d(Eigen::Vector3d(0.25, -1, 1e-9),
-                                                                           Eigen::Vector3d(1, 2, 3)),
-                                             .stride = {1, 1, 4}}};
+        const ImportOptions options{
+            .reader = "lattice",
+            .values = {{"size", std::string("3x4x5")}, {"skip", std::int64_t(12)}},
+            .part = {.region = Eigen::AlignedBox3d(Eigen::Vector3d(0.25, -1, 1e-9), Eigen::Vector3d(1, 2, 3)),
+                     .stride = {1, 1, 4}}};
         ModelDescription description;
         description.parameters = importTexts(options);
         const auto read = importOf(description, parameters);
@@ -148,9 +156,9 @@ private slots:
         QVERIFY(built);
         const BuildEstimate estimate = estimateBuild(buildSizeOf(dataset), 1);
         const double ratio = static_cast<double>(estimate.modelBytes) / static_cast<double>(built->fileBytes);
-        qInfo("%s: model %.2f, seconds %.2f of what it took; %.1f us a site, share %.2f of %.2f, %.0f bytes a site", qPrintable(name), ratio,
-              estimate.seconds / built->seconds, built->seconds / static_cast<double>(built->report.sites) * 1e6,
-              buildSizeOf(dataset).siteShare,
+        qInfo("%s: model %.2f, seconds %.2f of what it took; %.1f us a site, share %.2f of %.2f, %.0f bytes a site",
+              qPrintable(name), ratio, estimate.seconds / built->seconds,
+              built->seconds / static_cast<double>(built->report.sites) * 1e6, buildSizeOf(dataset).siteShare,
               static_cast<double>(built->report.sites) / static_cast<double>(dataset.pointCount()),
               static_cast<double>(built->fileBytes) / static_cast<double>(built->report.sites));
         QVERIFY2(ratio > 0.5 && ratio < 2, qPrintable(QString::number(ratio)));
@@ -158,8 +166,8 @@ private slots:
 
     void moreDataNeedMore()
     {
-        for (const DomainClass domain : {DomainClass::RegularLattice, DomainClass::Curvilinear, DomainClass::Irregular,
-                                         DomainClass::Scattered}) {
+        for (const DomainClass domain :
+             {DomainClass::RegularLattice, DomainClass::Curvilinear, DomainClass::Irregular, DomainClass::Scattered}) {
             BuildEstimate before;
             for (std::uint64_t points = 1000; points < 1'000'000'000; points *= 4) {
                 const BuildEstimate now =
