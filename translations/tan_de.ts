@@ -199,6 +199,14 @@
         <source>Save the session in another file</source>
         <translation>Die Sitzung in einer anderen Datei speichern</translation>
     </message>
+    <message>
+        <source>Import with Op&amp;tions…</source>
+        <translation>Mit &amp;Optionen importieren…</translation>
+    </message>
+    <message>
+        <source>Open a part of a dataset, or say how its file is to be read</source>
+        <translation>Einen Teil eines Datensatzes öffnen oder sagen, wie seine Datei zu lesen ist</translation>
+    </message>
 </context>
 <context>
     <name>AddIsovalue</name>
@@ -335,6 +343,72 @@
     <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>ImportForm</name>
+    <message>
+        <source>%1 (of the cells)</source>
+        <translation>%1 (der Zellen)</translation>
+    </message>
+    <message>
+        <source>Magnitude</source>
+        <translation>Betrag</translation>
+    </message>
+    <message>
+        <source>%1: t = %2</source>
+        <translation>%1: t = %2</translation>
+    </message>
+    <message>
+        <source>All that fit together</source>
+        <translation>Alle, die zusammenpassen</translation>
+    </message>
+    <message>
+        <source>%1, %2 components</source>
+        <translation>%1, %2 Komponenten</translation>
+    </message>
+</context>
+<context>
+    <name>ImportTexts</name>
+    <message>
+        <source>%1 = %2 bytes: the file has exactly that.</source>
+        <translation>%1 = %2 Bytes: genau so viele hat die Datei.</translation>
+    </message>
+    <message>
+        <source>%1 = %2 bytes; the file has %3, %4 too few.</source>
+        <translation>%1 = %2 Bytes; die Datei hat %3, %4 zu wenig.</translation>
+    </message>
+    <message>
+        <source>%1 = %2 bytes; the file has %3, %4 too many.</source>
+        <translation>%1 = %2 Bytes; die Datei hat %3, %4 zu viel.</translation>
+    </message>
+    <message>
+        <source>All %1 = %2 points.</source>
+        <translation>Alle %1 = %2 Punkte.</translation>
+    </message>
+    <message>
+        <source>%1 = %2 of %3 points.</source>
+        <translation>%1 = %2 von %3 Punkten.</translation>
+    </message>
+    <message>
+        <source>Building to an error of 0 takes about %1 of memory, %2 of disk and %3.</source>
+        <translation>Der Bau bis zum Fehler 0 braucht etwa %1 Arbeitsspeicher, %2 Plattenplatz und %3.</translation>
+    </message>
+    <message>
+        <source>Building to an error of 0 takes up to %1 of memory, %2 of disk and %3.</source>
+        <translation>Der Bau bis zum Fehler 0 braucht bis zu %1 Arbeitsspeicher, %2 Plattenplatz und %3.</translation>
+    </message>
+    <message>
+        <source>This machine has %1 of memory.</source>
+        <translation>Dieser Rechner hat %1 Arbeitsspeicher.</translation>
+    </message>
+    <message>
+        <source>A volume needs at least two points along each axis. Take a larger region or a smaller stride.</source>
+        <translation>Ein Volumen braucht mindestens zwei Punkte entlang jeder Achse. Nehmen Sie einen größeren Bereich oder eine kleinere Schrittweite.</translation>
+    </message>
+    <message>
+        <source>%1 MiB</source>
+        <translation>%1 MiB</translation>
     </message>
 </context>
 <context>
@@ -1100,14 +1174,6 @@ Verwerfung %2</translation>
         <translation>Öffnen Sie einen Datensatz, um sein Modell zu bauen.</translation>
     </message>
     <message>
-        <source>&amp;Read</source>
-        <translation>&amp;Lesen</translation>
-    </message>
-    <message>
-        <source>The file alone does not say how it is to be read:</source>
-        <translation>Die Datei allein sagt nicht, wie sie zu lesen ist:</translation>
-    </message>
-    <message>
         <source>Builder</source>
         <translation>Verfahren</translation>
     </message>
@@ -1216,8 +1282,12 @@ Verwerfung %2</translation>
         <translation>&amp;Anders lesen …</translation>
     </message>
     <message>
-        <source>Reads the file again in another way, for other values</source>
-        <translation>Liest die Datei noch einmal auf andere Weise, für andere Werte</translation>
+        <source>Reads the file again in another way: other values, a part of it, every so many points</source>
+        <translation>Liest die Datei noch einmal auf andere Weise: andere Werte, einen Teil davon, jeden wievielten Punkt</translation>
+    </message>
+    <message>
+        <source>Measured on other data; a larger error takes less. Half or twice as much is possible.</source>
+        <translation>An anderen Daten gemessen; ein größerer Fehler braucht weniger. Die Hälfte oder das Doppelte ist möglich.</translation>
     </message>
 </context>
 <context>
@@ -1376,6 +1446,160 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::ImportDialog</name>
+    <message>
+        <source>&amp;Read</source>
+        <translation>&amp;Lesen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Reader</source>
+        <translation>Leser</translation>
+    </message>
+    <message>
+        <source>Who reads the file</source>
+        <translation>Wer die Datei liest</translation>
+    </message>
+    <message>
+        <source>R&amp;eader</source>
+        <translation>L&amp;eser</translation>
+    </message>
+    <message>
+        <source>How it is read</source>
+        <translation>Wie sie gelesen wird</translation>
+    </message>
+    <message>
+        <source>Which part of it</source>
+        <translation>Welcher Teil davon</translation>
+    </message>
+    <message>
+        <source>Layouts that fit</source>
+        <translation>Passende Anordnungen</translation>
+    </message>
+    <message>
+        <source>Sizes and types that would fill the file exactly, the likeliest first</source>
+        <translation>Größen und Typen, die die Datei genau füllen würden, die wahrscheinlichsten zuerst</translation>
+    </message>
+    <message>
+        <source>Measured on other data; a larger error takes less. Half or twice as much is possible.</source>
+        <translation>An anderen Daten gemessen; ein größerer Fehler braucht weniger. Die Hälfte oder das Doppelte ist möglich.</translation>
+    </message>
+    <message>
+        <source>Progress of reading</source>
+        <translation>Fortschritt des Lesens</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>%1 importieren</translation>
+    </message>
+    <message>
+        <source>%1, %2 bytes</source>
+        <translation>%1, %2 Bytes</translation>
+    </message>
+    <message>
+        <source>None is known</source>
+        <translation>Keine bekannt</translation>
+    </message>
+    <message>
+        <source>Give the number of points along x, y and z, as in 64x64x32.</source>
+        <translation>Geben Sie die Zahl der Punkte entlang x, y und z an, wie in 64x64x32.</translation>
+    </message>
+    <message>
+        <source>Whether that fits</source>
+        <translation>Ob das passt</translation>
+    </message>
+    <message>
+        <source>&amp;Suggestion</source>
+        <translation>&amp;Vorschlag</translation>
+    </message>
+    <message>
+        <source>Opens the dataset so</source>
+        <translation>Öffnet den Datensatz so</translation>
+    </message>
+    <message>
+        <source>Stops reading, or closes this window</source>
+        <translation>Bricht das Lesen ab oder schließt dieses Fenster</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ImportRegion</name>
+    <message>
+        <source>&amp;All Points</source>
+        <translation>&amp;Alle Punkte</translation>
+    </message>
+    <message>
+        <source>Only a &amp;box in space</source>
+        <translation>Nur ein &amp;Quader im Raum</translation>
+    </message>
+    <message>
+        <source>Takes every point of the whole dataset</source>
+        <translation>Nimmt jeden Punkt des ganzen Datensatzes</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>Erster</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Letzter</translation>
+    </message>
+    <message>
+        <source>Stride</source>
+        <translation>Schrittweite</translation>
+    </message>
+    <message>
+        <source>First point along %1</source>
+        <translation>Erster Punkt entlang %1</translation>
+    </message>
+    <message>
+        <source>The first point that is taken, counted from 0</source>
+        <translation>Der erste Punkt, der genommen wird, von 0 an gezählt</translation>
+    </message>
+    <message>
+        <source>Last point along %1</source>
+        <translation>Letzter Punkt entlang %1</translation>
+    </message>
+    <message>
+        <source>The last point that is taken, counted from 0</source>
+        <translation>Der letzte Punkt, der genommen wird, von 0 an gezählt</translation>
+    </message>
+    <message>
+        <source>Stride along %1</source>
+        <translation>Schrittweite entlang %1</translation>
+    </message>
+    <message>
+        <source>Takes every so many points: 2 takes every second one</source>
+        <translation>Nimmt jeden so vielten Punkt: 2 nimmt jeden zweiten</translation>
+    </message>
+    <message>
+        <source>Takes only what lies in a box; of irregular meshes whole tetrahedra</source>
+        <translation>Nimmt nur, was in einem Quader liegt; von unregelmäßigen Netzen ganze Tetraeder</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>From %1</source>
+        <translation>Von %1</translation>
+    </message>
+    <message>
+        <source>To %1</source>
+        <translation>Bis %1</translation>
+    </message>
+    <message>
+        <source>A corner of the box, in the coordinates of the data</source>
+        <translation>Eine Ecke des Quaders, in den Koordinaten der Daten</translation>
+    </message>
+</context>
+<context>
     <name>tetra::IsovaluePanel</name>
     <message>
         <source>&amp;Add Isovalue</source>
@@ -1462,10 +1686,6 @@ Verwerfung %2</translation>
     <message>
         <source>&lt;h3&gt;TAn %1&lt;/h3&gt;&lt;p&gt;Tetrahedra Analyzer: multiresolution volume data with a known error.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;TAn %1&lt;/h3&gt;&lt;p&gt;Tetrahedra Analyzer: Volumendaten in vielen Auflösungen mit bekanntem Fehler.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>The file does not say how its samples are laid out. Describe it in the panel on the left.</source>
-        <translation>Die Datei sagt nicht, wie ihre Abtastwerte angeordnet sind. Beschreiben Sie sie im Feld links.</translation>
     </message>
     <message>
         <source>Saving the mesh</source>
@@ -1690,6 +1910,41 @@ Verwerfung %2</translation>
     <message>
         <source>While movin&amp;g</source>
         <translation>In Bewe&amp;gung</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::SlicePreview</name>
+    <message>
+        <source>Preview of a layer</source>
+        <translation>Vorschau einer Schicht</translation>
+    </message>
+    <message>
+        <source>Axis of the layers</source>
+        <translation>Achse der Schichten</translation>
+    </message>
+    <message>
+        <source>The axis across which the layer lies</source>
+        <translation>Die Achse, quer zu der die Schicht liegt</translation>
+    </message>
+    <message>
+        <source>Across %1</source>
+        <translation>Quer zu %1</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Schicht</translation>
+    </message>
+    <message>
+        <source>The layer that is shown, counted from 0</source>
+        <translation>Die gezeigte Schicht, von 0 an gezählt</translation>
+    </message>
+    <message>
+        <source>No layout that could be shown</source>
+        <translation>Keine Anordnung, die sich zeigen ließe</translation>
+    </message>
+    <message>
+        <source>%1 to the right, %2 up; black %3, white %4</source>
+        <translation>%1 nach rechts, %2 nach oben; schwarz %3, weiß %4</translation>
     </message>
 </context>
 <context>

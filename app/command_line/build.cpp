@@ -4,6 +4,7 @@
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
+#include "plugins/host/dataset_opening.h"
 #include "plugins/host/model_building.h"
 #include "plugins/host/output_check.h"
 
@@ -50,6 +51,14 @@ Outcome describe(const ModelBuild& build, const std::string& output)
     return outcome;
 }
 
+/// A reader that nobody chose and that has nothing to be told is no choice.
+ImportOptions toKeep(ImportOptions imported, const Arguments& arguments)
+{
+    if (!arguments.has("reader") && imported.values.empty())
+        imported.reader.reset();
+    return imported;
+}
+
 } // namespace
 
 Syntax buildSyntax(PluginHost& host)
@@ -77,9 +86,11 @@ Syntax buildSyntax(PluginHost& host)
                      .explanation = "Go on with what an interrupted build of the same model left behind; the result is "
                                     "the same. Keeps it, too, if this one is cancelled."}},
         .examples = {{"tan build engine.nrrd -o engine.tan", "Everything, down to an error of 0."},
-                     {"tan build engine.nrrd --error 0.5 -o engine.tan", "A smaller model, exact to 0.5 %."}}};
+                     {"tan build engine.nrrd --error 0.5 -o engine.tan", "A smaller model, exact to 0.5 %."},
+                     {"tan build engine.nrrd --region 0,0,32,255,255,95 --stride 2,2,1 -o middle.tan",
+                      "A part of the data, more coarsely."}}};
     addPluginOptions(syntax, allParameters(host.builders()));
-    addPluginOptions(syntax, allParameters(host.readers()));
+    addImportOptions(syntax, host);
     return syntax;
 }
 
@@ -97,7 +108,10 @@ Result<Outcome> runBuild(const Invocation& invocation)
     if (const Status safe = checkOutputs(input, output); !safe)
         return safe.error();
 
-    const auto dataset = openDatasetWithOptions(invocation, input, invocation.progress.part(0, 0.05));
+    auto imported = importOptions(invocation, input);
+    if (!imported)
+        return imported.error();
+    const auto dataset = openDataset(invocation.host, input, *imported, invocation.progress.part(0, 0.05));
     if (!dataset)
         return dataset.error();
     const auto builder = chooseBuilder(invocation.host, *dataset, arguments.value("builder"));
@@ -114,7 +128,10 @@ Result<Outcome> runBuild(const Invocation& invocation)
     const std::atomic<bool> keep = arguments.has("keep");
     const auto build =
         buildModel(invocation.host, *dataset, builder->id, *values, output, invocation.progress.part(0.05, 1),
-                   {.live = nullptr, .keepWhenCancelled = &keep, .resume = arguments.has("resume")});
+                   {.live = nullptr,
+                    .keepWhenCancelled = &keep,
+                    .resume = arguments.has("resume"),
+                    .imported = toKeep(*std::move(imported), arguments)});
     if (!build)
         return build.error();
     Outcome outcome = describe(*build, output);

@@ -4,6 +4,7 @@
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/table.h"
 #include "plugins/host/dataset_opening.h"
+#include "plugins/host/input_file.h"
 
 #include <QJsonArray>
 
@@ -33,23 +34,84 @@ std::uint64_t cellsOf(DomainClass domain, const Lattice& lattice, std::uint64_t 
     return isOnLattice(domain) ? lattice.cellCount() : 0;
 }
 
+/// The reader that is asked for, or that the model's dataset was opened by if that knows the file, or the best one.
+Result<Provided<Reader>> readerOf(const Invocation& invocation, const std::filesystem::path& path,
+                                  const ModelDescription* model)
+{
+    if (const auto id = invocation.arguments.value("reader"))
+        return chooseReader(invocation.host, path, id);
+    if (const auto id = model != nullptr ? importReaderOf(*model) : std::nullopt)
+        if (const auto known = invocation.host.reader(*id))
+            if (const auto bytes = firstBytesOf(path); bytes && known->plugin->score(path, *bytes) > 0)
+                return known;
+    return chooseReader(invocation.host, path);
+}
+
+Status takePartOptions(const Arguments& arguments, DatasetPart& part)
+{
+    if (const auto text = arguments.value("region")) {
+        const auto region = parseRegion(*text);
+        if (!region)
+            return region.error();
+        part.region = *region;
+    }
+    if (const auto text = arguments.value("stride")) {
+        const auto stride = parseStride(*text);
+        if (!stride)
+            return stride.error();
+        part.stride = *stride;
+    }
+    return {};
+}
+
 } // namespace
 
-Result<Dataset> openDatasetWithOptions(const Invocation& invocation, const std::filesystem::path& path,
-                                       const Progress& progress)
+void addImportOptions(Syntax& syntax, PluginHost& host)
 {
-    const auto reader = chooseReader(invocation.host, path);
+    syntax.options.push_back({.name = "reader",
+                              .placeholder = idChoices(host.readers()),
+                              .explanation = "Who reads the dataset.",
+                              .byDefault = "the one that suits the file best"});
+    syntax.options.push_back(
+        {.name = "region",
+         .placeholder = "X0,Y0,Z0,X1,Y1,Z1",
+         .explanation =
+             "The part of the dataset to take: of grids the first and the last point along each axis, counted "
+             "from 0; of other data a box in space, of irregular meshes the tetrahedra that lie in it.",
+         .byDefault = "all of it"});
+    syntax.options.push_back({.name = "stride",
+                              .placeholder = "N[,N,N]",
+                              .explanation = "Of grids: takes every Nth point along each axis.",
+                              .byDefault = "1"});
+    addPluginOptions(syntax, allParameters(host.readers()));
+}
+
+Result<ImportOptions> importOptions(const Invocation& invocation, const std::filesystem::path& path,
+                                    const ModelDescription* model)
+{
+    const Arguments& arguments = invocation.arguments;
+    const auto reader = readerOf(invocation, path, model);
     if (!reader)
         return reader.error();
     const auto parameters = reader->plugin->parameters();
-    if (const Status known = checkPluginOptions(invocation.arguments, allParameters(invocation.host.readers()),
-                                                parameters, "reader '" + reader->id + "' of '" + path.string() + "'");
+    if (const Status known = checkPluginOptions(arguments, allParameters(invocation.host.readers()), parameters,
+                                                "reader '" + reader->id + "' of '" + path.string() + "'");
         !known)
         return known.error();
-    const auto values = pluginValues(invocation.arguments, parameters);
+    auto values = pluginValues(arguments, parameters);
     if (!values)
         return values.error();
-    return openDataset(invocation.host, path, *values, progress);
+    const bool isSameReader = model != nullptr && importReaderOf(*model).value_or(reader->id) == reader->id;
+    auto options = model != nullptr ? importOf(*model, isSameReader ? parameters : std::vector<Parameter>())
+                                    : Result<ImportOptions>(ImportOptions());
+    if (!options)
+        return options;
+    values->merge(options->values); // those of the model
+    options->values = *std::move(values);
+    options->reader = reader->id;
+    if (const Status known = takePartOptions(arguments, options->part); !known)
+        return known.error();
+    return options;
 }
 
 DatasetSummary summaryOf(const Dataset& dataset)

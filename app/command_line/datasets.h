@@ -4,14 +4,19 @@
 #include "app/command_line/subcommand.h"
 #include "core/data/dataset.h"
 #include "core/model/model.h"
+#include "plugins/host/import_options.h"
 
 #include <filesystem>
 
 namespace tetra {
 
-/// Opens a dataset with what the options say to its reader. Options of other readers are refused.
-Result<Dataset> openDatasetWithOptions(const Invocation& invocation, const std::filesystem::path& path,
-                                       const Progress& progress);
+/// Adds --reader, --region, --stride and the parameters of all readers.
+void addImportOptions(Syntax& syntax, PluginHost& host);
+
+/// What these options say of how to open `path`; options of other readers are refused. With `model`, what they do not
+/// say is as it was when that model was built, as far as it is the same reader's.
+Result<ImportOptions> importOptions(const Invocation& invocation, const std::filesystem::path& path,
+                                    const ModelDescription* model = nullptr);
 
 /// What a dataset is, or the one that a model was built from.
 struct DatasetSummary {

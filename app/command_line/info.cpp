@@ -5,6 +5,7 @@
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "core/model/model.h"
+#include "plugins/host/dataset_opening.h"
 #include "plugins/host/input_file.h"
 
 #include <QJsonArray>
@@ -31,7 +32,7 @@ std::string provenanceText(const ModelDescription& description)
 {
     std::string text = "built by " + description.builder + " from " + description.sourceName;
     for (const auto& [id, value] : description.parameters)
-        if (!value.empty())
+        if (!value.empty() && !id.starts_with(importPrefix)) // the source's name tells of it
             text += ", " + id + " " + value;
     return text + "\n";
 }
@@ -97,7 +98,10 @@ Result<Outcome> describeModel(const std::string& path, const std::vector<Accurac
 
 Result<Outcome> describeDataset(const Invocation& invocation, const std::string& path)
 {
-    const auto dataset = openDatasetWithOptions(invocation, path, invocation.progress);
+    const auto options = importOptions(invocation, path);
+    if (!options)
+        return options.error();
+    const auto dataset = openDataset(invocation.host, path, *options, invocation.progress);
     if (!dataset)
         return dataset.error();
     std::error_code problem;
@@ -124,7 +128,7 @@ Syntax infoSyntax(PluginHost& host)
                   .options = {levelsOption(), warpingOption()},
                   .examples = {{"tan info engine.tan --lod 1,.5,.1", "The meshes at three accuracies."},
                                {"tan info engine.nrrd --json", "A dataset, for a program."}}};
-    addPluginOptions(syntax, allParameters(host.readers()));
+    addImportOptions(syntax, host);
     return syntax;
 }
 
@@ -136,6 +140,10 @@ Result<Outcome> runInfo(const Invocation& invocation)
         return levels.error();
     if (!isModelFile(path))
         return describeDataset(invocation, path);
+    for (const char* option : {"reader", "region", "stride"})
+        if (invocation.arguments.has(option))
+            return Error{ErrorKind::WrongUsage,
+                         "The model '" + path + "' has no option '--" + option + "': it is of datasets."};
     if (const Status known = checkPluginOptions(invocation.arguments, allParameters(invocation.host.readers()), {},
                                                 "model '" + path + "'");
         !known)

@@ -9,6 +9,7 @@
 #include "core/model/queries/mesh_extractor.h"
 #include "core/model/verification.h"
 #include "core/model/verify_mesh.h"
+#include "plugins/host/dataset_opening.h"
 
 #include <QJsonArray>
 
@@ -138,6 +139,8 @@ Syntax verifySyntax(PluginHost& host)
             "counted). For irregular data, whose boundary may lie elsewhere: that the boundary is a manifold that does not "
             "meet itself, with the components, the surfaces and the holes of the data, and how far it is from theirs. "
             "Also the file itself: its checksums, its structure, and its values against the original ones.\n"
+            "A model of a part of a dataset, or of an array of a file that holds several, keeps how that was opened; "
+            "the options that say it are needed only to check against something else.\n"
             "With an error, a focus, a field or a budget the mesh that these ask for is extracted and proved in the "
             "same way: its error at every sample is at most the one asked for at that place.",
         .positionals = {{"MODEL", "The model."}},
@@ -151,7 +154,7 @@ Syntax verifySyntax(PluginHost& host)
                      {"tan verify engine.tan --against engine.nrrd --focus sphere:120,100,60,30 --focus-error 0.5",
                       "The mesh that 'tan extract' would write for the same options."}}};
     std::ranges::move(fieldOptions(), std::back_inserter(syntax.options));
-    addPluginOptions(syntax, allParameters(host.readers()));
+    addImportOptions(syntax, host);
     return syntax;
 }
 
@@ -169,8 +172,11 @@ Result<Outcome> runVerify(const Invocation& invocation)
     const auto model = Model::open(path);
     if (!model)
         return model.error();
-    const auto original =
-        openDatasetWithOptions(invocation, *invocation.arguments.value("against"), invocation.progress.part(0, 0.05));
+    const std::string against = *invocation.arguments.value("against");
+    const auto options = importOptions(invocation, against, &(*model)->description());
+    if (!options)
+        return options.error();
+    const auto original = openDataset(invocation.host, against, *options, invocation.progress.part(0, 0.05));
     if (!original)
         return original.error();
     const double levelsEnd = asksMesh ? 0.5 : 1;

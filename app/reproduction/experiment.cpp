@@ -71,7 +71,7 @@ Result<std::optional<Dataset>> openExperiment(PluginHost& host, const Experiment
     const std::filesystem::path path = data / experiment.file;
     if (!std::filesystem::exists(path, problem))
         return std::optional<Dataset>();
-    auto dataset = openDataset(host, path, experiment.readerValues, progress);
+    auto dataset = openDataset(host, path, {.values = experiment.readerValues}, progress);
     if (!dataset)
         return dataset.error();
     if (experiment.step == 1)

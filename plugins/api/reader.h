@@ -31,6 +31,9 @@ struct FileContents {
     std::vector<FileArray> arrays{};
     std::vector<double> timeSteps{};
     std::vector<std::string> blocks{};
+    /// Values of the reader's parameters that would fit a file that does not say how it is to be read, the likeliest
+    /// first.
+    std::vector<ParameterValues> suggestions{};
 };
 
 /// Reads files of some formats into datasets. Never crashes on bad input: every refusal is an Error that names the

@@ -25,6 +25,17 @@ Error noneReads(PluginHost& host, const std::filesystem::path& path)
                                      host.explainMissing(PluginKind::Reader)};
 }
 
+/// The reader, if the values are among its parameters.
+Result<Provided<Reader>> readerFor(PluginHost& host, const std::filesystem::path& path, const ImportOptions& options)
+{
+    auto reader = chooseReader(host, path, options.reader);
+    if (!reader)
+        return reader;
+    const Status known =
+        checkParameterValues("reader '" + reader->id + "'", reader->plugin->parameters(), options.values);
+    return known ? reader : known.error();
+}
+
 } // namespace
 
 std::vector<std::string> readableFiles(PluginHost& host)
@@ -57,16 +68,37 @@ Result<Provided<Reader>> chooseReader(PluginHost& host, const std::filesystem::p
     return best;
 }
 
-Result<Dataset> openDataset(PluginHost& host, const std::filesystem::path& path, const ParameterValues& values,
+Result<Provided<Reader>> chooseReader(PluginHost& host, const std::filesystem::path& path,
+                                      const std::optional<std::string>& id)
+{
+    if (!id)
+        return chooseReader(host, path);
+    if (const auto bytes = firstBytesOf(path); !bytes)
+        return bytes.error();
+    return host.reader(*id);
+}
+
+Result<Dataset> openDataset(PluginHost& host, const std::filesystem::path& path, const ImportOptions& options,
                             const Progress& progress)
 {
-    const auto reader = chooseReader(host, path);
+    const auto reader = readerFor(host, path, options);
     if (!reader)
         return reader.error();
-    if (const Status known = checkParameterValues("reader '" + reader->id + "'", reader->plugin->parameters(), values);
-        !known)
-        return known.error();
-    return callPlugin(reader->id, [&] { return reader->plugin->read(path, values, progress); });
+    const double readEnd = options.part.isWhole() ? 1 : 0.8;
+    const auto whole =
+        callPlugin(reader->id, [&] { return reader->plugin->read(path, options.values, progress.part(0, readEnd)); });
+    if (!whole)
+        return whole;
+    return takePart(*whole, options.part, progress.part(readEnd, 1));
+}
+
+Result<FileContents> probeDataset(PluginHost& host, const std::filesystem::path& path, const ImportOptions& options,
+                                  const Progress& progress)
+{
+    const auto reader = readerFor(host, path, options);
+    if (!reader)
+        return reader.error();
+    return callPlugin(reader->id, [&] { return reader->plugin->probe(path, options.values, progress); });
 }
 
 } // namespace tetra

@@ -3,7 +3,11 @@
 
 #include "core/base/progress.h"
 #include "core/data/dataset.h"
+#include "plugins/host/import_options.h"
 #include "plugins/host/plugin_host.h"
+
+#include <optional>
+#include <string>
 
 namespace tetra {
 
@@ -11,10 +15,18 @@ namespace tetra {
 /// suits (then: what can be read, and which readers are missing); a TAn model.
 Result<Provided<Reader>> chooseReader(PluginHost& host, const std::filesystem::path& path);
 
-/// Reads a dataset with the reader that suits it best. `values` may hold that reader's parameters and no others
-/// (WrongUsage). Every sample is finite. Call from a worker thread; safe from any.
-Result<Dataset> openDataset(PluginHost& host, const std::filesystem::path& path, const ParameterValues& values = {},
+/// The reader with this id, or without one as above.
+Result<Provided<Reader>> chooseReader(PluginHost& host, const std::filesystem::path& path,
+                                      const std::optional<std::string>& id);
+
+/// Reads a dataset, or a part of it. The values are the reader's parameters and no others (WrongUsage). Every sample is
+/// finite. Errors: the reader's, and those of takePart(). Call from a worker thread; safe from any.
+Result<Dataset> openDataset(PluginHost& host, const std::filesystem::path& path, const ImportOptions& options = {},
                             const Progress& progress = {});
+
+/// What the file offers to choose from, Reader::probe(); the part does not matter. As openDataset(), but quick.
+Result<FileContents> probeDataset(PluginHost& host, const std::filesystem::path& path,
+                                  const ImportOptions& options = {}, const Progress& progress = {});
 
 /// The name filters of all readers, for a dialog: "NRRD volume (*.nrrd *.nhdr)" ...
 std::vector<std::string> readableFiles(PluginHost& host);

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <iterator>
 
 namespace tetra {
 namespace {
@@ -91,6 +92,7 @@ Result<EndedBuild> buildInto(const Builder& builder, const std::string& id, cons
     ModelDescription description;
     description.builder = id;
     description.parameters = provenance(builder.parameters(), values);
+    std::ranges::move(importTexts(control.imported), std::back_inserter(description.parameters));
     auto folder = openWorkFolder(output, control.resume);
     if (!folder)
         return folder.error();

@@ -3,6 +3,7 @@
 
 #include "core/base/progress.h"
 #include "core/data/dataset.h"
+#include "plugins/host/import_options.h"
 #include "plugins/host/live_build.h"
 #include "plugins/host/plugin_host.h"
 
@@ -34,6 +35,8 @@ struct BuildControl {
     /// Go on with what an interrupted build of the same model left in its work folder, and leave there what is done if
     /// this one does not end well. Else that is removed.
     bool resume = false;
+    /// How the dataset was opened: the model keeps it, so that it can be opened in the same way again.
+    ImportOptions imported{};
 };
 
 /// The folder beside a model that holds the files of its build until it is done.

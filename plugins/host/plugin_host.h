@@ -76,6 +76,7 @@ public:
     /// One plugin; loads it. The error says why it cannot be had, or which ones there are.
     Result<Provided<Builder>> builder(const std::string& id) { return one<Builder>(PluginKind::Builder, id); }
     Result<Provided<Renderer>> renderer(const std::string& id) { return one<Renderer>(PluginKind::Renderer, id); }
+    Result<Provided<Reader>> reader(const std::string& id) { return one<Reader>(PluginKind::Reader, id); }
 
     /// Why plugins of this kind are missing, a line each; empty if none is.
     std::string explainMissing(PluginKind kind) const;

@@ -37,7 +37,6 @@ private slots:
     void numbersFollowTheAccuracyWithTheirShare();
     void aModelThatEndsEarlySaysSo();
     void oneNumberIsErrorAndWarping();
-    void aGridIsReadDifferently();
     void isovaluesAreAddedEditedAndRemoved();
     void theColourMenuOffersThePalette();
     void deleteRemovesTheRow();
@@ -192,26 +191,6 @@ void PanelsTest::oneNumberIsErrorAndWarping()
     QVERIFY(session().meshSize().warping <= 2);
     const QString warping = QLocale().toString(0.02 * session().model()->diagonal(), 'g', 3);
     QVERIFY(window_->find<QLabel>("accuracy.inUnits").text().contains(warping));
-}
-
-/// The array can be chosen after the file was opened with another one.
-void PanelsTest::aGridIsReadDifferently()
-{
-    const auto grid = makeSample({.name = "bent-duct", .size = 8, .type = std::nullopt, .seed = 1});
-    QVERIFY(grid);
-    const std::string path = window_->folderPath() + "/duct.xyz";
-    QVERIFY(saveDataset(*window_->host, *grid, path).ok());
-    window_->window.open(QString::fromStdString(path));
-    QTRY_COMPARE(window_->find<QLabel>("build.name").text(), QString("duct.xyz, density"));
-    QVERIFY(window_->find<QLabel>("build.facts").text().contains("curvilinear grid of 8 × 8 × 8 points, 343 cells"));
-    QTest::mouseClick(&window_->find<QPushButton>("build.differently"), Qt::LeftButton);
-    window_->find<QComboBox>("describe.array")
-        .setCurrentText("energy"); // the same everywhere: refused, and asked again
-    QTest::mouseClick(&window_->find<QPushButton>("describe.read"), Qt::LeftButton);
-    QTRY_VERIFY(window_->find<QLabel>("describe.hint").text().contains("one value everywhere"));
-    window_->find<QComboBox>("describe.array").setCurrentText("density");
-    QTest::mouseClick(&window_->find<QPushButton>("describe.read"), Qt::LeftButton);
-    QTRY_VERIFY(window_->find<QPushButton>("build.start").isVisible());
 }
 
 void PanelsTest::isovaluesAreAddedEditedAndRemoved()

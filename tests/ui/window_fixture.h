@@ -15,8 +15,9 @@ namespace tetra {
 /// A window with everything behind it, fresh settings, and a folder for its files. Widgets are found by object name.
 class WindowFixture {
 public:
-    explicit WindowFixture(BackendChoice backend = BackendChoice::Cpu)
-        : host(hostOfThisBuild()), workbench(*host), window(workbench, backend)
+    explicit WindowFixture(BackendChoice backend = BackendChoice::Cpu,
+                           std::unique_ptr<PluginHost> plugins = hostOfThisBuild())
+        : host(std::move(plugins)), workbench(*host), window(workbench, backend)
     {
     }
 

@@ -31,7 +31,6 @@ private slots:
     void whatCannotBeOpenedIsToldAndStays_data();
     void whatCannotBeOpenedIsToldAndStays();
     void messagesAreNeverLost();
-    void aRawFileAsksForItsDescription();
     void aBuildIsCancelledAndLeavesNoFile();
     void aBuildIsWatchedWhileItGrows();
     void aBuildIsStoppedAndKept();
@@ -156,30 +155,6 @@ void WindowTest::messagesAreNeverLost()
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     }
     QVERIFY(!bar.isVisible());
-}
-
-void WindowTest::aRawFileAsksForItsDescription()
-{
-    const Dataset dataset = sampleDataset(8);
-    QFile file(window_->folder.filePath("samples.raw"));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(reinterpret_cast<const char*>(dataset.values.bytes().data()), 8 * 8 * 8);
-    file.close();
-    window_->window.open(file.fileName());
-    QTRY_VERIFY(window_->window.findChild<QLineEdit*>("describe.size"));
-    QVERIFY(window_->find<QWidget>("dock.build").isVisible());
-    QCOMPARE(window_->find<QLabel>("empty.title").text(), QString("samples.raw"));
-
-    auto& size = window_->find<QLineEdit>("describe.size");
-    size.setText("8x8");
-    QSignalSpy asked(&window_->workbench, &Workbench::descriptionNeeded);
-    QTest::mouseClick(&window_->find<QPushButton>("describe.read"), Qt::LeftButton);
-    QTRY_COMPARE(asked.count(), 1); // what was not understood is asked for again, and what was filled in is still there
-    QCOMPARE(window_->find<QLineEdit>("describe.size").text(), QString("8x8"));
-    window_->find<QLineEdit>("describe.size").setText("8x8x8");
-    QTest::mouseClick(&window_->find<QPushButton>("describe.read"), Qt::LeftButton);
-    QTRY_VERIFY(window_->workbench.dataset());
-    QCOMPARE(window_->workbench.dataset()->lattice.size, (std::array<std::uint32_t, 3>{8, 8, 8}));
 }
 
 void WindowTest::aBuildIsCancelledAndLeavesNoFile()

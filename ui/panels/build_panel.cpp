@@ -2,6 +2,7 @@
 #include "ui/panels/build_panel.h"
 
 #include "ui/panels/parameter_form.h"
+#include "ui/session/import_texts.h"
 #include "ui/session/number_text.h"
 #include "ui/session/plugin_texts.h"
 #include "ui/session/target_path.h"
@@ -73,11 +74,10 @@ BuildPanel::BuildPanel(Workbench& workbench, QWidget* parent)
 {
     setObjectName("build");
     nothingPage_ = makeNothingPage();
-    describePage_ = makeDescribePage();
     buildPage_ = makeBuildPage();
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(pages_);
-    for (QWidget* page : {nothingPage_, describePage_, buildPage_})
+    for (QWidget* page : {nothingPage_, buildPage_})
         pages_->addWidget(page);
     connectWorkbench();
     showRunning(false);
@@ -91,37 +91,14 @@ QWidget* BuildPanel::makeNothingPage()
     return label;
 }
 
-QWidget* BuildPanel::makeDescribePage()
-{
-    rawFile_ = titleLabel("describe.file");
-    description_ = new ParameterForm("describe");
-    auto* read = new QPushButton(tr("&Read"));
-    read->setObjectName("describe.read");
-    read->setDefault(true);
-    connect(read, &QPushButton::clicked, this, [this] { workbench_.describe(description_->values()); });
-
-    auto* page = new QWidget;
-    auto* layout = new QVBoxLayout(page);
-    layout->setContentsMargins({});
-    layout->addWidget(rawFile_);
-    layout->addWidget(wrappedLabel("describe.text", tr("The file alone does not say how it is to be read:")));
-    describeHint_ = wrappedLabel("describe.hint");
-    describeHint_->setForegroundRole(QPalette::PlaceholderText);
-    describeHint_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    layout->addWidget(describeHint_);
-    layout->addWidget(description_);
-    layout->addWidget(read);
-    layout->addStretch();
-    return page;
-}
-
 QWidget* BuildPanel::makeBuildPage()
 {
     name_ = titleLabel("build.name");
     facts_ = wrappedLabel("build.facts");
     differently_ = new QPushButton(tr("Read &Differently…"));
     differently_->setObjectName("build.differently");
-    differently_->setToolTip(tr("Reads the file again in another way, for other values"));
+    differently_->setToolTip(
+        tr("Reads the file again in another way: other values, a part of it, every so many points"));
     connect(differently_, &QPushButton::clicked, this, [this] { workbench_.readDifferently(); });
     builder_ = new QComboBox;
     builder_->setObjectName("build.builder");
@@ -146,6 +123,10 @@ QWidget* BuildPanel::makeBuildPage()
     inputs->addWidget(options_);
     inputs->addSpacing(6);
     inputs->addLayout(makeTargetRow());
+    estimate_ = wrappedLabel("build.estimate");
+    estimate_->setForegroundRole(QPalette::PlaceholderText);
+    estimate_->setToolTip(tr("Measured on other data; a larger error takes less. Half or twice as much is possible."));
+    inputs->addWidget(estimate_);
 
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
@@ -217,21 +198,10 @@ QWidget* BuildPanel::makeProgress()
 void BuildPanel::connectWorkbench()
 {
     connect(&workbench_, &Workbench::datasetOpened, this, &BuildPanel::showDataset);
-    connect(&workbench_, &Workbench::descriptionNeeded, this, &BuildPanel::showDescription);
     LongTask& building = workbench_.building();
     connect(&building, &LongTask::started, this, [this] { showRunning(true); });
     connect(&building, &LongTask::progressed, this, &BuildPanel::showProgress);
     connect(&building, &LongTask::finished, this, [this] { showRunning(false); });
-}
-
-void BuildPanel::showDescription(const std::vector<Parameter>& parameters, const QString& reason)
-{
-    describeHint_->setText(reason);
-    rawFile_->setText(QFileInfo(pathText(workbench_.undescribedFile())).fileName());
-    if (pages_->currentWidget() != describePage_ || describedFile_ != workbench_.undescribedFile())
-        description_->setParameters(parameters); // else what was filled in stays, to be corrected
-    describedFile_ = workbench_.undescribedFile();
-    pages_->setCurrentWidget(describePage_);
 }
 
 void BuildPanel::showDataset()
@@ -242,7 +212,8 @@ void BuildPanel::showDataset()
     for (const std::string& remark : dataset.remarks)
         facts << QString::fromStdString(remark);
     facts_->setText(facts.join('\n'));
-    differently_->setVisible(workbench_.canReadDifferently());
+    differently_->setVisible(!dataset.source.path.empty());
+    estimate_->setText(estimateText(workbench_.buildSize()));
     const QSignalBlocker blocker(builder_);
     builder_->clear();
     double best = 0;

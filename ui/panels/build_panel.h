@@ -16,7 +16,7 @@ namespace tetra {
 
 class ParameterForm;
 
-/// Where a raw file is described and a model is built of a dataset.
+/// Where a model is built of a dataset.
 class BuildPanel : public QWidget {
     Q_OBJECT
 public:
@@ -24,13 +24,11 @@ public:
 
 private:
     QWidget* makeNothingPage();
-    QWidget* makeDescribePage();
     QWidget* makeBuildPage();
     QLayout* makeTargetRow();
     QWidget* makeProgress();
     void connectWorkbench();
 
-    void showDescription(const std::vector<Parameter>& parameters, const QString& reason);
     void showDataset();
     void showBuilder();
     void showTarget();
@@ -43,14 +41,10 @@ private:
     Workbench& workbench_;
     QStackedWidget* pages_;
     QWidget* nothingPage_;
-    QLabel* rawFile_;
-    QLabel* describeHint_;
-    std::filesystem::path describedFile_; ///< that the form was made for
-    ParameterForm* description_;
-    QWidget* describePage_;
     QLabel* name_;
     QLabel* facts_;
     QPushButton* differently_ = nullptr;
+    QLabel* estimate_ = nullptr;
     QComboBox* builder_;
     QLabel* reason_;
     ParameterForm* options_;

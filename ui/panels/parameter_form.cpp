@@ -11,6 +11,8 @@
 #include <QLineEdit>
 #include <QSignalBlocker>
 
+#include <algorithm>
+
 namespace tetra {
 namespace {
 
@@ -101,6 +103,20 @@ Control controlFor(const Parameter& parameter, const std::vector<Isovalue>& valu
     return {};
 }
 
+/// What is shown that is none of the choices is the first one.
+Control choiceControl(const Parameter& parameter, const std::vector<ParameterChoice>& choices)
+{
+    auto* box = new QComboBox;
+    for (const ParameterChoice& choice : choices)
+        box->addItem(choice.label);
+    const auto show = [box, choices](const ParameterValue& shown) {
+        const auto found = std::ranges::find(choices, shown, &ParameterChoice::value);
+        box->setCurrentIndex(found == choices.end() ? 0 : static_cast<int>(found - choices.begin()));
+    };
+    show(parameter.defaultValue);
+    return {box, [box, choices] { return choices[static_cast<std::size_t>(box->currentIndex())].value; }, show};
+}
+
 } // namespace
 
 ParameterForm::ParameterForm(const QString& prefix, QWidget* parent)
@@ -112,20 +128,24 @@ ParameterForm::ParameterForm(const QString& prefix, QWidget* parent)
     layout_->setRowWrapPolicy(QFormLayout::WrapLongRows);
 }
 
-void ParameterForm::setParameters(const std::vector<Parameter>& parameters)
+void ParameterForm::setParameters(const std::vector<Parameter>& parameters, const ParameterChoices& choices)
 {
     while (layout_->rowCount() > 0)
         layout_->removeRow(0);
     fields_.clear();
-    for (const Parameter& parameter : parameters)
-        add(parameter);
+    for (const Parameter& parameter : parameters) {
+        const auto known = choices.find(parameter.id);
+        add(parameter, known != choices.end() ? known->second : std::vector<ParameterChoice>());
+    }
     setVisible(!isEmpty());
 }
 
-void ParameterForm::add(const Parameter& parameter)
+void ParameterForm::add(const Parameter& parameter, const std::vector<ParameterChoice>& choices)
 {
     const Control control =
-        std::visit([&](const auto& value) { return controlFor(parameter, value); }, parameter.defaultValue);
+        choices.empty()
+            ? std::visit([&](const auto& value) { return controlFor(parameter, value); }, parameter.defaultValue)
+            : choiceControl(parameter, choices);
     QWidget* widget = control.widget;
     if (widget == nullptr)
         return;

@@ -6,11 +6,19 @@
 #include <QWidget>
 
 #include <functional>
+#include <map>
 
 class QFormLayout;
 class QLineEdit;
 
 namespace tetra {
+
+/// A value of a parameter as the user chooses it, in words.
+struct ParameterChoice {
+    ParameterValue value;
+    QString label;
+};
+using ParameterChoices = std::map<std::string, std::vector<ParameterChoice>>; ///< by the parameter's id
 
 /// A form made of parameter descriptions: a control fitting its type for each, named PREFIX.ID. Parameters that a form
 /// cannot hold (lists of isovalues) are left out.
@@ -19,8 +27,8 @@ class ParameterForm : public QWidget {
 public:
     explicit ParameterForm(const QString& prefix, QWidget* parent = nullptr);
 
-    /// Begins anew, with the defaults.
-    void setParameters(const std::vector<Parameter>& parameters);
+    /// Begins anew, with the defaults. A parameter that has choices here is one of them, whatever its type.
+    void setParameters(const std::vector<Parameter>& parameters, const ParameterChoices& choices = {});
     ParameterValues values() const;
     /// Of one; false if there is none.
     ParameterValue value(const std::string& id) const;
@@ -40,7 +48,7 @@ private:
         std::function<ParameterValue()> value;
         std::function<void(const ParameterValue&)> show;
     };
-    void add(const Parameter& parameter);
+    void add(const Parameter& parameter, const std::vector<ParameterChoice>& choices);
     void tellEdits(const Parameter& parameter, QWidget* widget);
     void tellMistakes(QLineEdit& line, const Parameter& parameter);
 

@@ -5,6 +5,7 @@
 #include "plugins/host/input_file.h"
 #include "plugins/host/model_building.h"
 #include "ui/session/field_extent.h"
+#include "ui/session/import_memory.h"
 #include "ui/session/plugin_texts.h"
 #include "ui/session/recent_files.h"
 #include "ui/session/target_path.h"
@@ -20,10 +21,14 @@ namespace {
 
 constexpr int timeBetweenLooks = 700; // milliseconds
 
-std::vector<Parameter> readerParameters(PluginHost& host, const std::filesystem::path& path)
+/// Those that make a difference.
+ImportOptions withoutDefaults(ImportOptions options, const std::vector<Parameter>& parameters)
 {
-    const auto reader = chooseReader(host, path);
-    return reader ? reader->plugin->parameters() : std::vector<Parameter>{};
+    for (const Parameter& parameter : parameters)
+        if (const auto found = options.values.find(parameter.id);
+            found != options.values.end() && found->second == parameter.defaultValue)
+            options.values.erase(found);
+    return options;
 }
 
 } // namespace
@@ -73,15 +78,75 @@ void Workbench::open(const QString& path)
             return {};
         });
     else
-        read(file, {});
+        look(file, false);
 }
 
-void Workbench::read(const std::filesystem::path& path, const ParameterValues& values)
+void Workbench::openWithOptions(const QString& path)
 {
-    reading_.start([this, path, values](const Progress& progress) -> std::function<void()> {
-        if (isModelFile(path))
+    look(filePath(path), true);
+}
+
+void Workbench::readDifferently()
+{
+    if (dataset_)
+        look(dataset_->source.path, true);
+}
+
+void Workbench::look(const std::filesystem::path& path, bool ask)
+{
+    reading_.start([this, path, ask](const Progress& progress) -> std::function<void()> {
+        if (isModelFile(path) && !ask)
             return whenModelRead(Model::open(path));
-        return [this, path, dataset = openDataset(host_, path, values, progress)] { datasetRead(path, dataset); };
+        return whenLookedAt(path, ask, progress);
+    });
+}
+
+/// What is to be done in the GUI thread with a file that may hold a dataset.
+std::function<void()> Workbench::whenLookedAt(const std::filesystem::path& path, bool ask, const Progress& progress)
+{
+    const auto tellLater = [this](const Error& error) { return [this, error] { tell(error); }; };
+    ImportQuestion question;
+    question.path = path;
+    question.options = rememberedImport(path, host_);
+    const auto reader = chooseReader(host_, path);
+    if (!reader)
+        return tellLater(reader.error());
+    const auto contents = probeDataset(host_, path, {}, progress.part(0, 0.1));
+    const bool isIncomplete = !contents && contents.error().kind == ErrorKind::WrongUsage;
+    if (!contents && !isIncomplete)
+        return tellLater(contents.error());
+    if (ask || isIncomplete || offersChoice(*contents)) {
+        const auto lastReader = chooseReader(host_, path, question.options.reader);
+        question.reader = lastReader ? *lastReader : *reader;
+        question.contents = contents ? *contents : FileContents();
+        question.reason = isIncomplete ? pluginText(contents.error().text) : QString();
+        return [this, question] { emit choicesNeeded(question); };
+    }
+    return [this, path, read = readDataset(path, {}, progress.part(0.1, 1))] { datasetRead(path, read); };
+}
+
+Workbench::ReadDataset Workbench::readDataset(const std::filesystem::path& path, const ImportOptions& options,
+                                              const Progress& progress)
+{
+    ReadDataset read{openDataset(host_, path, options, progress), {}, options};
+    if (read.dataset)
+        read.size = buildSizeOf(*read.dataset);
+    return read;
+}
+
+void Workbench::importDataset(const std::filesystem::path& path, const ImportOptions& options)
+{
+    reading_.start([this, path, options](const Progress& progress) -> std::function<void()> {
+        const auto reader = chooseReader(host_, path, options.reader);
+        const auto parameters = reader ? reader->plugin->parameters() : std::vector<Parameter>();
+        return [this, path, options, read = readDataset(path, withoutDefaults(options, parameters), progress)] {
+            if (read.dataset) {
+                rememberImport(path, read.options);
+                return datasetRead(path, read);
+            }
+            const Error& error = read.dataset.error();
+            emit importFailed(error.kind == ErrorKind::Cancelled ? QString() : pluginText(error.text));
+        };
     });
 }
 
@@ -118,42 +183,15 @@ bool Workbench::prepareToShow(const std::shared_ptr<const Model>& model, const F
     return true;
 }
 
-void Workbench::datasetRead(const std::filesystem::path& path, const Result<Dataset>& dataset)
+void Workbench::datasetRead(const std::filesystem::path& path, const ReadDataset& read)
 {
-    if (dataset) {
-        undescribedFile_.clear();
-        dataset_ = std::make_shared<const Dataset>(*dataset);
-        addRecentFile(pathText(path));
-        emit datasetOpened();
-        return;
-    }
-    const bool undescribed = dataset.error().kind == ErrorKind::WrongUsage;
-    const auto parameters = undescribed ? readerParameters(host_, path) : std::vector<Parameter>{};
-    if (parameters.empty())
-        return tell(dataset.error());
-    undescribedFile_ = path;
-    emit descriptionNeeded(parameters, pluginText(dataset.error().text));
-}
-
-bool Workbench::canReadDifferently() const
-{
-    // Lattices are described in full, by their file or by the user.
-    return dataset_ && dataset_->domain != DomainClass::RegularLattice &&
-           !readerParameters(host_, dataset_->source.path).empty();
-}
-
-void Workbench::readDifferently()
-{
-    if (!canReadDifferently())
-        return;
-    undescribedFile_ = dataset_->source.path;
-    emit descriptionNeeded(readerParameters(host_, undescribedFile_),
-                           tr("It was read as %1.").arg(QString::fromStdString(dataset_->source.name)));
-}
-
-void Workbench::describe(const ParameterValues& values)
-{
-    read(undescribedFile_, values);
+    if (!read.dataset)
+        return tell(read.dataset.error());
+    dataset_ = std::make_shared<const Dataset>(*read.dataset);
+    buildSize_ = read.size;
+    imported_ = read.options;
+    addRecentFile(pathText(path));
+    emit datasetOpened();
 }
 
 void Workbench::build(const BuildOrder& order)
@@ -163,19 +201,20 @@ void Workbench::build(const BuildOrder& order)
     live_ = std::make_shared<LiveBuild>();
     keep_ = std::make_shared<std::atomic<bool>>(false);
     look_.reset();
-    building_.start([this, order, dataset = dataset_, live = live_,
+    building_.start([this, order, dataset = dataset_, imported = imported_, live = live_,
                      keep = keep_](const Progress& progress) -> std::function<void()> {
-        return [this, order,
-                built = tetra::buildModel(host_, *dataset, order.builder, order.values, order.target, progress,
-                                          {.live = live.get(), .keepWhenCancelled = keep.get()})] {
-            if (built) {
-                emit modelBuilt();
-                showBuilt(order.target);
-            } else {
-                closeLook();
-                tell(built.error());
-            }
-        };
+        return
+            [this, order,
+             built = tetra::buildModel(host_, *dataset, order.builder, order.values, order.target, progress,
+                                       {.live = live.get(), .keepWhenCancelled = keep.get(), .imported = imported})] {
+                if (built) {
+                    emit modelBuilt();
+                    showBuilt(order.target);
+                } else {
+                    closeLook();
+                    tell(built.error());
+                }
+            };
     });
     buildTarget_ = order.target;
     lookPath_ = filePath(looks_.filePath(pathText(order.target.filename())));
@@ -234,7 +273,7 @@ void Workbench::closeLook()
 void Workbench::showBuilt(const std::filesystem::path& target)
 {
     if (!showsLook())
-        return read(target, {});
+        return look(target, false);
     look_.reset();
     reading_.start([this, target](const Progress&) -> std::function<void()> {
         return [this, target, model = Model::open(target)] {

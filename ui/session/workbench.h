@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/data/dataset.h"
+#include "plugins/host/build_estimate.h"
 #include "plugins/host/live_build.h"
 #include "plugins/host/plugin_host.h"
 #include "ui/session/draft_builder.h"
+#include "ui/session/import_question.h"
 #include "ui/session/mesh_saving.h"
 #include "ui/session/picture_file.h"
 #include "ui/session/scene_builder.h"
@@ -50,12 +52,12 @@ public:
     std::vector<Parameter> renderingParameters() const;
     /// The dataset that models can be built of; none before one was opened.
     const std::shared_ptr<const Dataset>& dataset() const noexcept { return dataset_; }
-    /// The file that waits for describe(); empty if none does.
-    const std::filesystem::path& undescribedFile() const noexcept { return undescribedFile_; }
+    /// What building it is expected to take follows from this; zeros without one.
+    const BuildSize& buildSize() const noexcept { return buildSize_; }
 
     /// Filters for a file dialog: all that can be opened first.
     QStringList nameFilters();
-    /// Opens a model, a session, or a dataset by the reader that fits it best.
+    /// Opens a model, a session, or a dataset by the reader that fits it best; asks by choicesNeeded() where there is a choice.
     void open(const QString& path);
     /// Opens the session that `text` describes, with paths from `folder` on; `file` is where it is saved from now on,
     /// empty if it has no file.
@@ -67,12 +69,12 @@ public:
     /// The file of the session that is open; empty if it has none.
     const std::filesystem::path& sessionFile() const noexcept { return sessionFile_; }
     void saveSession(const std::filesystem::path& target, const SessionDocument& document);
-    /// Whether the file of the dataset that is open could be read in another way: another array, other columns.
-    bool canReadDifferently() const;
-    /// Asks by descriptionNeeded() how the file of the dataset that is open is to be read.
+    /// Asks by choicesNeeded() how a dataset is to be read, whether it must be known or not.
+    void openWithOptions(const QString& path);
+    /// The same for the file of the dataset that is open.
     void readDifferently();
-    /// Opens the undescribed file with what descriptionNeeded() asked for.
-    void describe(const ParameterValues& values);
+    /// Opens a dataset so; ends with datasetOpened() or importFailed().
+    void importDataset(const std::filesystem::path& path, const ImportOptions& options);
     /// Builds a model of the dataset, and opens it.
     void build(const BuildOrder& order);
     /// Ends the build; `keep`: what is finished becomes the model, of less accuracy.
@@ -93,8 +95,9 @@ public:
 signals:
     void failed(const QString& text);
     void datasetOpened();
-    /// `reason` is the reader's: what it misses, or does not understand of the description.
-    void descriptionNeeded(const std::vector<tetra::Parameter>& parameters, const QString& reason);
+    void choicesNeeded(const tetra::ImportQuestion& question);
+    /// What the reader has against the choices; empty if the user stopped it.
+    void importFailed(const QString& reason);
     /// A session's model is shown; this is how it was seen.
     void sessionOpened(const tetra::SessionDocument& document);
     /// The build is done; its model is opened next.
@@ -104,13 +107,21 @@ signals:
     void textSaved(const QString& path);
 
 private:
-    void read(const std::filesystem::path& path, const ParameterValues& values);
+    /// Either reads the file or asks for choices.
+    void look(const std::filesystem::path& path, bool ask);
+    std::function<void()> whenLookedAt(const std::filesystem::path& path, bool ask, const Progress& progress);
     void lookAtBuild();
     void showLook(const Result<std::shared_ptr<const Model>>& look);
     void closeLook();
     void showBuilt(const std::filesystem::path& target);
     bool showsLook() const { return look_ != nullptr && session_.model() == look_; }
-    void datasetRead(const std::filesystem::path& path, const Result<Dataset>& dataset);
+    struct ReadDataset {
+        Result<Dataset> dataset;
+        BuildSize size;
+        ImportOptions options;
+    };
+    ReadDataset readDataset(const std::filesystem::path& path, const ImportOptions& options, const Progress& progress);
+    void datasetRead(const std::filesystem::path& path, const ReadDataset& read);
     std::function<void()> whenModelRead(const Result<std::shared_ptr<const Model>>& model);
     void showModel(const std::shared_ptr<const Model>& model, const FieldExtent& field);
     void showSession(const std::shared_ptr<const Model>& model, const FieldExtent& field,
@@ -126,7 +137,8 @@ private:
     PluginHost& host_;
     Session session_;
     std::shared_ptr<const Dataset> dataset_;
-    std::filesystem::path undescribedFile_;
+    BuildSize buildSize_{.points = 0};
+    ImportOptions imported_; ///< how the dataset was opened
     std::vector<Provided<Renderer>> modes_;
     FieldExtent field_; ///< of the model that is open
     SceneBuilder sceneBuilder_;

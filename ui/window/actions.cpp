@@ -40,6 +40,9 @@ void addFileMenu(QMainWindow& window, Actions& actions)
     QMenu* menu = addMenu(window, "file", Texts::tr("&File"));
     actions.open = add(menu, "open", Texts::tr("&Open…"), QKeySequence::Open, Texts::tr("Open a dataset or a model"));
     actions.open->setIcon(glyphIcon(Glyph::Open));
+    actions.openWithOptions =
+        add(menu, "openWithOptions", Texts::tr("Import with Op&tions…"), QKeySequence("Ctrl+Shift+O"),
+            Texts::tr("Open a part of a dataset, or say how its file is to be read"));
     actions.recent = menu->addMenu(Texts::tr("Open &Recent"));
     actions.recent->setObjectName("menu.recent");
     menu->addSeparator();

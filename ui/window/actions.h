@@ -13,6 +13,7 @@ namespace tetra {
 /// The actions of the window's menus, owned by the window. Object names are "action." and the member's name.
 struct Actions {
     QAction* open = nullptr;
+    QAction* openWithOptions = nullptr;
     QAction* close = nullptr;
     QAction* saveSession = nullptr;
     QAction* saveSessionAs = nullptr;

@@ -11,6 +11,7 @@
 #include "ui/widgets/icons.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/window/empty_page.h"
+#include "ui/window/import_dialog.h"
 #include "ui/window/keep_session.h"
 #include "ui/window/mode_actions.h"
 #include "ui/window/plugin_window.h"
@@ -134,6 +135,10 @@ void MainWindow::connectActions()
     connect(actions_.open, &QAction::triggered, this, [this] {
         askForFile(this, "openDialog", workbench_.nameFilters(), [this](const QString& path) { open(path); });
     });
+    connect(actions_.openWithOptions, &QAction::triggered, this, [this] {
+        askForFile(this, "importFileDialog", workbench_.nameFilters(),
+                   [this](const QString& path) { workbench_.openWithOptions(path); });
+    });
     connect(actions_.recent, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
     keptSession_ = new KeepSession(workbench_, *viewport_, *messages_, this);
     connect(actions_.saveSession, &QAction::triggered, keptSession_, &KeepSession::save);
@@ -181,11 +186,10 @@ void MainWindow::connectWorkbench()
 {
     connect(&workbench_, &Workbench::failed, messages_, &MessageBar::add);
     connect(&workbench_, &Workbench::datasetOpened, this, &MainWindow::showDataset);
-    connect(&workbench_, &Workbench::descriptionNeeded, this, [this] {
-        docks_.build->show();
-        docks_.build->raise();
-        if (!workbench_.session().model())
-            showNothing();
+    connect(&workbench_, &Workbench::choicesNeeded, this, [this](const ImportQuestion& question) {
+        if (import_ == nullptr)
+            import_ = new ImportDialog(workbench_, this);
+        import_->ask(question);
     });
     connect(&workbench_, &Workbench::modelBuilt, docks_.build, &QWidget::hide);
     const auto tellSaved = [this](const QString& path) {
@@ -312,10 +316,7 @@ void MainWindow::showDataset()
 void MainWindow::showNothing()
 {
     pages_->setCurrentWidget(empty_);
-    if (const auto& file = workbench_.undescribedFile(); !file.empty())
-        empty_->tell(QFileInfo(pathText(file)).fileName(),
-                     tr("The file does not say how its samples are laid out. Describe it in the panel on the left."));
-    else if (const auto& dataset = workbench_.dataset())
+    if (const auto& dataset = workbench_.dataset())
         empty_->tell(QString::fromStdString(dataset->source.name),
                      tr("The dataset is open. Build its model to look at it: the panel on the left has the options."));
     else

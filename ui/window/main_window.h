@@ -14,6 +14,7 @@ namespace tetra {
 
 class EmptyPage;
 class KeepSession;
+class ImportDialog;
 class MessageBar;
 class RegionActions;
 class StatusLine;
@@ -60,6 +61,7 @@ private:
     EmptyPage* empty_;
     Viewport* viewport_;
     QStackedWidget* pages_;
+    ImportDialog* import_ = nullptr; ///< once a file needed it
     StatusLine* status_;
     RegionActions* regions_;
     KeepSession* keptSession_ = nullptr;

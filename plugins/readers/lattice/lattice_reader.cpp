@@ -7,6 +7,7 @@
 #include "plugins/readers/lattice/nrrd_fields.h"
 #include "plugins/readers/lattice/nrrd_layout.h"
 #include "plugins/readers/lattice/raw_description.h"
+#include "plugins/readers/lattice/raw_guess.h"
 #include "plugins/readers/lattice/sample_reading.h"
 
 #include <algorithm>
@@ -91,14 +92,14 @@ Result<Volume> openRaw(const fs::path& path, const File& file, const ParameterVa
     return Volume{file, 0, *layout};
 }
 
-Result<Volume> openVolume(const fs::path& path, const ParameterValues& values)
+bool isNrrd(const fs::path& path, const File& file)
 {
-    const Result<File> file = openFile(path);
-    if (!file)
-        return file.error();
-    if (isNrrdName(path) || looksLikeNrrd(asText((*file)->bytes())))
-        return openNrrd(path, *file);
-    return openRaw(path, *file, values);
+    return isNrrdName(path) || looksLikeNrrd(asText(file->bytes()));
+}
+
+Result<Volume> openVolume(const fs::path& path, const File& file, const ParameterValues& values)
+{
+    return isNrrd(path, file) ? openNrrd(path, file) : openRaw(path, file, values);
 }
 
 /// As contentHash(), for values that may take long to go through.
@@ -145,6 +146,30 @@ Result<Dataset> readDataset(const fs::path& path, const Volume& volume, const Pr
     return dataset;
 }
 
+/// What a raw file could be that nobody has described yet.
+FileContents guessedContents(const fs::path& path, std::uint64_t bytes)
+{
+    FileContents contents{.domain = DomainClass::RegularLattice};
+    for (const RawGuess& guess : guessRawLayouts(path.filename().string(), bytes))
+        contents.suggestions.push_back({{"size", std::to_string(guess.size[0]) + "x" + std::to_string(guess.size[1]) +
+                                                     "x" + std::to_string(guess.size[2])},
+                                        {"type", std::string(sampleTypeName(guess.type))}});
+    return contents;
+}
+
+Result<FileContents> contentsOf(const fs::path& path, const Volume& volume)
+{
+    const Status whole = checkSampleBytes(volume.file->bytes().subspan(volume.headerBytes), volume.layout);
+    if (!whole) {
+        const Error error = inFile(volume.file->path(), whole.error());
+        return volume.file->path() == path ? error : withHeader(path, error);
+    }
+    return FileContents{.domain = DomainClass::RegularLattice,
+                        .lattice = volume.layout.lattice,
+                        .points = volume.layout.lattice.pointCount(),
+                        .type = volume.layout.type};
+}
+
 } // namespace
 
 std::vector<std::string> LatticeReader::nameFilters() const
@@ -169,12 +194,29 @@ std::vector<Parameter> LatticeReader::parameters() const
 
 Result<Dataset> LatticeReader::read(const fs::path& path, const ParameterValues& values, const Progress& progress) const
 try {
-    const Result<Volume> volume = openVolume(path, values);
+    const Result<File> file = openFile(path);
+    if (!file)
+        return file.error();
+    const Result<Volume> volume = openVolume(path, *file, values);
     if (!volume)
         return volume.error();
     return readDataset(path, *volume, progress);
 } catch (const std::bad_alloc&) {
     return Error{ErrorKind::OutOfResource, "Not enough memory to read the file. Close other programs."};
+}
+
+Result<FileContents> LatticeReader::probe(const fs::path& path, const ParameterValues& values,
+                                          const Progress& /*progress*/) const
+{
+    const Result<File> file = openFile(path);
+    if (!file)
+        return file.error();
+    if (!isNrrd(path, *file) && !describesSize(values))
+        return guessedContents(path, (*file)->bytes().size());
+    const Result<Volume> volume = openVolume(path, *file, values);
+    if (!volume)
+        return volume.error();
+    return contentsOf(path, *volume);
 }
 
 } // namespace tetra

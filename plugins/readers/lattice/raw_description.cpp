@@ -127,6 +127,11 @@ std::vector<Parameter> rawParameters()
     };
 }
 
+bool describesSize(const ParameterValues& values)
+{
+    return !trimmed(parameterValue<std::string>(rawParameters(), values, "size")).empty();
+}
+
 Result<SampleLayout> rawLayout(const ParameterValues& values, std::string_view fileName, std::uint64_t fileBytes)
 {
     const std::vector<Parameter> parameters = rawParameters();
@@ -136,7 +141,7 @@ Result<SampleLayout> rawLayout(const ParameterValues& values, std::string_view f
         return wrongUsage("the number of bytes to skip cannot be negative.");
     SampleLayout layout;
     layout.skippedBytes = static_cast<std::uint64_t>(skip);
-    if (trimmed(text("size")).empty())
+    if (!describesSize(values))
         return sizeIsMissing(fileName, fileBytes - std::min(fileBytes, layout.skippedBytes));
     const auto size = parseThree<std::uint64_t>("size", text("size"));
     if (!size)

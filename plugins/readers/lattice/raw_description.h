@@ -14,6 +14,9 @@ namespace tetra {
 /// What must be known of a raw file: size, type, byte-order, skip, spacing, origin.
 std::vector<Parameter> rawParameters();
 
+/// Whether they say how many points there are, without which nothing is known of a raw file.
+bool describesSize(const ParameterValues& values);
+
 /// The layout that the user's parameters describe. `fileName` and `fileBytes` help to make a good error text when the
 /// size is not given. Errors: ErrorKind::WrongUsage for what is missing or cannot be understood.
 Result<SampleLayout> rawLayout(const ParameterValues& values, std::string_view fileName, std::uint64_t fileBytes);

@@ -114,6 +114,17 @@ Result<ScalarField> decodedSamples(std::span<const std::byte> encoded, const Sam
 
 } // namespace
 
+Status checkSampleBytes(std::span<const std::byte> data, const SampleLayout& layout)
+{
+    const Result<std::span<const std::byte>> encoded = skipLines(data, layout.skippedLines);
+    if (!encoded)
+        return encoded.error();
+    if (layout.encoding != SampleEncoding::Raw)
+        return checkEnough(*encoded, layout);
+    const Result<std::span<const std::byte>> samples = rawBytes(*encoded, layout);
+    return samples ? Status() : samples.error();
+}
+
 Result<ScalarField> readSamples(std::span<const std::byte> data, const SampleLayout& layout, const Progress& progress,
                                 const std::shared_ptr<const void>& owner)
 {

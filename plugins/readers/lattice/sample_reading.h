@@ -19,4 +19,7 @@ namespace tetra {
 Result<ScalarField> readSamples(std::span<const std::byte> data, const SampleLayout& layout, const Progress& progress,
                                 const std::shared_ptr<const void>& owner = nullptr);
 
+/// The errors of readSamples() that show without going through the data: their number of bytes.
+Status checkSampleBytes(std::span<const std::byte> data, const SampleLayout& layout);
+
 } // namespace tetra

@@ -151,6 +151,37 @@ Result<Dataset> readDataset(const fs::path& path, const OpenPair& pair, const st
     return dataset;
 }
 
+std::vector<std::string> gridTexts(const Plot3dLayout& layout)
+{
+    std::vector<std::string> texts;
+    for (const auto& size : layout.sizes)
+        texts.push_back(std::to_string(texts.size() + 1) + ": " + std::to_string(size[0]) + " x " +
+                        std::to_string(size[1]) + " x " + std::to_string(size[2]));
+    return texts;
+}
+
+Result<FileContents> contentsOf(const Pair& pair, std::int64_t wanted)
+{
+    FileContents contents{.domain = DomainClass::Curvilinear};
+    for (const std::string_view name : plot3dArrayNames())
+        contents.arrays.push_back({.name = std::string(name)});
+    const auto grid = openPlot3d(pair.grid, Plot3dKind::Grid);
+    if (!grid)
+        return grid.error();
+    if (grid->layout.sizes.size() > 1) {
+        contents.blocks = gridTexts(grid->layout);
+        if (wanted == 0)
+            return contents;
+    }
+    const auto open = openPair(pair, wanted);
+    if (!open)
+        return open.error();
+    contents.lattice.size = open->grid.layout.sizes[open->number];
+    contents.points = contents.lattice.pointCount();
+    contents.type = open->solution.layout.realBytes == 4 ? SampleType::Float32 : SampleType::Float64;
+    return contents;
+}
+
 } // namespace
 
 std::vector<std::string> Plot3dReader::nameFilters() const
@@ -208,6 +239,16 @@ try {
     return readDataset(path, *open, parameterValue<std::string>(all, values, "array"), progress);
 } catch (const std::bad_alloc&) {
     return Error{ErrorKind::OutOfResource, "Not enough memory to read the file. Close other programs."};
+}
+
+Result<FileContents> Plot3dReader::probe(const fs::path& path, const ParameterValues& values,
+                                         const Progress& /*progress*/) const
+{
+    const auto all = parameters();
+    const auto pair = findPair(path, parameterValue<std::string>(all, values, "solution"));
+    if (!pair)
+        return pair.error();
+    return contentsOf(*pair, parameterValue<std::int64_t>(all, values, "grid"));
 }
 
 } // namespace tetra

@@ -58,6 +58,13 @@ Dataset datasetOf(PointTable table, const std::filesystem::path& path)
     return dataset;
 }
 
+PointTableRequest requestOf(const std::vector<Parameter>& parameters, const ParameterValues& values)
+{
+    return {parameterValue<std::string>(parameters, values, "positions"),
+            parameterValue<std::string>(parameters, values, "array"),
+            parameterValue<bool>(parameters, values, "skip-incomplete")};
+}
+
 } // namespace
 
 std::vector<std::string> PointReader::nameFilters() const
@@ -105,10 +112,8 @@ try {
     const auto file = MappedFile::open(path);
     if (!file)
         return file.error();
-    const PointTableRequest request{parameterValue<std::string>(parameters(), values, "positions"),
-                                    parameterValue<std::string>(parameters(), values, "array"),
-                                    parameterValue<bool>(parameters(), values, "skip-incomplete")};
-    Result<PointTable> table = readPointTable(asText((*file)->bytes()), request, progress.part(0, 0.9));
+    Result<PointTable> table =
+        readPointTable(asText((*file)->bytes()), requestOf(parameters(), values), progress.part(0, 0.9));
     if ((*file)->damaged())
         return inFile(path, {ErrorKind::BadInput, "it changed while it was read. Read it again."});
     if (!table)
@@ -120,6 +125,22 @@ try {
     return dataset;
 } catch (const std::bad_alloc&) {
     return Error{ErrorKind::OutOfResource, "Not enough memory to read the file. Close other programs."};
+}
+
+Result<FileContents> PointReader::probe(const std::filesystem::path& path, const ParameterValues& values,
+                                        const Progress& /*progress*/) const
+{
+    const auto file = MappedFile::open(path);
+    if (!file)
+        return file.error();
+    const auto columns = readPointColumns(asText((*file)->bytes()), requestOf(parameters(), values));
+    if (!columns)
+        return inFile(path, columns.error());
+    FileContents contents{.domain = DomainClass::Scattered, .type = SampleType::Float64};
+    for (std::size_t column = 0; column < columns->names.size(); ++column)
+        if (std::ranges::find(columns->position, column) == columns->position.end())
+            contents.arrays.push_back({.name = columns->names[column]});
+    return contents;
 }
 
 } // namespace tetra

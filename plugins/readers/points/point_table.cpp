@@ -4,7 +4,6 @@
 #include "core/base/number_text.h"
 #include "plugins/readers/points/chemical_structure.h"
 #include "plugins/readers/points/delimited_text.h"
-#include "plugins/readers/points/point_columns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,6 +71,7 @@ public:
     }
 
     Result<PointTable> run(const Progress& progress);
+    Result<PointColumns> readColumns();
 
 private:
     Status readFront();
@@ -159,6 +159,13 @@ Status TableReading::addRow()
     return {};
 }
 
+Result<PointColumns> TableReading::readColumns()
+{
+    if (const Status front = readFront(); !front)
+        return front.error();
+    return std::move(columns_);
+}
+
 Result<PointTable> TableReading::run(const Progress& progress)
 {
     constexpr std::uint64_t linesBetweenReports = 1 << 14;
@@ -185,9 +192,8 @@ Result<PointTable> TableReading::run(const Progress& progress)
     return std::move(table_);
 }
 
-} // namespace
-
-Result<PointTable> readPointTable(std::string_view text, const PointTableRequest& request, const Progress& progress)
+/// Whether it can be a table at all.
+Status checkTable(std::string_view text)
 {
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
         return Error{ErrorKind::BadInput, "it is in UTF-16. Save it as UTF-8."};
@@ -196,6 +202,22 @@ Result<PointTable> readPointTable(std::string_view text, const PointTableRequest
     if (isChemicalStructure(text))
         return Error{ErrorKind::BadInput, "it is a chemical structure: elements and where their atoms are. A table of "
                                           "points is wanted, with a value for each x, y and z."};
+    return {};
+}
+
+} // namespace
+
+Result<PointColumns> readPointColumns(std::string_view text, const PointTableRequest& request)
+{
+    if (const Status usable = checkTable(text); !usable)
+        return usable.error();
+    return TableReading(text, request).readColumns();
+}
+
+Result<PointTable> readPointTable(std::string_view text, const PointTableRequest& request, const Progress& progress)
+{
+    if (const Status usable = checkTable(text); !usable)
+        return usable.error();
     return TableReading(text, request).run(progress);
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "plugins/readers/points/point_columns.h"
 
 #include <Eigen/Core>
 
@@ -33,6 +34,9 @@ struct PointTable {
 /// and ends as a sentence that begins with the file's name and a colon.
 Result<PointTable> readPointTable(std::string_view text, const PointTableRequest& request,
                                   const Progress& progress = {});
+
+/// The columns of such a table, by its first line or two.
+Result<PointColumns> readPointColumns(std::string_view text, const PointTableRequest& request);
 
 /// Whether the beginning of a file could be that of such a table: text whose first lines have four numbers or more.
 bool looksLikePointTable(std::string_view beginning);

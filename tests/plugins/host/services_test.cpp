@@ -80,7 +80,7 @@ private slots:
 
     void unknownParametersAreRefused()
     {
-        const auto opened = openDataset(*host_, path("noise.nrrd"), {{"colour", 1.0}});
+        const auto opened = openDataset(*host_, path("noise.nrrd"), {.values = {{"colour", 1.0}}});
         QVERIFY(!opened);
         QCOMPARE(opened.error().kind, ErrorKind::WrongUsage);
         const auto built = buildModel(*host_, smallSample(), std::nullopt, {{"colour", 1.0}}, path("no.tan"));

@@ -46,7 +46,7 @@ private slots:
         const Result<Dataset> undescribed = openDataset(host_, path, {}, {});
         QVERIFY(!undescribed.ok());
         QCOMPARE(undescribed.error().kind, ErrorKind::WrongUsage);
-        const Result<Dataset> opened = openDataset(host_, path, {{"size", std::string("3x4x5")}}, {});
+        const Result<Dataset> opened = openDataset(host_, path, {.values = {{"size", std::string("3x4x5")}}}, {});
         QVERIFY2(opened.ok(), opened.ok() ? "" : opened.error().text.c_str());
         QVERIFY(holdsTestSamples(opened->values));
     }

@@ -46,6 +46,7 @@ private slots:
     void guesses_data();
     void guesses();
     void guessesFillTheFile();
+    void probesWithoutTheSamples();
 
 private:
     TestFolder folder_;
@@ -261,6 +262,40 @@ void RawReaderTest::guessesFillTheFile()
         for (const RawGuess& guess : guesses)
             QCOMPARE(std::uint64_t(guess.size[0]) * guess.size[1] * guess.size[2] * sampleSize(guess.type), bytes);
     }
+}
+
+void RawReaderTest::probesWithoutTheSamples()
+{
+    const auto path = folder_.write("v_3x4x5_uint16.raw", testSamples(SampleType::UInt16));
+    const auto guessed = LatticeReader().probe(path, {}, {});
+    QVERIFY(guessed);
+    QCOMPARE(guessed->points, std::uint64_t(0));
+    QCOMPARE(guessed->suggestions.size(), std::size_t(1));
+    const auto contents = LatticeReader().probe(path, guessed->suggestions[0], {});
+    QVERIFY(contents);
+    QCOMPARE(contents->lattice.size, (std::array<std::uint32_t, 3>{3, 4, 5}));
+    QCOMPARE(contents->points, std::uint64_t(60));
+    QCOMPARE(contents->type, std::optional(SampleType::UInt16));
+    QVERIFY(contents->suggestions.empty());
+    for (const char* size : {"3x4x4", "3x4x6", "3x4"}) { // refused as they are when they are read
+        const ParameterValues values = {{"size", std::string(size)}, {"type", std::string("uint16")}};
+        const auto probed = LatticeReader().probe(path, values, {});
+        const auto read = LatticeReader().read(path, values, {});
+        QVERIFY(!probed && !read);
+        QCOMPARE(probed.error().text, read.error().text);
+        QCOMPARE(probed.error().kind, read.error().kind);
+    }
+    const auto nrrd = folder_.write("v.nrrd", nrrdHeader("spacings: 1 2 3\n") + testSamples(SampleType::UInt8));
+    const auto told = LatticeReader().probe(nrrd, {}, {});
+    QVERIFY2(told, told ? "" : told.error().text.c_str());
+    const auto whole = LatticeReader().read(nrrd, {}, {});
+    QVERIFY(whole);
+    QCOMPARE(told->lattice.size, whole->lattice.size);
+    QCOMPARE(told->lattice.spacing, whole->lattice.spacing);
+    QCOMPARE(told->type, std::optional(whole->values.type()));
+    const auto cut = folder_.write("cut.nrrd", nrrdHeader("") + testSamples(SampleType::UInt8).left(50));
+    QVERIFY(!LatticeReader().probe(cut, {}, {}));
+    QVERIFY(!LatticeReader().probe(folder_.path() / "missing.nrrd", {}, {}));
 }
 
 QTEST_GUILESS_MAIN(RawReaderTest)

@@ -51,6 +51,7 @@ private slots:
     void theSolutionIsFoundByItsName_data();
     void theSolutionIsFoundByItsName();
     void aGridOfSeveralIsChosen();
+    void probesWithoutTheData();
     void constantArraysAreNotTaken();
     void zerosBehindTheDataAreBorne();
     void refuses_data();
@@ -189,6 +190,31 @@ void Plot3dReaderTest::aGridOfSeveralIsChosen()
     const auto fourth = read(path, {{"grid", std::int64_t(4)}});
     QVERIFY(!fourth.ok());
     QCOMPARE(fourth.error().kind, ErrorKind::WrongUsage);
+}
+
+void Plot3dReaderTest::probesWithoutTheData()
+{
+    const auto one = Plot3dReader().probe(writePair({.doubles = true}), {}, {});
+    QVERIFY2(one, one ? "" : one.error().text.c_str());
+    QCOMPARE(one->domain, std::optional(DomainClass::Curvilinear));
+    QCOMPARE(one->lattice.size, (std::array<std::uint32_t, 3>{3, 4, 5}));
+    QCOMPARE(one->type, std::optional(SampleType::Float64));
+    QVERIFY(one->blocks.empty());
+    for (const FileArray& array : one->arrays) // each can be asked for
+        QVERIFY2(read(folder_->path().toStdString() + "/g.xyz", {{"array", array.name}}), array.name.c_str());
+    const auto path = writePair({.multiGrid = true, .grids = 3});
+    const auto several = Plot3dReader().probe(path, {}, {});
+    QVERIFY(several);
+    QCOMPARE(several->blocks, (std::vector<std::string>{"1: 3 x 4 x 5", "2: 4 x 4 x 5", "3: 5 x 4 x 5"}));
+    QCOMPARE(several->points, std::uint64_t(0));
+    const auto second = Plot3dReader().probe(path, {{"grid", std::int64_t(2)}}, {});
+    QVERIFY(second);
+    QCOMPARE(second->points, std::uint64_t(80));
+    QVERIFY(!Plot3dReader().probe(path, {{"grid", std::int64_t(4)}}, {}));
+    const auto alone = write("alone.xyz", testFile({}, false));
+    const auto without = Plot3dReader().probe(alone, {}, {});
+    QVERIFY(!without);
+    QCOMPARE(without.error().text, read(alone).error().text);
 }
 
 void Plot3dReaderTest::constantArraysAreNotTaken()

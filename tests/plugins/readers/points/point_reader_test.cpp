@@ -40,6 +40,24 @@ private:
     QTemporaryDir folder_;
 
 private slots:
+    void columnsAreProbed()
+    {
+        QVERIFY(read("T,x,y,z,p\n1,2,3,4,5\n"));
+        const auto path = folder_.filePath("points.csv").toStdString();
+        const auto contents = PointReader().probe(path, {}, {});
+        QVERIFY(contents);
+        QCOMPARE(contents->domain, std::optional(DomainClass::Scattered));
+        QCOMPARE(contents->arrays.size(), std::size_t(2));
+        QCOMPARE(contents->arrays[0].name, std::string("T"));
+        QCOMPARE(contents->arrays[1].name, std::string("p"));
+        const auto others = PointReader().probe(path, {{"positions", std::string("1,3,4")}}, {});
+        QVERIFY(others);
+        QCOMPARE(others->arrays[0].name, std::string("x"));
+        QVERIFY(!PointReader().probe(path, {{"array", std::string("q")}}, {}));
+        QVERIFY(!read("a,b\n1,2\n"));
+        QVERIFY(!PointReader().probe(path, {}, {}));
+    }
+
     void allKindsOfTablesAreRead_data()
     {
         QTest::addColumn<QByteArray>("text");

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/data/dataset_part.h"
+
+#include "core/data/grid_handedness.h"
+#include "core/data/part_of_points.h"
+#include "core/data/sample_buffer.h"
+
+#include <cmath>
+#include <cstring>
+#include <new>
+#include <utility>
+
+namespace tetra {
+
+namespace {
+
+/// A part of a grid in numbers of points.
+struct GridPart {
+    std::array<std::uint32_t, 3> first{};
+    std::array<std::uint32_t, 3> count{};
+    std::array<std::uint32_t, 3> stride{};
+    Lattice from;
+
+    std::uint64_t points() const { return std::uint64_t(count[0]) * count[1] * count[2]; }
+    std::uint64_t rows() const { return std::uint64_t(count[1]) * count[2]; }
+    /// The dataset's point that row `row` begins with.
+    std::uint64_t rowBegin(std::uint64_t row) const
+    {
+        return from.index(first[0], first[1] + stride[1] * static_cast<std::uint32_t>(row % count[1]),
+                          first[2] + stride[2] * static_cast<std::uint32_t>(row / count[1]));
+    }
+    /// Whether its points follow one another in the dataset.
+    bool isContiguous() const
+    {
+        return stride == std::array<std::uint32_t, 3>{1, 1, 1} && count[0] == from.size[0] && count[1] == from.size[1];
+    }
+};
+
+Error wrongPart(const std::string& text)
+{
+    return {ErrorKind::WrongUsage, text};
+}
+
+std::string sizeText(const std::array<std::uint32_t, 3>& size)
+{
+    return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
+}
+
+Result<std::uint32_t> wholeNumber(double number, std::uint32_t size, int axis)
+{
+    if (number >= 0 && number < size && number == std::floor(number))
+        return static_cast<std::uint32_t>(number);
+    return wrongPart("The region does not lie in the grid: along " + std::string(1, "xyz"[axis]) +
+                     " it takes whole numbers from 0 to " + std::to_string(size - 1) + ".");
+}
+
+Result<GridPart> gridPart(const Lattice& lattice, const DatasetPart& part)
+{
+    GridPart grid{{}, {}, part.stride, lattice};
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        const auto first = part.region ? wholeNumber(part.region->min()[axis], lattice.size[a], axis) : 0u;
+        const auto last =
+            part.region ? wholeNumber(part.region->max()[axis], lattice.size[a], axis) : lattice.size[a] - 1;
+        if (!first)
+            return first.error();
+        if (!last)
+            return last.error();
+        if (part.stride[a] == 0)
+            return wrongPart("A stride is a whole number from 1.");
+        const std::uint32_t points = *last >= *first ? (*last - *first) / part.stride[a] + 1 : 0;
+        if (points < 2)
+            return wrongPart("The part has " + std::to_string(points) + " points along " + std::string(1, "xyz"[axis]) +
+                             ", and a volume needs at least two along each axis. Take a larger region or a smaller "
+                             "stride.");
+        grid.first[a] = *first;
+        grid.count[a] = points;
+    }
+    return grid;
+}
+
+/// Calls `copy(from, to, count)` for each row: the number of the dataset's first point, of the part's, how many.
+template <class Copy> Status forEachRow(const GridPart& part, const Progress& progress, const Copy& copy)
+{
+    constexpr std::uint64_t rowsBetweenReports = 256;
+    for (std::uint64_t row = 0; row < part.rows(); ++row) {
+        if (row % rowsBetweenReports == 0) {
+            if (progress.cancelled())
+                return cancelledError("Reading");
+            progress.report(static_cast<double>(row) / static_cast<double>(part.rows()), "Reading");
+        }
+        copy(part.rowBegin(row), row * part.count[0], part.count[0]);
+    }
+    return {};
+}
+
+bool staysInFile(const Dataset& dataset, const GridPart& part)
+{
+    return dataset.mappedFile && part.isContiguous();
+}
+
+std::shared_ptr<const std::byte> samplesInFile(const Dataset& dataset, const GridPart& part)
+{
+    const std::size_t size = sampleSize(dataset.values.type());
+    // The dataset's field keeps alive what it lies in.
+    const auto owner = std::make_shared<const ScalarField>(dataset.values);
+    return {owner, dataset.values.bytes().data() + part.rowBegin(0) * size};
+}
+
+Result<ScalarField> valuesOf(const Dataset& dataset, const GridPart& part, const Progress& progress)
+{
+    const SampleType type = dataset.values.type();
+    if (staysInFile(dataset, part))
+        return ScalarField::scanned(type, part.points(), samplesInFile(dataset, part), progress);
+    auto samples = allocateSamples(type, part.points());
+    if (!samples)
+        return samples.error();
+    const Status copied = visitSampleType(type, [&]<class T>() {
+        const T* const from = dataset.values.as<T>().data();
+        T* const to = reinterpret_cast<T*>(samples->get());
+        return forEachRow(part, progress, [&](std::uint64_t source, std::uint64_t target, std::uint32_t count) {
+            if (part.stride[0] == 1)
+                std::memcpy(to + target, from + source, count * sizeof(T));
+            else
+                for (std::uint32_t i = 0; i < count; ++i)
+                    to[target + i] = from[source + std::uint64_t(i) * part.stride[0]];
+        });
+    });
+    if (!copied)
+        return copied.error();
+    return ScalarField(type, part.points(), *std::move(samples));
+}
+
+Result<PointPositions> positionsOf(const Dataset& dataset, const GridPart& part, const Progress& progress)
+{
+    auto positions = std::make_shared<std::vector<Eigen::Vector3d>>(part.points());
+    const Status copied =
+        forEachRow(part, progress, [&](std::uint64_t source, std::uint64_t target, std::uint32_t count) {
+            for (std::uint32_t i = 0; i < count; ++i)
+                (*positions)[target + i] = (*dataset.positions)[source + std::uint64_t(i) * part.stride[0]];
+        });
+    if (!copied)
+        return copied.error();
+    return PointPositions(std::move(positions));
+}
+
+Result<Dataset> partOfGrid(const Dataset& dataset, const DatasetPart& part, const Progress& progress)
+{
+    const auto grid = gridPart(dataset.lattice, part);
+    if (!grid)
+        return grid.error();
+    Dataset result = dataset;
+    auto values = valuesOf(dataset, *grid, progress.part(0, 0.6));
+    if (!values)
+        return values.error();
+    result.values = *std::move(values);
+    if (dataset.positions) {
+        result.lattice.size = grid->count; // the computational space keeps spacing 1 and origin 0
+        auto positions = positionsOf(dataset, *grid, progress.part(0.6, 0.9));
+        if (!positions)
+            return positions.error();
+        result.positions = *std::move(positions);
+        if (const CellCornerSigns signs = cellCornerSigns(result); signs.positive + signs.negative == 0)
+            return wrongPart("No cell of the part has a volume. Take another region or a smaller stride.");
+    }
+    if (!dataset.positions)
+        result.lattice = *partOfLattice(dataset.lattice, part);
+    if (!staysInFile(dataset, *grid))
+        result.mappedFile = nullptr;
+    result.remarks.push_back("A part of " + sizeText(grid->count) + " of the " + sizeText(dataset.lattice.size) +
+                             " points.");
+    return result;
+}
+
+std::string nameOfPart(const DatasetPart& part)
+{
+    const std::string region = regionText(part);
+    const std::string stride = strideText(part);
+    return (region.empty() ? "" : ", region " + region) + (stride.empty() ? "" : ", stride " + stride);
+}
+
+Result<Dataset> takeAnyPart(const Dataset& dataset, const DatasetPart& part, const Progress& progress)
+{
+    if (dataset.domain == DomainClass::RegularLattice || dataset.domain == DomainClass::Curvilinear)
+        return partOfGrid(dataset, part, progress);
+    if (part.stride != std::array<std::uint32_t, 3>{1, 1, 1})
+        return wrongPart("Only points of a grid can be taken by a stride. Take a region.");
+    return partOfPoints(dataset, *part.region, progress);
+}
+
+} // namespace
+
+Result<Lattice> partOfLattice(const Lattice& lattice, const DatasetPart& part)
+{
+    const auto grid = gridPart(lattice, part);
+    if (!grid)
+        return grid.error();
+    Lattice result = lattice;
+    result.size = grid->count;
+    for (int axis = 0; axis < 3; ++axis)
+        result.spacing[axis] *= grid->stride[static_cast<std::size_t>(axis)];
+    result.origin = lattice.position(grid->first[0], grid->first[1], grid->first[2]);
+    return result;
+}
+
+Result<Dataset> takePart(const Dataset& dataset, const DatasetPart& part, const Progress& progress)
+try {
+    if (part.isWhole())
+        return dataset;
+    auto result = takeAnyPart(dataset, part, progress);
+    if (!result)
+        return result;
+    if (const Status intact = dataset.checkIntact(); !intact)
+        return intact.error();
+    result->source.name += nameOfPart(part);
+    result->source.hash = contentHash(result->values, result->positions, result->tetrahedra);
+    progress.report(1, "Reading");
+    return result;
+} catch (const std::bad_alloc&) {
+    return Error{ErrorKind::OutOfResource, "Not enough memory for this part. Take a smaller one."};
+}
+
+} // namespace tetra

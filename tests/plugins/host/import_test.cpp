@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Opening parts of datasets, what models keep of it, and what a build is expected to take.
+#include "core/data/analytic_fields.h"
+#include "core/model/verification.h"
+#include "plugins/host/build_estimate.h"
+#include "plugins/host/dataset_opening.h"
+#include "plugins/host/dataset_saving.h"
+#include "plugins/host/model_building.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <fstream>
+
+using namespace tetra;
+
+namespace {
+
+Dataset sample(const char* name, std::uint32_t size)
+{
+    return *makeSample({.name = name, .size = size, .type = std::nullopt, .seed = 1});
+}
+
+} // namespace
+
+class ImportTest : public QObject {
+    Q_OBJECT
+
+private:
+    std::filesystem::path path(const char* name) const
+    {
+        return std::filesystem::path(folder_.path().toStdString()) / name;
+    }
+
+    QTemporaryDir folder_;
+    std::unique_ptr<PluginHost> host_;
+
+private slots:
+    void initTestCase()
+    {
+        host_ = PluginHost::standard();
+        QVERIFY(saveDataset(*host_, sample("c60", 12), path("c60.nrrd")).ok());
+        QVERIFY(saveDataset(*host_, sample("scattered", 8), path("points.csv")).ok());
+    }
+
+    void aModelIsVerifiedAgainstThePartThatItKeeps_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("region");
+        QTest::addColumn<QString>("stride");
+        QTest::newRow("region") << "c60.nrrd"
+                                << "1,2,3,9,8,10"
+                                << "";
+        QTest::newRow("stride") << "c60.nrrd"
+                                << ""
+                                << "2,1,3";
+        QTest::newRow("both") << "c60.nrrd"
+                              << "0,0,2,11,10,11"
+                              << "2";
+        QTest::newRow("points") << "points.csv"
+                                << "-1,-0.5,-1,1,1,0.5"
+                                << "";
+    }
+
+    void aModelIsVerifiedAgainstThePartThatItKeeps()
+    {
+        QFETCH(QString, file);
+        QFETCH(QString, region);
+        QFETCH(QString, stride);
+        const auto input = path(qPrintable(file));
+        const ImportOptions options{
+            .part = {.region = *parseRegion(region.toStdString()), .stride = *parseStride(stride.toStdString())}};
+        const auto part = openDataset(*host_, input, options);
+        QVERIFY2(part, part ? "" : part.error().text.c_str());
+        QVERIFY(part->pointCount() < openDataset(*host_, input)->pointCount());
+        const auto built = buildModel(*host_, *part, {}, {}, path("part.tan"), {},
+                                      {.live = nullptr, .keepWhenCancelled = nullptr, .imported = options});
+        QVERIFY2(built, built ? "" : built.error().text.c_str());
+        const auto model = Model::open(path("part.tan"));
+        QVERIFY(model);
+        const auto kept = importOf((*model)->description(), {});
+        QVERIFY(kept);
+        const auto again = openDataset(*host_, input, *kept);
+        QVERIFY(again);
+        const auto proved = verify(**model, *again, {{1, 1}, {0, 0}});
+        QVERIFY(proved && proved->ok());
+        const auto whole = verify(**model, *openDataset(*host_, input), {{1, 1}});
+        QVERIFY(!whole || !whole->ok());
+    }
+
+    void optionsAreKeptAsTexts()
+    {
+        const auto parameters = host_->reader("lattice")->plugin->parameters();
+        const ImportOptions options{
+            .reader = "lattice",
+            .values = {{"size", std::string("3x4x5")}, {"skip", std::int64_t(12)}},
+            .part = {.region = Eigen::AlignedBox3d(Eigen::Vector3d(0.25, -1, 1e-9), Eigen::Vector3d(1, 2, 3)),
+                     .stride = {1, 1, 4}}};
+        ModelDescription description;
+        description.parameters = importTexts(options);
+        const auto read = importOf(description, parameters);
+        QVERIFY(read);
+        QCOMPARE(read->reader, options.reader);
+        QVERIFY(read->values == options.values);
+        QVERIFY(read->part.region->min() == options.part.region->min());
+        QVERIFY(read->part.region->max() == options.part.region->max());
+        QCOMPARE(read->part.stride, options.part.stride);
+        QVERIFY(importOf(description, {})->values.empty());
+        QVERIFY(importTexts({}).empty());
+        description.parameters = {{"import.region", "nonsense"}};
+        QVERIFY(!importOf(description, parameters));
+    }
+
+    void aReaderIsChosenById()
+    {
+        std::ofstream(path("table.dat")) << "1 2 3 4\n5 6 7 8\n9 8 7 1\n1 1 1 1\n0 0 1 3\n";
+        QCOMPARE(chooseReader(*host_, path("table.dat"))->id, std::string("points"));
+        const ImportOptions raw{.reader = "lattice", .values = {{"size", std::string("2x2x10")}}};
+        const auto opened = openDataset(*host_, path("table.dat"), raw);
+        QVERIFY2(opened, opened ? "" : opened.error().text.c_str());
+        const auto unknown = openDataset(*host_, path("table.dat"), {.reader = "magic"});
+        QVERIFY(!unknown);
+        QCOMPARE(unknown.error().kind, ErrorKind::WrongUsage);
+        QVERIFY(!openDataset(*host_, path("no.dat"), {.reader = "lattice"}));
+    }
+
+    void filesAreProbed()
+    {
+        const auto contents = probeDataset(*host_, path("c60.nrrd"));
+        QVERIFY(contents);
+        QCOMPARE(contents->points, std::uint64_t(12 * 12 * 12));
+        QVERIFY(!probeDataset(*host_, path("c60.nrrd"), {.values = {{"colour", 1.0}}}));
+        QVERIFY(!probeDataset(*host_, path("missing.nrrd")));
+    }
+
+    void estimatesAreWithinAFactorOfTwo_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<int>("size");
+        QTest::newRow("c60") << "c60" << 32;
+        QTest::newRow("noise") << "noise" << 32;
+        QTest::newRow("hydrogen") << "hydrogen" << 32;
+        QTest::newRow("marschner-lobb") << "marschner-lobb" << 32;
+        QTest::newRow("blunt body") << "blunt-body" << 24;
+        QTest::newRow("scattered") << "scattered" << 16;
+    }
+
+    /// Of the file, which is the same every time; memory and time are in docs/performance.md.
+    void estimatesAreWithinAFactorOfTwo()
+    {
+        QFETCH(QString, name);
+        QFETCH(int, size);
+        const Dataset dataset = sample(qPrintable(name), static_cast<std::uint32_t>(size));
+        const auto built = buildModel(*host_, dataset, {}, {}, path("estimated.tan"));
+        QVERIFY(built);
+        const BuildEstimate estimate = estimateBuild(buildSizeOf(dataset), 1);
+        const double ratio = static_cast<double>(estimate.modelBytes) / static_cast<double>(built->fileBytes);
+        qInfo("%s: model %.2f, seconds %.2f of what it took; %.1f us a site, share %.2f of %.2f, %.0f bytes a site",
+              qPrintable(name), ratio, estimate.seconds / built->seconds,
+              built->seconds / static_cast<double>(built->report.sites) * 1e6, buildSizeOf(dataset).siteShare,
+              static_cast<double>(built->report.sites) / static_cast<double>(dataset.pointCount()),
+              static_cast<double>(built->fileBytes) / static_cast<double>(built->report.sites));
+        QVERIFY2(ratio > 0.5 && ratio < 2, qPrintable(QString::number(ratio)));
+    }
+
+    void moreDataNeedMore()
+    {
+        for (const DomainClass domain :
+             {DomainClass::RegularLattice, DomainClass::Curvilinear, DomainClass::Irregular, DomainClass::Scattered}) {
+            BuildEstimate before;
+            for (std::uint64_t points = 1000; points < 1'000'000'000; points *= 4) {
+                const BuildEstimate now =
+                    estimateBuild({.domain = domain, .points = points, .tetrahedra = 5 * points}, 2);
+                QVERIFY(now.diskBytes > before.diskBytes && now.seconds > 0 && now.diskBytes >= now.modelBytes);
+                before = now;
+            }
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(ImportTest)
+#include "import_test.moc"

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/import_form.h"
+
+#include "ui/session/plugin_texts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <array>
+
+namespace tetra {
+namespace {
+
+class ImportForms {
+    Q_DECLARE_TR_FUNCTIONS(ImportForm)
+};
+
+constexpr std::array<std::string_view, 6> layoutIds = {"size", "type", "byte-order", "skip", "spacing", "origin"};
+constexpr std::array<std::string_view, 3> blockIds = {"part", "block", "grid"};
+
+template <std::size_t Count> bool isOneOf(const std::array<std::string_view, Count>& ids, const std::string& id)
+{
+    return std::ranges::find(ids, id) != ids.end();
+}
+
+bool isText(const Parameter& parameter)
+{
+    return std::holds_alternative<std::string>(parameter.defaultValue);
+}
+
+QString arrayText(const FileArray& array)
+{
+    QString text = pluginText(array.name);
+    if (array.components > 1)
+        text = ImportForms::tr("%1, %2 components").arg(text).arg(array.components);
+    if (array.perCell)
+        text = ImportForms::tr("%1 (of the cells)").arg(text);
+    return text;
+}
+
+std::vector<ParameterChoice> arrayChoices(const Parameter& parameter, const FileContents& contents)
+{
+    std::vector<ParameterChoice> choices;
+    const auto byDefault = std::get<std::string>(parameter.defaultValue);
+    if (std::ranges::find(contents.arrays, byDefault, &FileArray::name) == contents.arrays.end())
+        choices.push_back({byDefault, pluginText(byDefault)});
+    for (const FileArray& array : contents.arrays)
+        choices.push_back({array.name, arrayText(array)});
+    return choices;
+}
+
+/// Of the array that is chosen; the reader takes the first one by itself.
+int componentsOf(const FileContents& contents, const ParameterValues& values)
+{
+    if (contents.arrays.empty())
+        return 1;
+    const auto chosen = values.find("array");
+    const auto* const name = chosen != values.end() ? std::get_if<std::string>(&chosen->second) : nullptr;
+    const auto found =
+        name != nullptr ? std::ranges::find(contents.arrays, *name, &FileArray::name) : contents.arrays.end();
+    return found != contents.arrays.end() ? found->components : contents.arrays.front().components;
+}
+
+std::vector<ParameterChoice> componentChoices(int components)
+{
+    std::vector<ParameterChoice> choices = {{std::string("magnitude"), ImportForms::tr("Magnitude")}};
+    for (int component = 0; component < components; ++component) {
+        const QString number = QString::number(component);
+        const QString name =
+            components == 3 ? QString("%1 (%2)").arg(number, QString("xyz").mid(component, 1)) : number;
+        choices.push_back({std::to_string(component), name});
+    }
+    return choices;
+}
+
+std::vector<ParameterChoice> timeChoices(const FileContents& contents)
+{
+    std::vector<ParameterChoice> choices;
+    for (const double time : contents.timeSteps) {
+        const auto number = static_cast<std::int64_t>(choices.size()) + 1;
+        choices.push_back({number, ImportForms::tr("%1: t = %2").arg(number).arg(QLocale().toString(time, 'g', 6))});
+    }
+    return choices;
+}
+
+std::vector<ParameterChoice> blockChoices(const Parameter& parameter, const FileContents& contents)
+{
+    std::vector<ParameterChoice> choices;
+    if (isText(parameter))
+        choices.push_back({parameter.defaultValue, ImportForms::tr("All that fit together")});
+    for (std::size_t block = 0; block < contents.blocks.size(); ++block) {
+        const std::string& name = contents.blocks[block];
+        const ParameterValue value =
+            isText(parameter) ? ParameterValue(name) : ParameterValue(static_cast<std::int64_t>(block) + 1);
+        choices.push_back({value, pluginText(name)});
+    }
+    return choices;
+}
+
+/// Nothing: the reader's own way to choose. One: nothing to choose.
+std::vector<ParameterChoice> choicesOf(const Parameter& parameter, const FileContents& contents,
+                                       const ParameterValues& values)
+{
+    if (parameter.id == "array" && isText(parameter) && !contents.arrays.empty())
+        return arrayChoices(parameter, contents);
+    if (parameter.id == "component" && isText(parameter) && !contents.arrays.empty()) {
+        const int components = componentsOf(contents, values);
+        return components > 1 ? componentChoices(components) : std::vector<ParameterChoice>(1);
+    }
+    if (parameter.id == "time" && std::holds_alternative<std::int64_t>(parameter.defaultValue))
+        return contents.timeSteps.size() > 1 ? timeChoices(contents) : std::vector<ParameterChoice>(1);
+    if (isOneOf(blockIds, parameter.id))
+        return contents.blocks.size() > 1 ? blockChoices(parameter, contents) : std::vector<ParameterChoice>(1);
+    return {};
+}
+
+} // namespace
+
+bool ImportForm::looksLike(const ImportForm& other) const
+{
+    const auto sameChoice = [](const ParameterChoice& a, const ParameterChoice& b) {
+        return a.value == b.value && a.label == b.label;
+    };
+    return std::ranges::equal(parameters, other.parameters, {}, &Parameter::id, &Parameter::id) &&
+           std::ranges::equal(choices, other.choices, [&](const auto& a, const auto& b) {
+               return a.first == b.first && std::ranges::equal(a.second, b.second, sameChoice);
+           });
+}
+
+bool needsLayout(const std::vector<Parameter>& parameters, const FileContents& contents)
+{
+    const auto has = [&](const char* id) {
+        return std::ranges::find(parameters, id, &Parameter::id) != parameters.end();
+    };
+    return has("size") && has("skip") && contents.points == 0;
+}
+
+ImportForm importForm(const std::vector<Parameter>& parameters, const FileContents& contents,
+                      const ParameterValues& values, bool withLayout)
+{
+    const bool isKnown = contents.domain.has_value() || !contents.arrays.empty();
+    ImportForm form;
+    for (const Parameter& parameter : parameters) {
+        const bool isLayout = needsLayout(parameters, {}) && isOneOf(layoutIds, parameter.id);
+        if (isLayout && !withLayout)
+            continue;
+        const auto choices = isKnown ? choicesOf(parameter, contents, values) : std::vector<ParameterChoice>();
+        if (choices.size() == 1)
+            continue;
+        form.parameters.push_back(parameter);
+        if (!choices.empty())
+            form.choices[parameter.id] = choices;
+    }
+    return form;
+}
+
+} // namespace tetra

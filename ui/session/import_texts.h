@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/data/dataset_part.h"
+#include "core/data/sample_slice.h"
+#include "plugins/api/parameter.h"
+#include "plugins/host/build_estimate.h"
+
+#include <QString>
+
+#include <cstdint>
+#include <optional>
+
+namespace tetra {
+
+/// A sentence that says whether something is as it should be.
+struct ImportCheck {
+    bool fits = false;
+    QString text;
+};
+
+/// The layout that the parameters "size", "type", "byte-order" and "skip" describe; nothing if the size is not three
+/// numbers of at least 2.
+std::optional<StoredSamples> storedSamplesOf(const ParameterValues& values);
+
+/// "32 × 32 × 32 × uint8 = 32,768 bytes; the file has 32,768."
+ImportCheck checkRawSize(const StoredSamples& samples, std::uint64_t fileBytes);
+
+/// "32 × 32 × 32, uint8": a suggestion of a reader.
+QString suggestionText(const ParameterValues& suggestion);
+
+/// How many points of the grid the part takes, or what is wrong with it.
+ImportCheck countPart(const Lattice& lattice, const DatasetPart& part);
+
+/// "Up to 1.3 GiB of memory ..." if every point may be needed, else "About ...".
+QString estimateText(const BuildSize& size);
+
+} // namespace tetra

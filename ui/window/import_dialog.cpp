@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/import_dialog.h"
+
+#include "ui/panels/import_region.h"
+#include "ui/panels/slice_preview.h"
+#include "ui/session/import_texts.h"
+#include "ui/session/number_text.h"
+#include "ui/session/plugin_texts.h"
+#include "ui/session/target_path.h"
+#include "ui/widgets/check_label.h"
+#include "ui/widgets/scrolled_column.h"
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tetra {
+namespace {
+
+constexpr int barSteps = 1000;
+constexpr int fieldsWidth = 420;
+
+QLabel* wrapped(const char* name)
+{
+    auto* label = new QLabel;
+    label->setObjectName(name);
+    label->setWordWrap(true);
+    return label;
+}
+
+} // namespace
+
+ImportDialog::ImportDialog(Workbench& workbench, QWidget* parent)
+    : QDialog(parent), workbench_(workbench), probe_(new ImportProbe(workbench.host(), this)),
+      file_(wrapped("import.file")), reason_(new CheckLabel("import.reason")), reader_(new QComboBox),
+      form_(new ParameterForm("import.option")), fields_(new QWidget),
+      layoutHelp_(new QGroupBox(tr("Whether that fits"))), suggestions_(new QComboBox),
+      sizeCheck_(new CheckLabel("import.sizeCheck")), preview_(new SlicePreview), region_(new ImportRegion),
+      estimate_(wrapped("import.estimate")), bar_(new QProgressBar), read_(new QPushButton(tr("&Read"))),
+      cancel_(new QPushButton(tr("Cancel")))
+{
+    setObjectName("importDialog");
+    fillFields();
+    fillLayoutHelp();
+    auto* columns = new QHBoxLayout;
+    columns->addWidget(new ScrolledColumn(fields_), 1);
+    columns->addWidget(layoutHelp_, 1);
+    auto* layout = new QVBoxLayout(this);
+    QFont bold = file_->font();
+    bold.setBold(true);
+    file_->setFont(bold);
+    layout->addWidget(file_);
+    layout->addLayout(columns, 1);
+    layout->addLayout(makeFoot());
+    connectAll();
+}
+
+void ImportDialog::fillFields()
+{
+    reader_->setObjectName("import.reader");
+    reader_->setAccessibleName(tr("Reader"));
+    reader_->setToolTip(tr("Who reads the file"));
+    auto* readerRow = new QFormLayout;
+    readerRow->addRow(tr("R&eader"), reader_);
+    auto* values = new QGroupBox(tr("How it is read"));
+    auto* valueLayout = new QVBoxLayout(values);
+    valueLayout->addLayout(readerRow);
+    valueLayout->addWidget(form_);
+    auto* part = new QGroupBox(tr("Which part of it"));
+    auto* partLayout = new QVBoxLayout(part);
+    partLayout->addWidget(region_);
+    auto* layout = new QVBoxLayout(fields_);
+    layout->setContentsMargins({});
+    layout->addWidget(values);
+    layout->addWidget(part);
+    layout->addStretch();
+    fields_->setMinimumWidth(fieldsWidth);
+}
+
+void ImportDialog::fillLayoutHelp()
+{
+    suggestions_->setObjectName("import.suggestions");
+    suggestions_->setAccessibleName(tr("Layouts that fit"));
+    suggestions_->setToolTip(tr("Sizes and types that would fill the file exactly, the likeliest first"));
+    auto* row = new QFormLayout;
+    row->addRow(tr("&Suggestion"), suggestions_);
+    auto* layout = new QVBoxLayout(layoutHelp_);
+    layout->addLayout(row);
+    layout->addWidget(sizeCheck_);
+    layout->addWidget(preview_, 1);
+}
+
+QLayout* ImportDialog::makeFoot()
+{
+    estimate_->setForegroundRole(QPalette::PlaceholderText);
+    estimate_->setToolTip(tr("Measured on other data; a larger error takes less. Half or twice as much is possible."));
+    bar_->setObjectName("import.progress");
+    bar_->setAccessibleName(tr("Progress of reading"));
+    bar_->setRange(0, barSteps);
+    bar_->hide();
+    read_->setObjectName("import.read");
+    read_->setToolTip(tr("Opens the dataset so"));
+    read_->setDefault(true);
+    cancel_->setObjectName("import.cancel");
+    cancel_->setToolTip(tr("Stops reading, or closes this window"));
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(bar_, 1);
+    buttons->addStretch();
+    buttons->addWidget(read_);
+    buttons->addWidget(cancel_);
+    auto* layout = new QVBoxLayout;
+    layout->addWidget(reason_);
+    layout->addWidget(estimate_);
+    layout->addLayout(buttons);
+    return layout;
+}
+
+void ImportDialog::connectAll()
+{
+    connect(reader_, &QComboBox::activated, this, &ImportDialog::changeReader);
+    connect(form_, &ParameterForm::edited, this, &ImportDialog::valuesEdited);
+    connect(suggestions_, &QComboBox::activated, this, &ImportDialog::takeSuggestion);
+    connect(region_, &ImportRegion::edited, this, &ImportDialog::showPart);
+    connect(probe_, &ImportProbe::probed, this, &ImportDialog::showContents);
+    connect(read_, &QPushButton::clicked, this, &ImportDialog::read);
+    connect(cancel_, &QPushButton::clicked, this, &ImportDialog::reject);
+    connect(this, &QDialog::finished, preview_, [this] { preview_->setSamples({}, std::nullopt); });
+    connect(&workbench_.reading(), &LongTask::progressed, this, [this](const TaskProgress& progress) {
+        bar_->setValue(static_cast<int>(std::lround(progress.fraction * barSteps)));
+    });
+    connect(&workbench_.reading(), &LongTask::started, this, [this] {
+        if (isReading()) // another file took its place
+            showReading(false);
+    });
+    connect(&workbench_, &Workbench::datasetOpened, this, [this] {
+        if (isReading()) {
+            showReading(false);
+            accept();
+        }
+    });
+    connect(&workbench_, &Workbench::importFailed, this, [this](const QString& reason) {
+        showReading(false);
+        showReason(false, reason);
+    });
+}
+
+void ImportDialog::ask(const ImportQuestion& question)
+{
+    question_ = question;
+    contents_ = question.contents;
+    fileBytes_ = static_cast<std::uint64_t>(QFileInfo(pathText(question.path)).size());
+    withLayout_ = needsLayout(question.reader.plugin->parameters(), contents_);
+    const QString name = QFileInfo(pathText(question.path)).fileName();
+    setWindowTitle(tr("Import %1").arg(name));
+    file_->setText(tr("%1, %2 bytes").arg(name, countText(fileBytes_)));
+    file_->setToolTip(pathText(question.path));
+    showReading(false);
+    showReaders();
+    showReason(true, {});
+    if (withLayout_ && question_.options.values.empty() && !contents_.suggestions.empty())
+        question_.options.values = contents_.suggestions.front();
+    formReader_.clear();
+    form_->setParameters({});
+    showForm();
+    form_->setValues(question_.options.values);
+    showSuggestions();
+    wantedPart_ = question_.options.part;
+    region_->setSpace();
+    region_->setPart({});
+    showGrid();
+    valuesEdited();
+    layoutHelp_->setVisible(withLayout_);
+    resize(withLayout_ ? QSize(900, 620) : QSize(520, 480));
+    show();
+    raise();
+    activateWindow();
+}
+
+void ImportDialog::showReaders()
+{
+    readers_ = workbench_.host().readers();
+    reader_->clear();
+    for (const Provided<Reader>& reader : readers_) {
+        reader_->addItem(pluginText(reader.name));
+        if (reader.id == question_.reader.id)
+            reader_->setCurrentIndex(reader_->count() - 1);
+    }
+}
+
+/// Another one knows other things of the file.
+void ImportDialog::changeReader()
+{
+    question_.reader = readers_[static_cast<std::size_t>(reader_->currentIndex())];
+    question_.options = {};
+    contents_ = {};
+    isFirstProbe_ = true;
+    showForm();
+    probe_->request(question_.path, {.reader = question_.reader.id});
+}
+
+/// The fields of what can be chosen now; what was filled in stays.
+void ImportDialog::showForm()
+{
+    const ParameterValues before = form_->values();
+    ImportForm fields = importForm(question_.reader.plugin->parameters(), contents_, before, withLayout_);
+    if (formReader_ == question_.reader.id && fields.looksLike(shownFields_))
+        return; // who is filling them in keeps the keyboard
+    shownFields_ = std::move(fields);
+    formReader_ = question_.reader.id;
+    form_->setParameters(shownFields_.parameters, shownFields_.choices);
+    form_->setValues(before);
+    // While a size is typed it is seen what it means.
+    if (auto* size = findChild<QLineEdit*>("import.option.size"))
+        connect(size, &QLineEdit::textChanged, this, &ImportDialog::showLayout);
+}
+
+void ImportDialog::showSuggestions()
+{
+    suggestions_->clear();
+    for (const ParameterValues& suggestion : contents_.suggestions)
+        suggestions_->addItem(suggestionText(suggestion));
+    suggestions_->setEnabled(suggestions_->count() > 0);
+    if (suggestions_->count() == 0)
+        suggestions_->addItem(tr("None is known"));
+}
+
+void ImportDialog::takeSuggestion(int index)
+{
+    if (index < 0 || static_cast<std::size_t>(index) >= question_.contents.suggestions.size())
+        return;
+    ParameterValues taken = form_->values();
+    for (const auto& [id, value] : question_.contents.suggestions[static_cast<std::size_t>(index)])
+        taken[id] = value;
+    form_->setValues(taken);
+    valuesEdited();
+}
+
+void ImportDialog::valuesEdited()
+{
+    if (withLayout_)
+        showLayout();
+    probe_->request(question_.path, {.reader = question_.reader.id, .values = form_->values()});
+}
+
+void ImportDialog::showContents(const Result<FileContents>& contents)
+{
+    if (std::exchange(isFirstProbe_, false) && contents) {
+        question_.contents = *contents;
+        withLayout_ = needsLayout(question_.reader.plugin->parameters(), *contents);
+        layoutHelp_->setVisible(withLayout_);
+        contents_ = *contents;
+        showSuggestions();
+        showForm();
+        return valuesEdited();
+    }
+    if (!withLayout_ && !isReading()) // of a layout the check of its size says it better
+        showReason(contents.ok(), contents ? QString() : pluginText(contents.error().text));
+    if (!contents)
+        return;
+    contents_ = *contents;
+    if (!withLayout_)
+        showForm();
+    showGrid();
+}
+
+void ImportDialog::showLayout()
+{
+    const auto samples = storedSamplesOf(form_->values());
+    preview_->setSamples(question_.path, samples);
+    const ImportCheck check =
+        samples ? checkRawSize(*samples, fileBytes_)
+                : ImportCheck{false, tr("Give the number of points along x, y and z, as in 64x64x32.")};
+    sizeCheck_->showCheck(check.fits, check.text);
+    fits_ = check.fits;
+    if (samples && check.fits) {
+        contents_.domain = DomainClass::RegularLattice;
+        contents_.lattice.size = samples->size;
+        contents_.points = contents_.lattice.pointCount();
+        contents_.type = samples->type;
+        showGrid();
+    }
+    showPart();
+}
+
+/// The region's fields, of the kind of data that the file holds.
+void ImportDialog::showGrid()
+{
+    const bool isGrid = contents_.points > 0 && (contents_.domain == DomainClass::RegularLattice ||
+                                                 contents_.domain == DomainClass::Curvilinear);
+    if (isGrid)
+        region_->setGrid(contents_.lattice);
+    else
+        region_->setSpace();
+    region_->setEnabled(isGrid || !withLayout_);
+    const bool isKnown =
+        isGrid || contents_.domain == DomainClass::Scattered || contents_.domain == DomainClass::Irregular;
+    if (const auto part = isKnown ? std::exchange(wantedPart_, std::nullopt) : std::nullopt)
+        region_->setPart(*part);
+    showPart();
+}
+
+void ImportDialog::showPart()
+{
+    read_->setEnabled(!isReading() && region_->isUsable() && (!withLayout_ || fits_));
+    const std::uint64_t points = region_->points().value_or(contents_.points);
+    estimate_->setVisible(points > 0);
+    if (points == 0)
+        return;
+    constexpr double tetrahedraAPoint = 5.5; // of meshes whose cells are not known
+    const auto expected = static_cast<std::uint64_t>(tetrahedraAPoint * static_cast<double>(points));
+    estimate_->setText(estimateText({.domain = contents_.domain.value_or(DomainClass::RegularLattice),
+                                     .points = points,
+                                     .tetrahedra = std::max(contents_.cells, expected),
+                                     .type = contents_.type.value_or(SampleType::Float32)}));
+}
+
+void ImportDialog::showReason(bool fits, const QString& reason)
+{
+    reason_->showCheck(fits, reason);
+    reason_->setVisible(!reason.isEmpty());
+}
+
+void ImportDialog::showReading(bool reading)
+{
+    isReading_ = reading;
+    fields_->setEnabled(!reading);
+    layoutHelp_->setEnabled(!reading);
+    bar_->setValue(0);
+    bar_->setVisible(reading);
+    showPart();
+}
+
+void ImportDialog::read()
+{
+    showReason(true, {});
+    workbench_.importDataset(question_.path,
+                             {.reader = question_.reader.id, .values = form_->values(), .part = region_->part()});
+    showReading(true);
+}
+
+void ImportDialog::reject()
+{
+    if (isReading())
+        workbench_.reading().cancel(); // ends with importFailed()
+    else
+        QDialog::reject();
+}
+
+} // namespace tetra
