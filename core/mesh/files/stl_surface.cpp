@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/files/surface_formats.h"
 
+#include <Eigen/Geometry>
+
 #include <limits>
 
 namespace tetra {
