@@ -16,6 +16,8 @@ struct Actions {
     QAction* close = nullptr;
     QAction* savePicture = nullptr;
     QAction* saveMesh = nullptr;
+    QAction* saveSurfaces = nullptr;
+    QAction* saveStatistics = nullptr;
     QAction* quit = nullptr;
     QAction* undo = nullptr;
     QAction* redo = nullptr;
