@@ -176,6 +176,22 @@
         <translation>Das gezeigte Netz speichern, für VTK, ParaView und andere</translation>
     </message>
     <message>
+        <source>Save Su&amp;rfaces…</source>
+        <translation>&amp;Flächen speichern …</translation>
+    </message>
+    <message>
+        <source>Save the isosurfaces that are seen, for 3D printers, Blender, ParaView and others</source>
+        <translation>Die gezeigten Isoflächen speichern, für 3D-Drucker, Blender, ParaView und andere</translation>
+    </message>
+    <message>
+        <source>Save S&amp;tatistics…</source>
+        <translation>S&amp;tatistik speichern …</translation>
+    </message>
+    <message>
+        <source>Save how large the mesh of each accuracy is, as a table</source>
+        <translation>Als Tabelle speichern, wie groß das Netz jeder Genauigkeit ist</translation>
+    </message>
+    <message>
         <source>&amp;Region</source>
         <translation>Be&amp;reich</translation>
     </message>
@@ -331,6 +347,54 @@
     <message>
         <source>VTK XML unstructured grids (*.vtu)</source>
         <translation>Unstrukturierte Gitter, VTK-XML (*.vtu)</translation>
+    </message>
+    <message>
+        <source>Boundary as VTK XML polydata (*.vtp)</source>
+        <translation>Rand als Polydata, VTK-XML (*.vtp)</translation>
+    </message>
+    <message>
+        <source>Boundary as STL (*.stl)</source>
+        <translation>Rand als STL (*.stl)</translation>
+    </message>
+    <message>
+        <source>Boundary as Wavefront OBJ (*.obj)</source>
+        <translation>Rand als Wavefront-OBJ (*.obj)</translation>
+    </message>
+    <message>
+        <source>Boundary as binary glTF (*.glb)</source>
+        <translation>Rand als binäres glTF (*.glb)</translation>
+    </message>
+    <message>
+        <source>Save Surfaces</source>
+        <translation>Flächen speichern</translation>
+    </message>
+    <message>
+        <source>STL files (*.stl)</source>
+        <translation>STL-Dateien (*.stl)</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ files (*.obj)</source>
+        <translation>Wavefront-OBJ-Dateien (*.obj)</translation>
+    </message>
+    <message>
+        <source>Binary glTF files (*.glb)</source>
+        <translation>Binäre glTF-Dateien (*.glb)</translation>
+    </message>
+    <message>
+        <source>VTK XML polydata (*.vtp)</source>
+        <translation>Polydata, VTK-XML (*.vtp)</translation>
+    </message>
+    <message>
+        <source>Save Statistics</source>
+        <translation>Statistik speichern</translation>
+    </message>
+    <message>
+        <source>Tables of comma-separated values (*.csv)</source>
+        <translation>Tabellen, durch Kommas getrennt (*.csv)</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
     </message>
     <message>
         <source>VTK legacy files (*.vtk)</source>
@@ -1688,8 +1752,8 @@ Verwerfung %2</translation>
         <translation>&lt;h3&gt;TAn %1&lt;/h3&gt;&lt;p&gt;Tetrahedra Analyzer: Volumendaten in vielen Auflösungen mit bekanntem Fehler.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>Saving the mesh</source>
-        <translation>Netz wird gespeichert</translation>
+        <source>Saving</source>
+        <translation>Wird gespeichert</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include "app/command_line/query_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
+#include "core/mesh/files/surface_file.h"
 #include "core/model/mesh_claims.h"
 #include "core/model/queries/mesh_extractor.h"
 #include "plugins/host/output_check.h"
@@ -57,6 +58,10 @@ Status checkRangeStandsAlone(const Arguments& arguments)
     if (arguments.value("border") == "clipped")
         return Error{ErrorKind::WrongUsage, "'--border clipped' does not go with '--range': what is cut off is no "
                                             "tetrahedron of the model. Use intersecting or contained."};
+    if (isSurfaceFileOnly(*arguments.value("output")))
+        return Error{ErrorKind::WrongUsage,
+                     "'--range' gives tetrahedra that overlap, so they have no boundary to write. "
+                     "Write a .vtu, .vtk or .ply file."};
     return {};
 }
 
@@ -88,6 +93,8 @@ Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::share
         outcome.figures[figure.key()] = figure.value();
     if (found.mesh.tetrahedra.size() != found.wholeTetrahedra)
         outcome.text += " of " + std::to_string(found.wholeTetrahedra);
+    if (isSurfaceFileOnly(task.output))
+        outcome.text += ", of which the file has the boundary";
     if (found.scale > 1)
         outcome.text += ", with errors of up to " + rounded(keptEverywhere(query, found.scale).error) + " %";
     return outcome;
@@ -139,7 +146,8 @@ Syntax extractSyntax(PluginHost&)
             "The smallest mesh that keeps what is asked for: the same error everywhere, or a smaller one in a focus or "
             "near certain values, without cracks; or the best one of so many tetrahedra; or a part of it. The file is "
             "a VTK XML unstructured grid (.vtu), a legacy one (.vtk) or binary PLY (.ply), with the array 'value' of "
-            "the vertices.",
+            "the vertices; or the boundary of the mesh alone, as triangles: VTK polydata (.vtp), STL (.stl), Wavefront "
+            "text (.obj) or binary glTF (.glb).",
         .positionals = {{"MODEL", "The model."}},
         .options = fieldOptions(),
         .examples = {{"tan extract engine.tan --error 0.5 -o engine.vtu", "The mesh of an accuracy."},
@@ -152,7 +160,7 @@ Syntax extractSyntax(PluginHost&)
                                   "In place of --error, all tetrahedra that are in the mesh of some error "
                                   "from A to B, each with its life: the arrays birth_error and death_error."});
     std::ranges::move(partOptions(), std::back_inserter(syntax.options));
-    syntax.options.push_back(outputOption("FILE.vtu|.vtk|.ply", "The file to write."));
+    syntax.options.push_back(outputOption("FILE.vtu|.vtk|.ply|.vtp|.stl|.obj|.glb", "The file to write."));
     return syntax;
 }
 

@@ -4,11 +4,17 @@
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
+#include "app/command_line/whole_file.h"
+#include "core/model/level_text.h"
 #include "core/model/model.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/input_file.h"
+#include "plugins/host/output_check.h"
 
 #include <QJsonArray>
+
+#include <array>
+#include <optional>
 
 namespace tetra {
 namespace {
@@ -71,7 +77,18 @@ LevelTable levelTable(const Model& model, const std::vector<Accuracy>& levels)
     return result;
 }
 
-Result<Outcome> describeModel(const std::string& path, const std::vector<Accuracy>& levels)
+Status writeLevels(const Model& model, const std::vector<Accuracy>& levels, const std::filesystem::path& output)
+{
+    const auto text = levelsFor(output, model, levels);
+    if (!text)
+        return text.error();
+    if (const Status intact = model.checkIntact(); !intact)
+        return intact;
+    return writeWholeFile(output, std::as_bytes(std::span(*text)));
+}
+
+Result<Outcome> describeModel(const std::string& path, const std::vector<Accuracy>& levels,
+                              const std::optional<std::string>& output)
 {
     const auto opened = Model::open(path);
     if (!opened)
@@ -81,6 +98,12 @@ Result<Outcome> describeModel(const std::string& path, const std::vector<Accurac
     const LevelTable found = levelTable(model, levels);
     if (const Status intact = model.checkIntact(); !intact)
         return intact.error();
+    if (output) {
+        if (const Status safe = checkOutput(*output, std::array<std::filesystem::path, 1>{path}); !safe)
+            return safe.error();
+        if (const Status written = writeLevels(model, levels, *output); !written)
+            return written.error();
+    }
 
     Outcome outcome;
     outcome.figures = datasetFigures(summaryOf(model));
@@ -119,15 +142,17 @@ Result<Outcome> describeDataset(const Invocation& invocation, const std::string&
 
 Syntax infoSyntax(PluginHost& host)
 {
-    Syntax syntax{.purpose = "say what a model or a dataset holds",
-                  .explanation =
-                      "Of a model: its domain, how it was made, and the size of the mesh at each level of "
-                      "detail. The sizes are looked up, not counted, so this is quick for models of any size. "
-                      "Of a dataset: its size, its type and its range of values.",
-                  .positionals = {{"FILE", "A model, or a dataset that one of the readers knows."}},
-                  .options = {levelsOption(), warpingOption()},
-                  .examples = {{"tan info engine.tan --lod 1,.5,.1", "The meshes at three accuracies."},
-                               {"tan info engine.nrrd --json", "A dataset, for a program."}}};
+    Syntax syntax{
+        .purpose = "say what a model or a dataset holds",
+        .explanation = "Of a model: its domain, how it was made, and the size of the mesh at each level of "
+                       "detail. The sizes are looked up, not counted, so this is quick for models of any size. "
+                       "Of a dataset: its size, its type and its range of values.",
+        .positionals = {{"FILE", "A model, or a dataset that one of the readers knows."}},
+        .options = {levelsOption(), warpingOption(),
+                    outputOption("FILE.csv|.json", "Of a model: also write the levels to this file.", false)},
+        .examples = {{"tan info engine.tan --lod 1,.5,.1", "The meshes at three accuracies."},
+                     {"tan info engine.tan -o levels.csv", "The meshes at the usual accuracies, for a spreadsheet."},
+                     {"tan info engine.nrrd --json", "A dataset, for a program."}}};
     addImportOptions(syntax, host);
     return syntax;
 }
@@ -138,8 +163,13 @@ Result<Outcome> runInfo(const Invocation& invocation)
     const auto levels = levelsOf(invocation.arguments);
     if (!levels)
         return levels.error();
-    if (!isModelFile(path))
+    const auto output = invocation.arguments.value("output");
+    if (!isModelFile(path)) {
+        if (output)
+            return Error{ErrorKind::WrongUsage, "'--output' writes the levels of a model, and '" + path +
+                                                    "' is none. Build a model of it first."};
         return describeDataset(invocation, path);
+    }
     for (const char* option : {"reader", "region", "stride"})
         if (invocation.arguments.has(option))
             return Error{ErrorKind::WrongUsage,
@@ -148,7 +178,7 @@ Result<Outcome> runInfo(const Invocation& invocation)
                                                 "model '" + path + "'");
         !known)
         return known.error();
-    return describeModel(path, *levels);
+    return describeModel(path, *levels, output);
 }
 
 } // namespace tetra

@@ -3,10 +3,11 @@
 
 #include "app/command_line/model_mesh.h"
 #include "app/command_line/option_values.h"
-#include "app/command_line/ply_file.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "core/base/number_text.h"
+#include "core/graphics/palette.h"
+#include "core/mesh/files/surface_file.h"
 #include "plugins/host/output_check.h"
 
 #include <QFile>
@@ -42,13 +43,11 @@ Status checkInRange(const std::vector<double>& isovalues, const ValueRange& rang
     return {};
 }
 
-Status checkName(const std::filesystem::path& output)
-{
-    if (output.extension() == ".ply")
-        return {};
-    return Error{ErrorKind::WrongUsage,
-                 "'" + output.string() + "' does not end in .ply, the one format in which surfaces are written."};
-}
+/// The surface where the field has one value.
+struct ValuedSurface {
+    double value = 0;
+    TriangleMesh mesh;
+};
 
 Result<std::vector<ValuedSurface>> extractAll(const TetrahedralMesh& mesh, const std::vector<double>& isovalues,
                                               const Progress& progress)
@@ -66,6 +65,27 @@ Result<std::vector<ValuedSurface>> extractAll(const TetrahedralMesh& mesh, const
     return surfaces;
 }
 
+/// Points into the surfaces.
+SurfaceContent contentOf(const ModelMesh& shown, const std::vector<ValuedSurface>& surfaces)
+{
+    SurfaceContent content{.title = "isosurfaces", .valueName = "isovalue", .parts = {}, .facts = {}};
+    for (const ValuedSurface& surface : surfaces) {
+        const Colour colour = distinctColour(content.parts.size());
+        content.parts.push_back({.name = "isovalue " + formatNumber(surface.value),
+                                 .positions = surface.mesh.positions,
+                                 .normals = surface.mesh.normals,
+                                 .triangles = surface.mesh.triangles,
+                                 .values = static_cast<float>(surface.value),
+                                 .colour = {colour.red, colour.green, colour.blue, 1}});
+    }
+    content.facts = {{"model", shown.model->path().filename().string()},
+                     {"source", shown.model->description().sourceName},
+                     {"error", shown.size.error}};
+    if (shown.model->description().warpingWeight > 0)
+        content.facts.emplace_back("warping", shown.size.warping);
+    return content;
+}
+
 } // namespace
 
 Syntax isosurfaceSyntax(PluginHost&)
@@ -73,8 +93,10 @@ Syntax isosurfaceSyntax(PluginHost&)
     return {.purpose = "write isosurfaces of a model as a triangle mesh",
             .explanation =
                 "Marching tetrahedra over the mesh of the accuracy asked for: closed but for the domain's "
-                "boundary, with shared vertices and smooth normals. The file is binary PLY; each vertex has a "
-                "position, a normal and the isovalue that it belongs to.",
+                "boundary, with shared vertices and smooth normals. The file is VTK polydata (.vtp, .vtk), a VTK "
+                "unstructured grid (.vtu), binary PLY (.ply) or STL (.stl), Wavefront text (.obj) or binary glTF "
+                "(.glb). Each vertex has a position, a normal and the isovalue that it belongs to, as far as the "
+                "format can hold them.",
             .positionals = {{"MODEL", "The model."}},
             .options = {{.name = "value",
                          .placeholder = "V[,V2...]",
@@ -83,9 +105,10 @@ Syntax isosurfaceSyntax(PluginHost&)
                          .required = true},
                         errorOption(),
                         warpingOption(),
-                        outputOption("FILE.ply", "The file to write.")},
+                        outputOption("FILE.vtp|.vtk|.vtu|.ply|.stl|.obj|.glb", "The file to write.")},
             .examples = {
-                {"tan isosurface engine.tan --error 0.5 --value 100,180 -o engine.ply", "Two surfaces in one file."}}};
+                {"tan isosurface engine.tan --error 0.5 --value 100,180 -o engine.ply", "Two surfaces in one file."},
+                {"tan isosurface engine.tan --value 100 -o engine.stl", "A surface for a 3D printer."}}};
 }
 
 Result<Outcome> runIsosurface(const Invocation& invocation)
@@ -99,7 +122,7 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     const auto isovalues = isovaluesOf(arguments);
     if (!isovalues)
         return isovalues.error();
-    if (const Status named = checkName(output); !named)
+    if (const Status named = checkSurfaceFileName(output); !named)
         return named.error();
     if (const Status safe = checkOutput(output, std::array{input}); !safe)
         return safe.error();
@@ -113,7 +136,8 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     const auto surfaces = extractAll(*shown->mesh, *isovalues, invocation.progress.part(0.3, 0.8));
     if (!surfaces)
         return surfaces.error();
-    if (const Status written = writePly(output, *surfaces, invocation.progress.part(0.8, 1)); !written)
+    if (const Status written = writeSurfaceFile(output, contentOf(*shown, *surfaces), invocation.progress.part(0.8, 1));
+        !written)
         return written.error();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 

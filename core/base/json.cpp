@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/json.h"
 
+#include "core/base/shown_text.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -142,7 +144,7 @@ private:
                 if (!name)
                     return std::nullopt;
                 if (std::ranges::find(members, *name, &JsonMember::first) != members.end())
-                    return fail("the member \"" + *name + "\" is there twice");
+                    return fail("the member \"" + shownText(*name) + "\" is there twice");
                 skipBlanks();
                 if (!take(":"))
                     return fail("expected ':'");

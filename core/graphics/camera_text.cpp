@@ -3,6 +3,7 @@
 
 #include "core/base/json.h"
 #include "core/base/number_text.h"
+#include "core/base/shown_text.h"
 
 #include <algorithm>
 #include <array>
@@ -79,7 +80,7 @@ private:
     void fail(const JsonValue& value, std::string_view key, const std::string& what)
     {
         if (!error_)
-            error_ = Error{ErrorKind::BadInput, "The key \"" + std::string(key) + "\" of the camera " + what + " (" +
+            error_ = Error{ErrorKind::BadInput, "The key \"" + shownText(key) + "\" of the camera " + what + " (" +
                                                     describePlace(value.place) + ")."};
     }
 

@@ -2,6 +2,7 @@
 #include "core/graphics/clip_plane_text.h"
 
 #include "core/base/number_text.h"
+#include "core/base/shown_text.h"
 
 #include <algorithm>
 #include <array>
@@ -56,7 +57,7 @@ Result<std::vector<ClipPlane>> parseClipPlanes(std::string_view text)
         const auto plane = parsePlane(part);
         if (!plane)
             return Error{ErrorKind::WrongUsage,
-                         "'" + std::string(part) +
+                         "'" + shownText(part) +
                              "' is no clip plane: give four numbers nx,ny,nz,offset, the first three not all zero; "
                              "points with nx x + ny y + nz z >= offset are shown."};
         planes.push_back(*plane);

@@ -3,6 +3,7 @@
 
 #include "core/base/json.h"
 #include "core/base/number_text.h"
+#include "core/base/shown_text.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -39,7 +40,7 @@ Status checkMembers(const JsonValue& object, std::initializer_list<std::string_v
             return wrong(object, std::string(what) + " has no \"" + std::string(name) + "\"");
     for (const auto& [name, value] : *object.object())
         if (std::ranges::find(needed, name) == needed.end() && std::ranges::find(optional, name) == optional.end())
-            return wrong(value, "\"" + name + "\" is not known here");
+            return wrong(value, "\"" + shownText(name) + "\" is not known here");
     return {};
 }
 

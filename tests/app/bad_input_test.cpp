@@ -130,7 +130,7 @@ private slots:
         QTest::newRow("isovalue outside the data")
             << QStringList{"render", "good.tan", "--isovalue", "900", "-o", "x.png"} << 2 << "900";
         QTest::newRow("surface in another format")
-            << QStringList{"isosurface", "good.tan", "--value", "9", "-o", "x.obj"} << 2 << ".ply";
+            << QStringList{"isosurface", "good.tan", "--value", "9", "-o", "x.off"} << 2 << ".ply";
         QTest::newRow("surface outside the data")
             << QStringList{"isosurface", "good.tan", "--value", "900", "-o", "x.ply"} << 2 << "900";
         QTest::newRow("output is the input")

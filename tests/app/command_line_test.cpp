@@ -2,6 +2,7 @@
 /// `tan` as a program, from sample to picture: JSON keys, exit codes, what goes to which stream.
 #include "tests/app/program.h"
 #include "tests/app/sample_files.h"
+#include "tests/core/mesh/files/vtk_reader.h"
 
 #include <QImage>
 #include <QJsonArray>
@@ -98,6 +99,35 @@ private slots:
         QVERIFY(levels[0].toObject()["sites"].toInt() < levels[1].toObject()["sites"].toInt());
         QCOMPARE(levels[2].toObject()["sites"].toInt(), info["sites"].toInt());
         QVERIFY(levels[2].toObject()["tetrahedra"].toInt() < info["tetrahedra"].toInt());
+    }
+
+    void infoWritesStatistics()
+    {
+        const QJsonArray levels = tan({"info", "c60.tan", "--lod", "4,.5", "--json"}).json()["levels"].toArray();
+        QVERIFY(tan({"info", "c60.tan", "--lod", "4,.5", "-o", "levels.csv"}).exitCode == 0);
+        QVERIFY(tan({"info", "c60.tan", "--lod", "4,.5", "-o", "levels.json"}).exitCode == 0);
+        QFile json(path("levels.json")), csv(path("levels.csv"));
+        QVERIFY(json.open(QIODevice::ReadOnly) && csv.open(QIODevice::ReadOnly));
+        const QJsonObject told = QJsonDocument::fromJson(json.readAll()).object();
+        QCOMPARE(told["levels"].toArray(), levels);
+        QCOMPARE(told["model"].toString(), QString("c60.tan"));
+        const QList<QByteArray> lines = csv.readAll().split('\n');
+        QCOMPARE(lines.size(), 4);
+        QCOMPARE(lines[0], QByteArray("error_percent,warping_percent,sites,tetrahedra,reached_error_percent,"
+                                      "reached_warping_percent"));
+        const QList<QByteArray> cells = lines[2].split(',');
+        QCOMPARE(cells[0], QByteArray("0.5"));
+        QCOMPARE(cells[2].toLongLong(), levels[1].toObject()["sites"].toInteger());
+        QCOMPARE(cells[3].toLongLong(), levels[1].toObject()["tetrahedra"].toInteger());
+        QCOMPARE(cells[4].toDouble(), levels[1].toObject()["reached"].toDouble());
+        QCOMPARE(lines[3], QByteArray());
+        for (const char* wrong : {"levels.txt", "levels", "c60.tan"}) {
+            const Run run = tan({"info", "c60.tan", "-o", wrong});
+            QVERIFY2(run.exitCode == 2, run.messages);
+        }
+        const Run dataset = tan({"info", "c60.nrrd", "-o", "dataset.csv"});
+        QVERIFY2(dataset.exitCode == 2 && dataset.messages.contains("model"), dataset.messages);
+        QVERIFY(!QFile::exists(path("dataset.csv")));
     }
 
     void infoTellsADataset()
@@ -207,6 +237,34 @@ private slots:
         std::memcpy(record, content.constData() + header, sizeof record);
         QCOMPARE(record[6], 100.0f);
         QVERIFY(std::abs(record[3] * record[3] + record[4] * record[4] + record[5] * record[5] - 1) < 1e-3f);
+    }
+
+    void isosurfaceWritesEveryFormat_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"c60.vtp", "c60.vtk", "c60.vtu", "c60.stl", "c60.obj", "c60.glb"})
+            QTest::newRow(name) << name;
+    }
+    void isosurfaceWritesEveryFormat()
+    {
+        QFETCH(QString, name);
+        const Run run = tan({"isosurface", "c60.tan", "--error", "2", "--value", "100,150", "-o", name, "--json"});
+        QVERIFY2(run.exitCode == 0, run.messages);
+        const VtkReader reader(path(name));
+        if (reader.isMissing())
+            QSKIP("skipped: no python3-vtk9");
+        QVERIFY2(reader.ok(), reader.messages());
+        const QJsonObject figures = run.json();
+        QCOMPARE(reader.told()["cells"].toInteger(), figures["triangles"].toInteger());
+        if (!name.endsWith("stl"))
+            QCOMPARE(reader.told()["points"].toInteger(), figures["vertices"].toInteger());
+        if (!name.contains(".vt"))
+            return;
+        const std::vector<float> values = reader.array<float>("point.isovalue");
+        QCOMPARE(static_cast<qint64>(values.size()), figures["vertices"].toInteger());
+        QCOMPARE(values.front(), 100.0F);
+        QCOMPARE(values.back(), 150.0F);
+        QCOMPARE(reader.told()["facts"].toObject()["model"].toString(), QString("c60.tan"));
     }
 
     void renderDraws_data()

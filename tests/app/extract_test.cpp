@@ -70,6 +70,38 @@ private slots:
         QVERIFY(QFileInfo(path(name)).size() > 16 * figures["sites"].toInteger());
     }
 
+    /// In the formats for triangles: closed but for nothing, and it encloses the domain.
+    void writesTheBoundary_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"mesh.vtp", "mesh.obj", "mesh.glb"})
+            QTest::newRow(name) << QString(name);
+    }
+    void writesTheBoundary()
+    {
+        QFETCH(QString, name);
+        QCOMPARE(tetrahedra(extracted({"--error", "2"}, name)), tetrahedra(level("2")));
+        const VtkReader reader(path(name));
+        if (reader.isMissing())
+            QSKIP("skipped: no python3-vtk9");
+        QVERIFY2(reader.ok(), reader.messages());
+        const std::vector<float> points = reader.array<float>("points");
+        const std::vector<std::uint32_t> corners = reader.array<std::uint32_t>("cells");
+        QVERIFY(corners.size() >= 3 * 12 && corners.size() % 3 == 0);
+        double volume = 0;
+        for (std::size_t t = 0; t < corners.size(); t += 3) {
+            const auto at = [&](std::size_t i) {
+                const std::size_t first = 3 * corners[t + i];
+                return std::array<double, 3>{points[first], points[first + 1], points[first + 2]};
+            };
+            const auto a = at(0), b = at(1), c = at(2);
+            volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                       a[2] * (b[0] * c[1] - b[1] * c[0])) /
+                      6;
+        }
+        QVERIFY2(std::abs(volume - 15.0 * 15 * 15) < 1e-6, qPrintable(QString::number(volume)));
+    }
+
     void theDefaultErrorIsOne() { QCOMPARE(tetrahedra(extracted({})), tetrahedra(level("1"))); }
 
     /// The file is the mesh: VTK reads positive tetrahedra that fill the domain, and the data's values at its points.

@@ -102,9 +102,14 @@ private slots:
 
     void wrongFilesAreRefused()
     {
-        const Run ending = tan({"extract", "c60.tan", "-o", "mesh.obj"});
+        const Run ending = tan({"extract", "c60.tan", "-o", "mesh.off"});
         QCOMPARE(ending.exitCode, 2);
         QVERIFY2(ending.messages.contains(".vtu, .vtk and .ply"), ending.messages);
+        for (const char* name : {"history.stl", "history.obj", "history.glb", "history.vtp"}) {
+            const Run range = tan({"extract", "c60.tan", "--range", "1,2", "-o", name});
+            QCOMPARE(range.exitCode, 2);
+            QVERIFY2(range.messages.contains("overlap"), range.messages);
+        }
         QVERIFY(QFile::copy(path("c60.tan"), path("model.vtu")));
         const Run same = tan({"extract", "model.vtu", "-o", "model.vtu"});
         QCOMPARE(same.exitCode, 2);

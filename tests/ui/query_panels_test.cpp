@@ -33,6 +33,8 @@ private slots:
     void aWindowCutsTheMesh();
     void valuesChooseTetrahedra();
     void theMeshIsSaved();
+    void theSurfacesAreSaved();
+    void theStatisticsAreSaved();
     void noMeshOfAnotherPictureIsSaved();
     void aMeshThatCannotBeSavedIsTold();
     void savingIsCancelledAndLeavesNoFile();
@@ -224,6 +226,45 @@ void QueryPanelsTest::theMeshIsSaved()
     QCOMPARE(window_->messages(), QStringList());
 }
 
+/// The visible surfaces of the mesh that is seen, with their colours.
+void QueryPanelsTest::theSurfacesAreSaved()
+{
+    session().addIsovalue();
+    QSignalSpy saved(&window_->workbench, &Workbench::meshSaved);
+    const auto groups = [&](const char* name) {
+        const QString path = window_->folder.filePath(name);
+        window_->workbench.saveSurfaces(path.toStdString());
+        if (!QTest::qWaitFor([&] { return saved.count() == 1; }))
+            return qsizetype(-1);
+        saved.clear();
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll().count("\ng isovalue_") : qsizetype(-1);
+    };
+    const auto visible = [&] { return std::ranges::count_if(session().view().isovalues(), &Isovalue::visible); };
+    QVERIFY(visible() > 1);
+    QCOMPARE(groups("surfaces.obj"), visible());
+    Isovalue hidden = session().view().isovalues().front();
+    hidden.visible = false;
+    session().setIsovalue(0, hidden);
+    QCOMPARE(groups("fewer.obj"), visible());
+    QVERIFY(groups("surfaces.glb") >= 0);
+    QCOMPARE(window_->messages(), QStringList());
+}
+
+void QueryPanelsTest::theStatisticsAreSaved()
+{
+    QSignalSpy saved(&window_->workbench, &Workbench::textSaved);
+    const QString path = window_->folder.filePath("levels.csv");
+    window_->workbench.saveStatistics(path.toStdString());
+    QTRY_COMPARE(saved.count(), 1);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QList<QByteArray> lines = file.readAll().split('\n');
+    QVERIFY(lines.size() > 5);
+    const MeshSize size = meshSizeAt(*session().model(), {lines[1].split(',')[0].toDouble()});
+    QCOMPARE(lines[1].split(',')[3].toULongLong(), qulonglong(size.tetrahedra));
+}
+
 /// What was undone may have its mesh already, while the picture is still the one from before.
 void QueryPanelsTest::noMeshOfAnotherPictureIsSaved()
 {
@@ -249,8 +290,12 @@ void QueryPanelsTest::aMeshThatCannotBeSavedIsTold()
     window_->workbench.saveMesh("/no/such/folder/mesh.vtu");
     QTRY_COMPARE(window_->messages().size(), 1);
     QVERIFY(window_->messages().first().contains("/no/such/folder"));
-    window_->workbench.saveMesh(window_->folder.filePath("mesh.stl").toStdString());
+    window_->workbench.saveMesh(window_->folder.filePath("mesh.off").toStdString());
     QTRY_COMPARE(window_->messages().size(), 2);
+    window_->workbench.saveSurfaces(window_->folder.filePath("surface.off").toStdString());
+    QTRY_COMPARE(window_->messages().size(), 3);
+    window_->workbench.saveStatistics(window_->folder.filePath("levels.xls").toStdString());
+    QTRY_COMPARE(window_->messages().size(), 4);
     QVERIFY(!window_->find<QWidget>("status.saving").isVisible());
 }
 

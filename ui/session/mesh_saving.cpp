@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/mesh_saving.h"
 
+#include "core/base/number_text.h"
+#include "core/graphics/isosurface_set.h"
 #include "core/mesh/files/mesh_file.h"
+#include "core/mesh/files/surface_file.h"
 #include "core/model/queries/mesh_extractor.h"
+
+#include <algorithm>
+#include <iterator>
 
 namespace tetra {
 namespace {
 
-using Facts = decltype(MeshContent::facts);
-
-void addErrors(Facts& facts, const std::string& name, const ErrorField& field, double scale)
+void addErrors(MeshFacts& facts, const std::string& name, const ErrorField& field, double scale)
 {
     const ValueRange bounds = field.bounds();
     if (bounds.minimum == bounds.maximum) {
@@ -18,6 +22,26 @@ void addErrors(Facts& facts, const std::string& name, const ErrorField& field, d
         facts.emplace_back("smallest " + name, keptPercent(bounds.minimum, scale));
         facts.emplace_back("largest " + name, keptPercent(bounds.maximum, scale));
     }
+}
+
+MeshFacts factsOf(const MeshOrder& order)
+{
+    MeshFacts facts = {{"model", order.model->path().filename().string()},
+                       {"dataset", order.model->description().sourceName}};
+    addErrors(facts, "error in percent", order.query.error, order.mesh->scale);
+    if (order.model->description().warpingWeight > 0)
+        addErrors(facts, "warping in percent", order.query.warping, order.mesh->scale);
+    return facts;
+}
+
+SurfacePart partOf(const Surface& surface, double isovalue)
+{
+    return {.name = "isovalue " + formatNumber(isovalue),
+            .positions = surface.mesh->positions,
+            .normals = surface.mesh->normals,
+            .triangles = surface.mesh->triangles,
+            .values = static_cast<float>(isovalue),
+            .colour = {surface.colour.red, surface.colour.green, surface.colour.blue, surface.opacity}};
 }
 
 } // namespace
@@ -34,12 +58,36 @@ Status writeMesh(const MeshOrder& order, const Progress& progress)
     MeshContent content{extracted.mesh.positions, extracted.mesh.tetrahedra, {}, {}, {}};
     content.pointArrays.push_back({"value", std::span<const float>(extracted.mesh.values)});
     content.pointArrays.push_back({"site", std::span<const std::uint32_t>(extracted.sites)});
-    content.facts.emplace_back("model", order.model->path().filename().string());
-    content.facts.emplace_back("dataset", order.model->description().sourceName);
-    addErrors(content.facts, "error in percent", order.query.error, extracted.scale);
-    if (order.model->description().warpingWeight > 0)
-        addErrors(content.facts, "warping in percent", order.query.warping, extracted.scale);
+    content.facts = factsOf(order);
     return writeMeshFile(order.target, content, progress);
+}
+
+Status writeSurfaces(const SurfaceOrder& order, const Progress& progress)
+{
+    constexpr double extracted = 0.4;
+    constexpr double found = 0.7;
+    if (const Status named = checkSurfaceFileName(order.mesh.target); !named)
+        return named;
+    std::vector<Isovalue> visible;
+    std::ranges::copy_if(order.isovalues, std::back_inserter(visible), &Isovalue::visible);
+    if (visible.empty())
+        return Error{ErrorKind::WrongUsage, "There is no surface to save: add an isovalue, or show one."};
+    if (!order.mesh.mesh) {
+        auto made = MeshExtractor(order.mesh.model).extract(order.mesh.query, progress.part(0, extracted));
+        if (!made)
+            return made.error();
+        SurfaceOrder whole = order;
+        whole.mesh.mesh = *made;
+        return writeSurfaces(whole, progress.part(extracted, 1));
+    }
+    const std::shared_ptr<const TetrahedralMesh> mesh(order.mesh.mesh, &order.mesh.mesh->mesh);
+    const auto surfaces = IsosurfaceSet(mesh).update(visible, progress.part(0, found));
+    if (!surfaces)
+        return surfaces.error();
+    SurfaceContent content{.title = "isosurfaces", .valueName = "isovalue", .parts = {}, .facts = factsOf(order.mesh)};
+    for (std::size_t index = 0; index < surfaces->size(); ++index)
+        content.parts.push_back(partOf((*surfaces)[index], visible[index].value));
+    return writeSurfaceFile(order.mesh.target, content, progress.part(found, 1));
 }
 
 } // namespace tetra

@@ -3,11 +3,13 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/graphics/isovalue.h"
 #include "core/model/model.h"
 #include "core/model/queries/mesh_query.h"
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 namespace tetra {
 
@@ -22,5 +24,15 @@ struct MeshOrder {
 /// Writes the mesh with its values and the sites of its vertices, and as facts where it is from and what errors it
 /// keeps. The format is that of the file's ending. Errors as of writeMeshFile().
 Status writeMesh(const MeshOrder& order, const Progress& progress);
+
+/// Isosurfaces to save, of the mesh that is seen or is extracted first.
+struct SurfaceOrder {
+    MeshOrder mesh;
+    std::vector<Isovalue> isovalues; ///< those that are visible are written
+};
+
+/// Writes the surfaces with their colours, as far as the format has any; it is that of the file's ending. Errors as of
+/// writeSurfaceFile(), and WrongUsage if no isovalue is visible.
+Status writeSurfaces(const SurfaceOrder& order, const Progress& progress);
 
 } // namespace tetra

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/workbench.h"
 
+#include "core/model/level_text.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/input_file.h"
 #include "plugins/host/model_building.h"
+#include "ui/session/accuracy_scale.h"
 #include "ui/session/field_extent.h"
 #include "ui/session/import_memory.h"
 #include "ui/session/plugin_texts.h"
@@ -15,6 +17,7 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <optional>
 
 namespace tetra {
 namespace {
@@ -341,7 +344,26 @@ void Workbench::loadText(const std::filesystem::path& path, std::function<Status
 void Workbench::saveMesh(const std::filesystem::path& target)
 {
     meshTarget_ = target;
+    savesSurfaces_ = false;
     saveMeshWhenShown();
+}
+
+void Workbench::saveSurfaces(const std::filesystem::path& target)
+{
+    meshTarget_ = target;
+    savesSurfaces_ = true;
+    saveMeshWhenShown();
+}
+
+void Workbench::saveStatistics(const std::filesystem::path& target)
+{
+    std::vector<Accuracy> levels;
+    for (const double error : accuracyPresets)
+        levels.push_back(bothWithin(error));
+    if (const auto text = levelsFor(target, *session_.model(), levels))
+        saveText(target, *text);
+    else
+        tell(text.error());
 }
 
 void Workbench::saveMeshWhenShown()
@@ -355,8 +377,11 @@ void Workbench::saveMeshWhenShown()
     if (renderer() != nullptr && renderer()->blendsFocus())
         order.mesh = nullptr;
     meshTarget_.clear();
-    savingMesh_.start([this, order](const Progress& progress) -> std::function<void()> {
-        return [this, target = order.target, saved = writeMesh(order, progress)] {
+    const std::optional<std::vector<Isovalue>> isovalues =
+        savesSurfaces_ ? std::optional(session_.view().isovalues()) : std::nullopt;
+    savingMesh_.start([this, order, isovalues](const Progress& progress) -> std::function<void()> {
+        const Status result = isovalues ? writeSurfaces({order, *isovalues}, progress) : writeMesh(order, progress);
+        return [this, target = order.target, saved = result] {
             if (saved)
                 emit meshSaved(pathText(target));
             else

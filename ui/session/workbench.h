@@ -86,6 +86,10 @@ public:
     void savePicture(const PictureOrder& order);
     /// Saves the mesh of the picture, once that is up to date.
     void saveMesh(const std::filesystem::path& target);
+    /// Saves the visible isosurfaces of that mesh, likewise.
+    void saveSurfaces(const std::filesystem::path& target);
+    /// Saves the sizes of the model's meshes at the usual accuracies, as .csv or .json.
+    void saveStatistics(const std::filesystem::path& target);
     /// Writes a small text: a transfer function, a camera.
     void saveText(const std::filesystem::path& target, const std::string& text);
     /// Reads one and gives it to `use`, in this thread; what that says against it is told with the file's name.
@@ -150,7 +154,8 @@ private:
     LongTask textFiles_;
     std::filesystem::path sessionFile_;
     QJsonObject sessionFound_;         ///< the text of that file: what is not known here stays in it
-    std::filesystem::path meshTarget_; ///< of the mesh that waits to be saved; empty if none does
+    std::filesystem::path meshTarget_; ///< of what waits to be saved; empty if nothing does
+    bool savesSurfaces_ = false;       ///< the isosurfaces, not the mesh
 
     std::shared_ptr<LiveBuild> live_;         ///< of the build that is being watched
     std::shared_ptr<std::atomic<bool>> keep_; ///< of the same build

@@ -33,6 +33,16 @@ void askForTarget(QFileDialog& dialog, const QString& proposed)
     dialog.open();
 }
 
+/// The ending that is added is that of the kind of file that is chosen.
+void askForTargetOf(QFileDialog& dialog, const QString& proposed, const QStringList& filters)
+{
+    dialog.setNameFilters(filters);
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
+        dialog.setDefaultSuffix(filter.section("*.", 1).remove(')'));
+    });
+    askForTarget(dialog, proposed);
+}
+
 } // namespace
 
 void askForFile(QWidget* parent, const QString& name, const QStringList& filters, const FileChosen& chosen)
@@ -55,12 +65,28 @@ void askForPictureFile(QWidget* parent, const QString& name, const QString& prop
 void askForMeshFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen)
 {
     QFileDialog* dialog = makeDialog(parent, name, FileDialogs::tr("Save Mesh"), chosen);
-    dialog->setNameFilters({FileDialogs::tr("VTK XML unstructured grids (*.vtu)"),
-                            FileDialogs::tr("VTK legacy files (*.vtk)"), FileDialogs::tr("PLY files (*.ply)")});
-    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
-        dialog->setDefaultSuffix(filter.section("*.", 1).remove(')'));
-    });
-    askForTarget(*dialog, proposed);
+    askForTargetOf(*dialog, proposed,
+                   {FileDialogs::tr("VTK XML unstructured grids (*.vtu)"), FileDialogs::tr("VTK legacy files (*.vtk)"),
+                    FileDialogs::tr("PLY files (*.ply)"), FileDialogs::tr("Boundary as VTK XML polydata (*.vtp)"),
+                    FileDialogs::tr("Boundary as STL (*.stl)"), FileDialogs::tr("Boundary as Wavefront OBJ (*.obj)"),
+                    FileDialogs::tr("Boundary as binary glTF (*.glb)")});
+}
+
+void askForSurfaceFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen)
+{
+    QFileDialog* dialog = makeDialog(parent, name, FileDialogs::tr("Save Surfaces"), chosen);
+    askForTargetOf(*dialog, proposed,
+                   {FileDialogs::tr("STL files (*.stl)"), FileDialogs::tr("Wavefront OBJ files (*.obj)"),
+                    FileDialogs::tr("Binary glTF files (*.glb)"), FileDialogs::tr("PLY files (*.ply)"),
+                    FileDialogs::tr("VTK XML polydata (*.vtp)"), FileDialogs::tr("VTK legacy files (*.vtk)"),
+                    FileDialogs::tr("VTK XML unstructured grids (*.vtu)")});
+}
+
+void askForStatisticsFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen)
+{
+    QFileDialog* dialog = makeDialog(parent, name, FileDialogs::tr("Save Statistics"), chosen);
+    askForTargetOf(*dialog, proposed,
+                   {FileDialogs::tr("Tables of comma-separated values (*.csv)"), FileDialogs::tr("JSON (*.json)")});
 }
 
 void askForTextFile(QWidget* parent, const QString& name, const QString& title, const QString& filter,

@@ -15,6 +15,8 @@ using FileChosen = std::function<void(const QString& path)>;
 void askForFile(QWidget* parent, const QString& name, const QStringList& filters, const FileChosen& chosen);
 void askForPictureFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen);
 void askForMeshFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen);
+void askForSurfaceFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen);
+void askForStatisticsFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen);
 /// Small JSON files of whatever kind: `title` and `filter` say which.
 void askForTextFile(QWidget* parent, const QString& name, const QString& title, const QString& filter,
                     const FileChosen& chosen);

@@ -19,6 +19,8 @@ struct Actions {
     QAction* saveSessionAs = nullptr;
     QAction* savePicture = nullptr;
     QAction* saveMesh = nullptr;
+    QAction* saveSurfaces = nullptr;
+    QAction* saveStatistics = nullptr;
     QAction* quit = nullptr;
     QAction* undo = nullptr;
     QAction* redo = nullptr;

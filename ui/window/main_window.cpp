@@ -145,6 +145,8 @@ void MainWindow::connectActions()
     connect(actions_.saveSessionAs, &QAction::triggered, keptSession_, &KeepSession::saveAs);
     connect(actions_.savePicture, &QAction::triggered, this, &MainWindow::savePicture);
     connect(actions_.saveMesh, &QAction::triggered, this, &MainWindow::saveMesh);
+    connect(actions_.saveSurfaces, &QAction::triggered, this, &MainWindow::saveSurfaces);
+    connect(actions_.saveStatistics, &QAction::triggered, this, &MainWindow::saveStatistics);
     connect(actions_.close, &QAction::triggered, &workbench_, &Workbench::closeModel);
     connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
     connect(actions_.addIsovalue, &QAction::triggered, this, [this] { workbench_.session().addIsovalue(); });
@@ -198,7 +200,7 @@ void MainWindow::connectWorkbench()
     connect(&workbench_, &Workbench::pictureSaved, this, tellSaved);
     connect(&workbench_, &Workbench::meshSaved, this, tellSaved);
     connect(&workbench_, &Workbench::textSaved, this, tellSaved);
-    statusBar()->addPermanentWidget(new TaskLine("status.saving", tr("Saving the mesh"), workbench_.savingMesh()));
+    statusBar()->addPermanentWidget(new TaskLine("status.saving", tr("Saving"), workbench_.savingMesh()));
     connect(&workbench_.session(), &Session::modelChanged, this, &MainWindow::showModel);
     connect(&workbench_.session(), &Session::modelGrown, this, &MainWindow::showFile);
     SceneBuilder& scenes = workbench_.sceneBuilder();
@@ -219,6 +221,18 @@ void MainWindow::saveMesh()
 {
     askForMeshFile(this, "meshDialog", workbench_.proposedPath(".vtu"),
                    [this](const QString& path) { workbench_.saveMesh(filePath(path)); });
+}
+
+void MainWindow::saveSurfaces()
+{
+    askForSurfaceFile(this, "surfaceDialog", workbench_.proposedPath(".stl"),
+                      [this](const QString& path) { workbench_.saveSurfaces(filePath(path)); });
+}
+
+void MainWindow::saveStatistics()
+{
+    askForStatisticsFile(this, "statisticsDialog", workbench_.proposedPath(".csv"),
+                         [this](const QString& path) { workbench_.saveStatistics(filePath(path)); });
 }
 
 void MainWindow::savePicture()
@@ -262,9 +276,10 @@ void MainWindow::showModel()
 {
     const auto& model = workbench_.session().model();
     showFile();
-    for (QAction* action : QList<QAction*>{actions_.saveSession, actions_.saveSessionAs, actions_.savePicture,
-                                           actions_.saveMesh, actions_.close, actions_.addIsovalue, actions_.fit} +
-                               actions_.namedViews)
+    for (QAction* action :
+         QList<QAction*>{actions_.saveSession, actions_.saveSessionAs, actions_.savePicture, actions_.saveMesh, actions_.saveSurfaces, actions_.saveStatistics,
+                         actions_.close, actions_.addIsovalue, actions_.fit} +
+             actions_.namedViews)
         action->setEnabled(model != nullptr);
     viewport_->setScene(nullptr);
     if (model) {

@@ -44,6 +44,8 @@ private:
     void connectRegions();
     void savePicture();
     void saveMesh();
+    void saveSurfaces();
+    void saveStatistics();
     void fillRecent();
     void fit();
     void showFile();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/files/mesh_file.h"
 
+#include "core/base/number_text.h"
+#include "core/mesh/files/file_ending.h"
 #include "core/mesh/files/mesh_formats.h"
 
 #include <algorithm>
@@ -15,14 +17,17 @@ struct Format {
     std::string_view ending;
     Status (*write)(const std::filesystem::path& path, const MeshContent& content, const Progress& progress);
 };
-constexpr std::array<Format, 3> formats = {{{".vtu", writeVtu}, {".vtk", writeVtk}, {".ply", writePlyMesh}}};
+constexpr std::array<Format, 7> formats = {{{".vtu", writeVtu},
+                                            {".vtk", writeVtk},
+                                            {".ply", writePlyMesh},
+                                            {".vtp", writeBoundary},
+                                            {".stl", writeBoundary},
+                                            {".obj", writeBoundary},
+                                            {".glb", writeBoundary}}};
 
 const Format* formatOf(const std::filesystem::path& path)
 {
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    const auto found = std::ranges::find(formats, ending, &Format::ending);
+    const auto found = std::ranges::find(formats, fileEnding(path), &Format::ending);
     return found == formats.end() ? nullptr : &*found;
 }
 
@@ -48,13 +53,20 @@ std::uint64_t bytesOf(const MeshContent& content, std::size_t bytesOfCell)
     return bytes;
 }
 
+std::string factText(const MeshFacts::value_type::second_type& fact)
+{
+    const auto* number = std::get_if<double>(&fact);
+    return number != nullptr ? formatNumber(*number) : std::get<std::string>(fact);
+}
+
 Status checkMeshFileName(const std::filesystem::path& path)
 {
     if (formatOf(path) != nullptr)
         return {};
-    return Error{ErrorKind::WrongUsage, "'" + path.string() +
-                                            "' ends in none of .vtu, .vtk and .ply, the formats in which meshes are "
-                                            "written. Choose one of these endings."};
+    return Error{ErrorKind::WrongUsage,
+                 "'" + path.string() +
+                     "' ends in none of .vtu, .vtk and .ply, the formats in which meshes are written, nor of "
+                     ".vtp, .stl, .obj and .glb, for their boundary alone. Choose one of these endings."};
 }
 
 Status writeMeshFile(const std::filesystem::path& path, const MeshContent& content, const Progress& progress)

@@ -12,6 +12,7 @@ namespace tetra {
 Status writeVtu(const std::filesystem::path& path, const MeshContent& content, const Progress& progress);
 Status writeVtk(const std::filesystem::path& path, const MeshContent& content, const Progress& progress);
 Status writePlyMesh(const std::filesystem::path& path, const MeshContent& content, const Progress& progress);
+Status writeBoundary(const std::filesystem::path& path, const MeshContent& content, const Progress& progress);
 
 inline std::size_t valueCount(const NamedArray& array)
 {
@@ -21,6 +22,8 @@ inline std::size_t valueBytes(const NamedArray& array)
 {
     return std::visit([](const auto& values) { return sizeof(values[0]); }, array.values);
 }
+/// A number with its shortest digits, a text as it is.
+std::string factText(const MeshFacts::value_type::second_type& fact);
 /// About the size of the file, for progress.
 std::uint64_t bytesOf(const MeshContent& content, std::size_t bytesOfCell);
 

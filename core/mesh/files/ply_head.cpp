@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/files/ply_head.h"
 
+#include "core/mesh/files/mesh_formats.h"
+
 #include <algorithm>
 
 namespace tetra {
@@ -11,6 +13,13 @@ PlyHead& PlyHead::comment(std::string_view text)
     std::ranges::replace_if(
         line, [](char c) { return c == '\n' || c == '\r'; }, ' ');
     text_ += "comment " + line + "\n";
+    return *this;
+}
+
+PlyHead& PlyHead::facts(const MeshFacts& facts)
+{
+    for (const auto& [name, fact] : facts)
+        comment(name + ": " + factText(fact));
     return *this;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/mesh/files/mesh_file.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -13,6 +15,8 @@ namespace tetra {
 class PlyHead {
 public:
     PlyHead& comment(std::string_view text);
+    /// A comment each.
+    PlyHead& facts(const MeshFacts& facts);
     PlyHead& element(std::string_view name, std::uint64_t count);
     /// Of the element before; `type` is PLY's word for it.
     PlyHead& property(std::string_view type, std::string_view name);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/number_text.h"
 #include "core/mesh/files/mesh_formats.h"
 #include "core/mesh/files/mesh_output.h"
 #include "core/mesh/files/ply_head.h"
@@ -33,12 +32,7 @@ void addProperties(PlyHead& head, std::span<const NamedArray> arrays)
 PlyHead headOf(const MeshContent& content)
 {
     PlyHead head;
-    head.comment("tetrahedral mesh by TAn");
-    for (const auto& [name, fact] : content.facts) {
-        const auto* number = std::get_if<double>(&fact);
-        head.comment(name + ": " + (number != nullptr ? formatNumber(*number) : std::get<std::string>(fact)));
-    }
-    head.element("vertex", content.positions.size());
+    head.comment("tetrahedral mesh by TAn").facts(content.facts).element("vertex", content.positions.size());
     for (const std::string_view axis : {"x", "y", "z"})
         head.property("float", axis);
     addProperties(head, content.pointArrays);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/files/mesh_formats.h"
 #include "core/mesh/files/mesh_output.h"
+#include "core/mesh/files/vtk_legacy.h"
 
-#include <limits>
 #include <type_traits>
 
 namespace tetra {
@@ -23,54 +23,6 @@ template <class T> constexpr std::string_view typeName()
         return "unsigned_short";
     else
         return "unsigned_int";
-}
-
-/// A name in one word: blanks and whatever else could mislead a reader as %XX, which VTK turns back.
-std::string word(std::string_view name)
-{
-    constexpr std::string_view digits = "0123456789ABCDEF";
-    std::string encoded;
-    for (const char c : name) {
-        const auto code = static_cast<unsigned char>(c);
-        if (code > ' ' && code < 127 && c != '%' && c != '"')
-            encoded += c;
-        else
-            encoded += {'%', digits[code >> 4], digits[code & 15]};
-    }
-    return encoded;
-}
-
-/// How VTK tells the length of a text in a binary file: in 1, 2, 4 or 8 bytes, of which the first two bits say which.
-std::string withLength(const std::string& text)
-{
-    const std::uint64_t length = text.size();
-    const int bytes = length < 1U << 6 ? 1 : length < 1U << 14 ? 2 : length < 1U << 30 ? 4 : 8;
-    const std::uint64_t kind = bytes == 1 ? 3 : bytes == 2 ? 2 : bytes == 4 ? 1 : 0;
-    const std::uint64_t code = length | kind << (8 * bytes - 2);
-    std::string encoded;
-    for (int byte = bytes - 1; byte >= 0; --byte)
-        encoded += static_cast<char>(code >> (8 * byte) & 255);
-    return encoded + text;
-}
-
-Status writeFacts(MeshOutput& out, const MeshContent& content)
-{
-    if (content.facts.empty())
-        return {};
-    std::string text = "FIELD FieldData " + std::to_string(content.facts.size()) + "\n";
-    for (const auto& [name, fact] : content.facts) {
-        if (const auto* number = std::get_if<double>(&fact)) {
-            std::byte bytes[sizeof *number];
-            std::byte* where = bytes;
-            putTurned(where, *number);
-            text += word(name) + " 1 1 double\n";
-            text.append(reinterpret_cast<const char*>(bytes), sizeof bytes);
-        } else {
-            text += word(name) + " 1 1 string\n" + withLength(std::get<std::string>(fact));
-        }
-        text += "\n";
-    }
-    return out.text(text);
 }
 
 Status writeGeometry(MeshOutput& out, const MeshContent& content)
@@ -117,8 +69,10 @@ Status writeArrays(MeshOutput& out, std::string_view keyword, std::uint64_t coun
             [&]<class T>(std::span<const T> values) -> Status {
                 const std::string type(typeName<T>());
                 std::string head = number == 1 ? "FIELD FieldData " + std::to_string(arrays.size() - 1) + "\n" : "";
-                head += number == 0 ? "SCALARS " + word(arrays[number].name) + " " + type + " 1\nLOOKUP_TABLE default\n"
-                                    : word(arrays[number].name) + " 1 " + std::to_string(count) + " " + type + "\n";
+                head +=
+                    number == 0
+                        ? "SCALARS " + vtkLegacyWord(arrays[number].name) + " " + type + " 1\nLOOKUP_TABLE default\n"
+                        : vtkLegacyWord(arrays[number].name) + " 1 " + std::to_string(count) + " " + type + "\n";
                 if (const Status begun = out.text(head); !begun)
                     return begun;
                 if (const Status put =
@@ -139,18 +93,14 @@ Status writeArrays(MeshOutput& out, std::string_view keyword, std::uint64_t coun
 
 Status writeVtk(const std::filesystem::path& path, const MeshContent& content, const Progress& progress)
 {
-    constexpr auto most = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
-    if (content.positions.size() > most || 5 * content.tetrahedra.size() > most)
+    if (content.positions.size() > mostVtkLegacyNumbers || 5 * content.tetrahedra.size() > mostVtkLegacyNumbers)
         return Error{ErrorKind::OutOfResource,
                      "'" + path.string() + "' would hold more than a legacy VTK file can number. Write a .vtu file."};
     auto out = MeshOutput::create(path, bytesOf(content, 24), writingMesh, progress);
     if (!out)
         return out.error();
-    if (const Status written = out->text("# vtk DataFile Version 4.2\ntetrahedral mesh by TAn\nBINARY\n"
-                                         "DATASET UNSTRUCTURED_GRID\n");
+    if (const Status written = out->text(vtkLegacyHead("tetrahedral mesh by TAn", "UNSTRUCTURED_GRID", content.facts));
         !written)
-        return written;
-    if (const Status written = writeFacts(*out, content); !written)
         return written;
     if (const Status written = writeGeometry(*out, content); !written)
         return written;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/queries/error_field_text.h"
 
+#include "core/base/shown_text.h"
+
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -295,7 +297,7 @@ private:
         if (error_)
             return;
         skipBlanks();
-        const std::string found = place_ == text_.size() ? "the text ends" : "there is '" + rest() + "'";
+        const std::string found = place_ == text_.size() ? "the text ends" : "there is '" + shownText(rest()) + "'";
         error_ =
             Error{ErrorKind::WrongUsage, "The error field cannot be read at character " + std::to_string(place_ + 1) +
                                              ": expected " + std::string(expected) + ", but " + found + "."};

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads a mesh file with VTK: read_with_vtk.py FILE FOLDER. Writes the bytes of every array into the folder (points,
+"""Reads a mesh or surface file with VTK: read_with_vtk.py FILE FOLDER. Writes the bytes of every array into the folder (points,
 cells, point.NAME, cell.NAME) and prints, as JSON, the types of the arrays and the field data. Exit code 77: no VTK."""
 import json
 import os
@@ -7,8 +7,11 @@ import sys
 
 try:
     from vtkmodules.vtkCommonCore import vtkObject, vtkIdList
-    from vtkmodules.vtkIOLegacy import vtkUnstructuredGridReader
-    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+    from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+    from vtkmodules.vtkIOGeometry import vtkGLTFReader, vtkOBJReader, vtkSTLReader
+    from vtkmodules.vtkIOLegacy import vtkPolyDataReader, vtkUnstructuredGridReader
+    from vtkmodules.vtkIOPLY import vtkPLYReader
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 except ImportError:
     sys.exit(77)
 
@@ -19,22 +22,52 @@ def save(folder, name, array):
         file.write(bytes(memoryview(array)) if array.GetNumberOfValues() > 0 else b"")
 
 
+def legacy_reader(path):
+    with open(path, "rb") as file:
+        surface = b"DATASET POLYDATA" in file.read(200)
+    reader = vtkPolyDataReader() if surface else vtkUnstructuredGridReader()
+    reader.ReadAllScalarsOn()
+    reader.ReadAllNormalsOn()
+    reader.ReadAllFieldsOn()
+    return reader
+
+
+def stl_reader(_):
+    reader = vtkSTLReader()
+    reader.MergingOff()
+    return reader
+
+
+READERS = {"vtu": lambda _: vtkXMLUnstructuredGridReader(), "vtp": lambda _: vtkXMLPolyDataReader(),
+           "vtk": legacy_reader, "stl": stl_reader, "obj": lambda _: vtkOBJReader(), "ply": lambda _: vtkPLYReader(),
+           "glb": lambda _: vtkGLTFReader()}
+
+
+def joined(blocks):
+    """The surfaces of a tree of blocks as one."""
+    appended = vtkAppendPolyData()
+    leaves = blocks.NewIterator()
+    while not leaves.IsDoneWithTraversal():
+        appended.AddInputData(leaves.GetCurrentDataObject())
+        leaves.GoToNextItem()
+    appended.Update()
+    return appended.GetOutput()
+
+
 def main(path, folder):
-    reader = vtkXMLUnstructuredGridReader() if path.lower().endswith(".vtu") else vtkUnstructuredGridReader()
+    ending = path.lower().rpartition(".")[2]
+    reader = READERS[ending](path)
     errors = []
     reader.AddObserver("ErrorEvent", lambda caller, event: errors.append(event))
-    if not path.lower().endswith(".vtu"):
-        reader.ReadAllScalarsOn()
-        reader.ReadAllFieldsOn()
     reader.SetFileName(path)
     reader.Update()
-    grid = reader.GetOutput()
+    grid = joined(reader.GetOutput()) if ending == "glb" else reader.GetOutput()
     told = {"errors": len(errors), "points": grid.GetNumberOfPoints(), "cells": grid.GetNumberOfCells(),
             "arrays": {}, "facts": {}}
     if grid.GetNumberOfPoints() > 0:
         save(folder, "points", grid.GetPoints().GetData())
     corners = vtkIdList()
-    told["tetrahedra only"] = all(grid.GetCellType(cell) == 10 for cell in range(grid.GetNumberOfCells()))
+    told["cell types"] = sorted({grid.GetCellType(cell) for cell in range(grid.GetNumberOfCells())})
     with open(os.path.join(folder, "cells"), "wb") as file:
         for cell in range(grid.GetNumberOfCells()):
             grid.GetCellPoints(cell, corners)
@@ -49,6 +82,7 @@ def main(path, folder):
     facts = grid.GetFieldData()
     for number in range(facts.GetNumberOfArrays()):
         told["facts"][facts.GetArrayName(number)] = facts.GetAbstractArray(number).GetValue(0)
+    told["active normals"] = grid.GetPointData().GetNormals().GetName() if grid.GetPointData().GetNormals() else ""
     print(json.dumps(told))
 
 

@@ -307,6 +307,22 @@ void Plot3dReaderTest::refuses_data()
     row("no number", filled(3, false, NAN, false), solution, "position of point (0, 3, 2)");
     row("infinite", filled(3, false, INFINITY, false), solution, "position of point (0, 3, 2)");
     row("one place", filled(3, false, 2, true), solution, "no cell has a volume");
+    const auto sized = [](std::initializer_list<std::int32_t> numbers) {
+        Plot3dBytes file(Plot3dStyle{});
+        for (const std::int32_t number : numbers)
+            file.integer(number);
+        file.endRecord();
+        return file.bytes() + QByteArray(720, '\1');
+    };
+    row("negative size", sized({-3, 4, 5}), solution, "no binary PLOT3D file");
+    row("no points", sized({3, 0, 5}), solution, "no binary PLOT3D file");
+    row("overflow of the product", sized({0x7fffffff, 0x7fffffff, 0x7fffffff}), solution, "PLOT3D");
+    row("more bytes than 64 bits count", sized({0x10000, 0x10000, 0x7fffffff}), solution, "PLOT3D");
+    row("gigabytes that are not there", sized({1000, 1000, 1000}), solution, "PLOT3D");
+    row("thousands of millions of grids", sized({0x7fffffff, 3, 4, 5}), solution, "PLOT3D");
+    row("a negative number of grids", sized({-1, 3, 4, 5}), solution, "no binary PLOT3D file");
+    row("one byte", "x", solution, "no binary PLOT3D file");
+    row("nothing but zeros", QByteArray(400, '\0'), solution, "no binary PLOT3D file");
     row("nothing varies", grid, filled(5, true, 0, true), "nothing to see");
 }
 

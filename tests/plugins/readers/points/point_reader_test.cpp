@@ -126,6 +126,12 @@ private slots:
                                   << "is a chemical structure";
         QTest::newRow("chemical, no comment")
             << QByteArray(" 60\r\n\r\n  Cl1  0.1 -2 3e0 0.5\r\n") << "is a chemical structure";
+        QTest::newRow("one number") << QByteArray("7") << "has 1 column";
+        QTest::newRow("nothing but separators") << QByteArray(",,,\n,,,\n") << "line";
+        QTest::newRow("two points in a number") << QByteArray("1.2.3,4,5,6\n") << "1.2.3";
+        QTest::newRow("a page of the web") << QByteArray("<html><body a=\"b\">\n<p>1,2,3,4</p>\n") << "column";
+        QTest::newRow("a megabyte of digits") << QByteArray("x,y,z,v\n1,2,3,") + QByteArray(1 << 20, '9') << "99...'";
+        QTest::newRow("control characters") << QByteArray("x,y,z,v\n1,2,3,\x1b[2J\n") << "'?[2J'";
         QTest::newRow("UTF-16") << QByteArray("\xff\xfex\0,\0", 6) << "UTF-16";
     }
     void badTablesAreRefusedWithTheLine()

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/files/surface_file.h"
+
+#include "core/mesh/files/file_ending.h"
+#include "core/mesh/files/surface_formats.h"
+
+#include <algorithm>
+#include <new>
+
+namespace tetra {
+
+namespace {
+
+struct Format {
+    std::string_view ending;
+    bool surfacesOnly;
+    Status (*write)(const std::filesystem::path& path, const SurfaceContent& content, const Progress& progress);
+};
+constexpr std::array<Format, 7> formats = {{{".vtp", true, writeVtp},
+                                            {".vtk", false, writeVtkSurface},
+                                            {".vtu", false, writeVtuSurface},
+                                            {".ply", false, writePlySurface},
+                                            {".stl", true, writeStl},
+                                            {".obj", true, writeObj},
+                                            {".glb", true, writeGlb}}};
+
+const Format* formatOf(const std::filesystem::path& path)
+{
+    const auto found = std::ranges::find(formats, fileEnding(path), &Format::ending);
+    return found == formats.end() ? nullptr : &*found;
+}
+
+Status misfit(const SurfacePart& part, std::string_view what)
+{
+    return Error{ErrorKind::WrongUsage,
+                 "The surface '" + part.name + "' has " + std::string(what) + ", so it cannot be written."};
+}
+
+Status checkPart(const SurfacePart& part, bool normals)
+{
+    const std::size_t count = part.positions.size();
+    const auto* each = std::get_if<std::span<const float>>(&part.values);
+    if (part.normals.size() != (normals ? count : 0))
+        return misfit(part, "not one normal for each vertex");
+    if (each != nullptr && each->size() != count)
+        return misfit(part, "not one value for each vertex");
+    const auto outside = [count](const auto& triangle) { return *std::ranges::max_element(triangle) >= count; };
+    if (std::ranges::any_of(part.triangles, outside))
+        return misfit(part, "triangles of vertices that it does not have");
+    return {};
+}
+
+} // namespace
+
+SurfaceSize sizeOf(const SurfaceContent& content)
+{
+    SurfaceSize size;
+    for (const SurfacePart& part : content.parts) {
+        size.vertices += part.positions.size();
+        size.triangles += part.triangles.size();
+    }
+    return size;
+}
+
+bool hasNormals(const SurfaceContent& content)
+{
+    return std::ranges::any_of(content.parts, [](const SurfacePart& part) { return !part.normals.empty(); });
+}
+
+Error tooLarge(const std::filesystem::path& path, std::string_view limit)
+{
+    return {ErrorKind::OutOfResource, "'" + path.string() + "' would hold more than " + std::string(limit) +
+                                          ". Write a .vtp file, or a surface of a larger error."};
+}
+
+Status checkSurfaceFileName(const std::filesystem::path& path)
+{
+    if (formatOf(path) != nullptr)
+        return {};
+    return Error{ErrorKind::WrongUsage,
+                 "'" + path.string() +
+                     "' ends in none of .vtp, .vtk, .vtu, .ply, .stl, .obj and .glb, the formats in which surfaces are "
+                     "written. Choose one of these endings."};
+}
+
+bool isSurfaceFileOnly(const std::filesystem::path& path)
+{
+    const Format* format = formatOf(path);
+    return format != nullptr && format->surfacesOnly;
+}
+
+Status writeSurfaceFile(const std::filesystem::path& path, const SurfaceContent& content, const Progress& progress)
+{
+    if (const Status known = checkSurfaceFileName(path); !known)
+        return known;
+    const bool normals = hasNormals(content);
+    for (const SurfacePart& part : content.parts)
+        if (const Status fits = checkPart(part, normals); !fits)
+            return fits;
+    try {
+        return formatOf(path)->write(path, content, progress);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorKind::OutOfResource, "Not enough memory to write '" + path.string() + "'."};
+    }
+}
+
+} // namespace tetra

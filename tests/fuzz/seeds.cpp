@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writes what the fuzzers start from: small valid inputs, a folder for each fuzzer in the folder that is named.
+#include "core/graphics/camera_text.h"
+#include "core/model/queries/error_field_text.h"
+#include "core/transfer/transfer_text.h"
+#include "tests/core/model/model_fixture.h"
+#include "tests/core/model/queries/some_models.h"
+#include "tests/plugins/readers/lattice/volume_files.h"
+#include "tests/plugins/readers/plot3d/plot3d_files.h"
+
+#include <QDir>
+#include <QFile>
+
+#include <cstdio>
+
+namespace {
+
+using namespace tetra;
+
+/// A folder of seeds, numbered.
+class Seeds {
+public:
+    Seeds(const QString& folder, const char* fuzzer) : folder_(folder + "/" + fuzzer) { QDir().mkpath(folder_); }
+
+    QString next() { return folder_ + "/seed" + QString::number(count_++); }
+    void add(const QByteArray& content)
+    {
+        QFile file(next());
+        if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
+            qFatal("cannot write %s", qPrintable(file.fileName()));
+    }
+    void add(const std::string& content) { add(QByteArray::fromStdString(content)); }
+
+private:
+    QString folder_;
+    int count_ = 0;
+};
+
+QList<QByteArray> volumes()
+{
+    const QByteArray space = "space directions: (0.5,0,0) (0,0.1,0) (0,0,3)\nspace origin: (1,2,-3)\n";
+    return {nrrdHeader("spacings: 1 2 3\naxis mins: 0 0 0\n# note\nkey:=value\n") + testSamples(SampleType::UInt8),
+            nrrdHeader(space + "endian: big\ntype: short\nline skip: 1\nbyte skip: 2\n") + "x\nab" +
+                testSamples(SampleType::Int16, std::endian::big),
+            nrrdHeader(space + "endian: little\ntype: double\nencoding: gzip\n") +
+                gzipped(testSamples(SampleType::Float64)),
+            nrrdHeader("type: float\nencoding: ascii\nsizes: 2 2 2\ncenters: cell cell node\n") +
+                "1 2.5 -3 4e2 5 6 7 8",
+            nrrdHeader("dimension: 4\nsizes: 3 1 4 5\nbyte skip: -1\nkinds: domain vector domain domain\n") +
+                testSamples(SampleType::UInt8)};
+}
+
+void addVolumes(const QString& folder)
+{
+    Seeds nrrd(folder, "nrrd");
+    for (const QByteArray& volume : volumes())
+        nrrd.add(volume);
+    Seeds raw(folder, "raw");
+    raw.add("3x4x5|uint8|little|1x1x1|0,0,0|0\n" + testSamples(SampleType::UInt8));
+    raw.add("3 4 5|int16|big|1x2x2.5|-1,0,1e3|7\n" + QByteArray(7, 'h') +
+            testSamples(SampleType::Int16, std::endian::big));
+    raw.add("3,4,5|double|little|0.1,0.1,0.1|0,0,0|0\n" + testSamples(SampleType::Float64));
+    raw.add("|float|little|1x1x1|0,0,0|0\n" + testSamples(SampleType::Float32));
+    raw.add(nrrdHeader("data file: samples.raw\n") + testSamples(SampleType::UInt8));
+    raw.add(nrrdHeader("data file: samples.raw\nencoding: gzip\n") + gzipped(testSamples(SampleType::UInt8)));
+}
+
+void addGrids(const QString& folder)
+{
+    Seeds seeds(folder, "plot3d");
+    for (const Plot3dStyle& style :
+         {Plot3dStyle{}, Plot3dStyle{.order = std::endian::big, .marks = true}, Plot3dStyle{.doubles = true},
+          Plot3dStyle{.marks = true, .multiGrid = true, .iblank = true, .grids = 2}}) {
+        const QByteArray grid = testFile(style, false);
+        const char length[] = {static_cast<char>(grid.size() % 256), static_cast<char>(grid.size() / 256)};
+        for (const char name : {'\0', '\6', '\xff'})
+            seeds.add(QByteArray(1, name) + QByteArray(1, style.grids > 1 ? '\2' : '\0') + QByteArray(length, 2) +
+                      grid + testFile(style, true));
+    }
+}
+
+void addPoints(const QString& folder)
+{
+    Seeds seeds(folder, "points");
+    const QByteArray numbers = "0,0,0,1\n1,0,0,2\n0,1,0,-3e1\n0,0,1,.5\n1,1,1,7\n";
+    seeds.add("automatic|automatic|\nx,y,z,value\n" + numbers);
+    seeds.add("automatic|automatic|+\n# measured\r\n\"x\";y;z;\"a; b\"\r\n" + QByteArray(numbers).replace(',', ';') +
+              "2;;2;2\r\n");
+    seeds.add("b,c,d|a|\na\tb\tc\td\te\n1\t0\t0\t0\tx\n2\t1\t0\t0\ty\n3\t0\t1\t0\tz\n4\t0\t0\t1\t\n");
+    seeds.add("1,2,3|4|\n" + QByteArray(numbers).replace(',', ' '));
+    seeds.add("automatic|automatic|\n3\nwater\nO 0 0 0\nH 1 0 0\nH 0 1 0\n");
+}
+
+void addModels(const QString& folder)
+{
+    Seeds seeds(folder, "model");
+    writeModel(seeds.next().toStdString(), bumps(SampleType::UInt8, {3, 3, 3}));
+    writeModel(seeds.next().toStdString(), bumps(SampleType::Float32, {4, 3, 2}));
+    writeModel(seeds.next().toStdString(), bentBumps(SampleType::Float32, {3, 3, 3}));
+    writeModel(seeds.next().toStdString(), bentBumps(SampleType::Int16, {3, 2, 3}, true, true));
+    scatteredModel(seeds.next().toStdString(), 20, 5);
+}
+
+void addTexts(const QString& folder)
+{
+    Seeds transfer(folder, "transfer");
+    transfer.add(transferFunctionToText({{{1, {0, 0.5f, 0}, 0}, {1, {1, 1, 1}, 1}, {2.5, {1, 0, 0}, 0.25f}}, 3}));
+    transfer.add(transferFunctionToText({}));
+
+    Seeds fields(folder, "error-field");
+    for (const char* text :
+         {"4", "box(1,2,3, 4,5,6; 1, 8, 2.5)", "sphere(8,8,8, 3; 0.5, 8)", "halfspace(1,2,-3, 4; inf, 2, 1)",
+          "camera(1,2,3; 1, 9, 100)", "values(10:1, 20:0.5)", "isovalues(120, 140; 0.5, 8, 20)",
+          "opacity(0:0, 100:1; 1, 10)", "min(max(1, box(0,0,0,1,1,1;1,2)), sum(3, product(2, values(1:2, 1:3))))"})
+        fields.add(std::string(text));
+
+    Seeds weights(folder, "weights");
+    weights.add(std::string("point:8,8,8,6"));
+    weights.add(std::string("box:0,0,0,1,2,3,0,0.5; value:100,20 ; point:-1,2e3,.5,1,1e-6"));
+
+    Seeds view(folder, "view");
+    view.add(cameraToText(Camera()));
+    view.add(std::string("{\"azimuth\": 30, \"perspective\": false, \"target\": [1, 2, 3]}"));
+    view.add(std::string("1,0,0,3.5; 0,-1,2e3,-4"));
+}
+
+} // namespace
+
+int main(int count, char** words)
+{
+    if (count != 2) {
+        std::fputs("tan-fuzz-seeds FOLDER: writes seeds for the fuzzers\n", stderr);
+        return 2;
+    }
+    const QString folder = QString::fromLocal8Bit(words[1]);
+    addVolumes(folder);
+    addGrids(folder);
+    addPoints(folder);
+    addModels(folder);
+    addTexts(folder);
+    return 0;
+}
