@@ -57,7 +57,8 @@ public:
 
     /// Filters for a file dialog: all that can be opened first.
     QStringList nameFilters();
-    /// Opens a model, a session, or a dataset by the reader that fits it best; asks by choicesNeeded() where there is a choice.
+    /// Opens a model, a session, or a dataset by the reader that fits it best; asks by choicesNeeded() where there is a
+    /// choice.
     void open(const QString& path);
     /// Opens the session that `text` describes, with paths from `folder` on; `file` is where it is saved from now on,
     /// empty if it has no file.

@@ -276,10 +276,10 @@ void MainWindow::showModel()
 {
     const auto& model = workbench_.session().model();
     showFile();
-    for (QAction* action :
-         QList<QAction*>{actions_.saveSession, actions_.saveSessionAs, actions_.savePicture, actions_.saveMesh, actions_.saveSurfaces, actions_.saveStatistics,
-                         actions_.close, actions_.addIsovalue, actions_.fit} +
-             actions_.namedViews)
+    for (QAction* action : QList<QAction*>{actions_.saveSession, actions_.saveSessionAs, actions_.savePicture,
+                                           actions_.saveMesh, actions_.saveSurfaces, actions_.saveStatistics,
+                                           actions_.close, actions_.addIsovalue, actions_.fit} +
+                               actions_.namedViews)
         action->setEnabled(model != nullptr);
     viewport_->setScene(nullptr);
     if (model) {

@@ -13,7 +13,8 @@ namespace tetra {
 
 /// A dataset of these tetrahedra. Values are doubles, or floats of the same numbers.
 Dataset datasetOfTetrahedra(std::vector<Eigen::Vector3d> positions, const std::vector<double>& values,
-                         std::vector<std::array<std::uint32_t, 4>> tetrahedra, SampleType type = SampleType::Float64);
+                            std::vector<std::array<std::uint32_t, 4>> tetrahedra,
+                            SampleType type = SampleType::Float64);
 
 /// A small mesh with holes, cavities and one or two parts; every third along the axes, others with points moved about.
 Dataset randomIrregular(std::uint32_t seed);

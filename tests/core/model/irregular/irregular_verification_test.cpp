@@ -44,8 +44,7 @@ private slots:
             const Dataset dataset = randomIrregular(seed);
             const auto model = modelOf(path(), dataset, decimated(dataset));
             const auto verdict = verify(*model, dataset, levels);
-            QVERIFY2(verdict.ok() && verdict->ok(),
-                     qPrintable(QString("seed %1\n").arg(seed) + textOf(verdict)));
+            QVERIFY2(verdict.ok() && verdict->ok(), qPrintable(QString("seed %1\n").arg(seed) + textOf(verdict)));
             for (const LevelVerdict& level : verdict->levels) {
                 QVERIFY(level.conforming && level.covers && level.inverted == 0);
                 QVERIFY(level.twoSidedWarping && *level.twoSidedWarping <= level.twoSidedBound);
