@@ -3,7 +3,8 @@
 
 #include "core/cells/boundary_manifold.h"
 #include "core/cells/box_tree.h"
-#include "core/cells/triangle_meeting.h"
+#include "core/cells/segment_crossing.h"
+#include "core/mesh/triangle_meeting.h"
 
 #include <optional>
 #include <random>
@@ -53,7 +54,7 @@ private:
     {
         const auto near = [&](const Eigen::AlignedBox3d& box) { return box.intersects(boxes_[t]); };
         tree_.forEach(near, [&](std::uint32_t other) {
-            if (other <= t || !trianglesMeet(positions_, triangles_[t], triangles_[other]))
+            if (other <= t || !surfaceTrianglesMeet(positions_, triangles_[t], triangles_[other]))
                 return;
             if (faults_.meetings++ == 0)
                 faults_.meeting = {t, other};

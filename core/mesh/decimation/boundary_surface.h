@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mesh/decimation/triangle_meeting.h"
+#include "core/mesh/triangle_meeting.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -3,16 +3,7 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <cstdint>
-#include <span>
-
 namespace tetra {
-
-/// Whether two triangles, which have an area and share at most two vertices by number, meet anywhere but in the
-/// vertices or the edge that they share. Touching counts, and so do different vertices on one place. Exact.
-bool trianglesMeet(std::span<const Eigen::Vector3d> positions, const std::array<std::uint32_t, 3>& a,
-                   const std::array<std::uint32_t, 3>& b);
 
 /// How the segment from `from` to `to` crosses the triangle: 1 leaving by its front (from where its corners run
 /// counterclockwise), -1 entering by it, 0 not at all; nothing if it passes through an edge or `to` is in its plane, so

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/decimation/triangle_meeting.h"
+#include "core/mesh/triangle_meeting.h"
 
 #include "core/mesh/exact_orientation.h"
 
