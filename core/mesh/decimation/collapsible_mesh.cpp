@@ -3,10 +3,12 @@
 
 #include "core/mesh/face_adjacency.h"
 
+#include <algorithm>
+
 namespace tetra {
 
 CollapsibleMesh::CollapsibleMesh(std::uint32_t vertexCount, std::span<const std::array<std::uint32_t, 4>> tetrahedra)
-    : tetrahedra_(tetrahedra.size()), slotOfVertex_(vertexCount, none), placeInStar_(tetrahedra.size(), 0)
+    : tetrahedra_(tetrahedra.size()), slotOfVertex_(vertexCount, none), stamps_(tetrahedra.size(), 0)
 {
     const FaceAdjacency adjacency = matchFaces(tetrahedra);
     for (std::uint32_t slot = 0; slot < slotCount(); ++slot) {
@@ -35,22 +37,29 @@ std::array<std::uint32_t, 3> CollapsibleMesh::cornersOf(std::uint32_t triangle) 
 void CollapsibleMesh::findStar(std::uint32_t vertex, std::vector<std::uint32_t>& star) const
 {
     star.clear();
-    const auto add = [&](std::uint32_t slot) {
-        const std::uint32_t place = placeInStar_[slot];
-        if (place < star.size() && star[place] == slot)
-            return;
-        placeInStar_[slot] = static_cast<std::uint32_t>(star.size());
-        star.push_back(slot);
-    };
-    if (slotOfVertex_[vertex] != none)
-        add(slotOfVertex_[vertex]);
-    for (std::size_t next = 0; next < star.size(); ++next) {
-        const Tetrahedron& tetrahedron = tetrahedra_[star[next]];
-        const std::size_t own = indexOf(tetrahedron.vertices, vertex);
-        for (std::size_t i = 0; i < 4; ++i)
-            if (i != own && !isTriangle(tetrahedron.neighbours[i]))
-                add(tetrahedron.neighbours[i]);
+    if (slotOfVertex_[vertex] == none)
+        return;
+    if (++stamp_ == 0) {
+        std::ranges::fill(stamps_, 0);
+        stamp_ = 1;
     }
+    star.push_back(slotOfVertex_[vertex]);
+    stamps_[star.front()] = stamp_;
+    std::size_t count = 1;
+    for (std::size_t next = 0; next < count; ++next) {
+        const Tetrahedron& tetrahedron = tetrahedra_[star[next]];
+        star.resize(count + 3);
+        for (const std::uint8_t face : cornersOfFace[indexOf(tetrahedron.vertices, vertex)]) {
+            const std::uint32_t neighbour = tetrahedron.neighbours[face];
+            if (isTriangle(neighbour))
+                continue;
+            // Without a branch: whether it is there already is as good as random.
+            star[count] = neighbour;
+            count += stamps_[neighbour] != stamp_ ? 1 : 0;
+            stamps_[neighbour] = stamp_;
+        }
+    }
+    star.resize(count);
 }
 
 void CollapsibleMesh::collapse(std::uint32_t vertex, std::uint32_t target, std::span<const std::uint32_t> star)

@@ -54,13 +54,14 @@ private:
     std::vector<Tetrahedron> tetrahedra_;
     std::vector<std::uint32_t> slotOfVertex_;
     std::vector<std::uint32_t> slotOfTriangle_;
-    mutable std::vector<std::uint32_t> placeInStar_; ///< by slot; valid if the star has the slot there
+    mutable std::vector<std::uint32_t> stamps_; ///< by slot: when it was in a star last
+    mutable std::uint32_t stamp_ = 0;
 };
 
-/// Which of the four it is.
+/// Which of four different ones it is; 0 if none.
 inline std::size_t indexOf(const std::array<std::uint32_t, 4>& four, std::uint32_t one) noexcept
 {
-    return four[0] == one ? 0 : four[1] == one ? 1 : four[2] == one ? 2 : 3;
+    return std::size_t{four[1] == one} + 2 * std::size_t{four[2] == one} + 3 * std::size_t{four[3] == one};
 }
 
 } // namespace tetra

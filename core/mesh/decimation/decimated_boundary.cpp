@@ -48,6 +48,7 @@ DecimatedMesh::Candidate DecimatedMesh::bestOnBoundary()
     for (std::uint32_t place = 0; place < link.size(); ++place) {
         if (sides_[link[place]] == 0 || !star_.opensOnto(place) || !linkCondition_.allows(mesh_, star_, place))
             continue;
+        gather();
         if (!judging)
             boundaryJudge_.set(mesh_, star_, points_.points, boundaryPoints_);
         judging = true;
@@ -99,7 +100,7 @@ void DecimatedMesh::relateToBoundary()
         if (error.triangleBefore != none && ofRing(error.triangleBefore))
             boundaryPoints_.takeOutside(error.triangleBefore, error.point);
         if (error.inFan != none) {
-            State& state = states_[fanSlots_[error.inFan]];
+            State& state = states_[star_.slots()[error.inFan]];
             state.inside = pool_.appended(state.inside, {&error.point, 1});
             state.insideError = std::max(state.insideError, roundedUp(error.error));
         } else {
