@@ -45,9 +45,8 @@ void BoundaryJudge::findRing(const CollapsibleMesh& mesh, const VertexStar& star
     ring_.clear();
     for (const VertexStar::RimTriangle& rim : star.rim()) {
         // Each vertex around is once the first corner.
-        mesh.findStar(star.link()[rim.corners[0]], star_);
-        for (const std::uint32_t slot : star_)
-            for (const std::uint32_t neighbour : mesh[slot].neighbours) {
+        for (const std::uint32_t slot : mesh.star(star.link()[rim.corners[0]]))
+            for (const std::uint32_t neighbour : mesh.neighbours(slot)) {
                 if (!CollapsibleMesh::isTriangle(neighbour))
                     continue;
                 const auto corners = mesh.cornersOf(neighbour);

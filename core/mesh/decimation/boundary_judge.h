@@ -96,7 +96,6 @@ private:
     std::vector<Point> ofBoundary_;
     std::vector<Error> errors_;
     std::vector<Warping> warpings_;
-    std::vector<std::uint32_t> star_;
 };
 
 } // namespace tetra

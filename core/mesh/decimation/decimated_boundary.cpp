@@ -14,8 +14,7 @@ double DecimatedMesh::keyOfFacesAround() const
     if (input_.box)
         return largest;
     for (const std::uint32_t slot : star_.slots()) {
-        const CollapsibleMesh::Tetrahedron& tetrahedron = mesh_[slot];
-        const std::uint32_t opposite = tetrahedron.neighbours[indexOf(tetrahedron.vertices, star_.vertex())];
+        const std::uint32_t opposite = mesh_.neighbours(slot)[indexOf(mesh_.vertices(slot), star_.vertex())];
         if (!CollapsibleMesh::isTriangle(opposite))
             continue;
         const BoundaryPoints::Relation& relation = boundaryPoints_[opposite];
@@ -77,7 +76,7 @@ bool DecimatedMesh::collapseOnBoundary(std::uint32_t vertex, std::uint32_t targe
     boundary_->replace(removedTriangles_, addedTriangles_);
     boundaryJudge_.set(mesh_, star_, points_.points, boundaryPoints_);
     boundaryJudge_.evaluate(star_, place, fan_, std::numeric_limits<double>::infinity());
-    mesh_.collapse(vertex, target, star_.slots());
+    mesh_.collapse(vertex, target);
     clearStates();
     for (const VertexStar::RimTriangle& rim : star_.rim())
         boundaryPoints_.clear(rim.triangle);

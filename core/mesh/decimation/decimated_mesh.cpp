@@ -84,10 +84,6 @@ void DecimatedMesh::findSides()
 /// its warping in two spaces, that of a grid with holes.
 void DecimatedMesh::findBoundary()
 {
-    std::vector<std::uint32_t> tetrahedraOfVertex(vertexCount(), 0);
-    for (const auto& vertices : input_.tetrahedra)
-        for (const std::uint32_t vertex : vertices)
-            ++tetrahedraOfVertex[vertex];
     std::vector<SurfaceTriangle> triangles;
     for (std::uint32_t triangle = 0; triangle < mesh_.triangleCount(); ++triangle)
         triangles.push_back(mesh_.cornersOf(CollapsibleMesh::firstTriangle + triangle));
@@ -98,8 +94,8 @@ void DecimatedMesh::findBoundary()
     for (std::uint32_t vertex = 0; vertex < vertexCount(); ++vertex) {
         if (sides_[vertex] == 0)
             continue;
-        star_.set(mesh_, vertex);
-        if (!input_.lifted.empty() || star_.slots().size() != tetrahedraOfVertex[vertex] || !star_.rimIsOneCycle())
+        star_.set(mesh_, vertex, true);
+        if (!input_.lifted.empty() || !star_.rimIsOneCycle())
             sides_[vertex] = locked;
     }
 }
@@ -128,7 +124,7 @@ float DecimatedMesh::keyOf(float error, float warping) const
 
 void DecimatedMesh::setStar(std::uint32_t vertex)
 {
-    star_.set(mesh_, vertex);
+    star_.set(mesh_, vertex, movesOnBoundary(vertex));
     star_.measure();
     gathered_ = false;
 }
@@ -238,7 +234,7 @@ bool DecimatedMesh::collapse(std::uint32_t vertex, std::uint32_t target)
             return false;
     } else {
         evaluateFan(fan_, measure_, std::numeric_limits<double>::infinity(), points_);
-        mesh_.collapse(vertex, target, star_.slots());
+        mesh_.collapse(vertex, target);
         clearStates();
         giveOutPoints();
     }
@@ -299,7 +295,7 @@ void DecimatedMesh::raiseOwn(std::uint32_t slot)
     State& state = states_[slot];
     state.error = std::max(state.error, state.insideError);
     if (!input_.box)
-        for (const std::uint32_t neighbour : mesh_[slot].neighbours)
+        for (const std::uint32_t neighbour : mesh_.neighbours(slot))
             if (CollapsibleMesh::isTriangle(neighbour)) {
                 state.error = std::max(state.error, boundaryPoints_[neighbour].error);
                 state.warping = std::max(state.warping, boundaryPoints_[neighbour].warping);
@@ -313,7 +309,7 @@ std::vector<CollapseLog::Coarsest> DecimatedMesh::coarsest() const
     for (std::uint32_t slot = 0; slot < mesh_.slotCount(); ++slot)
         if (mesh_.alive(slot))
             tetrahedra.push_back(
-                {mesh_[slot].vertices, states_[slot].error, states_[slot].warping, states_[slot].madeBy});
+                {mesh_.vertices(slot), states_[slot].error, states_[slot].warping, states_[slot].madeBy});
     return tetrahedra;
 }
 

@@ -68,37 +68,40 @@ VertexStar::VertexStar(std::span<const Eigen::Vector3d> positions, bool exact)
 {
 }
 
-void VertexStar::set(const CollapsibleMesh& mesh, std::uint32_t vertex)
+void VertexStar::set(const CollapsibleMesh& mesh, std::uint32_t vertex, bool withRim)
 {
     vertex_ = vertex;
-    mesh.findStar(vertex, slots_);
+    slots_.assign(mesh.star(vertex).begin(), mesh.star(vertex).end());
     link_.clear();
     faces_.clear();
     places_.clear();
     facesOfLink_.clear();
     rim_.clear();
+    for (const std::uint32_t slot : slots_)
+        mesh.prefetch(slot);
     for (const std::uint32_t slot : slots_) {
-        const CollapsibleMesh::Tetrahedron& tetrahedron = mesh[slot];
-        const std::size_t own = indexOf(tetrahedron.vertices, vertex);
+        const CollapsibleMesh::Four& vertices = mesh.vertices(slot);
+        const std::size_t own = indexOf(vertices, vertex);
         const auto& others = cornersOfFace[own];
-        faces_.push_back({linkPlaceOf(tetrahedron.vertices[others[0]]), linkPlaceOf(tetrahedron.vertices[others[1]]),
-                          linkPlaceOf(tetrahedron.vertices[others[2]])});
+        faces_.push_back(
+            {linkPlaceOf(vertices[others[0]]), linkPlaceOf(vertices[others[1]]), linkPlaceOf(vertices[others[2]])});
         for (const std::uint32_t place : faces_.back())
             ++facesOfLink_[place];
-        addRim(tetrahedron, own);
+        if (withRim)
+            addRim(mesh, slot, own);
     }
 }
 
 /// The boundary triangles among the faces of the tetrahedron met last that have the vertex.
-void VertexStar::addRim(const CollapsibleMesh::Tetrahedron& tetrahedron, std::size_t own)
+void VertexStar::addRim(const CollapsibleMesh& mesh, std::uint32_t slot, std::size_t own)
 {
     for (std::size_t face = 0; face < 4; ++face) {
-        if (face == own || !CollapsibleMesh::isTriangle(tetrahedron.neighbours[face]))
+        if (face == own || !CollapsibleMesh::isTriangle(mesh.neighbours(slot)[face]))
             continue;
         const auto& [a, b, c] = faces_.back();
         // Of (vertex, a, b, c) the faces (vertex, c, b), (vertex, a, c) and (vertex, b, a) look outwards.
-        const std::uint32_t opposite = linkPlaceOf(tetrahedron.vertices[face]);
-        rim_.push_back({tetrahedron.neighbours[face], static_cast<std::uint32_t>(faces_.size() - 1),
+        const std::uint32_t opposite = linkPlaceOf(mesh.vertices(slot)[face]);
+        rim_.push_back({mesh.neighbours(slot)[face], static_cast<std::uint32_t>(faces_.size() - 1),
                         opposite == a   ? std::array{c, b}
                         : opposite == b ? std::array{a, c}
                                         : std::array{b, a}});

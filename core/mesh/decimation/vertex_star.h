@@ -20,7 +20,8 @@ public:
     /// `exact`: the positions are integers of at most 16 bits, so that volumes are exact.
     VertexStar(std::span<const Eigen::Vector3d> positions, bool exact);
 
-    void set(const CollapsibleMesh& mesh, std::uint32_t vertex);
+    /// `withRim`: whether rim() is wanted.
+    void set(const CollapsibleMesh& mesh, std::uint32_t vertex, bool withRim);
 
     std::uint32_t vertex() const noexcept { return vertex_; }
     std::span<const std::uint32_t> slots() const noexcept { return slots_; }
@@ -55,7 +56,7 @@ public:
     }
 
 private:
-    void addRim(const CollapsibleMesh::Tetrahedron& tetrahedron, std::size_t own);
+    void addRim(const CollapsibleMesh& mesh, std::uint32_t slot, std::size_t own);
     std::uint32_t linkPlaceOf(std::uint32_t vertex);
 
     std::span<const Eigen::Vector3d> positions_;
