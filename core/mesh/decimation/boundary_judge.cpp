@@ -45,9 +45,8 @@ void BoundaryJudge::findRing(const CollapsibleMesh& mesh, const VertexStar& star
     ring_.clear();
     for (const VertexStar::RimTriangle& rim : star.rim()) {
         // Each vertex around is once the first corner.
-        mesh.findStar(star.link()[rim.corners[0]], star_);
-        for (const std::uint32_t slot : star_)
-            for (const std::uint32_t neighbour : mesh[slot].neighbours) {
+        for (const std::uint32_t slot : mesh.star(star.link()[rim.corners[0]]))
+            for (const std::uint32_t neighbour : mesh.neighbours(slot)) {
                 if (!CollapsibleMesh::isTriangle(neighbour))
                     continue;
                 const auto corners = mesh.cornersOf(neighbour);
@@ -122,22 +121,22 @@ double BoundaryJudge::judgeError(Point& point, const ApexFan& fan)
 {
     Vector place{};
     for (std::size_t axis = 0; axis < 3; ++axis)
-        place[axis] = point.place[axis] - fan.apex[axis];
-    const auto dot = [&](const Vector& row) { return row[0] * place[0] + row[1] * place[1] + row[2] * place[2]; };
+        place[axis] = point.place[axis] - fan.apex()[axis];
     double deepest = -insideTolerance;
     Error error{point.point, point.triangleBefore, none, none, 0};
-    for (std::size_t i = 0; i < fan.weights.size(); ++i) {
-        const auto& [a, b, c] = fan.weights[i];
-        const double first = dot(a), second = dot(b), third = dot(c);
+    for (const std::uint32_t face : fan.faces()) {
+        const auto [first, second, third] = fan.weightsAt(face, place);
         const double depth = std::min({first, second, third, 1 - first - second - third});
         if (depth > deepest) {
             deepest = depth;
-            error.inFan = static_cast<std::uint32_t>(i);
+            error.inFan = face;
         }
     }
     double interpolated = 0;
     if (error.inFan != none) {
-        interpolated = fan.apexValue + dot(fan.gradients[error.inFan]);
+        const Vector gradient = fan.gradient(error.inFan, 0);
+        interpolated =
+            fan.apexSamples()[0] + gradient[0] * place[0] + gradient[1] * place[1] + gradient[2] * place[2];
     } else {
         const Nearest projection = nearest(point);
         if (point.ofRing && projection.triangle == point.triangleBefore)

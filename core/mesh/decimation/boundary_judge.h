@@ -36,7 +36,7 @@ public:
     struct Error {
         std::uint32_t point = none;
         std::uint32_t triangleBefore = none; ///< that it was related to as a point outside
-        std::uint32_t inFan = none;          ///< which tetrahedron of the fan has it; none: it lies outside
+        std::uint32_t inFan = none;          ///< the face of the star whose tetrahedron has it; none: it lies outside
         std::uint32_t triangle = none;       ///< then which boundary triangle is nearest
         double error = 0;                    ///< weighted
         double warping = 0;                  ///< weighted; the distance of a point outside
@@ -96,7 +96,6 @@ private:
     std::vector<Point> ofBoundary_;
     std::vector<Error> errors_;
     std::vector<Warping> warpings_;
-    std::vector<std::uint32_t> star_;
 };
 
 } // namespace tetra

@@ -30,9 +30,7 @@ void BoundaryPoints::addOfBoundary(std::uint32_t triangle, std::uint32_t point, 
 void BoundaryPoints::takeOutside(std::uint32_t triangle, std::uint32_t point)
 {
     Relation& relation = at(triangle);
-    const auto points = pool_[relation.outside];
-    *std::ranges::find(points, point) = points.back();
-    relation.outside = pool_.shortened(relation.outside);
+    relation.outside = pool_.without(relation.outside, point);
 }
 
 } // namespace tetra

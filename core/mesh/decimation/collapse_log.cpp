@@ -13,8 +13,9 @@ constexpr std::uint32_t none = CollapseLog::none;
 /// Numbers sites and tetrahedra in the order of the history and hands them to a sink.
 class Emission {
 public:
-    Emission(std::uint32_t pointCount, std::uint32_t collapseCount, std::uint64_t tetrahedronCount, HistorySink& sink)
-        : sink_(sink), siteOfPoint_(pointCount, none), latestOfCollapse_(collapseCount, none)
+    Emission(std::span<const std::uint32_t> points, std::uint32_t collapseCount, std::uint64_t tetrahedronCount,
+             HistorySink& sink)
+        : sink_(sink), points_(points), siteOfPoint_(points.size(), none), latestOfCollapse_(collapseCount, none)
     {
         next_.reserve(tetrahedronCount);
     }
@@ -40,13 +41,14 @@ public:
         for (std::uint32_t i = collapse == none ? none : latestOfCollapse_[collapse]; i != none; i = next_[i])
             destroyed_.push_back(i);
         std::ranges::reverse(destroyed_);
-        Status status = sink_.add({point, keyBefore, star_, destroyed_});
+        Status status = sink_.add({points_[point], keyBefore, star_, destroyed_});
         star_.clear();
         return status;
     }
 
 private:
     HistorySink& sink_;
+    std::span<const std::uint32_t> points_;
     std::uint32_t siteCount_ = 0;
     std::vector<std::uint32_t> siteOfPoint_;
     /// By collapse, the latest tetrahedron of the history that it made, and for each the one before: what the vertex
@@ -105,13 +107,13 @@ void CollapseLog::add(std::uint32_t vertex, float keyAfter, std::span<const Tetr
     tetrahedra_.insert(tetrahedra_.end(), star.begin(), star.end());
 }
 
-Status CollapseLog::emit(std::uint32_t pointCount, std::span<const Coarsest> coarsest, float finalKey,
+Status CollapseLog::emit(std::span<const std::uint32_t> points, std::span<const Coarsest> coarsest, float finalKey,
                          HistorySink& sink, const Progress& progress) const
 {
-    std::vector<std::uint8_t> removed(pointCount, 0);
+    std::vector<std::uint8_t> removed(points.size(), 0);
     for (const Collapse& collapse : collapses_)
         removed[collapse.vertex] = 1;
-    Emission emission(pointCount, collapseCount(), tetrahedra_.size() + coarsest.size(), sink);
+    Emission emission(points, collapseCount(), tetrahedra_.size() + coarsest.size(), sink);
     if (Status status = emitCoarsest(coarsest, removed, emission); !status)
         return status;
     std::uint64_t end = tetrahedra_.size();

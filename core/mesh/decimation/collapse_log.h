@@ -40,8 +40,9 @@ public:
         std::uint32_t madeBy = none;
     };
 
-    /// Hands all to `sink`, coarse first. `finalKey` is that of the input. Errors: the sink's, cancelled.
-    Status emit(std::uint32_t pointCount, std::span<const Coarsest> coarsest, float finalKey, HistorySink& sink,
+    /// Hands all to `sink`, coarse first. `points`: for each vertex the number that the sink knows it by. `finalKey` is
+    /// that of the input. Errors: the sink's, cancelled.
+    Status emit(std::span<const std::uint32_t> points, std::span<const Coarsest> coarsest, float finalKey, HistorySink& sink,
                 const Progress& progress) const;
 
 private:

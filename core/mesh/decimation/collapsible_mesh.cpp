@@ -3,83 +3,77 @@
 
 #include "core/mesh/face_adjacency.h"
 
+#include <algorithm>
+
 namespace tetra {
 
-CollapsibleMesh::CollapsibleMesh(std::uint32_t vertexCount, std::span<const std::array<std::uint32_t, 4>> tetrahedra)
-    : tetrahedra_(tetrahedra.size()), slotOfVertex_(vertexCount, none), placeInStar_(tetrahedra.size(), 0)
+CollapsibleMesh::CollapsibleMesh(std::uint32_t vertexCount, std::span<const Four> tetrahedra)
+    : vertices_(tetrahedra.begin(), tetrahedra.end()), neighbours_(tetrahedra.size()), stars_(vertexCount)
 {
     const FaceAdjacency adjacency = matchFaces(tetrahedra);
-    for (std::uint32_t slot = 0; slot < slotCount(); ++slot) {
-        Tetrahedron& tetrahedron = tetrahedra_[slot];
-        tetrahedron.vertices = tetrahedra[slot];
+    for (std::uint32_t slot = 0; slot < slotCount(); ++slot)
         for (std::size_t i = 0; i < 4; ++i) {
             const std::uint32_t neighbour = adjacency.neighbours[slot][i];
             if (neighbour == FaceAdjacency::none) {
-                tetrahedron.neighbours[i] = firstTriangle + triangleCount();
+                neighbours_[slot][i] = firstTriangle + triangleCount();
                 slotOfTriangle_.push_back(slot);
             } else {
-                tetrahedron.neighbours[i] = FaceAdjacency::cellOf(neighbour);
+                neighbours_[slot][i] = FaceAdjacency::cellOf(neighbour);
             }
-            slotOfVertex_[tetrahedron.vertices[i]] = slot;
         }
-    }
+    setStars(vertexCount);
+}
+
+void CollapsibleMesh::setStars(std::uint32_t vertexCount)
+{
+    for (const Four& vertices : vertices_)
+        for (const std::uint32_t vertex : vertices)
+            ++stars_[vertex].count;
+    for (std::uint32_t vertex = 0; vertex < vertexCount; ++vertex)
+        stars_[vertex] = {pool_.allocate(stars_[vertex].count).place, 0};
+    for (std::uint32_t slot = 0; slot < slotCount(); ++slot)
+        for (const std::uint32_t vertex : vertices_[slot]) {
+            ++stars_[vertex].count;
+            pool_[stars_[vertex]].back() = slot;
+        }
 }
 
 std::array<std::uint32_t, 3> CollapsibleMesh::cornersOf(std::uint32_t triangle) const noexcept
 {
-    const Tetrahedron& tetrahedron = tetrahedra_[slotOfTriangle(triangle)];
-    const auto& corners = cornersOfFace[indexOf(tetrahedron.neighbours, triangle)];
-    return {tetrahedron.vertices[corners[0]], tetrahedron.vertices[corners[1]], tetrahedron.vertices[corners[2]]};
+    const std::uint32_t slot = slotOfTriangle(triangle);
+    const auto& corners = cornersOfFace[indexOf(neighbours_[slot], triangle)];
+    return {vertices_[slot][corners[0]], vertices_[slot][corners[1]], vertices_[slot][corners[2]]};
 }
 
-void CollapsibleMesh::findStar(std::uint32_t vertex, std::vector<std::uint32_t>& star) const
+void CollapsibleMesh::collapse(std::uint32_t vertex, std::uint32_t target)
 {
-    star.clear();
-    const auto add = [&](std::uint32_t slot) {
-        const std::uint32_t place = placeInStar_[slot];
-        if (place < star.size() && star[place] == slot)
-            return;
-        placeInStar_[slot] = static_cast<std::uint32_t>(star.size());
-        star.push_back(slot);
-    };
-    if (slotOfVertex_[vertex] != none)
-        add(slotOfVertex_[vertex]);
-    for (std::size_t next = 0; next < star.size(); ++next) {
-        const Tetrahedron& tetrahedron = tetrahedra_[star[next]];
-        const std::size_t own = indexOf(tetrahedron.vertices, vertex);
-        for (std::size_t i = 0; i < 4; ++i)
-            if (i != own && !isTriangle(tetrahedron.neighbours[i]))
-                add(tetrahedron.neighbours[i]);
-    }
-}
-
-void CollapsibleMesh::collapse(std::uint32_t vertex, std::uint32_t target, std::span<const std::uint32_t> star)
-{
-    for (const std::uint32_t slot : star)
-        if (tetrahedra_[slot].vertices[indexOf(tetrahedra_[slot].vertices, target)] == target)
-            joinAcross(slot, vertex, target);
-    for (const std::uint32_t slot : star) {
-        Tetrahedron& tetrahedron = tetrahedra_[slot];
-        if (!alive(slot))
+    moved_.clear();
+    for (const std::uint32_t slot : star(vertex)) {
+        Four& vertices = vertices_[slot];
+        if (vertices[indexOf(vertices, target)] == target) {
+            remove(slot, vertex, target);
             continue;
-        tetrahedron.vertices[indexOf(tetrahedron.vertices, vertex)] = target;
-        slotOfVertex_[target] = slot;
+        }
+        vertices[indexOf(vertices, vertex)] = target;
+        moved_.push_back(slot);
     }
-    slotOfVertex_[vertex] = none;
+    pool_.release(stars_[vertex]);
+    stars_[vertex] = {};
+    stars_[target] = pool_.appended(stars_[target], moved_);
 }
 
 /// Takes a tetrahedron out and puts its two neighbours, which differ by `vertex` and `target`, against one another.
-void CollapsibleMesh::joinAcross(std::uint32_t slot, std::uint32_t vertex, std::uint32_t target)
+void CollapsibleMesh::remove(std::uint32_t slot, std::uint32_t vertex, std::uint32_t target)
 {
-    const Tetrahedron gone = tetrahedra_[slot];
-    const std::uint32_t ofTarget = gone.neighbours[indexOf(gone.vertices, vertex)];
-    const std::uint32_t ofVertex = gone.neighbours[indexOf(gone.vertices, target)];
+    Four& vertices = vertices_[slot];
+    const std::uint32_t ofTarget = neighbours_[slot][indexOf(vertices, vertex)];
+    const std::uint32_t ofVertex = neighbours_[slot][indexOf(vertices, target)];
     replaceNeighbour(ofTarget, slot, ofVertex);
     replaceNeighbour(ofVertex, slot, ofTarget);
-    for (const std::uint32_t corner : gone.vertices)
-        if (slotOfVertex_[corner] == slot && corner != vertex)
-            slotOfVertex_[corner] = isTriangle(ofTarget) ? ofVertex : ofTarget;
-    tetrahedra_[slot].vertices.fill(none);
+    for (const std::uint32_t corner : vertices)
+        if (corner != vertex)
+            stars_[corner] = pool_.without(stars_[corner], slot);
+    vertices.fill(none);
 }
 
 void CollapsibleMesh::replaceNeighbour(std::uint32_t slot, std::uint32_t before, std::uint32_t after)
@@ -88,7 +82,7 @@ void CollapsibleMesh::replaceNeighbour(std::uint32_t slot, std::uint32_t before,
         slotOfTriangle_[slot - firstTriangle] = after;
         return;
     }
-    auto& neighbours = tetrahedra_[slot].neighbours;
+    Four& neighbours = neighbours_[slot];
     neighbours[indexOf(neighbours, before)] = after;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/mesh/decimation/index_pool.h"
+
 #include <array>
 #include <cstdint>
 #include <span>
@@ -8,8 +10,8 @@
 
 namespace tetra {
 
-/// Tetrahedra with adjacency that half-edge collapses keep conforming. Each has a slot; what survives a collapse stays
-/// in its slot, with another vertex.
+/// Tetrahedra that half-edge collapses keep conforming, with those around each vertex. Each has a slot; what survives a
+/// collapse stays in its slot, with another vertex. Looking at a star touches few places in memory, and all at once.
 class CollapsibleMesh {
 public:
     static constexpr std::uint32_t none = 0xffffffff;
@@ -17,17 +19,21 @@ public:
     static constexpr std::uint32_t firstTriangle = 0x80000000;
     static constexpr bool isTriangle(std::uint32_t neighbour) noexcept { return neighbour >= firstTriangle; }
 
-    struct Tetrahedron {
-        std::array<std::uint32_t, 4> vertices{};   ///< positive; the first is none where the slot is empty
-        std::array<std::uint32_t, 4> neighbours{}; ///< slots or boundary triangles, each opposite to the vertex
-    };
+    using Four = std::array<std::uint32_t, 4>;
 
     /// `tetrahedra` conform, fewer than 2^30. May throw std::bad_alloc.
-    CollapsibleMesh(std::uint32_t vertexCount, std::span<const std::array<std::uint32_t, 4>> tetrahedra);
+    CollapsibleMesh(std::uint32_t vertexCount, std::span<const Four> tetrahedra);
 
-    const Tetrahedron& operator[](std::uint32_t slot) const noexcept { return tetrahedra_[slot]; }
-    std::uint32_t slotCount() const noexcept { return static_cast<std::uint32_t>(tetrahedra_.size()); }
-    bool alive(std::uint32_t slot) const noexcept { return tetrahedra_[slot].vertices[0] != none; }
+    std::uint32_t slotCount() const noexcept { return static_cast<std::uint32_t>(vertices_.size()); }
+    bool alive(std::uint32_t slot) const noexcept { return vertices_[slot][0] != none; }
+    /// Positive; the first is none where the slot is empty.
+    const Four& vertices(std::uint32_t slot) const noexcept { return vertices_[slot]; }
+    void prefetch(std::uint32_t slot) const { __builtin_prefetch(&vertices_[slot]); }
+    /// Slots or boundary triangles, each opposite to the vertex.
+    const Four& neighbours(std::uint32_t slot) const noexcept { return neighbours_[slot]; }
+    /// The tetrahedra around a vertex; none if it was removed.
+    std::span<const std::uint32_t> star(std::uint32_t vertex) const noexcept { return pool_[stars_[vertex]]; }
+
     /// Boundary triangles that ever were: they keep their numbers when a vertex of theirs moves.
     std::uint32_t triangleCount() const noexcept { return static_cast<std::uint32_t>(slotOfTriangle_.size()); }
     /// The tetrahedron that has a boundary triangle now.
@@ -37,30 +43,28 @@ public:
     }
     /// The corners of a boundary triangle, counterclockwise from outside.
     std::array<std::uint32_t, 3> cornersOf(std::uint32_t triangle) const noexcept;
-    /// A tetrahedron of the vertex, or none.
-    std::uint32_t slotOf(std::uint32_t vertex) const noexcept { return slotOfVertex_[vertex]; }
 
-    /// The tetrahedra around a vertex that faces connect with slotOf(), which comes first.
-    void findStar(std::uint32_t vertex, std::vector<std::uint32_t>& star) const;
-
-    /// Moves `vertex` onto its neighbour `target`: tetrahedra of `star` that hold both vanish. No tetrahedron may have
-    /// both of its faces opposite to them on the boundary.
-    void collapse(std::uint32_t vertex, std::uint32_t target, std::span<const std::uint32_t> star);
+    /// Moves `vertex` onto its neighbour `target`: tetrahedra that hold both vanish. None may have both of its faces
+    /// opposite to them on the boundary. May throw std::bad_alloc.
+    void collapse(std::uint32_t vertex, std::uint32_t target);
 
 private:
-    void joinAcross(std::uint32_t slot, std::uint32_t vertex, std::uint32_t target);
+    void setStars(std::uint32_t vertexCount);
+    void remove(std::uint32_t slot, std::uint32_t vertex, std::uint32_t target);
     void replaceNeighbour(std::uint32_t slot, std::uint32_t before, std::uint32_t after);
 
-    std::vector<Tetrahedron> tetrahedra_;
-    std::vector<std::uint32_t> slotOfVertex_;
+    std::vector<Four> vertices_;
+    std::vector<Four> neighbours_;
+    std::vector<IndexPool::List> stars_; ///< by vertex
+    IndexPool pool_;
     std::vector<std::uint32_t> slotOfTriangle_;
-    mutable std::vector<std::uint32_t> placeInStar_; ///< by slot; valid if the star has the slot there
+    std::vector<std::uint32_t> moved_;
 };
 
-/// Which of the four it is.
+/// Which of four different ones it is; 0 if none.
 inline std::size_t indexOf(const std::array<std::uint32_t, 4>& four, std::uint32_t one) noexcept
 {
-    return four[0] == one ? 0 : four[1] == one ? 1 : four[2] == one ? 2 : 3;
+    return std::size_t{four[1] == one} + 2 * std::size_t{four[2] == one} + 3 * std::size_t{four[3] == one};
 }
 
 } // namespace tetra

@@ -14,8 +14,7 @@ double DecimatedMesh::keyOfFacesAround() const
     if (input_.box)
         return largest;
     for (const std::uint32_t slot : star_.slots()) {
-        const CollapsibleMesh::Tetrahedron& tetrahedron = mesh_[slot];
-        const std::uint32_t opposite = tetrahedron.neighbours[indexOf(tetrahedron.vertices, star_.vertex())];
+        const std::uint32_t opposite = mesh_.neighbours(slot)[indexOf(mesh_.vertices(slot), star_.vertex())];
         if (!CollapsibleMesh::isTriangle(opposite))
             continue;
         const BoundaryPoints::Relation& relation = boundaryPoints_[opposite];
@@ -48,6 +47,7 @@ DecimatedMesh::Candidate DecimatedMesh::bestOnBoundary()
     for (std::uint32_t place = 0; place < link.size(); ++place) {
         if (sides_[link[place]] == 0 || !star_.opensOnto(place) || !linkCondition_.allows(mesh_, star_, place))
             continue;
+        gather();
         if (!judging)
             boundaryJudge_.set(mesh_, star_, points_.points, boundaryPoints_);
         judging = true;
@@ -76,7 +76,7 @@ bool DecimatedMesh::collapseOnBoundary(std::uint32_t vertex, std::uint32_t targe
     boundary_->replace(removedTriangles_, addedTriangles_);
     boundaryJudge_.set(mesh_, star_, points_.points, boundaryPoints_);
     boundaryJudge_.evaluate(star_, place, fan_, std::numeric_limits<double>::infinity());
-    mesh_.collapse(vertex, target, star_.slots());
+    mesh_.collapse(vertex, target);
     clearStates();
     for (const VertexStar::RimTriangle& rim : star_.rim())
         boundaryPoints_.clear(rim.triangle);
@@ -99,7 +99,7 @@ void DecimatedMesh::relateToBoundary()
         if (error.triangleBefore != none && ofRing(error.triangleBefore))
             boundaryPoints_.takeOutside(error.triangleBefore, error.point);
         if (error.inFan != none) {
-            State& state = states_[fanSlots_[error.inFan]];
+            State& state = states_[star_.slots()[error.inFan]];
             state.inside = pool_.appended(state.inside, {&error.point, 1});
             state.insideError = std::max(state.insideError, roundedUp(error.error));
         } else {

@@ -21,11 +21,6 @@ std::array<double, 3> arrayOf(const Eigen::Vector3d& vector)
     return {vector.x(), vector.y(), vector.z()};
 }
 
-std::array<double, 3> difference(const std::array<double, 3>& a, const std::array<double, 3>& b)
-{
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
 /// Residuals are sums of a few products of numbers of this size, each rounded at 2^-53 of it.
 double roundingOf(double magnitude)
 {
@@ -89,10 +84,6 @@ void DecimatedMesh::findSides()
 /// its warping in two spaces, that of a grid with holes.
 void DecimatedMesh::findBoundary()
 {
-    std::vector<std::uint32_t> tetrahedraOfVertex(vertexCount(), 0);
-    for (const auto& vertices : input_.tetrahedra)
-        for (const std::uint32_t vertex : vertices)
-            ++tetrahedraOfVertex[vertex];
     std::vector<SurfaceTriangle> triangles;
     for (std::uint32_t triangle = 0; triangle < mesh_.triangleCount(); ++triangle)
         triangles.push_back(mesh_.cornersOf(CollapsibleMesh::firstTriangle + triangle));
@@ -103,8 +94,8 @@ void DecimatedMesh::findBoundary()
     for (std::uint32_t vertex = 0; vertex < vertexCount(); ++vertex) {
         if (sides_[vertex] == 0)
             continue;
-        star_.set(mesh_, vertex);
-        if (!input_.lifted.empty() || star_.slots().size() != tetrahedraOfVertex[vertex] || !star_.rimIsOneCycle())
+        star_.set(mesh_, vertex, true);
+        if (!input_.lifted.empty() || !star_.rimIsOneCycle())
             sides_[vertex] = locked;
     }
 }
@@ -133,8 +124,31 @@ float DecimatedMesh::keyOf(float error, float warping) const
 
 void DecimatedMesh::setStar(std::uint32_t vertex)
 {
-    star_.set(mesh_, vertex);
+    star_.set(mesh_, vertex, movesOnBoundary(vertex));
+    star_.measure();
+    gathered_ = false;
+}
+
+/// What evaluations of collapses need besides the star's geometry.
+void DecimatedMesh::gather()
+{
+    if (gathered_)
+        return;
+    gathered_ = true;
+    samples_.clear();
+    for (const std::uint32_t vertex : star_.link()) {
+        ApexFan::Samples& samples = samples_.emplace_back();
+        samples[0] = input_.values[vertex];
+        if (!input_.lifted.empty())
+            std::ranges::copy(input_.lifted[vertex], samples.begin() + 1);
+    }
     gatherPoints();
+}
+
+void DecimatedMesh::setFan(std::uint32_t linkPlace)
+{
+    gather();
+    fan_.set(star_, linkPlace, samples_, !input_.lifted.empty());
 }
 
 void DecimatedMesh::gatherPoints()
@@ -166,36 +180,6 @@ void DecimatedMesh::gatherPoints()
         points_.value[i] = input_.values[point];
         if (weighted)
             points_.weight[i] = static_cast<double>(input_.weights[point]);
-    }
-}
-
-/// The tetrahedra that a collapse makes.
-void DecimatedMesh::setFan(std::uint32_t linkPlace)
-{
-    const auto link = star_.link();
-    const std::uint32_t target = link[linkPlace];
-    fan_.clear();
-    fanSlots_.clear();
-    fan_.apex = star_.place(linkPlace);
-    fan_.apexValue = input_.values[target];
-    if (!input_.lifted.empty())
-        fan_.lifted = arrayOf(input_.lifted[target]);
-    for (std::size_t face = 0; face < star_.faces().size(); ++face) {
-        if (star_.holds(face, linkPlace))
-            continue;
-        std::array<std::array<double, 3>, 3> corners{}, lifted{};
-        std::array<double, 3> steps{};
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint32_t corner = star_.faces()[face][i];
-            corners[i] = difference(star_.place(corner), fan_.apex);
-            steps[i] = input_.values[link[corner]] - fan_.apexValue;
-            if (!input_.lifted.empty())
-                lifted[i] = difference(arrayOf(input_.lifted[link[corner]]), fan_.lifted);
-        }
-        fan_.add(corners, steps);
-        if (!input_.lifted.empty())
-            fan_.addLifted(lifted);
-        fanSlots_.push_back(star_.slots()[face]);
     }
 }
 
@@ -250,13 +234,13 @@ bool DecimatedMesh::collapse(std::uint32_t vertex, std::uint32_t target)
             return false;
     } else {
         evaluateFan(fan_, measure_, std::numeric_limits<double>::infinity(), points_);
-        mesh_.collapse(vertex, target, star_.slots());
+        mesh_.collapse(vertex, target);
         clearStates();
         giveOutPoints();
     }
-    for (const std::uint32_t slot : fanSlots_)
-        raiseOwn(slot);
-    live_ -= star_.slots().size() - fanSlots_.size();
+    for (const std::uint32_t face : fan_.faces())
+        raiseOwn(star_.slots()[face]);
+    live_ -= star_.slots().size() - fan_.faces().size();
     log_.add(vertex, key(), logged_);
     return true;
 }
@@ -290,11 +274,13 @@ void DecimatedMesh::clearStates()
 void DecimatedMesh::giveOutPoints()
 {
     for (std::size_t i = 0; i < points_.count(); ++i)
-        ++states_[fanSlots_[points_.owner[i]]].inside.count;
-    for (const std::uint32_t slot : fanSlots_)
+        ++states_[star_.slots()[points_.owner[i]]].inside.count;
+    for (const std::uint32_t face : fan_.faces()) {
+        const std::uint32_t slot = star_.slots()[face];
         states_[slot].inside = {pool_.allocate(states_[slot].inside.count).place, 0};
+    }
     for (std::size_t i = 0; i < points_.count(); ++i) {
-        State& state = states_[fanSlots_[points_.owner[i]]];
+        State& state = states_[star_.slots()[points_.owner[i]]];
         ++state.inside.count;
         pool_[state.inside].back() = points_.points[i];
         state.insideError = std::max(state.insideError, roundedUp(points_.error[i]));
@@ -309,7 +295,7 @@ void DecimatedMesh::raiseOwn(std::uint32_t slot)
     State& state = states_[slot];
     state.error = std::max(state.error, state.insideError);
     if (!input_.box)
-        for (const std::uint32_t neighbour : mesh_[slot].neighbours)
+        for (const std::uint32_t neighbour : mesh_.neighbours(slot))
             if (CollapsibleMesh::isTriangle(neighbour)) {
                 state.error = std::max(state.error, boundaryPoints_[neighbour].error);
                 state.warping = std::max(state.warping, boundaryPoints_[neighbour].warping);
@@ -323,7 +309,7 @@ std::vector<CollapseLog::Coarsest> DecimatedMesh::coarsest() const
     for (std::uint32_t slot = 0; slot < mesh_.slotCount(); ++slot)
         if (mesh_.alive(slot))
             tetrahedra.push_back(
-                {mesh_[slot].vertices, states_[slot].error, states_[slot].warping, states_[slot].madeBy});
+                {mesh_.vertices(slot), states_[slot].error, states_[slot].warping, states_[slot].madeBy});
     return tetrahedra;
 }
 

@@ -77,6 +77,7 @@ private:
     void relateToBoundary();
     void raiseOwn(std::uint32_t slot);
     void setStar(std::uint32_t vertex);
+    void gather();
     void gatherPoints();
     void setFan(std::uint32_t linkPlace);
     bool inverts(std::uint32_t linkPlace) const;
@@ -107,7 +108,8 @@ private:
     std::vector<SurfaceTriangle> removedTriangles_;
     StarPoints points_;
     ApexFan fan_;
-    std::vector<std::uint32_t> fanSlots_;
+    std::vector<ApexFan::Samples> samples_; ///< of the star's link
+    bool gathered_ = false;                 ///< whether points_ and samples_ are the star's
     std::vector<std::uint32_t> touched_;
     std::vector<CollapseLog::Tetrahedron> logged_;
 };

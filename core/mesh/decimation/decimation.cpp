@@ -3,6 +3,7 @@
 
 #include "core/mesh/decimation/collapse_orders.h"
 #include "core/mesh/decimation/decimated_mesh.h"
+#include "core/mesh/decimation/renumbered_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,17 +71,18 @@ Status checkOptions(const DecimationMesh& mesh, const DecimationOptions& options
 Result<DecimationResult> decimateSound(const DecimationMesh& mesh, const DecimationOptions& options, HistorySink& sink,
                                        const Progress& progress)
 {
-    DecimatedMesh decimated(mesh, options);
+    const RenumberedMesh renumbered(mesh);
+    DecimatedMesh decimated(renumbered.view(), options);
     if (Status status = decimateByExactError(decimated, options.stopKey, progress.part(0, .9)); !status)
         return status.error();
     const bool warps = !mesh.box || !mesh.lifted.empty();
     if (Status status = sink.begin({.warpingWeight = warps ? options.warpingWeight : 0, .delaunay = false}); !status)
         return status.error();
-    const auto pointCount = static_cast<std::uint32_t>(mesh.positions.size());
     const CollapseLog& log = decimated.log();
     const std::vector<CollapseLog::Coarsest> coarsest = decimated.coarsest();
-    if (Status status = log.emit(pointCount, coarsest, 0, sink, progress.part(.9, 1)); !status)
+    if (Status status = log.emit(renumbered.originals(), coarsest, 0, sink, progress.part(.9, 1)); !status)
         return status.error();
+    const auto pointCount = static_cast<std::uint32_t>(mesh.positions.size());
     return DecimationResult{pointCount, pointCount - log.collapseCount(), log.tetrahedronCount() + coarsest.size(),
                             decimated.evaluations()};
 }

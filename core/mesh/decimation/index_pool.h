@@ -50,20 +50,29 @@ public:
     /// The list with more at its end; it may have moved. May throw std::bad_alloc.
     List appended(List list, std::span<const std::uint32_t> more)
     {
-        const List longer = allocate(list.count + static_cast<std::uint32_t>(more.size()));
+        const auto count = list.count + static_cast<std::uint32_t>(more.size());
+        if (list.count > 0 && classOf(count) == classOf(list.count)) {
+            std::ranges::copy(more, storage_.begin() + list.place + list.count);
+            return {list.place, count};
+        }
+        const List longer = allocate(count);
         std::ranges::copy((*this)[list], (*this)[longer].begin());
         std::ranges::copy(more, (*this)[longer].begin() + list.count);
         release(list);
         return longer;
     }
 
-    /// The list without its last number. May throw std::bad_alloc.
-    List shortened(List list)
+    /// The list without a number that it has.
+    List without(List list, std::uint32_t number)
     {
-        const List shorter = allocate(list.count - 1);
-        std::ranges::copy((*this)[list].first(shorter.count), (*this)[shorter].begin());
-        release(list);
-        return shorter;
+        const std::span<std::uint32_t> numbers = (*this)[list];
+        *std::ranges::find(numbers, number) = numbers.back();
+        --list.count;
+        if (list.count == 0)
+            putBack(list.place, 0);
+        else if (classOf(list.count) != classOf(list.count + 1)) // the count says how large the block is
+            putBack(list.place + (1u << classOf(list.count)), classOf(list.count));
+        return list;
     }
 
     void release(List list)

@@ -67,19 +67,19 @@ bool LinkCondition::allows(const CollapsibleMesh& mesh, const VertexStar& star, 
     if (sharedRim_.size() != 2)
         return false;
 
-    mesh.findStar(target, targetStar_);
-    for (const std::uint32_t slot : targetStar_) {
-        const CollapsibleMesh::Tetrahedron& tetrahedron = mesh[slot];
-        const std::size_t own = indexOf(tetrahedron.vertices, target);
-        if (std::ranges::find(tetrahedron.vertices, vertex) != tetrahedron.vertices.end()) {
+    for (const std::uint32_t slot : mesh.star(target)) {
+        const CollapsibleMesh::Four& vertices = mesh.vertices(slot);
+        const CollapsibleMesh::Four& neighbours = mesh.neighbours(slot);
+        const std::size_t own = indexOf(vertices, target);
+        if (std::ranges::find(vertices, vertex) != vertices.end()) {
             // A face of the target and one of the vertex would fold onto one another.
-            const std::size_t other = indexOf(tetrahedron.vertices, vertex);
-            if (CollapsibleMesh::isTriangle(tetrahedron.neighbours[own]) &&
-                CollapsibleMesh::isTriangle(tetrahedron.neighbours[other]))
+            const std::size_t other = indexOf(vertices, vertex);
+            if (CollapsibleMesh::isTriangle(neighbours[own]) &&
+                CollapsibleMesh::isTriangle(neighbours[other]))
                 return false;
         }
         for (std::size_t i = 0; i < 4; ++i) {
-            const std::uint32_t corner = tetrahedron.vertices[i];
+            const std::uint32_t corner = vertices[i];
             if (i != own && corner != vertex && has(link_, corner) && !has(shared_, corner))
                 return false;
         }
@@ -91,13 +91,13 @@ bool LinkCondition::allows(const CollapsibleMesh& mesh, const VertexStar& star, 
             std::size_t count = 0;
             for (std::size_t k = 0; k < 4; ++k)
                 if (k != own && k != i)
-                    ends[count++] = tetrahedron.vertices[k];
+                    ends[count++] = vertices[k];
             if (ends[0] == vertex || ends[1] == vertex)
                 continue;
             const Edge edge = edgeOf(ends[0], ends[1]);
             if (has(edges_, edge) && !has(sharedEdges_, edge))
                 return false;
-            if (!CollapsibleMesh::isTriangle(tetrahedron.neighbours[i]))
+            if (!CollapsibleMesh::isTriangle(neighbours[i]))
                 continue;
             if (has(rimEdges_, edge))
                 return false;

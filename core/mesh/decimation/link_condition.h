@@ -30,7 +30,6 @@ private:
     std::vector<std::uint32_t> shared_;    ///< vertices that have a triangle with it and the target, sorted
     std::vector<Edge> sharedEdges_;        ///< edges that have a tetrahedron with them, sorted
     std::vector<std::uint32_t> sharedRim_; ///< vertices that have a boundary triangle with them
-    std::vector<std::uint32_t> targetStar_;
 };
 
 } // namespace tetra

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mesh/decimation/apex_fan.h"
 #include "core/mesh/decimation/collapsible_mesh.h"
-#include "core/mesh/decimation/star_points.h"
 
 #include <Eigen/Core>
 
@@ -17,10 +15,13 @@ namespace tetra {
 /// A vertex with the tetrahedra around it, as collapses of it see them. Coordinates are relative to the vertex.
 class VertexStar {
 public:
+    static constexpr std::size_t lanes = 8;
+
     /// `exact`: the positions are integers of at most 16 bits, so that volumes are exact.
     VertexStar(std::span<const Eigen::Vector3d> positions, bool exact);
 
-    void set(const CollapsibleMesh& mesh, std::uint32_t vertex);
+    /// `withRim`: whether rim() is wanted.
+    void set(const CollapsibleMesh& mesh, std::uint32_t vertex, bool withRim);
 
     std::uint32_t vertex() const noexcept { return vertex_; }
     std::span<const std::uint32_t> slots() const noexcept { return slots_; }
@@ -39,26 +40,24 @@ public:
     bool rimIsOneCycle() const;
     const std::array<double, 3>& place(std::uint32_t linkPlace) const noexcept { return places_[linkPlace]; }
 
+    /// Computes what opensOnto() and corners() need.
+    void measure();
     /// Whether all tetrahedra that a collapse onto a vertex of the link makes have a volume that is positive beyond
     /// doubt, and there are any.
     bool opensOnto(std::uint32_t linkPlace) const;
+    /// The corners of the faces side by side, for arithmetic on eight faces at once: nine columns of paddedFaceCount()
+    /// numbers, the x of all first corners first; zeros beyond the last face.
+    std::span<const double> corners() const noexcept { return corners_; }
+    std::size_t paddedFaceCount() const noexcept { return (faces_.size() + lanes - 1) / lanes * lanes; }
     bool holds(std::size_t face, std::uint32_t linkPlace) const
     {
         const auto& [a, b, c] = faces_[face];
-        return a == linkPlace || b == linkPlace || c == linkPlace;
+        return (a == linkPlace) | (b == linkPlace) | (c == linkPlace);
     }
 
 private:
-    /// Of a face: the volume of the tetrahedron with an apex p is offset - normal . p, to about `doubt` (1 + |p|).
-    struct Plane {
-        std::array<double, 3> normal{};
-        double offset = 0;
-        std::array<double, 3> magnitude{}; ///< of the normal's terms
-        double offsetMagnitude = 0;
-    };
-    void addRim(const CollapsibleMesh::Tetrahedron& tetrahedron, std::size_t own);
+    void addRim(const CollapsibleMesh& mesh, std::uint32_t slot, std::size_t own);
     std::uint32_t linkPlaceOf(std::uint32_t vertex);
-    Plane planeOf(const std::array<std::uint32_t, 3>& face) const;
 
     std::span<const Eigen::Vector3d> positions_;
     double doubt_;
@@ -68,7 +67,11 @@ private:
     std::vector<std::array<std::uint32_t, 3>> faces_;
     std::vector<RimTriangle> rim_;
     std::vector<std::array<double, 3>> places_;
-    std::vector<Plane> planes_;
+    std::vector<std::uint32_t> facesOfLink_; ///< how many faces each vertex of the link has
+    std::vector<double> corners_;
+    /// Columns as of corners(): the normal of each face, its offset, and how large the terms of these four are. The
+    /// volume of the tetrahedron with an apex p is offset - normal . p.
+    std::vector<double> planes_;
     std::vector<std::uint32_t> placeInLink_; ///< by vertex; valid if the link has the vertex there
 };
 
