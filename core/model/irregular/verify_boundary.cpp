@@ -3,7 +3,7 @@
 
 #include "core/model/findings.h"
 #include "core/model/irregular/disjoint_sets.h"
-#include "core/model/irregular/triangle_meeting.h"
+#include "core/model/irregular/face_meeting.h"
 #include "core/model/scattered_cells.h"
 #include "core/model/shared_progress.h"
 
@@ -201,7 +201,7 @@ Status BoundaryCheck::checkMeetings(const Progress& progress)
         for (auto number = static_cast<std::uint32_t>(range.begin()); number != range.end(); ++number)
             boundary_.tree.visitMeeting(boundary_.tree.boxOf(number), [&](std::uint32_t other) {
                 if (other <= number ||
-                    !trianglesMeet(original_.points.positions, triangles[number], triangles[other]) ||
+                    !facesMeet(original_.points.positions, triangles[number], triangles[other]) ||
                     (isOriginal(number) && isOriginal(other)))
                     return;
                 meetings_.add(number, [&] {
@@ -246,7 +246,7 @@ bool BoundaryCheck::isUndivided(std::size_t cell) const
                     });
         for (const PointTriangle& face : faces)
             undivided = undivided && (std::ranges::is_permutation(face, other) ||
-                                      !trianglesMeet(original_.points.positions, face, other));
+                                      !facesMeet(original_.points.positions, face, other));
     });
     return undivided;
 }
