@@ -112,6 +112,12 @@ BoundaryJudge::Nearest BoundaryJudge::nearest(Point& point) const
     return nearest;
 }
 
+double BoundaryJudge::warpingOf(const Point& point, const Nearest& projection) const
+{
+    const double distance = std::sqrt(projection.squaredDistance);
+    return distance > measure_.leastWarping ? weight(point.point) * distance : 0;
+}
+
 double BoundaryJudge::judgeError(Point& point, const ApexFan& fan)
 {
     Vector place{};
@@ -138,18 +144,18 @@ double BoundaryJudge::judgeError(Point& point, const ApexFan& fan)
             return 0;
         interpolated = projection.value;
         error.triangle = projection.triangle;
+        error.warping = warpingOf(point, projection);
     }
     const double residual = std::abs(input_.values[point.point] - interpolated);
     error.error = residual > measure_.leastError ? weight(point.point) * residual : 0;
     errors_.push_back(error);
-    return error.error;
+    return std::max(error.error, measure_.warpingWeight * error.warping);
 }
 
 double BoundaryJudge::judgeWarping(Point& point)
 {
     const Nearest projection = nearest(point);
-    const double distance = std::sqrt(projection.squaredDistance);
-    const double warping = distance > measure_.leastWarping ? weight(point.point) * distance : 0;
+    const double warping = warpingOf(point, projection);
     warpings_.push_back({point.point, projection.triangle, warping});
     return measure_.warpingWeight * warping;
 }

@@ -39,6 +39,7 @@ public:
         std::uint32_t inFan = none;          ///< which tetrahedron of the fan has it; none: it lies outside
         std::uint32_t triangle = none;       ///< then which boundary triangle is nearest
         double error = 0;                    ///< weighted
+        double warping = 0;                  ///< weighted; the distance of a point outside
     };
     struct Warping {
         std::uint32_t point = none;
@@ -78,6 +79,7 @@ private:
     void approach(const Triangle& triangle, const Vector& place, Nearest& nearest) const;
     const Nearest& onRing(Point& point) const;
     Nearest nearest(Point& point) const;
+    double warpingOf(const Point& point, const Nearest& projection) const;
     double judgeError(Point& point, const ApexFan& fan);
     double judgeWarping(Point& point);
     double weight(std::uint32_t point) const

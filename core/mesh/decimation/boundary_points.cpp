@@ -12,11 +12,12 @@ void BoundaryPoints::clear(std::uint32_t triangle)
     at(triangle) = {};
 }
 
-void BoundaryPoints::addOutside(std::uint32_t triangle, std::uint32_t point, float error)
+void BoundaryPoints::addOutside(std::uint32_t triangle, std::uint32_t point, float error, float warping)
 {
     Relation& relation = at(triangle);
     relation.outside = pool_.appended(relation.outside, {&point, 1});
     relation.error = std::max(relation.error, error);
+    relation.warping = std::max(relation.warping, warping);
 }
 
 void BoundaryPoints::addOfBoundary(std::uint32_t triangle, std::uint32_t point, float warping)

@@ -12,14 +12,15 @@
 namespace tetra {
 
 /// Which removed points of an irregular mesh are related to which triangle of its boundary: those outside, by their
-/// projection (R5), and those of the original boundary, by their distance (R4), whether they lie in- or outside.
+/// projection (R5), and those of the original boundary, by their distance (R4), whether they lie in- or outside. The
+/// distance of points outside counts as warping, too, so that there is always a place within it that bears the error.
 class BoundaryPoints {
 public:
     struct Relation {
         IndexPool::List outside;
         IndexPool::List ofBoundary;
         float error = 0;   ///< bound on those of the points outside
-        float warping = 0; ///< bound on those of the boundary
+        float warping = 0; ///< bound on the distances of both
     };
 
     explicit BoundaryPoints(std::uint32_t triangles) : relations_(triangles) {}
@@ -35,7 +36,7 @@ public:
     }
 
     void clear(std::uint32_t triangle);
-    void addOutside(std::uint32_t triangle, std::uint32_t point, float error);
+    void addOutside(std::uint32_t triangle, std::uint32_t point, float error, float warping);
     void addOfBoundary(std::uint32_t triangle, std::uint32_t point, float warping);
     /// Takes a point outside away. The bound stays.
     void takeOutside(std::uint32_t triangle, std::uint32_t point);

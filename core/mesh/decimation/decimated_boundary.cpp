@@ -103,7 +103,7 @@ void DecimatedMesh::relateToBoundary()
             state.inside = pool_.appended(state.inside, {&error.point, 1});
             state.insideError = std::max(state.insideError, roundedUp(error.error));
         } else {
-            boundaryPoints_.addOutside(error.triangle, error.point, roundedUp(error.error));
+            boundaryPoints_.addOutside(error.triangle, error.point, roundedUp(error.error), roundedUp(error.warping));
             changed(error.triangle);
         }
     }
