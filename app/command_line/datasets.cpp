@@ -66,12 +66,9 @@ DatasetSummary summaryOf(const Model& model)
 {
     const ModelDescription& description = model.description();
     // The finest mesh of irregular data is the dataset's own.
-    return {description.domain,
-            description.lattice,
-            description.bounds,
-            description.sampleType,
-            description.range,
-            cellsOf(description.domain, description.lattice, model.meshSizes().back())};
+    return {description.domain, description.lattice,
+            description.bounds, description.sampleType,
+            description.range,  cellsOf(description.domain, description.lattice, model.meshSizes().back())};
 }
 
 QJsonObject datasetFigures(const DatasetSummary& summary)

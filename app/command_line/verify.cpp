@@ -28,17 +28,17 @@ QJsonArray toJson(const std::vector<std::string>& texts)
 QJsonObject levelFigures(const LevelVerdict& level, bool warps)
 {
     QJsonObject figures = {{"error", level.asked.error},
-            {"warping", warps ? level.asked.warping : 0},
-            {"ok", level.ok()},
-            {"conforming", level.conforming},
-            {"covers", level.covers},
-            {"inverted", static_cast<qint64>(level.inverted)},
-            {"degenerate", static_cast<qint64>(level.degenerate)},
-            {"largest_error", level.largestError},
-            {"largest_warping", level.largestWarping},
-            {"sites", static_cast<qint64>(level.sites)},
-            {"tetrahedra", static_cast<qint64>(level.tetrahedra)},
-            {"failures", toJson(level.failures)}};
+                           {"warping", warps ? level.asked.warping : 0},
+                           {"ok", level.ok()},
+                           {"conforming", level.conforming},
+                           {"covers", level.covers},
+                           {"inverted", static_cast<qint64>(level.inverted)},
+                           {"degenerate", static_cast<qint64>(level.degenerate)},
+                           {"largest_error", level.largestError},
+                           {"largest_warping", level.largestWarping},
+                           {"sites", static_cast<qint64>(level.sites)},
+                           {"tetrahedra", static_cast<qint64>(level.tetrahedra)},
+                           {"failures", toJson(level.failures)}};
     if (level.twoSidedWarping) {
         figures["two_sided_warping"] = *level.twoSidedWarping;
         figures["two_sided_bound"] = level.twoSidedBound;
@@ -135,7 +135,8 @@ Syntax verifySyntax(PluginHost& host)
             "cells or to the hull, the cells fill the domain exactly, none is flat or inverted, and the error "
             "at every sample of the original data is at most the one claimed; for curvilinear data also the "
             "warping, and that no cell is inverted in physical space (those that even all points leave inverted are "
-            "counted). For irregular data, whose boundary may lie elsewhere: that the boundary is a manifold that does not "
+            "counted). For irregular data, whose boundary may lie elsewhere: that the boundary is a manifold that does "
+            "not "
             "meet itself, with the components, the surfaces and the holes of the data, and how far it is from theirs. "
             "Also the file itself: its checksums, its structure, and its values against the original ones.\n"
             "With an error, a focus, a field or a budget the mesh that these ask for is extracted and proved in the "

@@ -187,8 +187,8 @@ std::optional<int> signInWholeNumbers(const Corners& corners)
     std::array<__int128, 9> e{};
     std::ranges::transform(edges, e.begin(),
                            [&](double edge) { return static_cast<std::int64_t>(std::ldexp(edge, -smallest)); });
-    const __int128 volume = e[0] * (e[4] * e[8] - e[5] * e[7]) - e[1] * (e[3] * e[8] - e[5] * e[6]) +
-                            e[2] * (e[3] * e[7] - e[4] * e[6]);
+    const __int128 volume =
+        e[0] * (e[4] * e[8] - e[5] * e[7]) - e[1] * (e[3] * e[8] - e[5] * e[6]) + e[2] * (e[3] * e[7] - e[4] * e[6]);
     return volume > 0 ? 1 : volume < 0 ? -1 : 0;
 }
 

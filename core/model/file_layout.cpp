@@ -152,8 +152,7 @@ Status LayoutReader::checkLattice() const
     for (std::size_t axis = 0; axis < 3; ++axis)
         if (const std::uint32_t size = header.latticeSize[axis];
             size < (onLattice ? 2u : 1u) || (!onLattice && axis > 0 && size > 1) ||
-            __builtin_mul_overflow(points, std::uint64_t(size), &points) ||
-            points > (1ull << 32))
+            __builtin_mul_overflow(points, std::uint64_t(size), &points) || points > (1ull << 32))
             return damaged("a lattice of " + std::to_string(header.latticeSize[0]) + " x " +
                            std::to_string(header.latticeSize[1]) + " x " + std::to_string(header.latticeSize[2]) +
                            " points cannot be");

@@ -209,7 +209,8 @@ Status HistoryFileWriter::writeArrays(float finalError)
          {writeArray(SectionId::SitePoints, points_), writeSiteValues(sections_, dataset_, points_),
           writeArray(SectionId::SiteRunningErrors, runningErrors_), writeArray(SectionId::StarOffsets, starOffsets_),
           writeArray(SectionId::MeshSizes, meshSizes_), writeArray(SectionId::SiteGroups, groupGoesOn_),
-          writeDestroyers(), writeArray(SectionId::OwnErrors, ownErrors_), writeHistoryKind(), writeGeometry(), writeAllSamples()})
+          writeDestroyers(), writeArray(SectionId::OwnErrors, ownErrors_), writeHistoryKind(), writeGeometry(),
+          writeAllSamples()})
         if (!written)
             return written;
     format::Header header = headerOf(description_);

@@ -74,8 +74,8 @@ void PointCheck::checkCell(std::size_t number)
         if (error > claimed + tolerance)
             tooLarge_.add(point, [&] {
                 return "The error at point " + std::to_string(point) + " " + textOf(place) + " is " +
-                       textOf(original_.percent(error)) + " % of the range, more than the claimed " + textOf(original_.percent(claimed)) +
-                       " %, in the cell with corners " + textOf(cell) + ".";
+                       textOf(original_.percent(error)) + " % of the range, more than the claimed " +
+                       textOf(original_.percent(claimed)) + " %, in the cell with corners " + textOf(cell) + ".";
             });
     });
 }

@@ -22,9 +22,9 @@ struct LevelVerdict {
     /// Flat or negative cells; of curvilinear data those in computational space and the negative ones in physical
     /// space.
     std::uint64_t inverted = 0;
-    std::uint64_t degenerate = 0;      ///< cells of curvilinear data without volume in physical space (S6)
-    double largestError = 0;           ///< recomputed at every original sample, weighted (R6), % of the value range
-    double largestWarping = 0;         ///< likewise, % of the diagonal; of irregular data at the boundary's vertices
+    std::uint64_t degenerate = 0; ///< cells of curvilinear data without volume in physical space (S6)
+    double largestError = 0;      ///< recomputed at every original sample, weighted (R6), % of the value range
+    double largestWarping = 0;    ///< likewise, % of the diagonal; of irregular data at the boundary's vertices
     /// Of irregular data the larger of that and the distance from the mesh's boundary to the original one (S13), not
     /// weighted, % of the diagonal: as far as was found, and what no place exceeds.
     std::optional<double> twoSidedWarping{};

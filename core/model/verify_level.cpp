@@ -35,7 +35,8 @@ Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, co
 {
     LevelVerdict verdict;
     verdict.asked = asked;
-    verdict.sites = firstPassage(model, keyAsked(model, original.values.range().extent(), original.bounds().diagonal().norm(), asked));
+    verdict.sites = firstPassage(
+        model, keyAsked(model, original.values.range().extent(), original.bounds().diagonal().norm(), asked));
     const double claimed = claimedKey(model, verdict.sites);
     const double warpingWeight = model.description().warpingWeight;
     const LevelCells cells(model, places, verdict.sites);

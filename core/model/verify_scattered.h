@@ -32,7 +32,8 @@ Status verifyPlacedHistory(const Model& model, const ScatteredOriginal& original
 void verifyPlacedVolumes(const ScatteredOriginal& original, const LevelCells& cells, LevelVerdict& verdict);
 
 /// verifyPlacedHistory(), and that the first mesh fills the convex hull of all points: with that, a later mesh fills it
-/// if its boundary faces have the first mesh's sites on one side only. For a history whose indices can be followed. An Error only if cancelled.
+/// if its boundary faces have the first mesh's sites on one side only. For a history whose indices can be followed. An
+/// Error only if cancelled.
 Status verifyScatteredHistory(const Model& model, const ScatteredOriginal& original,
                               const std::vector<LatticePoint>& places, const Weights& weights,
                               std::vector<std::string>& failures, const Progress& progress);

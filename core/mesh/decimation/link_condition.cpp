@@ -40,9 +40,9 @@ void LinkCondition::set(const VertexStar& star)
     sortOut(rimEdges_);
 }
 
-/// Whether a tetrahedron vanishes that has its face opposite to the target on the boundary. Then the one behind its face
-/// opposite to the vertex, which the collapse does not touch, gets onto the boundary, and the history, in which a site
-/// depends on what it destroys alone, would not say that the vertex needs it: closed sets would have cracks.
+/// Whether a tetrahedron vanishes that has its face opposite to the target on the boundary. Then the one behind its
+/// face opposite to the vertex, which the collapse does not touch, gets onto the boundary, and the history, in which a
+/// site depends on what it destroys alone, would not say that the vertex needs it: closed sets would have cracks.
 bool LinkCondition::leavesFaceOpen(const VertexStar& star, std::uint32_t linkPlace)
 {
     return std::ranges::any_of(star.rim(), [&](const VertexStar::RimTriangle& triangle) {

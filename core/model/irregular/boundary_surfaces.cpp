@@ -37,7 +37,9 @@ std::vector<Edge> sortedEdges(std::span<const PointTriangle> triangles)
 void joinFans(const Edge& first, const Edge& second, DisjointSets& fans)
 {
     // The edge begins in one triangle where it ends in the other.
-    const auto corner = [](const Edge& edge, std::uint32_t step) { return 3 * edge.triangle + (edge.corner + step) % 3; };
+    const auto corner = [](const Edge& edge, std::uint32_t step) {
+        return 3 * edge.triangle + (edge.corner + step) % 3;
+    };
     fans.join(corner(first, 0), corner(second, 1));
     fans.join(corner(first, 1), corner(second, 0));
 }
@@ -89,7 +91,8 @@ BoundarySurfaces boundarySurfaces(std::span<const PointTriangle> triangles)
     DisjointSets joined(triangles.size());
     DisjointSets fans(3 * triangles.size());
     for (auto begin = edges.begin(); begin != edges.end();) {
-        const auto end = std::find_if(begin, edges.end(), [&](const Edge& edge) { return edge.points != begin->points; });
+        const auto end =
+            std::find_if(begin, edges.end(), [&](const Edge& edge) { return edge.points != begin->points; });
         if (end - begin == 2 && begin->turned != (end - 1)->turned) {
             joined.join(begin->triangle, (end - 1)->triangle);
             joinFans(*begin, *(end - 1), fans);

@@ -47,8 +47,7 @@ struct Extremes {
 
     void add(const std::array<double, 3>& weights)
     {
-        const double value =
-            values[0] + weights[1] * (values[1] - values[0]) + weights[2] * (values[2] - values[0]);
+        const double value = values[0] + weights[1] * (values[1] - values[0]) + weights[2] * (values[2] - values[0]);
         if (!range)
             range = {value, value};
         (*range)[0] = std::min((*range)[0], value);
@@ -86,9 +85,9 @@ void addDisc(const TriangleCorners& t, const std::array<double, 3>& values, cons
     if (!(off <= radius * radius))
         return;
     const Place normal = (t[1] - t[0]).cross(t[2] - t[0]);
-    const Place gradient = ((values[1] - values[0]) * (t[2] - t[0]).cross(normal) +
-                            (values[2] - values[0]) * normal.cross(t[1] - t[0])) /
-                           normal.squaredNorm();
+    const Place gradient =
+        ((values[1] - values[0]) * (t[2] - t[0]).cross(normal) + (values[2] - values[0]) * normal.cross(t[1] - t[0])) /
+        normal.squaredNorm();
     const double steepness = gradient.norm();
     if (!(steepness > 0)) {
         if (areInside(foot))

@@ -39,11 +39,9 @@ public:
     template <class Visit> void visitWithin(const Eigen::Vector3d& from, double radius, Visit&& visit) const
     {
         constexpr double roundedUp = 1 + 1e-14;
-        visitIf(
-            [&from, squared = radius * radius * roundedUp](const Eigen::AlignedBox3d& box) {
-                return box.squaredExteriorDistance(from) <= squared;
-            },
-            visit);
+        visitIf([&from, squared = radius * radius * roundedUp](
+                    const Eigen::AlignedBox3d& box) { return box.squaredExteriorDistance(from) <= squared; },
+                visit);
     }
 
     TriangleCorners corners(std::uint32_t triangle) const

@@ -69,9 +69,8 @@ private:
     {
         const TriangleCorners& c = piece.corners;
         const Eigen::Vector3d ab = (c[0] + c[1]) / 2, bc = (c[1] + c[2]) / 2, ca = (c[2] + c[0]) / 2;
-        for (const TriangleCorners& part :
-             {TriangleCorners{c[0], ab, ca}, TriangleCorners{ab, c[1], bc}, TriangleCorners{ca, bc, c[2]},
-              TriangleCorners{ab, bc, ca}})
+        for (const TriangleCorners& part : {TriangleCorners{c[0], ab, ca}, TriangleCorners{ab, c[1], bc},
+                                            TriangleCorners{ca, bc, c[2]}, TriangleCorners{ab, bc, ca}})
             waiting_.push_back({part, hint, piece.cuts + 1});
     }
 
@@ -99,8 +98,8 @@ BoundaryDistances distancesToOriginal(const IrregularOriginal& original, std::sp
     std::vector<TriangleCorners> others;
     for (const PointTriangle& t : triangles)
         if (!std::ranges::binary_search(known, inOrder(t)))
-            others.push_back({original.points.positions[t[0]], original.points.positions[t[1]],
-                              original.points.positions[t[2]]});
+            others.push_back(
+                {original.points.positions[t[0]], original.points.positions[t[1]], original.points.positions[t[2]]});
     std::vector<BoundaryDistances> found(others.size());
     tbb::parallel_for(std::size_t(0), others.size(), [&](std::size_t number) {
         found[number].found = original.tree.nearest(middleOf(others[number])).place.distance;

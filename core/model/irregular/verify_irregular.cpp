@@ -94,8 +94,7 @@ Result<LevelVerdict> verifyIrregularLevel(const Model& model, const IrregularOri
                                           const std::vector<LatticePoint>& places, const Weights& weights,
                                           const Accuracy& asked, const Progress& progress)
 {
-    const std::uint32_t sites =
-        firstPassage(model, keyAsked(model, original.points.extent, original.diagonal, asked));
+    const std::uint32_t sites = firstPassage(model, keyAsked(model, original.points.extent, original.diagonal, asked));
     const double claimed = claimedKey(model, sites);
     const MeshClaims claims(claimed, claimed / model.description().warpingWeight);
     Result<LevelVerdict> verdict = verifyPrefix(model, original, places, weights, sites, claims, progress);

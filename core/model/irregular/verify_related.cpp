@@ -141,8 +141,7 @@ void RelatedCheck::checkWarping(const Related& related)
 /// closest to it; infinity if there is none.
 double RelatedCheck::errorOn(const Related& related, std::uint32_t triangle, double radius) const
 {
-    const auto range =
-        valuesWithin(mesh_.boundary.tree.corners(triangle), valuesOf(triangle), related.place, radius);
+    const auto range = valuesWithin(mesh_.boundary.tree.corners(triangle), valuesOf(triangle), related.place, radius);
     if (!range)
         return std::numeric_limits<double>::infinity();
     return related.weight * std::max({0.0, (*range)[0] - related.value, related.value - (*range)[1]});

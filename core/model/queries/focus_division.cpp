@@ -39,8 +39,8 @@ bool areCorners(const BlockDivision& division, const Lattice& lattice, std::span
 std::optional<BlockDivision> focusDivision(const Model& model)
 {
     const Lattice& lattice = model.description().lattice;
-    if (model.description().domain != DomainClass::RegularLattice || !model.description().delaunay || isWeighted(model) ||
-        lattice.pointCount() > mostPoints || !PackedLattice::fits(lattice.size))
+    if (model.description().domain != DomainClass::RegularLattice || !model.description().delaunay ||
+        isWeighted(model) || lattice.pointCount() > mostPoints || !PackedLattice::fits(lattice.size))
         return std::nullopt;
     const std::span<const float> errors = model.runningErrors();
     const auto end = std::ranges::partition_point(errors, [](float error) { return std::isinf(error); });

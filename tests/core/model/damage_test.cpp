@@ -123,7 +123,8 @@ private slots:
             notRight += verdict->ok() ? 0 : 1;
         }
         // The rounds do reach every stage. What is still right had damage in text that nobody compares, or none.
-        QVERIFY2(opened > rounds / 10 && extracted > rounds / 10, qPrintable(QString("%1 %2").arg(opened).arg(extracted)));
+        QVERIFY2(opened > rounds / 10 && extracted > rounds / 10,
+                 qPrintable(QString("%1 %2").arg(opened).arg(extracted)));
         QVERIFY2(notRight > opened / 2, qPrintable(QString("%1 of %2").arg(notRight).arg(opened)));
     }
 

@@ -11,14 +11,13 @@
 namespace tetra {
 
 Dataset datasetOfTetrahedra(std::vector<Eigen::Vector3d> positions, const std::vector<double>& values,
-                         std::vector<std::array<std::uint32_t, 4>> tetrahedra, SampleType type)
+                            std::vector<std::array<std::uint32_t, 4>> tetrahedra, SampleType type)
 {
     Dataset dataset;
     dataset.domain = DomainClass::Irregular;
     dataset.lattice = {{static_cast<std::uint32_t>(positions.size()), 1, 1}, {1, 1, 1}, {0, 0, 0}};
     dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(positions));
-    dataset.tetrahedra =
-        std::make_shared<const std::vector<std::array<std::uint32_t, 4>>>(std::move(tetrahedra));
+    dataset.tetrahedra = std::make_shared<const std::vector<std::array<std::uint32_t, 4>>>(std::move(tetrahedra));
     visitSampleType(type, [&]<class T>() {
         const auto samples = std::make_shared<std::vector<T>>();
         for (const double value : values)

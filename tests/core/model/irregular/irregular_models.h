@@ -13,7 +13,8 @@ namespace tetra {
 
 /// A dataset of these tetrahedra. Values are doubles, or floats of the same numbers.
 Dataset datasetOfTetrahedra(std::vector<Eigen::Vector3d> positions, const std::vector<double>& values,
-                         std::vector<std::array<std::uint32_t, 4>> tetrahedra, SampleType type = SampleType::Float64);
+                            std::vector<std::array<std::uint32_t, 4>> tetrahedra,
+                            SampleType type = SampleType::Float64);
 
 /// Without the points that no tetrahedron uses.
 Dataset withoutUnused(const Dataset& dataset);

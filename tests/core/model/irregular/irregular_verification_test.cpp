@@ -101,8 +101,7 @@ private slots:
             const Dataset dataset = randomIrregular(seed);
             const auto model = modelOf(path(), dataset, decimated(dataset));
             const auto verdict = verify(*model, dataset, levels);
-            QVERIFY2(verdict.ok() && verdict->ok(),
-                     qPrintable(QString("seed %1\n").arg(seed) + textOf(verdict)));
+            QVERIFY2(verdict.ok() && verdict->ok(), qPrintable(QString("seed %1\n").arg(seed) + textOf(verdict)));
             for (const LevelVerdict& level : verdict->levels) {
                 QVERIFY(level.conforming && level.covers && level.inverted == 0);
                 QVERIFY(level.twoSidedWarping && *level.twoSidedWarping <= level.twoSidedBound);
@@ -115,6 +114,57 @@ private slots:
             QCOMPARE(finest.twoSidedBound, 0.0);
         }
         QVERIFY(coarser > 40);
+    }
+
+    /// A part that lies in a notch of another: the mesh in which the notch is filled holds it twice.
+    void partsOnOneAnotherAreFound_data()
+    {
+        QTest::addColumn<double>("top");
+        QTest::addColumn<QString>("says");
+        QTest::newRow("inside") << 3.8 << "Cells lie on one another";
+        QTest::newRow("through") << 4.5 << "The boundary meets itself";
+        QTest::newRow("touching") << 4.0 << "The boundary meets itself";
+    }
+    void partsOnOneAnotherAreFound()
+    {
+        QFETCH(double, top);
+        QFETCH(QString, says);
+        const Domain notched = [](const Cube& p) { return !(p[0] == 1 && p[1] == 3 && p[2] == 1); };
+        const Dataset block = datasetOfCubes(cubes(notched));
+        std::vector<Eigen::Vector3d> positions = *block.positions;
+        std::vector<std::array<std::uint32_t, 4>> tetrahedra = *block.tetrahedra;
+        const auto first = static_cast<std::uint32_t>(positions.size());
+        for (const Eigen::Vector3d& place : {Eigen::Vector3d(1.3, 3.2, 1.3), Eigen::Vector3d(1.7, 3.2, 1.3),
+                                             Eigen::Vector3d(1.5, 3.2, 1.7), Eigen::Vector3d(1.5, top, 1.5)})
+            positions.push_back(place);
+        tetrahedra.push_back({first, first + 2, first + 1, first + 3});
+        std::vector<double> values;
+        for (const Eigen::Vector3d& place : positions)
+            values.push_back(place.sum());
+        const Dataset dataset = datasetOfTetrahedra(positions, values, tetrahedra);
+        for (const bool filled : {false, true}) {
+            RecordedHistory history =
+                oneMesh(dataset, filled ? cubes([](const Cube&) { return true; }) : cubes(notched));
+            const auto sites = latestFirst({first, first + 2, first + 1, first + 3});
+            history.steps[sites[0]].star.push_back({{sites[1], sites[2], sites[3]}, 0, 0});
+            const auto verdict = verify(*modelOf(path(), dataset, history), dataset, {{0, 0}});
+            QVERIFY2(verdict.ok() && verdict->ok() == !filled, qPrintable(textOf(verdict)));
+            QVERIFY2(!filled || textOf(verdict).contains(says), qPrintable(textOf(verdict)));
+        }
+    }
+
+    /// What a site's tetrahedra stand on it must destroy, or closed sets have no mesh.
+    void openFacesAreFound()
+    {
+        const Dataset dataset = randomIrregular(4);
+        RecordedHistory history = decimated(dataset);
+        const auto right = verify(*modelOf(path(), dataset, history), dataset, {});
+        QVERIFY2(right.ok() && right->ok(), qPrintable(textOf(right)));
+        const auto splits = std::ranges::find_if(
+            history.steps, [](const RecordedHistory::Step& step) { return step.destroyed.size() > 1; });
+        splits->destroyed.pop_back();
+        const auto verdict = verify(*modelOf(path(), dataset, history), dataset, {});
+        QVERIFY2(textOf(verdict).contains("not every closed set with it has a mesh"), qPrintable(textOf(verdict)));
     }
 
     /// Weighted errors and warpings are compared with weighted claims (R6).
@@ -253,11 +303,13 @@ private slots:
         row("hole opened", block, ring, "a hole was opened or closed");
         row("cavity filled", hollow, block, "The boundary has 1 surfaces, and that of the data has 2.");
         row("cavity made", block, hollow, "The boundary goes through point");
-        row("parts joined", two, [](const Cube&) { return true; }, "The mesh has 1 components, and the data have 2.");
+        row(
+            "parts joined", two, [](const Cube&) { return true; }, "The mesh has 1 components, and the data have 2.");
         row(
             "bridge", two, [](const Cube& p) { return p[2] != 1 || (p[0] == 1 && p[1] == 1); },
             "The mesh has 1 components, and the data have 2.");
-        row("notch filled", notched, [](const Cube&) { return true; }, "");
+        row(
+            "notch filled", notched, [](const Cube&) { return true; }, "");
     }
     void otherDomainsAreFound()
     {
