@@ -80,9 +80,9 @@ inline bool isProved(const Model& model, const Dataset& dataset, const MeshQuery
     return verdict->ok();
 }
 
-/// Whether it is also the mesh that was found by going through the whole history.
-inline bool isAnswer(const Model& model, const Dataset& dataset, const BruteForce& brute, const MeshQuery& query,
-                     const ExtractedMesh& mesh, const BruteForce::Answer& expected)
+/// Whether it is the mesh that was found by going through the whole history.
+inline bool isMesh(const Model& model, const BruteForce& brute, const ExtractedMesh& mesh,
+                   const BruteForce::Answer& expected)
 {
     std::vector<std::array<std::uint32_t, 4>> tetrahedra;
     for (const std::uint64_t t : expected.tetrahedra)
@@ -95,8 +95,14 @@ inline bool isAnswer(const Model& model, const Dataset& dataset, const BruteForc
     }
     return std::ranges::count(expected.sites, true) == static_cast<std::ptrdiff_t>(mesh.sites.size()) &&
            mesh.scale == expected.scale &&
-           byPoints(mesh.mesh.tetrahedra, points) == byPoints(tetrahedra, model.points()) &&
-           isProved(model, dataset, query, mesh);
+           byPoints(mesh.mesh.tetrahedra, points) == byPoints(tetrahedra, model.points());
+}
+
+/// Both.
+inline bool isAnswer(const Model& model, const Dataset& dataset, const BruteForce& brute, const MeshQuery& query,
+                     const ExtractedMesh& mesh, const BruteForce::Answer& expected)
+{
+    return isMesh(model, brute, mesh, expected) && isProved(model, dataset, query, mesh);
 }
 
 } // namespace tetra
