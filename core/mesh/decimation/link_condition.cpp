@@ -40,10 +40,21 @@ void LinkCondition::set(const VertexStar& star)
     sortOut(rimEdges_);
 }
 
+/// Whether a tetrahedron vanishes that has its face opposite to the target on the boundary. Then the one behind its
+/// face opposite to the vertex, which the collapse does not touch, gets onto the boundary, and the history, in which a
+/// site depends on what it destroys alone, would not say that the vertex needs it: closed sets would have cracks.
+bool LinkCondition::leavesFaceOpen(const VertexStar& star, std::uint32_t linkPlace)
+{
+    return std::ranges::any_of(star.rim(), [&](const VertexStar::RimTriangle& triangle) {
+        return star.holds(triangle.slotPlace, linkPlace) && triangle.corners[0] != linkPlace &&
+               triangle.corners[1] != linkPlace;
+    });
+}
+
 bool LinkCondition::allows(const CollapsibleMesh& mesh, const VertexStar& star, std::uint32_t linkPlace)
 {
     const std::uint32_t vertex = star.vertex(), target = star.link()[linkPlace];
-    if (!has(rim_, target))
+    if (!has(rim_, target) || leavesFaceOpen(star, linkPlace))
         return false;
     shared_.clear();
     sharedEdges_.clear();

@@ -16,10 +16,12 @@ class LinkCondition {
 public:
     /// For collapses of a boundary vertex.
     void set(const VertexStar& star);
-    /// Whether the vertex may move onto `target`, which must then be joined to it by a boundary edge.
+    /// Whether the vertex may move onto `target`, which must then be joined to it by a boundary edge, and leave the
+    /// history one in which closed sets have meshes.
     bool allows(const CollapsibleMesh& mesh, const VertexStar& star, std::uint32_t linkPlace);
 
 private:
+    static bool leavesFaceOpen(const VertexStar& star, std::uint32_t linkPlace);
     using Edge = std::uint64_t;
     static Edge edgeOf(std::uint32_t a, std::uint32_t b) { return a < b ? Edge(a) << 32 | b : Edge(b) << 32 | a; }
 

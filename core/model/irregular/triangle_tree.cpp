@@ -53,6 +53,13 @@ TriangleTree::Nearest TriangleTree::nearest(const Eigen::Vector3d& from) const
     return best;
 }
 
+TriangleTree::Nearest TriangleTree::nearest(const Eigen::Vector3d& from, std::uint32_t hint) const
+{
+    Nearest best{hint, nearestPlace(corners(hint), from)};
+    findNearest(0, 0, static_cast<std::uint32_t>(triangles_.size()), from, best);
+    return best;
+}
+
 void TriangleTree::findNearest(std::size_t node, std::uint32_t first, std::uint32_t end, const Eigen::Vector3d& from,
                                Nearest& best) const
 {

@@ -27,6 +27,8 @@ public:
     };
     /// The first one at an infinite distance if there are no triangles.
     Nearest nearest(const Eigen::Vector3d& from) const;
+    /// The same, quicker if the triangle `hint` is near.
+    Nearest nearest(const Eigen::Vector3d& from, std::uint32_t hint) const;
 
     /// Calls visit(triangle) for each triangle whose box has a place in common with the box.
     template <class Visit> void visitMeeting(const Eigen::AlignedBox3d& box, Visit&& visit) const

@@ -11,12 +11,13 @@ namespace tetra {
 namespace {
 
 constexpr double relativeTolerance = 0.05;
-constexpr double leastOfDiagonal = 1e-4;
-constexpr int mostCuts = 12; ///< a triangle becomes at most 4^12 pieces, which is small enough for any data
+constexpr double leastOfDiagonal = 1e-3;
+constexpr int mostCuts = 8; ///< a triangle becomes at most 4^8 pieces
 
 /// A piece of a triangle, to be looked at.
 struct Piece {
     TriangleCorners corners;
+    std::uint32_t hint = 0; ///< a triangle that may be near
     int cuts = 0;
 };
 
@@ -34,7 +35,7 @@ public:
 
     BoundaryDistances run(const TriangleCorners& triangle)
     {
-        waiting_ = {{triangle, 0}};
+        waiting_ = {{triangle, tree_.nearest(middleOf(triangle)).triangle, 0}};
         while (!waiting_.empty()) {
             const Piece piece = waiting_.back();
             waiting_.pop_back();
@@ -47,7 +48,7 @@ private:
     void look(const Piece& piece)
     {
         const Eigen::Vector3d middle = middleOf(piece.corners);
-        const TriangleTree::Nearest nearest = tree_.nearest(middle);
+        const TriangleTree::Nearest nearest = tree_.nearest(middle, piece.hint);
         result_.found = std::max(result_.found, nearest.place.distance);
         // Distances change no faster than places; that to one triangle, which is convex, is largest at a corner.
         const TriangleCorners next = tree_.corners(nearest.triangle);
@@ -59,18 +60,18 @@ private:
         }
         const double bound = std::min(nearest.place.distance + size, atCorners);
         if (bound > std::max((1 + relativeTolerance) * result_.found, least_) && piece.cuts < mostCuts)
-            cut(piece);
+            cut(piece, nearest.triangle);
         else
             result_.bound = std::max(result_.bound, bound);
     }
 
-    void cut(const Piece& piece)
+    void cut(const Piece& piece, std::uint32_t hint)
     {
         const TriangleCorners& c = piece.corners;
         const Eigen::Vector3d ab = (c[0] + c[1]) / 2, bc = (c[1] + c[2]) / 2, ca = (c[2] + c[0]) / 2;
         for (const TriangleCorners& part : {TriangleCorners{c[0], ab, ca}, TriangleCorners{ab, c[1], bc},
                                             TriangleCorners{ca, bc, c[2]}, TriangleCorners{ab, bc, ca}})
-            waiting_.push_back({part, piece.cuts + 1});
+            waiting_.push_back({part, hint, piece.cuts + 1});
     }
 
     const TriangleTree& tree_;

@@ -16,8 +16,8 @@ struct BoundaryDistances {
 };
 
 /// From all places of `triangles`, by the points of the original, to the original's boundary. Triangles are cut until
-/// what the bound says is at most a twentieth more than what was found, or a ten-thousandth of the diagonal. The same
-/// with any number of threads.
+/// what the bound says is at most a twentieth more than what was found, or a thousandth of the diagonal, or the pieces
+/// are very small. The same with any number of threads.
 BoundaryDistances distancesToOriginal(const IrregularOriginal& original, std::span<const PointTriangle> triangles);
 
 } // namespace tetra

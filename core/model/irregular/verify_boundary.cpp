@@ -3,7 +3,7 @@
 
 #include "core/model/findings.h"
 #include "core/model/irregular/disjoint_sets.h"
-#include "core/model/irregular/triangle_meeting.h"
+#include "core/model/irregular/face_meeting.h"
 #include "core/model/scattered_cells.h"
 #include "core/model/shared_progress.h"
 
@@ -86,7 +86,8 @@ private:
     const LevelCells& cells_;
     const MeshBoundary& boundary_;
     Findings manifold_;
-    Findings topology_;
+    Findings components_;
+    Findings surfaces_;
     Findings meetings_;
     Findings coverage_;
 };
@@ -117,7 +118,7 @@ void BoundaryCheck::checkComponents()
             joined.join(first, point);
             used[point] = true;
             if (original_.componentOf[point] != original_.componentOf[first])
-                topology_.add(cell, [&] {
+                components_.add(cell, [&] {
                     return "A cell joins points " + name(first) + " and " + name(point) +
                            " of two components of the data.";
                 });
@@ -130,7 +131,7 @@ void BoundaryCheck::checkComponents()
         components += original_.componentOf[point] == point ? 1 : 0;
     }
     if (parts != components)
-        topology_.add(cells_.size(), [&] {
+        components_.add(0, [&] {
             return "The mesh has " + std::to_string(parts) + " components, and the data have " +
                    std::to_string(components) + ".";
         });
@@ -142,7 +143,7 @@ void BoundaryCheck::checkSurfaces()
     const auto& surfaces = boundary_.surfaces.surfaces;
     const auto& originals = original_.surfaces.surfaces;
     if (surfaces.size() != originals.size())
-        topology_.add(0, [&] {
+        surfaces_.add(0, [&] {
             return "The boundary has " + std::to_string(surfaces.size()) + " surfaces, and that of the data has " +
                    std::to_string(originals.size()) + ".";
         });
@@ -154,7 +155,7 @@ void BoundaryCheck::checkSurfaces()
             if (surface == unknown)
                 surface = original_.surfaceOf[point];
             if (original_.surfaceOf[point] != surface || surface == IrregularOriginal::none)
-                topology_.add(triangle, [&] {
+                surfaces_.add(triangle, [&] {
                     return "The boundary goes through point " + name(point) +
                            (original_.isOnBoundary(point) ? ", which lies on another surface of the data."
                                                           : ", which lies inside the data.");
@@ -165,13 +166,13 @@ void BoundaryCheck::checkSurfaces()
         if (meant[surface] >= originals.size())
             continue; // said already
         if (taken[meant[surface]])
-            topology_.add(surfaces[surface].firstTriangle, [&] {
+            surfaces_.add(surfaces[surface].firstTriangle, [&] {
                 return "A surface of the data's boundary became two, one of them with the face " +
                        name(boundary_.triangles[surfaces[surface].firstTriangle]) + ".";
             });
         taken[meant[surface]] = true;
         if (surfaces[surface].euler != originals[meant[surface]].euler)
-            topology_.add(surfaces[surface].firstTriangle, [&] {
+            surfaces_.add(surfaces[surface].firstTriangle, [&] {
                 return "The surface of the boundary with the face " +
                        name(boundary_.triangles[surfaces[surface].firstTriangle]) + " has Euler characteristic " +
                        std::to_string(surfaces[surface].euler) + ", and that of the data has " +
@@ -202,8 +203,7 @@ Status BoundaryCheck::checkMeetings(const Progress& progress)
             return;
         for (auto number = static_cast<std::uint32_t>(range.begin()); number != range.end(); ++number)
             boundary_.tree.visitMeeting(boundary_.tree.boxOf(number), [&](std::uint32_t other) {
-                if (other <= number ||
-                    !trianglesMeet(original_.points.positions, triangles[number], triangles[other]) ||
+                if (other <= number || !facesMeet(original_.points.positions, triangles[number], triangles[other]) ||
                     (isOriginal(number) && isOriginal(other)))
                     return;
                 meetings_.add(number, [&] {
@@ -248,7 +248,7 @@ bool BoundaryCheck::isUndivided(std::size_t cell) const
                                          [&](const Eigen::Vector3d& place) { return holdsInside(corners, place); });
         for (const PointTriangle& face : faces)
             undivided = undivided && (std::ranges::is_permutation(face, other) ||
-                                      !trianglesMeet(original_.points.positions, face, other));
+                                      !facesMeet(original_.points.positions, face, other));
     });
     return undivided;
 }
@@ -295,8 +295,8 @@ Status BoundaryCheck::run(LevelVerdict& verdict, const Progress& progress)
     if (manifold_.none() && meetings_.none())
         checkCoveredOnce();
     verdict.conforming = verdict.conforming && manifold_.none();
-    verdict.covers = verdict.covers && topology_.none() && meetings_.none() && coverage_.none();
-    for (Findings* findings : {&manifold_, &topology_, &meetings_, &coverage_})
+    verdict.covers = verdict.covers && components_.none() && surfaces_.none() && meetings_.none() && coverage_.none();
+    for (Findings* findings : {&manifold_, &components_, &surfaces_, &meetings_, &coverage_})
         findings->moveTo(verdict.failures);
     return {};
 }

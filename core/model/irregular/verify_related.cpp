@@ -50,6 +50,7 @@ private:
     void checkWarping(const Related& related);
     void checkOutside(const Related& related);
     void checkOwn(const Related& related, bool covered);
+    bool isGrantedNextToIt(const Related& related) const;
     double leastErrorWithin(const Related& related, double radius) const;
     double errorOn(const Related& related, std::uint32_t triangle, double radius) const;
     std::array<double, 3> valuesOf(std::uint32_t triangle) const
@@ -176,25 +177,44 @@ void RelatedCheck::checkOutside(const Related& related)
         });
 }
 
+/// A point that lies on a face, but for rounding, may count for the cell on its other side, whose interpolation there
+/// is the same. Looks at all cells, for the few that need it.
+bool RelatedCheck::isGrantedNextToIt(const Related& related) const
+{
+    constexpr std::array<std::array<std::size_t, 3>, 4> faces = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+    for (std::size_t number = 0; number < mesh_.cells.size(); ++number) {
+        const PlacedCell cell = placedCell(original_.points.positions, mesh_.cells, number);
+        const auto isBefore = [&](const std::array<std::size_t, 3>& face) {
+            const Eigen::Vector3d normal = (cell[face[1]] - cell[face[0]]).cross(cell[face[2]] - cell[face[0]]);
+            return normal.dot(related.place - cell[face[0]]) > original_.allowance * normal.norm();
+        };
+        if (std::ranges::any_of(faces, isBefore))
+            continue;
+        std::array<double, 4> values{};
+        std::ranges::transform(mesh_.cells.vertices(number), values.begin(), [&](std::uint32_t vertex) {
+            return original_.points.values[mesh_.cells.point(vertex)];
+        });
+        if (related.weight * preciseError(cell, values, related.place, related.value) <= ownError(number) + tolerance_)
+            return true;
+    }
+    return false;
+}
+
 /// The point counts for a cell: the one that holds it, or one on the boundary that is near enough.
 void RelatedCheck::checkOwn(const Related& related, bool covered)
 {
     const bool needsError = !inside_.isWithinOwn(related.point);
-    const bool needsWarping = original_.isOnBoundary(related.point);
     const auto grants = [&](std::uint32_t triangle) {
         const std::uint32_t cell = mesh_.boundary.cells[triangle];
-        double radius = ownWarping(cell) / related.weight + original_.allowance;
-        if (!needsWarping)
-            radius = std::max(radius, related.nearest.place.distance);
+        const double radius = ownWarping(cell) / related.weight + original_.allowance;
         if (!needsError)
             return nearestPlace(mesh_.boundary.tree.corners(triangle), related.place).distance <= radius;
         return errorOn(related, triangle, radius) <= ownError(cell) + tolerance_;
     };
     if (grants(related.nearest.triangle))
         return;
-    bool granted = false;
-    const double farthest =
-        std::max(related.nearest.place.distance, largestOwnWarping_ / related.weight + original_.allowance);
+    bool granted = needsError && covered && isGrantedNextToIt(related);
+    const double farthest = largestOwnWarping_ / related.weight + original_.allowance;
     mesh_.boundary.tree.visitWithin(related.place, farthest,
                                     [&](std::uint32_t triangle) { granted = granted || grants(triangle); });
     if (!granted)

@@ -3,7 +3,7 @@
 // errors or failures, never a crash. Meant to be run with sanitizers, too.
 #include "core/model/extraction.h"
 #include "core/model/verification.h"
-#include "tests/core/model/model_fixture.h"
+#include "tests/core/model/irregular/irregular_models.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -15,15 +15,13 @@ using namespace tetra;
 
 namespace {
 
-constexpr std::uint32_t sectionCount = 10;
-
 /// Numbers that programs trip over, put where they hurt.
 constexpr std::array<std::uint32_t, 8> evilNumbers = {0,          1,          7,          0x7fffffff,
                                                       0x80000000, 0xfffffffe, 0xffffffff, 0x7fc00000};
 
 class Damager {
 public:
-    explicit Damager(std::uint32_t seed) : random_(seed) {}
+    Damager(std::uint32_t seed, std::uint32_t sections) : random_(seed), sections_(sections) {}
 
     void damage(std::vector<std::byte>& bytes)
     {
@@ -36,7 +34,7 @@ private:
     void damageOnce(std::vector<std::byte>& bytes)
     {
         // Half of the hits go into header and table, which are a small part of the file.
-        const std::size_t front = sizeof(format::Header) + sectionCount * sizeof(format::Section);
+        const std::size_t front = sizeof(format::Header) + sections_ * sizeof(format::Section);
         const std::size_t at = 8 + random_() % ((random_() % 2 == 0 ? front : bytes.size()) - 16);
         switch (random_() % 3) {
         case 0: bytes[at] ^= std::byte(1u << random_() % 8); break;
@@ -50,7 +48,31 @@ private:
     }
 
     std::minstd_rand random_;
+    std::uint32_t sections_;
 };
+
+struct Subject {
+    Dataset dataset;
+    int rounds = 3000;
+};
+
+/// Writes the model of a dataset of a kind.
+Subject write(const QString& kind, const std::filesystem::path& path)
+{
+    if (kind == "irregular") {
+        const Dataset dataset = randomIrregular(4);
+        modelOf(path, dataset, decimated(dataset));
+        return {dataset, 1500};
+    }
+    const std::array types = {SampleType::UInt8, SampleType::Int32, SampleType::Float32};
+    const auto type = *std::ranges::find(types, kind.toStdString(), sampleTypeName);
+    const Dataset dataset = bumps(type, {4, 3, 5});
+    if (kind == "float") // decimated, the others refined
+        modelOf(path, dataset, decimatedGrid(dataset));
+    else
+        writeModel(path, dataset);
+    return {dataset};
+}
 
 } // namespace
 
@@ -60,23 +82,23 @@ class DamageTest : public QObject {
 private slots:
     void damagedModelsNeverCrash_data()
     {
-        QTest::addColumn<int>("type");
-        for (const SampleType type : {SampleType::UInt8, SampleType::Int32, SampleType::Float32})
-            QTest::newRow(sampleTypeName(type).data()) << int(type);
+        QTest::addColumn<QString>("kind");
+        for (const char* kind : {"uint8", "int32", "float", "irregular"})
+            QTest::newRow(kind) << QString(kind);
     }
     void damagedModelsNeverCrash()
     {
-        QFETCH(int, type);
-        const Dataset dataset = bumps(SampleType(type), {4, 3, 5});
+        QFETCH(QString, kind);
         const std::filesystem::path path = folder_.filePath("model.tan").toStdString();
-        writeModel(path, dataset);
+        const auto [dataset, rounds] = write(kind, path);
         const std::vector<std::byte> bytes = readBytes(path);
+        const std::uint32_t sectionCount = FileParts(bytes).header().sectionCount;
         int opened = 0;
         int extracted = 0;
         int notRight = 0;
-        for (std::uint32_t round = 0; round < 3000; ++round) {
+        for (int round = 0; round < rounds; ++round) {
             FileParts parts(bytes);
-            Damager(round + 1).damage(parts.content);
+            Damager(static_cast<std::uint32_t>(round) + 1, sectionCount).damage(parts.content);
             if (parts.header().sectionCount <=
                 sectionCount) // else the table reaches into the sections, or beyond the file
                 parts.repairChecksums();
@@ -101,7 +123,8 @@ private slots:
             notRight += verdict->ok() ? 0 : 1;
         }
         // The rounds do reach every stage. What is still right had damage in text that nobody compares, or none.
-        QVERIFY2(opened > 300 && extracted > 300, qPrintable(QString("%1 %2").arg(opened).arg(extracted)));
+        QVERIFY2(opened > rounds / 10 && extracted > rounds / 10,
+                 qPrintable(QString("%1 %2").arg(opened).arg(extracted)));
         QVERIFY2(notRight > opened / 2, qPrintable(QString("%1 of %2").arg(notRight).arg(opened)));
     }
 

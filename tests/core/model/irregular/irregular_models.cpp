@@ -29,6 +29,24 @@ Dataset datasetOfTetrahedra(std::vector<Eigen::Vector3d> positions, const std::v
     return dataset;
 }
 
+Dataset withoutUnused(const Dataset& dataset)
+{
+    std::vector<std::uint32_t> numbers(dataset.pointCount(), 0xffffffff);
+    std::vector<Eigen::Vector3d> positions;
+    std::vector<double> values;
+    std::vector<std::array<std::uint32_t, 4>> tetrahedra = *dataset.tetrahedra;
+    for (auto& tetrahedron : tetrahedra)
+        for (std::uint32_t& point : tetrahedron) {
+            if (numbers[point] == 0xffffffff) {
+                numbers[point] = static_cast<std::uint32_t>(positions.size());
+                positions.push_back((*dataset.positions)[point]);
+                values.push_back(dataset.values.at(point));
+            }
+            point = numbers[point];
+        }
+    return datasetOfTetrahedra(std::move(positions), values, std::move(tetrahedra), dataset.values.type());
+}
+
 Dataset randomIrregular(std::uint32_t seed)
 {
     TestMesh mesh = nonconvexMesh(seed, seed % 3 == 0 ? 0 : 0.15);
@@ -36,22 +54,51 @@ Dataset randomIrregular(std::uint32_t seed)
     return datasetOfTetrahedra(std::move(mesh.positions), mesh.values, std::move(mesh.tetrahedra), type);
 }
 
-RecordedHistory decimated(const Dataset& dataset, const std::vector<float>& weights)
+namespace {
+
+std::vector<double> valuesOf(const Dataset& dataset)
 {
     std::vector<double> values(dataset.pointCount());
     for (std::uint64_t point = 0; point < values.size(); ++point)
         values[point] = dataset.values.at(point);
-    DecimationMesh mesh;
-    mesh.positions = *dataset.positions;
-    mesh.values = values;
-    mesh.weights = weights;
-    mesh.tetrahedra = *dataset.tetrahedra;
+    return values;
+}
+
+RecordedHistory decimated(const DecimationMesh& mesh, double warpingWeight)
+{
     DecimationOptions options;
-    options.warpingWeight = dataset.values.range().extent() / dataset.bounds().diagonal().norm();
+    options.warpingWeight = warpingWeight;
     RecordedHistory history;
     if (!decimate(mesh, options, history))
         std::abort();
     return history;
+}
+
+double weightOf(const Dataset& dataset)
+{
+    return dataset.values.range().extent() / dataset.bounds().diagonal().norm();
+}
+
+} // namespace
+
+RecordedHistory decimated(const Dataset& dataset, const std::vector<float>& weights)
+{
+    const std::vector<double> values = valuesOf(dataset);
+    return decimated({*dataset.positions, {}, values, weights, *dataset.tetrahedra, false}, weightOf(dataset));
+}
+
+RecordedHistory decimatedGrid(const Dataset& dataset)
+{
+    const std::vector<double> values = valuesOf(dataset);
+    std::vector<Eigen::Vector3d> positions;
+    for (std::uint64_t point = 0; point < values.size(); ++point) {
+        const auto place = dataset.lattice.coordinates(point);
+        positions.emplace_back(place[0], place[1], place[2]);
+    }
+    const auto tetrahedra = latticeTetrahedra(dataset.lattice.size, LatticeCut::Five);
+    if (!dataset.positions)
+        return decimated({positions, {}, values, {}, tetrahedra, true}, 0);
+    return decimated({positions, *dataset.positions, values, {}, tetrahedra, true}, weightOf(dataset));
 }
 
 std::shared_ptr<const Model> modelOf(const std::filesystem::path& path, const Dataset& dataset,

@@ -16,11 +16,17 @@ Dataset datasetOfTetrahedra(std::vector<Eigen::Vector3d> positions, const std::v
                             std::vector<std::array<std::uint32_t, 4>> tetrahedra,
                             SampleType type = SampleType::Float64);
 
+/// Without the points that no tetrahedron uses.
+Dataset withoutUnused(const Dataset& dataset);
+
 /// A small mesh with holes, cavities and one or two parts; every third along the axes, others with points moved about.
 Dataset randomIrregular(std::uint32_t seed);
 
 /// The history of its decimation. What fails here fails the test.
 RecordedHistory decimated(const Dataset& dataset, const std::vector<float>& weights = {});
+
+/// The same of the cells of a lattice, regular or curvilinear.
+RecordedHistory decimatedGrid(const Dataset& dataset);
 
 /// A model of a history, written and opened. What fails here fails the test.
 std::shared_ptr<const Model> modelOf(const std::filesystem::path& path, const Dataset& dataset,

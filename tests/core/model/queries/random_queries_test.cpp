@@ -4,9 +4,9 @@
 #include "core/data/analytic_fields.h"
 #include "core/model/queries/mesh_extractor.h"
 #include "core/model/queries/sharp_focus.h"
-#include "core/model/verify_mesh.h"
 #include "tests/core/model/model_fixture.h"
 #include "tests/core/model/queries/brute_force.h"
+#include "tests/core/model/queries/random_queries.h"
 #include "tests/core/model/queries/refined_model.h"
 #include "tests/plugins/builders/refinement/random_dataset.h"
 
@@ -24,60 +24,6 @@ struct Case {
     Dataset dataset;
     std::shared_ptr<const Model> model;
 };
-
-double between(std::mt19937& random, double least, double most)
-{
-    return std::uniform_real_distribution(least, most)(random);
-}
-
-Eigen::Vector3d placeIn(std::mt19937& random, const Eigen::AlignedBox3d& bounds)
-{
-    return {between(random, bounds.min().x(), bounds.max().x()), between(random, bounds.min().y(), bounds.max().y()),
-            between(random, bounds.min().z(), bounds.max().z())};
-}
-
-SpaceRamp randomRamp(std::mt19937& random, const Model& model)
-{
-    const Eigen::AlignedBox3d& bounds = model.description().bounds;
-    SpaceRamp ramp;
-    const Eigen::Vector3d one = placeIn(random, bounds);
-    const Eigen::Vector3d other = placeIn(random, bounds);
-    switch (random() % 3) {
-    case 0: ramp.region = Box{one.cwiseMin(other), one.cwiseMax(other)}; break;
-    case 1: ramp.region = Sphere{one, between(random, 0, 0.4) * bounds.diagonal().norm()}; break;
-    default: ramp.region = HalfSpace{(other - one).normalized(), one.dot((other - one).normalized())};
-    }
-    ramp.inner = between(random, 0, 20);
-    ramp.outer = between(random, 20, 90);
-    ramp.falloff = random() % 2 == 0 ? 0 : between(random, 0, 1) * bounds.diagonal().norm();
-    return ramp;
-}
-
-ErrorField randomField(std::mt19937& random, const Model& model)
-{
-    const ValueRange range = model.description().range;
-    const ErrorField first = randomRamp(random, model);
-    const double isovalue = between(random, range.minimum, range.maximum);
-    const ErrorField second = range.extent() > 0 ? ErrorField::nearValues(std::array{isovalue}, between(random, 0, 20),
-                                                                          80, between(random, 0.01, 1) * range.extent())
-                                                 : ErrorField(7);
-    switch (random() % 5) {
-    case 0: return second;
-    case 1: return smallerOf(first, second);
-    case 2: return first * second * ErrorField(0.05);
-    case 3: return first + second;
-    default: return first;
-    }
-}
-
-MeshQuery randomQuery(std::mt19937& random, const Model& model)
-{
-    MeshQuery query;
-    query.error = randomField(random, model);
-    query.warping = query.error;
-    query.method = VariableMethod::ClosedSet;
-    return query;
-}
 
 } // namespace
 
@@ -343,32 +289,13 @@ private:
 
     static bool isProved(const Case& one, const MeshQuery& query, const ExtractedMesh& mesh)
     {
-        const auto verdict = verifyMesh(*one.model, one.dataset, query, mesh);
-        if (!verdict) {
-            qWarning("%s", verdict.error().text.c_str());
-            return false;
-        }
-        for (const std::string& failure : verdict->failures)
-            qWarning("%s", failure.c_str());
-        return verdict->ok();
+        return tetra::isProved(*one.model, one.dataset, query, mesh);
     }
 
     static bool isAnswer(const Case& one, const BruteForce& brute, const MeshQuery& query, const ExtractedMesh& mesh,
                          const BruteForce::Answer& expected)
     {
-        std::vector<std::array<std::uint32_t, 4>> tetrahedra;
-        for (const std::uint64_t t : expected.tetrahedra)
-            tetrahedra.push_back(brute.corners(t));
-        std::vector<std::uint32_t> points;
-        for (const std::uint32_t site : mesh.sites) {
-            points.push_back(one.model->points()[site]);
-            if (!expected.sites[site])
-                return false;
-        }
-        return std::ranges::count(expected.sites, true) == static_cast<std::ptrdiff_t>(mesh.sites.size()) &&
-               mesh.scale == expected.scale &&
-               byPoints(mesh.mesh.tetrahedra, points) == byPoints(tetrahedra, one.model->points()) &&
-               isProved(one, query, mesh);
+        return tetra::isAnswer(*one.model, one.dataset, brute, query, mesh, expected);
     }
 
     QTemporaryDir folder_;

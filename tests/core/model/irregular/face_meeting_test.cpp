@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whether triangles meet, against separating axes in exact integers: what they share is cut off by a thin strip.
-#include "core/model/irregular/triangle_meeting.h"
+#include "core/model/irregular/face_meeting.h"
 
 #include <QTest>
 
@@ -99,7 +99,7 @@ bool meetSlowly(const std::vector<Vector>& a, const std::vector<Vector>& b, int 
 
 } // namespace
 
-class TriangleMeetingTest : public QObject {
+class FaceMeetingTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -138,8 +138,8 @@ private slots:
             const bool expected = meetSlowly(a, b, shared);
             std::rotate(first.begin(), first.begin() + attempt % 3, first.end());
             std::rotate(second.begin(), second.begin() + attempt / 3 % 3, second.end());
-            QCOMPARE(trianglesMeet(positions, first, second), expected);
-            QCOMPARE(trianglesMeet(positions, second, first), expected);
+            QCOMPARE(facesMeet(positions, first, second), expected);
+            QCOMPARE(facesMeet(positions, second, first), expected);
             ++(expected ? meeting : apart);
         }
         QVERIFY2(meeting > 300 && apart > 300, qPrintable(QString("%1 %2").arg(meeting).arg(apart)));
@@ -165,5 +165,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TriangleMeetingTest)
-#include "triangle_meeting_test.moc"
+QTEST_GUILESS_MAIN(FaceMeetingTest)
+#include "face_meeting_test.moc"

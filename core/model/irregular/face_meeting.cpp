@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/model/irregular/triangle_meeting.h"
+#include "core/model/irregular/face_meeting.h"
 
 #include "core/model/exact_volume.h"
 
@@ -194,7 +194,7 @@ bool segmentMeetsTriangle(const Place& from, const Place& to, const Place& a, co
     return segmentMeets(from, to, {a, b, c});
 }
 
-bool trianglesMeet(std::span<const Place> positions, const PointTriangle& first, const PointTriangle& second)
+bool facesMeet(std::span<const Place> positions, const PointTriangle& first, const PointTriangle& second)
 {
     const Pair pair = pairOf(positions, first, second);
     if (pair.shared == 2)
