@@ -3,6 +3,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/cells/mesh_faces.h"
 #include "core/data/dataset.h"
 
 #include <Eigen/Core>
@@ -24,8 +25,9 @@ namespace tetra {
 /// Errors: BadInput with a count and an example; Cancelled. O(n log n), one thread, about 150 bytes a tetrahedron.
 Status checkIrregular(const Dataset& dataset, const Progress& progress = {});
 
-/// The same of a mesh by itself; may leave points unused. `sound` says that the tetrahedra are known to be positive.
+/// The same of tetrahedra that are known to be positive, and of their faces; may leave points unused.
 Status checkTetrahedra(std::span<const Eigen::Vector3d> positions,
-                       std::span<const std::array<std::uint32_t, 4>> tetrahedra, bool sound, const Progress& progress);
+                       std::span<const std::array<std::uint32_t, 4>> tetrahedra, const MeshFaces& faces,
+                       const Progress& progress);
 
 } // namespace tetra

@@ -117,10 +117,28 @@ bool edgeMeets(std::span<const Vector3d> positions, std::uint32_t from, std::uin
         {positions[triangle[shared]], positions[triangle[(shared + 1) % 3]], positions[triangle[(shared + 2) % 3]]});
 }
 
+/// Whether the vertices that only `a` has are on one side of the plane of `b`: then no more of it is in that plane than
+/// is shared. Most neighbours are told apart by this.
+bool strictlyBeside(std::span<const Vector3d> positions, const Triangle& a, const Triangle& b)
+{
+    int side = 0;
+    for (const std::uint32_t vertex : a) {
+        if (std::ranges::find(b, vertex) != b.end())
+            continue;
+        const int sign = orientation(positions[b[0]], positions[b[1]], positions[b[2]], positions[vertex]);
+        if (sign == 0 || sign == -side)
+            return false;
+        side = sign;
+    }
+    return true;
+}
+
 } // namespace
 
 bool trianglesMeet(std::span<const Vector3d> positions, const Triangle& a, const Triangle& b)
 {
+    if (strictlyBeside(positions, a, b) || strictlyBeside(positions, b, a))
+        return false;
     for (std::size_t i = 0; i < 3; ++i)
         if (edgeMeets(positions, a[i], a[(i + 1) % 3], b) || edgeMeets(positions, b[i], b[(i + 1) % 3], a))
             return true;
