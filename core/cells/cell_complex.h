@@ -49,7 +49,7 @@ struct ComplexValues {
 /// Harmless things are mended and said in `remarks`: points on one place (the mean of their values), points that no
 /// cell uses, cells with a repeated corner, of no volume, turned over or there twice. Refused with a count and an
 /// example: polyhedra, overlapping cells, faces in three cells, a boundary that is no manifold or meets itself, numbers
-/// of points out of range, nothing left. One thread, about 200 bytes a tetrahedron; safe from any thread.
+/// of points out of range, nothing left. One thread, about 300 bytes a tetrahedron; safe from any thread.
 Result<Dataset> irregularDataset(const CellComplex& complex, const ComplexValues& values, const Source& source,
                                  const Progress& progress = {});
 

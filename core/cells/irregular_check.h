@@ -22,7 +22,7 @@ namespace tetra {
 /// - it does not meet itself, not even in a point, and no component of the mesh lies inside another one.
 /// So the tetrahedra are a conforming mesh that covers its domain once. There may be several components, holes and
 /// cavities, and inner vertices that touch nothing else.
-/// Errors: BadInput with a count and an example; Cancelled. O(n log n), one thread, about 150 bytes a tetrahedron.
+/// Errors: BadInput with a count and an example; Cancelled. O(n log n), one thread, up to 260 bytes a tetrahedron.
 Status checkIrregular(const Dataset& dataset, const Progress& progress = {});
 
 /// The same of tetrahedra that are known to be positive, and of their faces; may leave points unused.
