@@ -5,7 +5,6 @@
 #include "core/cells/boundary_check.h"
 #include "core/cells/boundary_manifold.h"
 #include "core/cells/cell_orientation.h"
-#include "core/cells/mesh_faces.h"
 #include "core/mesh/face_adjacency.h"
 
 #include <algorithm>
@@ -99,16 +98,8 @@ Status checkPoints(const Dataset& dataset)
 
 } // namespace
 
-Status checkTetrahedra(Positions positions, Tetrahedra tetrahedra, bool sound, const Progress& progress)
+Status checkTetrahedra(Positions positions, Tetrahedra tetrahedra, const MeshFaces& faces, const Progress& progress)
 {
-    if (tetrahedra.size() > largestAdjacentCellCount)
-        return Error{ErrorKind::OutOfResource, "The mesh has more than " + std::to_string(largestAdjacentCellCount) +
-                                                   " tetrahedra. Take a part of it."};
-    if (!sound)
-        if (const Status positive = checkSigns(positions, tetrahedra); !positive)
-            return positive;
-    progress.report(0.2, activity);
-    const MeshFaces faces = findMeshFaces(tetrahedra);
     if (const Status matching = checkFaces(positions, tetrahedra, faces); !matching)
         return matching;
     std::vector<std::array<std::uint32_t, 3>> boundary;
@@ -136,7 +127,13 @@ Status checkIrregular(const Dataset& dataset, const Progress& progress)
 {
     if (const Status points = checkPoints(dataset); !points)
         return points;
-    return checkTetrahedra(*dataset.positions, *dataset.tetrahedra, false, progress);
+    const Tetrahedra tetrahedra = *dataset.tetrahedra;
+    if (tetrahedra.size() > largestAdjacentCellCount)
+        return Error{ErrorKind::OutOfResource, "The mesh has more than " + std::to_string(largestAdjacentCellCount) +
+                                                   " tetrahedra. Take a part of it."};
+    if (const Status positive = checkSigns(*dataset.positions, tetrahedra); !positive)
+        return positive;
+    return checkTetrahedra(*dataset.positions, tetrahedra, findMeshFaces(tetrahedra), progress);
 }
 
 } // namespace tetra

@@ -3,6 +3,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/cells/mesh_faces.h"
 #include "core/data/dataset.h"
 
 #include <Eigen/Core>
@@ -21,11 +22,12 @@ namespace tetra {
 /// - it does not meet itself, not even in a point, and no component of the mesh lies inside another one.
 /// So the tetrahedra are a conforming mesh that covers its domain once. There may be several components, holes and
 /// cavities, and inner vertices that touch nothing else.
-/// Errors: BadInput with a count and an example; Cancelled. O(n log n), one thread, about 150 bytes a tetrahedron.
+/// Errors: BadInput with a count and an example; Cancelled. O(n log n), one thread, up to 260 bytes a tetrahedron.
 Status checkIrregular(const Dataset& dataset, const Progress& progress = {});
 
-/// The same of a mesh by itself; may leave points unused. `sound` says that the tetrahedra are known to be positive.
+/// The same of tetrahedra that are known to be positive, and of their faces; may leave points unused.
 Status checkTetrahedra(std::span<const Eigen::Vector3d> positions,
-                       std::span<const std::array<std::uint32_t, 4>> tetrahedra, bool sound, const Progress& progress);
+                       std::span<const std::array<std::uint32_t, 4>> tetrahedra, const MeshFaces& faces,
+                       const Progress& progress);
 
 } // namespace tetra

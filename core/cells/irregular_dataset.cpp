@@ -55,11 +55,13 @@ constexpr std::uint64_t tetrahedraPerPinchingOne = 100;
 
 Status mendMesh(std::span<const Eigen::Vector3d> positions, CutCells& cut, Mending& mending, const Progress& progress)
 {
-    mending.duplicates = removeDuplicates(cut);
+    MeshFaces faces = findMeshFaces(cut.tetrahedra);
+    mending.duplicates = removeDuplicates(cut, faces);
     const bool holes = mending.blanked + mending.notFinite + mending.warped > 0;
     const std::uint64_t count = cut.tetrahedra.size();
-    mending.pinching = removePinches(cut, holes ? count : count / tetrahedraPerPinchingOne, progress.part(0, 0.3));
-    return checkTetrahedra(positions, cut.tetrahedra, true, progress.part(0.3, 1));
+    mending.pinching =
+        removePinches(cut, faces, holes ? count : count / tetrahedraPerPinchingOne, progress.part(0, 0.3));
+    return checkTetrahedra(positions, cut.tetrahedra, faces, progress.part(0.3, 1));
 }
 
 /// Numbers the points that are used from 0, in their order. Returns which they were.

@@ -17,7 +17,7 @@ struct MeshFaces {
     std::vector<std::uint32_t> folded;   ///< tetrahedra on the same side of a face as its other one, sorted
 };
 
-/// Expected O(tetrahedra); about 150 bytes each while it works. At most largestAdjacentCellCount of them.
+/// Expected O(tetrahedra); up to 260 bytes each while it works. At most largestAdjacentCellCount of them.
 MeshFaces findMeshFaces(std::span<const std::array<std::uint32_t, 4>> tetrahedra);
 
 /// The corners of a side, seen from outside its tetrahedron counterclockwise.

@@ -91,9 +91,8 @@ private:
 };
 
 /// Which tetrahedra a round takes away; none if the boundary is a manifold.
-std::vector<bool> findPinches(const CutCells& cut)
+std::vector<bool> findPinches(const CutCells& cut, const MeshFaces& faces)
 {
-    const MeshFaces faces = findMeshFaces(cut.tetrahedra);
     std::vector<std::array<std::uint32_t, 3>> boundary;
     for (const std::uint32_t side : faces.boundary)
         boundary.push_back(sideCorners(cut.tetrahedra, side));
@@ -132,9 +131,8 @@ std::vector<bool> findPinches(const CutCells& cut)
 
 } // namespace
 
-std::uint64_t removeDuplicates(CutCells& cut)
+std::uint64_t removeDuplicates(CutCells& cut, MeshFaces& faces)
 {
-    const MeshFaces faces = findMeshFaces(cut.tetrahedra);
     std::map<Tetrahedron, std::uint32_t> seen; // few: only those at crowded faces can be there twice, or alone
     std::vector<bool> removed(cut.tetrahedra.size());
     const auto look = [&](std::uint32_t t) {
@@ -149,20 +147,23 @@ std::uint64_t removeDuplicates(CutCells& cut)
     for (const std::uint32_t t : faces.folded)
         look(t);
     const auto count = static_cast<std::uint64_t>(std::ranges::count(removed, true));
-    if (count > 0)
+    if (count > 0) {
         keepOnly(cut, removed);
+        faces = findMeshFaces(cut.tetrahedra);
+    }
     return count;
 }
 
-std::uint64_t removePinches(CutCells& cut, std::uint64_t most, const Progress& progress)
+std::uint64_t removePinches(CutCells& cut, MeshFaces& faces, std::uint64_t most, const Progress& progress)
 {
     std::uint64_t total = 0;
     while (!progress.cancelled()) {
-        const std::vector<bool> removed = findPinches(cut);
+        const std::vector<bool> removed = findPinches(cut, faces);
         const auto count = static_cast<std::uint64_t>(std::ranges::count(removed, true));
         if (count == 0 || total + count > most || count == cut.tetrahedra.size())
             break;
         keepOnly(cut, removed);
+        faces = findMeshFaces(cut.tetrahedra);
         total += count;
     }
     return total;

@@ -134,6 +134,8 @@ private:
         const std::size_t firstPoint = file_.complex.positions.size();
         if (piece.points > std::numeric_limits<std::uint64_t>::max() / 3)
             return Error{ErrorKind::BadInput, "a piece says that it has more points than there can be."};
+        if (piece.positions.components != 3)
+            return Error{ErrorKind::BadInput, "its points do not have three coordinates each."};
         const auto positions = readDoubles(head_, piece.positions, 3 * piece.points);
         if (!positions)
             return positions.error();

@@ -107,7 +107,7 @@ private:
         array.rangeMaximum = tag.attribute("RangeMax");
         const std::string components = tag.attribute("NumberOfComponents");
         constexpr int mostComponents = 1000;
-        array.components = components.empty() ? 1 : parseNumber<int>(components).value_or(0);
+        array.components = components.empty() ? 1 : parseNumber<int>(components).value_or(-1);
         if (array.components == 0)
             array.components = 1;
         if (array.components < 1 || array.components > mostComponents)

@@ -43,7 +43,7 @@ private slots:
         const auto row = [](const char* name, const char* what, const char* by, const char* says) {
             QTest::newRow(name) << what << by << says;
         };
-        row("no XML", "<?xml", "xml", "XML");
+        row("no XML", "<VTKFile", "<File", "no VTK XML file");
         row("another kind", "UnstructuredGrid\" v", "ImageData\" v", "ImageData");
         row("another packer", "byte_order", "compressor=\"vtkLZ4DataCompressor\" byte_order", "vtkLZ4DataCompressor");
         row("no piece", "<Piece NumberOfPoints", "<Part NumberOfPoints", "no piece");
@@ -62,7 +62,8 @@ private slots:
         row("corner beyond", "0 1 2 3 4 1 5 2 4", "0 1 2 3 4 1 6 2 4", "corner 6 of 6");
         row("corner counts", ">14 10<", ">12 10<", "another number of corners");
         row("polyhedron", ">14 10<", ">14 42<", "polyhedra");
-        row("components", "NumberOfComponents=\"3\"", "NumberOfComponents=\"3000000000\"", "more than");
+        row("components", "NumberOfComponents=\"3\"", "NumberOfComponents=\"3000000000\"", "3000000000 components");
+        row("flat places", "NumberOfComponents=\"3\"", "NumberOfComponents=\"2\"", "three coordinates");
         row("string values", "Float32\" Name=\"heat", "String\" Name=\"heat", "no values");
         row("unknown format", "\"heat\" format=\"ascii\"", "\"heat\" format=\"hex\"", "unknown format");
         row("no base64", "\"heat\" format=\"ascii\"", "\"heat\" format=\"binary\"", "short");
