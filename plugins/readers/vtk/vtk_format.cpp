@@ -11,13 +11,13 @@ namespace {
 struct FormatEntry {
     VtkFormat format;
     std::string_view filter;
-    double byName; ///< the score of a file with one of these names; a signature that fits adds to it
+    double byName; ///< the score of a file with one of these names, if it has no signature
 };
 
 /// Names that other readers claim too have a score that leaves those the first choice.
 constexpr std::array<FormatEntry, 17> formats = {{
-    {VtkFormat::Xml, "VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)", 0.9},
-    {VtkFormat::Legacy, "VTK legacy (*.vtk)", 0.9},
+    {VtkFormat::Xml, "VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)", 0.6},
+    {VtkFormat::Legacy, "VTK legacy (*.vtk)", 0.6},
     {VtkFormat::Hdf, "VTK HDF (*.vtkhdf *.hdf)", 0.6},
     {VtkFormat::Exodus, "Exodus II (*.ex2 *.exo *.exii *.e *.g)", 0.6},
     {VtkFormat::EnSight, "EnSight (*.case *.encas)", 0.8},
@@ -120,7 +120,7 @@ VtkGuess guessVtkFormat(const std::filesystem::path& path, std::span<const std::
 {
     const std::string_view bytes(reinterpret_cast<const char*>(firstBytes.data()), firstBytes.size());
     if (const VtkFormat format = bySignature(bytes); format != VtkFormat::None)
-        return {format, 0.95};
+        return {format, 0.9};
     const std::string name = lowered(path.filename().string());
     const auto entry = std::ranges::find_if(formats, [&](const FormatEntry& e) { return fitsFilter(name, e.filter); });
     if (entry == formats.end())

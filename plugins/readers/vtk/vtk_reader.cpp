@@ -59,7 +59,9 @@ std::vector<std::string> VtkReader::nameFilters() const
 
 double VtkReader::score(const fs::path& path, std::span<const std::byte> firstBytes) const
 {
-    return guessVtkFormat(path, firstBytes).score;
+    constexpr double withoutVtk = 0.5; // to say what to install, unless another reader does without VTK
+    std::error_code ignored;
+    return guessVtkFormat(path, firstBytes).score * (fs::exists(helper_, ignored) ? 1 : withoutVtk);
 }
 
 std::vector<Parameter> VtkReader::parameters() const

@@ -37,13 +37,42 @@ VtkSource tiffSource(const std::string& path)
     return {.reader = reader};
 }
 
+/// The samples, times `slope` plus `intercept`: in double precision for the wider types, else single.
+void rescale(VtkFindings& found, double slope, double intercept)
+{
+    if (found.kind != VtkDataKind::Lattice && found.kind != VtkDataKind::Grid)
+        return;
+    const SampleType from = found.type;
+    const Buffer<std::byte> before = std::move(found.samples);
+    const std::size_t count = before.size() / sampleSize(from);
+    const bool wide = from == SampleType::Float64 || from == SampleType::Int32 || from == SampleType::UInt32;
+    found.type = wide ? SampleType::Float64 : SampleType::Float32;
+    found.samples = Buffer<std::byte>(count * sampleSize(found.type));
+    visitSampleType(from, [&]<class T>() {
+        const T* samples = reinterpret_cast<const T*>(before.data());
+        for (std::size_t i = 0; i < count; ++i) {
+            const double value = static_cast<double>(samples[i]) * slope + intercept;
+            if (wide)
+                reinterpret_cast<double*>(found.samples.data())[i] = value;
+            else
+                reinterpret_cast<float*>(found.samples.data())[i] = static_cast<float>(value);
+        }
+    });
+    found.remarks.emplace_back("The samples were multiplied and shifted as the header of the file asks.");
+}
+
 Result<VtkSource> niftiSource(const std::string& path)
 {
     const auto reader = vtkSmartPointer<vtkNIFTIImageReader>::New();
     if (reader->CanReadFile(path.c_str()) == 0)
         return Error{ErrorKind::BadInput, "its header is not that of a NIfTI file."};
     reader->SetFileName(path.c_str());
-    return VtkSource{.reader = reader, .knowsContents = true};
+    const auto finish = [reader](VtkFindings& found) {
+        const double slope = reader->GetRescaleSlope();
+        if (slope != 0 && (slope != 1 || reader->GetRescaleIntercept() != 0))
+            rescale(found, slope, reader->GetRescaleIntercept());
+    };
+    return VtkSource{.reader = reader, .finish = finish, .knowsContents = true};
 }
 
 VtkSource dicomSource(const std::string& path)

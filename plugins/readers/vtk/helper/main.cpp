@@ -81,6 +81,7 @@ Result<VtkFindings> find(const VtkSource& source, const VtkRequest& request, con
         return found.error();
     if (const Status done = statusOf(log); !done)
         return done.error();
+    source.finish(*found);
     for (std::size_t warning = 0; warning < std::min<std::size_t>(2, log.warnings.size()); ++warning)
         found->remarks.push_back("VTK says: " + log.warnings[warning]);
     if (const std::size_t steps = timesOf(*source.reader).size(); steps > 1)

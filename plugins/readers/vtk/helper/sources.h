@@ -16,6 +16,8 @@ struct VtkSource {
     vtkSmartPointer<vtkAlgorithm> reader;
     /// Switches on what the request asks for, as far as the reader has switches; after UpdateInformation().
     std::function<void()> selectArrays = [] {};
+    /// Changes of what was found that the file asks for and VTK leaves out.
+    std::function<void(VtkFindings&)> finish = [](VtkFindings&) {};
     bool knowsContents = false; ///< UpdateInformation() alone tells arrays and sizes
 };
 

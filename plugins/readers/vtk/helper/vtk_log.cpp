@@ -13,10 +13,18 @@ namespace {
 
 constexpr std::size_t most = 8; ///< messages of each kind; a damaged file can make millions
 
+/// What VTK calls a warning though values are missing after it: "Error reading ascii data. Possible mismatch ...".
+bool meansError(std::string_view text)
+{
+    return text.find("rror reading") != std::string_view::npos || text.find("mismatch") != std::string_view::npos;
+}
+
 /// "ERROR: In FILE, line 12\nvtkClass (0x1234): What is wrong.\n\n" without all but the last part, in one line.
 std::string essence(std::string_view text)
 {
-    if (const auto place = text.find("): "); place != std::string_view::npos)
+    if (text.find(": In ") < text.find('\n'))
+        text.remove_prefix(std::min(text.find('\n') + 1, text.size()));
+    if (const auto place = text.find("): "); place < text.find('\n'))
         text.remove_prefix(place + 3);
     std::string line;
     for (const char c : text)
@@ -37,11 +45,12 @@ public:
 
     void DisplayText(const char*) override {}
     void DisplayErrorText(const char* text) override { add(log->errors, text); }
-    void DisplayWarningText(const char* text) override { add(log->warnings, text); }
-    void DisplayGenericWarningText(const char* text) override { add(log->warnings, text); }
+    void DisplayWarningText(const char* text) override { addWarning(text); }
+    void DisplayGenericWarningText(const char* text) override { addWarning(text); }
     void DisplayDebugText(const char*) override {}
 
 private:
+    void addWarning(const char* text) { add(text != nullptr && meansError(text) ? log->errors : log->warnings, text); }
     static void add(std::vector<std::string>& list, const char* text)
     {
         const std::string line = essence(text == nullptr ? "" : text);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/xml_sources.h"
 
+#include "plugins/readers/vtk/helper/xml_checks.h"
+
 #include <vtkDataArraySelection.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLMultiBlockDataReader.h>
@@ -48,12 +50,7 @@ std::string typeOf(const std::string& path)
     file.read(start.data(), static_cast<std::streamsize>(start.size()));
     start.resize(static_cast<std::size_t>(file.gcount()));
     const auto element = start.find("<VTKFile");
-    const auto attribute = start.find("type=", element == std::string::npos ? start.size() : element);
-    if (attribute == std::string::npos || attribute + 6 >= start.size())
-        return {};
-    const char quote = start[attribute + 5];
-    const auto end = start.find(quote, attribute + 6);
-    return end == std::string::npos ? "" : start.substr(attribute + 6, end - attribute - 6);
+    return element == std::string::npos ? "" : std::string(xmlAttribute(start.substr(element), "type"));
 }
 
 /// Only the wanted array, if it is named and there; all others stay on.
@@ -84,6 +81,9 @@ Result<VtkSource> makeXmlSource(const VtkRequest& request)
                      type.empty() ? "it is no VTK file: its beginning does not say a type of data. Write it anew."
                                   : "it holds data of the type '" + type +
                                         "', which are no volume. Write them as a grid, a mesh or points."};
+    if (type == "ImageData" || type == "RectilinearGrid" || type == "StructuredGrid")
+        if (const Status fits = checkXmlGrid(request.path, type); !fits)
+            return fits.error();
     const vtkSmartPointer<vtkXMLReader> reader = found->second();
     reader->SetFileName(request.path.c_str());
     VtkSource source{.reader = reader, .knowsContents = type != "vtkMultiBlockDataSet" && !type.starts_with('P')};

@@ -85,6 +85,18 @@ private slots:
         QVERIFY(!dataset->remarks.empty());
     }
 
+    /// The header of a NIfTI file may ask for it; VTK leaves it to the user.
+    void niftiSamplesAreRescaled()
+    {
+        const auto plain = builtVtkReader().read(folder_.path() / "image4.nii", {}, {});
+        const auto scaled = builtVtkReader().read(folder_.path() / "rescaled.nii", {}, {});
+        QVERIFY(plain.ok() && scaled.ok());
+        QVERIFY(scaled->values.type() == SampleType::Float32);
+        for (std::uint64_t point = 0; point < plain->pointCount(); ++point)
+            QCOMPARE(scaled->values.at(point), 2 * plain->values.at(point) + 5);
+        QCOMPARE(scaled->remarks.size(), std::size_t(1));
+    }
+
     void partsAndTimesCanBeChosen()
     {
         const VtkReader reader = builtVtkReader();

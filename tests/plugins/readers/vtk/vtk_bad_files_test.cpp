@@ -40,6 +40,7 @@ std::vector<BadFile> wrongFiles()
                {"0 2 0 2 0 2", "0 -2 0 2 0 2"},
                {"Spacing=\"0.5 1 2\"", "Spacing=\"0 1 2\""},
                {"Spacing=\"0.5 1 2\"", "Spacing=\"nan 1 2\""},
+               {"Spacing=\"0.5 1 2\"", "Spacing=\"1 2\""},
                {"Origin=\"1 2 3\"", "Origin=\"1e300 2 3\""},
                {"type=\"ImageData\"", "type=\"Table\""},
                {"type=\"ImageData\"", "type=\"PolyData\""}}));
@@ -61,8 +62,7 @@ std::vector<BadFile> wrongFiles()
                {">10 10<", ">10 71<"},
                {">10 10<", ">10 250<"},
                {">10 10<", ">12 12<"},
-               {"0 0 0 1 0 0", "0 0 0 inf 0 0"},
-               {"0 1 2 3 4 1 2 3", "0 1 2 3 0 1 2 3"}}));
+               {"0 0 0 1 0 0", "0 0 0 inf 0 0"}}));
     add(wrong("bad.vtp", vtpText(),
               {{"NumberOfPoints=\"5\"", "NumberOfPoints=\"99999999999\""},
                {"NumberOfPoints=\"5\"", "NumberOfPoints=\"0\""},
@@ -74,7 +74,7 @@ std::vector<BadFile> wrongFiles()
                {"DIMENSIONS 3 3 3", "DIMENSIONS -3 3 3"},
                {"DIMENSIONS 3 3 3", "DIMENSIONS 2000000 2000000 2000000"},
                {"DIMENSIONS 3 3 3", "DIMENSIONS a b c"},
-               {"SPACING 0.5", "SPACING -0.5"},
+               {"SPACING 0.5", "SPACING 0"},
                {"POINT_DATA 27", "POINT_DATA 999999999999"},
                {"POINT_DATA 27", "POINT_DATA 12"},
                {"value float 1", "value float 99"},
@@ -121,12 +121,16 @@ private slots:
     /// What cannot be right is refused.
     void wrongFilesAreRefused()
     {
+        QStringList accepted;
         for (const BadFile& file : wrongFiles()) {
             const auto dataset = builtVtkReader().read(folder_.write(file.name, file.content), {}, {});
-            QVERIFY2(!dataset.ok(), (file.name + ": " + file.what).constData());
-            QVERIFY2(dataset.error().text.find(file.name.toStdString()) != std::string::npos,
-                     dataset.error().text.c_str());
+            if (dataset)
+                accepted << file.name + ": " + file.what;
+            else
+                QVERIFY2(dataset.error().text.find(file.name.toStdString()) != std::string::npos,
+                         dataset.error().text.c_str());
         }
+        QVERIFY2(accepted.isEmpty(), qPrintable("\n" + accepted.join('\n')));
     }
 
     /// What may be right by chance is read or refused, for every cut and change.

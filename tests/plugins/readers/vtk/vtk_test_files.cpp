@@ -123,7 +123,8 @@ std::vector<BadFile> damaged(const QByteArray& name, const QByteArray& content)
         files.push_back(
             {"cut at " + QByteArray::number(part) + "/12", name, content.left(content.size() * part / parts)});
     std::mt19937 random(42);
-    std::uniform_int_distribution<int> place(0, static_cast<int>(content.size()) - 1);
+    constexpr qsizetype head = 4096;
+    std::uniform_int_distribution<int> place(0, static_cast<int>(std::min(content.size(), head)) - 17);
     for (int change = 0; change < 6; ++change) {
         QByteArray changed = content;
         for (int byte = 0; byte < 4; ++byte)
@@ -132,8 +133,8 @@ std::vector<BadFile> damaged(const QByteArray& name, const QByteArray& content)
     }
     for (int change = 0; change < 4; ++change) {
         QByteArray changed = content;
-        changed.remove(place(random), 16);
-        files.push_back({"a piece missing, " + QByteArray::number(change), name, changed});
+        changed.replace(place(random), 16, QByteArray(16, change % 2 == 0 ? '\0' : '9'));
+        files.push_back({"a piece overwritten, " + QByteArray::number(change), name, changed});
     }
     return files;
 }
