@@ -4,8 +4,11 @@
 #include "app/command_line/option_values.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/whole_file.h"
+#include "app/reproduction/builder_comparison.h"
+#include "app/reproduction/comparison_report.h"
 #include "app/reproduction/figures.h"
 #include "app/reproduction/report.h"
+#include "app/reproduction/report_text.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -16,9 +19,17 @@
 namespace tetra {
 namespace {
 
+/// What one run makes.
+struct Reproduced {
+    Reproduction tables;
+    std::vector<ComparedDataset> comparison; ///< empty if not asked for
+};
+
 Result<std::set<int>> tablesOf(const Arguments& arguments)
 {
     std::set<int> tables;
+    if (arguments.has("compare-builders") && !arguments.has("tables"))
+        return tables;
     const auto numbers = parseNumbers("tables", arguments.value("tables").value_or("1,2,3,4"), 1, 4);
     if (!numbers)
         return numbers.error();
@@ -30,21 +41,78 @@ Result<std::set<int>> tablesOf(const Arguments& arguments)
     return tables;
 }
 
-/// The report in each form, and the figures; gives the names of the files.
-Result<std::vector<std::filesystem::path>> writeAll(const Reproduction& reproduction,
-                                                    const std::filesystem::path& folder)
+Result<Reproduced> make(const Invocation& invocation, const std::set<int>& tables, const std::filesystem::path& folder)
 {
-    auto files = drawFigures(reproduction, folder);
+    const std::filesystem::path data = *invocation.arguments.value("data");
+    const bool compares = invocation.arguments.has("compare-builders");
+    const double part = !compares ? 0.98 : tables.empty() ? 0 : 0.5;
+    Reproduced made;
+    auto reproduction = reproduce(invocation.host, data, folder, tables, invocation.progress.part(0, part));
+    if (!reproduction)
+        return reproduction.error();
+    made.tables = *std::move(reproduction);
+    if (!compares)
+        return made;
+    auto comparison = compareBuilders(invocation.host, data, folder, invocation.progress.part(part, 0.98));
+    if (!comparison)
+        return comparison.error();
+    made.comparison = *std::move(comparison);
+    return made;
+}
+
+QJsonObject figuresOf(const Reproduced& made)
+{
+    QJsonObject figures = jsonReport(made.tables);
+    if (!made.comparison.empty())
+        figures["comparison"] = comparisonFigures(made.comparison);
+    return figures;
+}
+
+std::string textOf(const Reproduced& made)
+{
+    const std::string tables = textReport(made.tables);
+    return tables + (tables.empty() || made.comparison.empty() ? "" : "\n") + textOf(comparisonTables(made.comparison));
+}
+
+/// A report in each form, as NAME.txt, .md and .json.
+Status writeReport(const std::filesystem::path& file, const std::string& text, const std::string& markdown,
+                   const QJsonObject& figures, std::vector<std::filesystem::path>& files)
+{
+    const std::string json = QJsonDocument(figures).toJson().toStdString();
+    for (const auto& [ending, content] :
+         {std::pair<std::string, std::string>{".txt", text}, {".md", markdown}, {".json", json}}) {
+        std::filesystem::path path = file;
+        path += ending;
+        if (const Status written = writeWholeFile(path, std::as_bytes(std::span(content))); !written)
+            return written;
+        files.push_back(path);
+    }
+    return {};
+}
+
+/// The reports in each form, and the figures; gives the names of the files.
+Result<std::vector<std::filesystem::path>> writeAll(const Reproduced& made, const std::filesystem::path& folder)
+{
+    auto files = drawFigures(made.tables, folder);
     if (!files)
         return files;
-    const std::string json = QJsonDocument(jsonReport(reproduction)).toJson().toStdString();
-    for (const auto& [name, text] : {std::pair<std::string, std::string>{"tables.txt", textReport(reproduction)},
-                                     {"tables.md", markdownReport(reproduction)},
-                                     {"tables.json", json}}) {
-        if (const Status written = writeWholeFile(folder / name, std::as_bytes(std::span(text))); !written)
+    if (!made.tables.tables.empty())
+        if (const Status written = writeReport(folder / "tables", textReport(made.tables), markdownReport(made.tables),
+                                               jsonReport(made.tables), *files);
+            !written)
             return written.error();
-        files->push_back(folder / name);
-    }
+    if (made.comparison.empty())
+        return files;
+    const auto charts = drawComparison(made.comparison, folder);
+    if (!charts)
+        return charts;
+    files->insert(files->end(), charts->begin(), charts->end());
+    const std::vector<ReportTable> tables = comparisonTables(made.comparison);
+    if (const Status written =
+            writeReport(folder / "builders", textOf(tables), markdownOf("Refinement and decimation", tables),
+                        QJsonObject{{"comparison", comparisonFigures(made.comparison)}}, *files);
+        !written)
+        return written.error();
     return files;
 }
 
@@ -60,19 +128,25 @@ Syntax reproduceSyntax(PluginHost&)
             "Tables 1 to 3: curvilinear grids, regular grids, regular grids in blocks. Table 4: isosurfaces, and how "
             "long pictures of surfaces, volumes and both take. Into "
             "the folder go the tables as text, Markdown and JSON, Figures 10 and 11 as PNG and SVG, and the "
-            "models. What has no data is skipped, and said so.",
+            "models. What has no data is skipped, and said so. With --compare-builders, in place of the tables unless "
+            "they are named: refinement against decimation on convex, curvilinear and irregular data, with charts.",
         .positionals = {},
         .options = {{.name = "tables",
                      .placeholder = "N[,N...]",
                      .explanation = "Which of the paper's tables.",
                      .byDefault = "1,2,3,4"},
+                    {.name = "compare-builders",
+                     .placeholder = {},
+                     .explanation = "Build models by refinement and by decimation, and compare their sites, "
+                                    "tetrahedra, time and memory at the paper's accuracies."},
                     {.name = "data",
                      .placeholder = "DIR",
                      .explanation = "The folder with the paper's figures (paper/table1.csv ...) and the datasets "
-                                    "(bluntfin, post, sod, buckyball).",
+                                    "(bluntfin, post, sod, buckyball, regular, irregular).",
                      .required = true},
                     outputOption("DIR", "The folder to write into; it is made if it does not exist.")},
-        .examples = {{"tan reproduce --tables 1,2,3 --data data -o reproduction", "The sizes of all models."}}};
+        .examples = {{"tan reproduce --tables 1,2,3 --data data -o reproduction", "The sizes of all models."},
+                     {"tan reproduce --compare-builders --data data -o builders", "Which builder needs how much."}}};
 }
 
 Result<Outcome> runReproduce(const Invocation& invocation)
@@ -81,14 +155,13 @@ Result<Outcome> runReproduce(const Invocation& invocation)
     if (!tables)
         return tables.error();
     const std::filesystem::path folder = *invocation.arguments.value("output");
-    const auto reproduction = reproduce(invocation.host, *invocation.arguments.value("data"), folder, *tables,
-                                        invocation.progress.part(0, 0.98));
-    if (!reproduction)
-        return reproduction.error();
-    const auto files = writeAll(*reproduction, folder);
+    const auto made = make(invocation, *tables, folder);
+    if (!made)
+        return made.error();
+    const auto files = writeAll(*made, folder);
     if (!files)
         return files.error();
-    Outcome outcome{.figures = jsonReport(*reproduction), .text = textReport(*reproduction) + "\nWritten:\n"};
+    Outcome outcome{.figures = figuresOf(*made), .text = textOf(*made) + "\nWritten:\n"};
     QJsonArray names;
     for (const std::filesystem::path& file : *files) {
         names.append(QFile::decodeName(file.c_str()));

@@ -55,4 +55,16 @@ Status writeDrawingAsSvg(const std::filesystem::path& path, const QSizeF& size, 
     return writeWholeFile(path, contentOf(bytes));
 }
 
+Result<std::vector<std::filesystem::path>> writeDrawing(const std::filesystem::path& file, const QSizeF& size,
+                                                        const Drawing& drawing)
+{
+    std::filesystem::path png = file, svg = file;
+    png += ".png";
+    svg += ".svg";
+    for (const Status& written : {writeDrawingAsPng(png, size, drawing), writeDrawingAsSvg(svg, size, drawing)})
+        if (!written)
+            return written.error();
+    return std::vector{png, svg};
+}
+
 } // namespace tetra

@@ -3,12 +3,12 @@
 
 #include "app/reproduction/chart.h"
 #include "app/reproduction/drawing_file.h"
+#include "app/reproduction/sites_curve.h"
 #include "core/model/extraction.h"
 
 #include <QPainter>
 
 #include <algorithm>
-#include <cmath>
 
 namespace tetra {
 
@@ -25,18 +25,6 @@ QString seriesName(const ReproducedModel& model)
            (model.experiment.variant.empty() ? QString() : ", " + QString::fromStdString(model.experiment.variant));
 }
 
-/// Sites against error in %, from 10 % down to a hundredth.
-std::vector<QPointF> curveOf(const Model& model)
-{
-    std::vector<QPointF> points;
-    for (double exponent = 1; exponent >= -2; exponent -= 0.05) {
-        const double percent = std::pow(10, exponent);
-        const MeshSize size = meshSizeAt(model, {.error = percent, .warping = percent});
-        points.emplace_back(percent, size.sites);
-    }
-    return points;
-}
-
 Chart sitesAgainstError(const Reproduction& reproduction)
 {
     Chart chart{.title = "Sites of the mesh against its error (lines: TAn, rings: the paper's tables)",
@@ -47,7 +35,7 @@ Chart sitesAgainstError(const Reproduction& reproduction)
     for (const ReproducedModel& model : reproduction.models) {
         if (!model.model || !reproduction.tables.contains(model.table))
             continue;
-        chart.series.push_back({seriesName(model), chartColour(colour), curveOf(*model.model)});
+        chart.series.push_back({seriesName(model), chartColour(colour), sitesCurve(*model.model)});
         ChartSeries rings{{}, chartColour(colour), {}, false};
         for (const ReproducedLevel& level : model.levels)
             if (level.paper.error > 0)
@@ -117,13 +105,10 @@ Result<std::vector<std::filesystem::path>> drawFigures(const Reproduction& repro
 {
     std::vector<std::filesystem::path> files;
     const auto draw = [&](const std::string& name, const QSizeF& size, const Drawing& drawing) -> Status {
-        const std::filesystem::path png = folder / (name + ".png");
-        const std::filesystem::path svg = folder / (name + ".svg");
-        if (const Status written = writeDrawingAsPng(png, size, drawing); !written)
-            return written;
-        if (const Status written = writeDrawingAsSvg(svg, size, drawing); !written)
-            return written;
-        files.insert(files.end(), {png, svg});
+        const auto written = writeDrawing(folder / name, size, drawing);
+        if (!written)
+            return written.error();
+        files.insert(files.end(), written->begin(), written->end());
         return {};
     };
 

@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reproduction/report.h"
 
-#include "app/command_line/table.h"
 #include "app/reproduction/report_tables.h"
+#include "app/reproduction/report_text.h"
 
 #include <QJsonArray>
 
 namespace tetra {
 
 namespace {
-
-std::string markdownRow(const std::vector<std::string>& cells)
-{
-    std::string line = "|";
-    for (const std::string& cell : cells)
-        line += " " + cell + " |";
-    return line + "\n";
-}
 
 QString toQString(const std::string& text)
 {
@@ -86,29 +78,12 @@ QJsonObject surfaceFigures(const ReproducedSurface& surface)
 
 std::string textReport(const Reproduction& reproduction)
 {
-    std::string text;
-    for (const ReportTable& part : reportTables(reproduction)) {
-        text += (text.empty() ? "" : "\n") + part.title + "\n" + (part.rows.empty() ? "" : table(part.rows));
-        for (const std::string& remark : part.remarks)
-            text += remark + "\n";
-    }
-    return text;
+    return textOf(reportTables(reproduction));
 }
 
 std::string markdownReport(const Reproduction& reproduction)
 {
-    std::string text = "# The paper's tables, made again\n";
-    for (const ReportTable& part : reportTables(reproduction)) {
-        text += "\n## " + part.title + "\n\n";
-        for (std::size_t row = 0; row < part.rows.size(); ++row) {
-            text += markdownRow(part.rows[row]);
-            if (row == 0)
-                text += markdownRow(std::vector<std::string>(part.rows[row].size(), "---:"));
-        }
-        for (const std::string& remark : part.remarks)
-            text += (part.rows.empty() ? "" : "\n") + remark + "\n";
-    }
-    return text;
+    return markdownOf("The paper's tables, made again", reportTables(reproduction));
 }
 
 QJsonObject jsonReport(const Reproduction& reproduction)

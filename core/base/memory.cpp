@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -59,6 +60,14 @@ std::uint64_t residentBytes()
 std::uint64_t peakResidentBytes()
 {
     return statusEntry("VmHWM:");
+}
+
+bool forgetPeakResidentBytes()
+{
+    ::malloc_trim(0);
+    std::ofstream file("/proc/self/clear_refs");
+    file << "5" << std::flush; // proc(5)
+    return file.good();
 }
 
 } // namespace tetra

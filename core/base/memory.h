@@ -17,7 +17,11 @@ std::uint64_t usableBytes() noexcept;
 /// Physical memory that this process occupies now, mapped files included, in bytes; 0 if the system does not tell.
 std::uint64_t residentBytes();
 
-/// The most that it ever occupied, in bytes; 0 if the system does not tell.
+/// The most that it ever occupied, or since forgetPeakResidentBytes(), in bytes; 0 if the system does not tell.
 std::uint64_t peakResidentBytes();
+
+/// Gives memory that is not in use back to the system and lets peakResidentBytes() count from what is left. False if
+/// the system does not allow that.
+bool forgetPeakResidentBytes();
 
 } // namespace tetra

@@ -9,6 +9,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <map>
+
 namespace tetra {
 namespace {
 
@@ -122,6 +124,45 @@ private slots:
         const QImage figure(path("out/figure10.png"));
         QCOMPARE(figure.size(), QSize(2000, 1280));
         QCOMPARE(figure.pixelColor(0, 0), QColor(Qt::white));
+    }
+
+    /// R31: both builders on the same data, a reason where one of them or the data cannot be had.
+    void comparesBuilders()
+    {
+        QVERIFY(QDir().mkpath(path("data/bluntfin")));
+        QVERIFY(QDir().mkpath(path("data/irregular")));
+        QCOMPARE(runTan({"sample", "bent-duct", "--size", "6", "-o", "duct.xyz"}, folder_.path()).exitCode, 0);
+        QVERIFY(QFile::rename(path("duct.xyz"), path("data/bluntfin/bluntfinxyz.bin")));
+        QVERIFY(QFile::rename(path("duct.q"), path("data/bluntfin/bluntfinq.bin")));
+        QVERIFY(writeFile(path("data/irregular/spx.vtu"), "no reader's file"));
+        const Run run =
+            runTan({"reproduce", "--compare-builders", "--data", "data", "-o", "out", "--json"}, folder_.path());
+        QVERIFY2(run.exitCode == 0, run.messages);
+        QVERIFY(run.json()["tables"].toArray().isEmpty());
+        std::map<QString, QJsonObject> datasets;
+        for (const QJsonValue dataset : run.json()["comparison"].toArray())
+            datasets[dataset["dataset"].toString()] = dataset.toObject();
+        for (const char* name : {"BuckyBall 32", "BluntFin"}) {
+            const QJsonObject& dataset = datasets[name];
+            QCOMPARE(dataset["skipped"].toString(), QString());
+            const QJsonArray levels = dataset["levels"].toArray();
+            QCOMPARE(levels.size(), 8);
+            for (const char* builder : {"refinement", "decimation"}) {
+                const QString model = QString("out/models/%1-%2.tan").arg(QString(name).replace(' ', '-'), builder);
+                const Run info = runTan({"info", model, "--lod", "1", "--warping", "1", "--json"}, folder_.path());
+                const int sites = info.json()["levels"].toArray()[0]["sites"].toInt();
+                QVERIFY(sites > 0);
+                QCOMPARE(levels[3][builder]["sites"].toInt(), sites);
+            }
+            for (const QJsonValue build : dataset["builds"].toArray())
+                QVERIFY(build["seconds"].toDouble() > 0);
+        }
+        QVERIFY(datasets["SOD 32"]["skipped"].toString().contains("no 'sod/sod_sub_32x32x32_uint8.nhdr'"));
+        QVERIFY(datasets["SPX"]["skipped"].toString().contains("No reader"));
+        for (const char* name : {"builders.txt", "builders.md", "builders.json", "builders-regular.svg",
+                                 "builders-regular.png", "builders-curvilinear.png"})
+            QVERIFY2(QFileInfo(path("out") + "/" + name).size() > 300, name);
+        QVERIFY(!QFileInfo::exists(path("out/tables.txt")));
     }
 
     void refusesBrokenFigures_data()

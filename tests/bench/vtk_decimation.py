@@ -21,9 +21,11 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 clock = time.process_time if len(os.sched_getaffinity(0)) == 1 else time.perf_counter
 
 
-def write_grid(grid, name, folder, ending):
+def write_grid(grid, folder, ending):
+    # The decimated grid's array has no name.
+    values = grid.GetPointData().GetScalars() or grid.GetPointData().GetArray(0)
     positions = vtk_to_numpy(grid.GetPoints().GetData()).astype(numpy.float64)
-    values = vtk_to_numpy(grid.GetPointData().GetArray(name)).astype(numpy.float64)
+    values = vtk_to_numpy(values).astype(numpy.float64)
     tetrahedra = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).astype(numpy.uint32)
     positions.tofile(os.path.join(folder, "positions" + ending))
     values.tofile(os.path.join(folder, "values" + ending))
@@ -38,7 +40,7 @@ def main():
     grid = reader.GetOutput()
     points = grid.GetPointData()
     name = (points.GetScalars() or points.GetArray(0)).GetName()
-    write_grid(grid, name, folder, "")
+    write_grid(grid, folder, "")
     seconds = []
     for number, share in enumerate(sys.argv[3:]):
         decimation = vtkUnstructuredGridQuadricDecimation()
@@ -48,7 +50,7 @@ def main():
         start = clock()
         decimation.Update()
         seconds.append(clock() - start)
-        write_grid(decimation.GetOutput(), name, folder, "." + str(number))
+        write_grid(decimation.GetOutput(), folder, "." + str(number))
     print(json.dumps({"seconds": seconds, "version": vtkVersion.GetVTKVersion()}))
 
 

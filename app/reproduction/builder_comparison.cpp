@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/reproduction/builder_comparison.h"
+
+#include "core/base/memory.h"
+#include "core/model/extraction.h"
+#include "plugins/host/dataset_opening.h"
+#include "plugins/host/model_building.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace tetra {
+
+namespace {
+
+ComparedDataset entry(std::string name, std::filesystem::path file, ParameterValues readerValues = {})
+{
+    ComparedDataset dataset;
+    dataset.name = std::move(name);
+    dataset.file = std::move(file);
+    dataset.readerValues = std::move(readerValues);
+    return dataset;
+}
+
+std::vector<ComparedDataset> comparedDatasets()
+{
+    return {entry("BuckyBall 32", "buckyball/bucky_32x32x32_uint8.nhdr"),
+            entry("SOD 32", "sod/sod_sub_32x32x32_uint8.nhdr"),
+            entry("neghip 64", "regular/neghip_64x64x64_uint8.nhdr"),
+            entry("hydrogen 64", "regular/hydrogen_64x64x64_float.nrrd"),
+            entry("BluntFin", "bluntfin/bluntfinxyz.bin", {{"array", std::string("density")}}),
+            entry("Post", "post/postxyz.bin", {{"array", std::string("pressure")}}),
+            entry("SPX", "irregular/spx.vtu"),
+            entry("bracket", "irregular/bracket_57k.vtu"),
+            entry("disk_out_ref", "irregular/disk_out_ref_tet.vtu")};
+}
+
+/// Nothing if it cannot be had here; `skipped` says why then.
+Result<std::optional<Dataset>> open(PluginHost& host, ComparedDataset& entry, const std::filesystem::path& data,
+                                    const Progress& progress)
+{
+    std::error_code problem;
+    const std::filesystem::path path = data / entry.file;
+    if (!std::filesystem::exists(path, problem)) {
+        entry.skipped = "There is no '" + entry.file.string() + "' in the folder of data.";
+        return std::optional<Dataset>();
+    }
+    if (const auto reader = chooseReader(host, path); !reader) {
+        entry.skipped = "No reader here reads '" + entry.file.string() + "': " + reader.error().text;
+        return std::optional<Dataset>();
+    }
+    auto dataset = openDataset(host, path, entry.readerValues, progress);
+    if (!dataset)
+        return dataset.error();
+    return std::optional(*std::move(dataset));
+}
+
+std::string modelName(const ComparedDataset& dataset, const std::string& builder)
+{
+    std::string name = dataset.name + "-" + builder + ".tan";
+    std::ranges::replace(name, ' ', '-');
+    return name;
+}
+
+Result<ComparedBuild> build(PluginHost& host, const Dataset& dataset, const std::string& builder,
+                            const std::filesystem::path& path, const Progress& progress)
+{
+    ComparedBuild result;
+    result.builder = builder;
+    if (const auto chosen = chooseBuilder(host, dataset, builder); !chosen) {
+        result.refusal = chosen.error().text;
+        return result;
+    }
+    // As a whole, as decimation is.
+    const ParameterValues values =
+        builder == "refinement" ? ParameterValues{{"block", std::string("none")}} : ParameterValues{};
+    const bool forgot = forgetPeakResidentBytes();
+    const std::uint64_t before = residentBytes();
+    const auto built = buildModel(host, dataset, builder, values, path, progress);
+    if (!built)
+        return built.error();
+    const auto model = Model::open(path);
+    if (!model)
+        return model.error();
+    result.model = *model;
+    result.seconds = built->seconds;
+    result.bytes = forgot && built->peakBytes > before ? built->peakBytes - before : 0;
+    result.inverted = built->report.inverted;
+    result.degenerate = built->report.degenerate;
+    for (const double percent : comparedAccuracies) {
+        const MeshSize size = meshSizeAt(**model, {.error = percent, .warping = percent});
+        result.sizes.push_back({size.sites, size.tetrahedra});
+    }
+    return result;
+}
+
+Status compare(PluginHost& host, ComparedDataset& entry, const std::filesystem::path& data,
+               const std::filesystem::path& models, const Progress& progress)
+{
+    const auto dataset = open(host, entry, data, progress.part(0, 0.1));
+    if (!dataset)
+        return dataset.error();
+    if (!dataset->has_value())
+        return {};
+    entry.domain = (*dataset)->domain;
+    entry.points = (*dataset)->pointCount();
+    double done = 0.1;
+    for (const std::string builder : {"refinement", "decimation"}) {
+        const double share = builder == "refinement" ? 0.15 : 0.75;
+        auto built =
+            build(host, **dataset, builder, models / modelName(entry, builder), progress.part(done, done + share));
+        if (!built)
+            return built.error();
+        entry.builds.push_back(*std::move(built));
+        done += share;
+    }
+    return {};
+}
+
+} // namespace
+
+Result<std::vector<ComparedDataset>> compareBuilders(PluginHost& host, const std::filesystem::path& data,
+                                                     const std::filesystem::path& folder, const Progress& progress)
+{
+    const std::filesystem::path models = folder / "models";
+    std::error_code problem;
+    std::filesystem::create_directories(models, problem);
+    if (problem)
+        return Error{ErrorKind::CannotWrite, "Cannot make the folder '" + models.string() + "': " + problem.message() +
+                                                 ". Choose another place with -o."};
+    std::vector<ComparedDataset> datasets = comparedDatasets();
+    for (std::size_t number = 0; number < datasets.size(); ++number) {
+        if (progress.cancelled())
+            return cancelledError("The comparison");
+        const auto share = [&](std::size_t done) {
+            return static_cast<double>(done) / static_cast<double>(datasets.size());
+        };
+        const Status compared =
+            compare(host, datasets[number], data, models, progress.part(share(number), share(number + 1)));
+        if (!compared)
+            return compared.error();
+    }
+    return datasets;
+}
+
+} // namespace tetra
