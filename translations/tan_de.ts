@@ -847,6 +847,106 @@
         <translation>Die PLOT3D-Lösung des Gitters; ohne sie die daneben mit passendem Namen.</translation>
     </message>
     <message>
+        <source>VTK readers</source>
+        <translation>VTK-Leser</translation>
+    </message>
+    <message>
+        <source>Reads VTK, Exodus, EnSight, NetCDF, CGNS, MetaImage, NIfTI, TIFF, DICOM and more, by means of VTK.</source>
+        <translation>Liest VTK, Exodus, EnSight, NetCDF, CGNS, MetaImage, NIfTI, TIFF, DICOM und mehr, mit Hilfe von VTK.</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <translation>Komponente</translation>
+    </message>
+    <message>
+        <source>Of arrays with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
+        <translation>Bei Feldern mit mehreren Komponenten: die Nummer einer, ab 0, oder „magnitude“ für den Betrag.</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>Of files with several time steps: which one, from 1.</source>
+        <translation>Bei Dateien mit mehreren Zeitschritten: welcher, ab 1.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Of files with several blocks or parts: one, by name or number from 1; without it all irregular meshes that have the values, or the first grid.</source>
+        <translation>Bei Dateien mit mehreren Blöcken oder Teilen: einer, mit Namen oder Nummer ab 1; ohne ihn alle unregelmäßigen Netze, die die Werte haben, oder das erste Gitter.</translation>
+    </message>
+    <message>
+        <source>VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</source>
+        <translation>VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</translation>
+    </message>
+    <message>
+        <source>VTK legacy (*.vtk)</source>
+        <translation>VTK, altes Format (*.vtk)</translation>
+    </message>
+    <message>
+        <source>VTK HDF (*.vtkhdf *.hdf)</source>
+        <translation>VTK HDF (*.vtkhdf *.hdf)</translation>
+    </message>
+    <message>
+        <source>Exodus II (*.ex2 *.exo *.exii *.e *.g)</source>
+        <translation>Exodus II (*.ex2 *.exo *.exii *.e *.g)</translation>
+    </message>
+    <message>
+        <source>EnSight (*.case *.encas)</source>
+        <translation>EnSight (*.case *.encas)</translation>
+    </message>
+    <message>
+        <source>NetCDF, CF conventions (*.nc *.cdf)</source>
+        <translation>NetCDF, CF-Konventionen (*.nc *.cdf)</translation>
+    </message>
+    <message>
+        <source>CGNS (*.cgns)</source>
+        <translation>CGNS (*.cgns)</translation>
+    </message>
+    <message>
+        <source>MetaImage (*.mhd *.mha)</source>
+        <translation>MetaImage (*.mhd *.mha)</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii *.nii.gz)</source>
+        <translation>NIfTI (*.nii *.nii.gz)</translation>
+    </message>
+    <message>
+        <source>MRC electron microscopy (*.mrc *.ccp4)</source>
+        <translation>MRC-Elektronenmikroskopie (*.mrc *.ccp4)</translation>
+    </message>
+    <message>
+        <source>TIFF stack (*.tif *.tiff)</source>
+        <translation>TIFF-Stapel (*.tif *.tiff)</translation>
+    </message>
+    <message>
+        <source>DICOM series (*.dcm *.dicom)</source>
+        <translation>DICOM-Serie (*.dcm *.dicom)</translation>
+    </message>
+    <message>
+        <source>PLOT3D, also text (*.xyz *.x *.g *.p3d *.q)</source>
+        <translation>PLOT3D, auch Text (*.xyz *.x *.g *.p3d *.q)</translation>
+    </message>
+    <message>
+        <source>GAMBIT (*.neu)</source>
+        <translation>GAMBIT (*.neu)</translation>
+    </message>
+    <message>
+        <source>Fluent (*.cas)</source>
+        <translation>Fluent (*.cas)</translation>
+    </message>
+    <message>
+        <source>OpenFOAM (*.foam controlDict)</source>
+        <translation>OpenFOAM (*.foam controlDict)</translation>
+    </message>
+    <message>
+        <source>Tecplot text (*.tec *.tp)</source>
+        <translation>Tecplot-Text (*.tec *.tp)</translation>
+    </message>
+    <message>
         <source>Grid</source>
         <translation>Gitter</translation>
     </message>

@@ -2,8 +2,8 @@
 #include "plugins/readers/lattice/raw_description.h"
 
 #include "core/base/number_text.h"
+#include "core/data/lattice_checks.h"
 #include "plugins/readers/lattice/field_text.h"
-#include "plugins/readers/lattice/lattice_checks.h"
 #include "plugins/readers/lattice/raw_guess.h"
 
 #include <string>

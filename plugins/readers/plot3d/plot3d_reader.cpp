@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/plot3d/plot3d_reader.h"
 
+#include "core/data/grid_checks.h"
 #include "core/data/sample_buffer.h"
 #include "plugins/readers/plot3d/plot3d_arrays.h"
-#include "plugins/readers/plot3d/plot3d_checks.h"
 #include "plugins/readers/plot3d/plot3d_names.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plugins/readers/lattice/lattice_checks.h"
+#include "core/data/lattice_checks.h"
 
 #include "core/base/number_text.h"
 

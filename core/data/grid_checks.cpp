@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plugins/readers/plot3d/plot3d_checks.h"
+#include "core/data/grid_checks.h"
 
 #include "core/data/grid_handedness.h"
 

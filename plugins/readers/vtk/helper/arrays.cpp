@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/vtk/helper/arrays.h"
+
+#include "core/base/number_text.h"
+
+#include <vtkCellData.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+namespace tetra {
+namespace {
+
+constexpr std::array<std::string_view, 12> helpingNames = {
+    "vtkGhostType", "vtkGhostLevels", "vtkOriginalPointIds", "vtkOriginalCellIds", "GlobalNodeId", "GlobalElementId",
+    "ObjectId",     "PedigreeNodeId", "PedigreeElementId",   "GlobalNodeID",       "Material Id",  "IBlank"};
+
+void addArrays(vtkDataSetAttributes& attributes, vtkIdType elements, bool perCell, std::vector<VtkArray>& arrays)
+{
+    for (int number = 0; number < attributes.GetNumberOfArrays(); ++number) {
+        vtkDataArray* array = attributes.GetArray(number);
+        if (array == nullptr || array->GetNumberOfTuples() != elements || array->GetNumberOfComponents() < 1 ||
+            elements == 0)
+            continue;
+        const char* name = array->GetName();
+        VtkArray entry{name == nullptr || *name == 0 ? "array " + std::to_string(arrays.size() + 1) : name, array,
+                       perCell, array == attributes.GetScalars()};
+        entry.isHelping = std::ranges::find(helpingNames, entry.name) != helpingNames.end();
+        arrays.push_back(std::move(entry));
+    }
+}
+
+bool isConstant(const VtkArray& entry)
+{
+    std::array<double, 2> range{};
+    entry.array->GetRange(range.data(), entry.array->GetNumberOfComponents() > 1 ? -1 : 0);
+    return !(range[0] < range[1]);
+}
+
+std::string namesText(const std::vector<VtkArray>& arrays)
+{
+    std::string text;
+    for (const VtkArray& entry : arrays)
+        text += (text.empty() ? "'" : ", '") + entry.name + "'" + (entry.perCell ? " (of cells)" : "");
+    return text;
+}
+
+/// The type of TAn that holds all values of this type of VTK.
+std::optional<SampleType> sampleTypeOf(int vtkType)
+{
+    static_assert(sizeof(int) == 4 && sizeof(short) == 2);
+    switch (vtkType) {
+    case VTK_UNSIGNED_CHAR: return SampleType::UInt8;
+    case VTK_CHAR: return std::numeric_limits<char>::is_signed ? SampleType::Int8 : SampleType::UInt8;
+    case VTK_SIGNED_CHAR: return SampleType::Int8;
+    case VTK_UNSIGNED_SHORT: return SampleType::UInt16;
+    case VTK_SHORT: return SampleType::Int16;
+    case VTK_UNSIGNED_INT: return SampleType::UInt32;
+    case VTK_INT: return SampleType::Int32;
+    case VTK_FLOAT: return SampleType::Float32;
+    case VTK_DOUBLE: return SampleType::Float64;
+    case VTK_BIT: return SampleType::UInt8;
+    default: return std::nullopt;
+    }
+}
+
+/// 64-bit integers that all fit stay integers.
+SampleType typeOf64Bits(vtkDataArray& array, int component)
+{
+    for (vtkIdType i = 0; i < array.GetNumberOfTuples(); ++i) {
+        const double value = array.GetComponent(i, component);
+        if (!(value >= std::numeric_limits<std::int32_t>::min() && value <= std::numeric_limits<std::int32_t>::max()))
+            return SampleType::Float64;
+    }
+    return SampleType::Int32;
+}
+
+double magnitude(vtkDataArray& array, vtkIdType element)
+{
+    double sum = 0;
+    for (int component = 0; component < array.GetNumberOfComponents(); ++component) {
+        const double value = array.GetComponent(element, component);
+        sum += value * value;
+    }
+    return std::sqrt(sum);
+}
+
+template <class Value> VtkSamples filled(vtkDataArray& array, SampleType type, const Value& value)
+{
+    VtkSamples result;
+    result.type = type;
+    const auto count = static_cast<std::size_t>(array.GetNumberOfTuples());
+    result.samples.resize(count * sampleSize(type));
+    visitSampleType(type, [&]<class T>() {
+        T* samples = reinterpret_cast<T*>(result.samples.data());
+        for (std::size_t i = 0; i < count; ++i)
+            samples[i] = static_cast<T>(value(static_cast<vtkIdType>(i)));
+    });
+    return result;
+}
+
+VtkSamples magnitudeSamples(vtkDataArray& array)
+{
+    const SampleType type = array.GetDataType() == VTK_FLOAT ? SampleType::Float32 : SampleType::Float64;
+    return filled(array, type, [&](vtkIdType i) { return magnitude(array, i); });
+}
+
+VtkSamples componentSamples(vtkDataArray& array, int component)
+{
+    const auto known = sampleTypeOf(array.GetDataType());
+    const SampleType type = known ? *known : typeOf64Bits(array, component);
+    VtkSamples result = filled(array, type, [&](vtkIdType i) { return array.GetComponent(i, component); });
+    if (!known && type == SampleType::Float64)
+        result.remarks.emplace_back("Its 64-bit integers became floating-point numbers of 53 bits.");
+    return result;
+}
+
+} // namespace
+
+std::vector<VtkArray> arraysOf(vtkDataSet& data)
+{
+    std::vector<VtkArray> arrays;
+    addArrays(*data.GetPointData(), data.GetNumberOfPoints(), false, arrays);
+    addArrays(*data.GetCellData(), data.GetNumberOfCells(), true, arrays);
+    return arrays;
+}
+
+Result<VtkArray> chooseArray(const std::vector<VtkArray>& arrays, const std::string& wanted)
+{
+    if (arrays.empty())
+        return Error{ErrorKind::BadInput, "it has no array with a number for each point or cell. Write it with one."};
+    if (!wanted.empty() && wanted != "automatic") {
+        if (const auto found = std::ranges::find(arrays, wanted, &VtkArray::name); found != arrays.end())
+            return *found;
+        if (const auto number = parseNumber<std::uint64_t>(wanted); number && *number >= 1 && *number <= arrays.size())
+            return arrays[*number - 1];
+        return Error{ErrorKind::WrongUsage,
+                     "it has no array '" + wanted + "'. Choose one of these: " + namesText(arrays) + "."};
+    }
+    const auto rank = [](const VtkArray& entry) { // the smallest is taken, of equals the first
+        return std::array{entry.isHelping, isConstant(entry), entry.perCell, !entry.active,
+                          entry.array->GetNumberOfComponents() > 1};
+    };
+    return *std::ranges::min_element(arrays, {}, rank);
+}
+
+Result<VtkSamples> samplesOf(const VtkArray& entry, const std::string& component)
+{
+    vtkDataArray& array = *entry.array;
+    const int components = array.GetNumberOfComponents();
+    const bool wantsMagnitude = component.empty() || component == "magnitude";
+    const auto number = wantsMagnitude ? std::optional<std::uint32_t>(0) : parseNumber<std::uint32_t>(component);
+    if (!number || *number >= static_cast<std::uint32_t>(components))
+        return Error{ErrorKind::WrongUsage, "its array '" + entry.name + "' has no component '" + component +
+                                                "'. Choose one from 0 to " + std::to_string(components - 1) +
+                                                ", or 'magnitude'."};
+    VtkSamples result =
+        components > 1 && wantsMagnitude ? magnitudeSamples(array) : componentSamples(array, static_cast<int>(*number));
+    result.name = entry.name;
+    if (components > 1)
+        result.name += wantsMagnitude ? " (magnitude)" : " (component " + std::to_string(*number) + ")";
+    return result;
+}
+
+std::vector<double> toDoubles(const VtkSamples& samples)
+{
+    std::vector<double> values;
+    visitSampleType(samples.type, [&]<class T>() {
+        const T* first = reinterpret_cast<const T*>(samples.samples.data());
+        values.assign(first, first + samples.samples.size() / sizeof(T));
+    });
+    return values;
+}
+
+} // namespace tetra

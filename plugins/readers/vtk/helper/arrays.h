@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/buffer.h"
+#include "core/base/result.h"
+#include "core/data/sample_type.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+
+#include <string>
+#include <vector>
+
+namespace tetra {
+
+/// An array of a dataset that could be its scalar.
+struct VtkArray {
+    std::string name;
+    vtkDataArray* array = nullptr; ///< of the dataset, which owns it
+    bool perCell = false;
+    bool active = false;    ///< the file marks it as the scalar
+    bool isHelping = false; ///< numbers of points, owners ...: taken only if named
+};
+
+/// Those with one number, or several, for each point or each cell: first the points', in the file's order.
+std::vector<VtkArray> arraysOf(vtkDataSet& data);
+
+/// By name or number from 1, or for "automatic" (and an empty text): the one that the file marks, else the first;
+/// arrays of points before those of cells, one component before several, and what is the same everywhere only if there
+/// is nothing else.
+Result<VtkArray> chooseArray(const std::vector<VtkArray>& arrays, const std::string& wanted);
+
+/// One number for each element of an array.
+struct VtkSamples {
+    SampleType type = SampleType::Float32;
+    Buffer<std::byte> samples;
+    std::string name;                   ///< the array's and the component's
+    std::vector<std::string> remarks{}; ///< if they are not what stands in the file
+};
+
+/// `component` is a number from 0 or "magnitude", which counts for several components only. Types that TAn does not
+/// have become wider ones, magnitudes floating point.
+Result<VtkSamples> samplesOf(const VtkArray& array, const std::string& component);
+
+/// The same as doubles.
+std::vector<double> toDoubles(const VtkSamples& samples);
+
+} // namespace tetra

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/vtk/helper/contents.h"
+
+#include "plugins/readers/vtk/helper/arrays.h"
+#include "plugins/readers/vtk/helper/grid_findings.h"
+
+#include <vtkDataObject.h>
+#include <vtkDataObjectTypes.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredDataReader.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetra {
+namespace {
+
+DomainClass domainOf(vtkDataSet& data)
+{
+    if (const auto grid = gridOf(data))
+        return grid->onLattice ? DomainClass::RegularLattice : DomainClass::Curvilinear;
+    return vtkUnstructuredGrid::SafeDownCast(&data) != nullptr ? DomainClass::Irregular : DomainClass::Scattered;
+}
+
+std::optional<ValueRange> rangeOf(const VtkArray& array)
+{
+    double range[2] = {1, 0};
+    array.array->GetRange(range, array.array->GetNumberOfComponents() > 1 ? -1 : 0);
+    return range[0] <= range[1] ? std::optional(ValueRange{range[0], range[1]}) : std::nullopt;
+}
+
+void addGrid(vtkDataSet& data, FileContents& contents)
+{
+    const auto grid = gridOf(data);
+    if (!grid)
+        return;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto along = static_cast<Eigen::Index>(grid->onLattice ? grid->axes[axis] : static_cast<int>(axis));
+        contents.lattice.size[static_cast<std::size_t>(along)] = grid->size[axis];
+        const double spacing = grid->spacing[static_cast<Eigen::Index>(axis)];
+        contents.lattice.spacing[along] = std::abs(spacing);
+        contents.lattice.origin[along] = grid->origin[along] + std::min(0., (grid->size[axis] - 1.) * spacing);
+    }
+}
+
+/// The fields of points or cells that the information names; false if one has no name.
+bool addFields(vtkInformation& information, vtkInformationInformationVectorKey* key, bool perCell,
+               FileContents& contents)
+{
+    vtkInformationVector* fields = information.Get(key);
+    for (int field = 0; fields != nullptr && field < fields->GetNumberOfInformationObjects(); ++field) {
+        vtkInformation& entry = *fields->GetInformationObject(field);
+        if (entry.Has(vtkDataObject::FIELD_NAME()) == 0)
+            return false;
+        FileArray array{.name = entry.Get(vtkDataObject::FIELD_NAME()), .perCell = perCell};
+        if (entry.Has(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()) != 0)
+            array.components = entry.Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS());
+        if (const double* range = entry.Get(vtkDataObject::FIELD_RANGE()); range != nullptr && array.components == 1)
+            array.range = ValueRange{range[0], range[1]};
+        contents.arrays.push_back(std::move(array));
+    }
+    return true;
+}
+
+/// Whether the information holds the extent of a grid, which is then added.
+bool addExtent(vtkInformation& information, FileContents& contents)
+{
+    using Pipeline = vtkStreamingDemandDrivenPipeline;
+    if (information.Has(Pipeline::WHOLE_EXTENT()) == 0)
+        return false;
+    const int* extent = information.Get(Pipeline::WHOLE_EXTENT());
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (extent[2 * axis + 1] < extent[2 * axis])
+            return false;
+        contents.lattice.size[axis] = static_cast<std::uint32_t>(extent[2 * axis + 1] - extent[2 * axis] + 1);
+        if (information.Has(vtkDataObject::SPACING()) != 0 && information.Has(vtkDataObject::ORIGIN()) != 0) {
+            const auto index = static_cast<Eigen::Index>(axis);
+            contents.lattice.spacing[index] = information.Get(vtkDataObject::SPACING())[axis];
+            contents.lattice.origin[index] =
+                information.Get(vtkDataObject::ORIGIN())[axis] + extent[2 * axis] * contents.lattice.spacing[index];
+        }
+    }
+    contents.points = contents.lattice.pointCount();
+    return true;
+}
+
+void addCounts(vtkAlgorithm& reader, FileContents& contents)
+{
+    auto* xml = vtkXMLUnstructuredDataReader::SafeDownCast(&reader);
+    if (xml == nullptr)
+        return;
+    xml->SetupUpdateExtent(0, 1, 0);
+    contents.points = static_cast<std::uint64_t>(std::max<vtkIdType>(0, xml->GetNumberOfPoints()));
+    contents.cells = static_cast<std::uint64_t>(std::max<vtkIdType>(0, xml->GetNumberOfCells()));
+}
+
+} // namespace
+
+std::optional<FileContents> contentsFromInformation(vtkAlgorithm& reader)
+{
+    vtkInformation* information = reader.GetOutputInformation(0);
+    vtkDataObject* output = reader.GetOutputDataObject(0);
+    if (information == nullptr || output == nullptr)
+        return std::nullopt;
+    FileContents contents;
+    if (!addFields(*information, vtkDataObject::POINT_DATA_VECTOR(), false, contents) ||
+        !addFields(*information, vtkDataObject::CELL_DATA_VECTOR(), true, contents) || contents.arrays.empty())
+        return std::nullopt;
+    const int type = output->GetDataObjectType();
+    if (type == VTK_IMAGE_DATA || type == VTK_STRUCTURED_GRID) {
+        contents.domain = type == VTK_IMAGE_DATA ? DomainClass::RegularLattice : DomainClass::Curvilinear;
+        if (!addExtent(*information, contents))
+            return std::nullopt;
+    } else if (type == VTK_UNSTRUCTURED_GRID || type == VTK_POLY_DATA) {
+        contents.domain = type == VTK_POLY_DATA ? DomainClass::Scattered : DomainClass::Irregular;
+        addCounts(reader, contents);
+    } else {
+        return std::nullopt;
+    }
+    return contents;
+}
+
+FileContents contentsOf(const std::vector<VtkLeaf>& leaves, const std::string& part)
+{
+    FileContents contents;
+    for (const VtkLeaf& leaf : leaves)
+        if (!leaf.name.empty())
+            contents.blocks.push_back(leaf.name);
+    const auto chosen = part.empty() ? Result<VtkLeaf>(Error{}) : chooseLeaf(leaves, part);
+    for (const VtkLeaf& leaf : leaves) {
+        if (chosen && chosen->data != leaf.data)
+            continue;
+        if (!contents.domain) {
+            contents.domain = domainOf(*leaf.data);
+            addGrid(*leaf.data, contents);
+        }
+        contents.points += static_cast<std::uint64_t>(leaf.data->GetNumberOfPoints());
+        contents.cells += static_cast<std::uint64_t>(leaf.data->GetNumberOfCells());
+        for (const VtkArray& array : arraysOf(*leaf.data))
+            if (std::ranges::find(contents.arrays, array.name, &FileArray::name) == contents.arrays.end())
+                contents.arrays.push_back(
+                    {array.name, array.array->GetNumberOfComponents(), array.perCell, rangeOf(array)});
+    }
+    return contents;
+}
+
+} // namespace tetra

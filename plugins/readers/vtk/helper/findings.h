@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "plugins/readers/vtk/helper/leaves.h"
+#include "plugins/readers/vtk/vtk_findings.h"
+
+namespace tetra {
+
+/// What the request asks for out of what VTK read: one part, or all irregular meshes that have the values, or the first
+/// grid. The error says what is not there, and what is.
+Result<VtkFindings> findingsOf(const std::vector<VtkLeaf>& leaves, const VtkRequest& request);
+
+} // namespace tetra

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "plugins/readers/vtk/vtk_findings.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkSmartPointer.h>
+
+#include <functional>
+
+namespace tetra {
+
+/// A VTK reader with its file, not yet run.
+struct VtkSource {
+    vtkSmartPointer<vtkAlgorithm> reader;
+    /// Switches on what the request asks for, as far as the reader has switches; after UpdateInformation().
+    std::function<void()> selectArrays = [] {};
+    bool knowsContents = false; ///< UpdateInformation() alone tells arrays and sizes
+};
+
+/// The reader for the request's format. The error says what is wrong with the file, for files that no VTK reader should
+/// be given.
+Result<VtkSource> makeSource(const VtkRequest& request);
+
+} // namespace tetra

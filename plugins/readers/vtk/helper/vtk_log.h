@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+
+#include <string>
+#include <vector>
+
+namespace tetra {
+
+/// What VTK says while it reads, instead of printing it.
+struct VtkLog {
+    std::vector<std::string> errors;
+    std::vector<std::string> warnings;
+};
+
+/// From now on all errors and warnings of VTK go to `log`, which must live to the end of the process.
+void sendVtkMessagesTo(VtkLog& log);
+
+/// Success if there were no errors; else an Error with the first of them.
+Status statusOf(const VtkLog& log);
+
+} // namespace tetra

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/vtk/helper/xml_sources.h"
+
+#include "plugins/readers/vtk/helper/xml_checks.h"
+
+#include <vtkDataArraySelection.h>
+#include <vtkXMLImageDataReader.h>
+#include <vtkXMLMultiBlockDataReader.h>
+#include <vtkXMLPImageDataReader.h>
+#include <vtkXMLPPolyDataReader.h>
+#include <vtkXMLPRectilinearGridReader.h>
+#include <vtkXMLPStructuredGridReader.h>
+#include <vtkXMLPUnstructuredGridReader.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLRectilinearGridReader.h>
+#include <vtkXMLStructuredGridReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <fstream>
+#include <map>
+#include <string_view>
+
+namespace tetra {
+namespace {
+
+using Make = vtkSmartPointer<vtkXMLReader> (*)();
+
+template <class Reader> vtkSmartPointer<vtkXMLReader> make()
+{
+    return vtkSmartPointer<Reader>::New();
+}
+
+const std::map<std::string_view, Make> readers = {{"ImageData", make<vtkXMLImageDataReader>},
+                                                  {"RectilinearGrid", make<vtkXMLRectilinearGridReader>},
+                                                  {"StructuredGrid", make<vtkXMLStructuredGridReader>},
+                                                  {"UnstructuredGrid", make<vtkXMLUnstructuredGridReader>},
+                                                  {"PolyData", make<vtkXMLPolyDataReader>},
+                                                  {"PImageData", make<vtkXMLPImageDataReader>},
+                                                  {"PRectilinearGrid", make<vtkXMLPRectilinearGridReader>},
+                                                  {"PStructuredGrid", make<vtkXMLPStructuredGridReader>},
+                                                  {"PUnstructuredGrid", make<vtkXMLPUnstructuredGridReader>},
+                                                  {"PPolyData", make<vtkXMLPPolyDataReader>},
+                                                  {"vtkMultiBlockDataSet", make<vtkXMLMultiBlockDataReader>}};
+
+/// What stands in the attribute "type" of the element VTKFile; empty without one in the first bytes of the file.
+std::string typeOf(const std::string& path)
+{
+    std::string start(4096, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(start.data(), static_cast<std::streamsize>(start.size()));
+    start.resize(static_cast<std::size_t>(file.gcount()));
+    const auto element = start.find("<VTKFile");
+    return element == std::string::npos ? "" : std::string(xmlAttribute(start.substr(element), "type"));
+}
+
+/// Only the wanted array, if it is named and there; all others stay on.
+void selectOnly(vtkDataArraySelection& points, vtkDataArraySelection& cells, const std::string& wanted)
+{
+    vtkDataArraySelection* const lists[] = {&points, &cells};
+    for (vtkDataArraySelection* list : lists)
+        if (list->ArrayExists(wanted.c_str()) != 0) {
+            points.DisableAllArrays();
+            cells.DisableAllArrays();
+            list->EnableArray(wanted.c_str());
+            for (const char* kept : {"vtkGhostType", "vtkGhostLevels"}) {
+                points.EnableArray(kept);
+                cells.EnableArray(kept);
+            }
+            return;
+        }
+}
+
+} // namespace
+
+Result<VtkSource> makeXmlSource(const VtkRequest& request)
+{
+    const std::string type = typeOf(request.path);
+    const auto found = readers.find(type);
+    if (found == readers.end())
+        return Error{ErrorKind::BadInput,
+                     type.empty() ? "it is no VTK file: its beginning does not say a type of data. Write it anew."
+                                  : "it holds data of the type '" + type +
+                                        "', which are no volume. Write them as a grid, a mesh or points."};
+    if (type == "ImageData" || type == "RectilinearGrid" || type == "StructuredGrid")
+        if (const Status fits = checkXmlGrid(request.path, type); !fits)
+            return fits.error();
+    const vtkSmartPointer<vtkXMLReader> reader = found->second();
+    reader->SetFileName(request.path.c_str());
+    VtkSource source{.reader = reader, .knowsContents = type != "vtkMultiBlockDataSet" && !type.starts_with('P')};
+    source.selectArrays = [reader, wanted = request.array, whole = request.contentsOnly] {
+        if (!whole)
+            selectOnly(*reader->GetPointDataArraySelection(), *reader->GetCellDataArraySelection(), wanted);
+    };
+    return source;
+}
+
+} // namespace tetra

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/vtk/vtk_dataset.h"
+
+#include "core/data/grid_checks.h"
+#include "core/data/lattice_checks.h"
+#include "core/data/merged_points.h"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace tetra {
+namespace {
+
+constexpr double farthest = 1e90; ///< volumes of such coordinates are still numbers
+
+std::uint64_t product(const std::array<std::uint32_t, 3>& size)
+{
+    return std::uint64_t(size[0]) * size[1] * size[2];
+}
+
+Result<ScalarField> fieldOf(VtkFindings& found, std::uint64_t points, const Progress& progress)
+{
+    if (found.samples.size() / sampleSize(found.type) != points)
+        return Error{ErrorKind::BadInput, "its array '" + found.arrayName + "' has " +
+                                              std::to_string(found.samples.size() / sampleSize(found.type)) +
+                                              " values for " + std::to_string(points) + " points."};
+    const auto samples = std::make_shared<const Buffer<std::byte>>(std::move(found.samples));
+    return ScalarField::scanned(found.type, points, {samples, samples->data()}, progress);
+}
+
+std::vector<double> doublesOf(const VtkFindings& found)
+{
+    std::vector<double> values(found.samples.size() / sizeof(double));
+    std::memcpy(values.data(), found.samples.data(), values.size() * sizeof(double));
+    return values;
+}
+
+Result<Dataset> gridDataset(VtkFindings& found, const Progress& progress)
+{
+    if (const Status size = checkLatticeSize({found.size[0], found.size[1], found.size[2]}); !size)
+        return size.error();
+    Dataset dataset;
+    dataset.lattice.size = found.size;
+    const bool onLattice = found.kind == VtkDataKind::Lattice;
+    dataset.domain = onLattice ? DomainClass::RegularLattice : DomainClass::Curvilinear;
+    if (onLattice) {
+        dataset.lattice.spacing = found.spacing;
+        dataset.lattice.origin = found.origin;
+        if (const Status placed = checkLatticePlacement(dataset.lattice); !placed)
+            return placed.error();
+    } else {
+        if (found.positions.size() != product(found.size))
+            return Error{ErrorKind::BadInput, "it has " + std::to_string(found.positions.size()) +
+                                                  " positions for a grid of " + std::to_string(product(found.size)) +
+                                                  " points."};
+        dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(found.positions));
+    }
+    const auto values = fieldOf(found, product(found.size), progress);
+    if (!values)
+        return values.error();
+    dataset.values = *values;
+    const Status usable = onLattice ? checkFinite(dataset.lattice, dataset.values) : checkGrid(dataset);
+    if (!usable)
+        return usable.error();
+    return dataset;
+}
+
+Status checkPoints(const VtkFindings& found, std::span<const double> values)
+{
+    if (values.size() != found.positions.size())
+        return Error{ErrorKind::BadInput, "its array '" + found.arrayName + "' has " + std::to_string(values.size()) +
+                                              " values for " + std::to_string(found.positions.size()) + " points."};
+    if (values.empty())
+        return Error{ErrorKind::BadInput, "it holds no points."};
+    if (values.size() > std::numeric_limits<std::uint32_t>::max())
+        return Error{ErrorKind::OutOfResource, "it has more than 4294967295 points. Take a part of them."};
+    for (std::size_t point = 0; point < values.size(); ++point)
+        if (!(found.positions[point].cwiseAbs().maxCoeff() <= farthest) || !found.positions[point].allFinite())
+            return Error{ErrorKind::BadInput, "the position of point " + std::to_string(point) +
+                                                  " (from 0) is no number, or too large. Repair the file."};
+    return {};
+}
+
+/// Points without a value are left out: they say nothing of the field.
+void leaveOutNotFinite(std::vector<Eigen::Vector3d>& positions, std::vector<double>& values,
+                       std::vector<std::string>& remarks)
+{
+    std::size_t kept = 0;
+    for (std::size_t point = 0; point < values.size(); ++point)
+        if (std::isfinite(values[point])) {
+            positions[kept] = positions[point];
+            values[kept++] = values[point];
+        }
+    if (kept < values.size())
+        remarks.push_back(std::to_string(values.size() - kept) + " points whose value is no number were left out.");
+    positions.resize(kept);
+    values.resize(kept);
+}
+
+Result<Dataset> scatteredDataset(VtkFindings& found)
+{
+    std::vector<double> values = doublesOf(found);
+    if (const Status usable = checkPoints(found, values); !usable)
+        return usable.error();
+    Dataset dataset;
+    leaveOutNotFinite(found.positions, values, dataset.remarks);
+    if (values.empty())
+        return Error{ErrorKind::BadInput, "none of its values is a number."};
+    if (const std::string merged = mergeRemark(mergePoints(found.positions, values)); !merged.empty())
+        dataset.remarks.push_back(merged);
+    dataset.domain = DomainClass::Scattered;
+    dataset.lattice.size = {static_cast<std::uint32_t>(values.size()), 1, 1};
+    dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(found.positions));
+    const auto samples = std::make_shared<const std::vector<double>>(std::move(values));
+    dataset.values = ScalarField(SampleType::Float64, samples->size(),
+                                 {samples, reinterpret_cast<const std::byte*>(samples->data())});
+    return dataset;
+}
+
+Result<Dataset> cellsDataset(VtkFindings& found, const Source& source, const Progress& progress)
+{
+    const ComplexValues values{doublesOf(found), found.perCell, found.type};
+    found.samples = {};
+    const CellComplex complex{std::move(found.positions), std::move(found.shapes), std::move(found.offsets),
+                              std::move(found.corners), std::move(found.blanked)};
+    return irregularDataset(complex, values, source, progress);
+}
+
+} // namespace
+
+Result<Dataset> datasetOf(VtkFindings findings, const Source& source, const Progress& progress)
+{
+    const std::vector<std::string> remarks = std::move(findings.remarks);
+    auto dataset = findings.kind == VtkDataKind::Cells    ? cellsDataset(findings, source, progress)
+                   : findings.kind == VtkDataKind::Points ? scatteredDataset(findings)
+                                                          : gridDataset(findings, progress);
+    if (!dataset)
+        return dataset.error();
+    dataset->source = source;
+    dataset->source.hash = contentHash(dataset->values, dataset->positions, dataset->tetrahedra);
+    dataset->remarks.insert(dataset->remarks.begin(), remarks.begin(), remarks.end());
+    return dataset;
+}
+
+} // namespace tetra

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/data/dataset.h"
+#include "plugins/readers/vtk/vtk_findings.h"
+
+namespace tetra {
+
+/// The dataset that the findings make: checked as those of every reader, cells cut into tetrahedra, points on one place
+/// merged. `source` says the file; the hash is found here. The error says what is wrong with "it", for the caller to
+/// name the file.
+Result<Dataset> datasetOf(VtkFindings findings, const Source& source, const Progress& progress);
+
+} // namespace tetra

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/buffer.h"
+#include "core/cells/cell_complex.h"
+#include "core/data/sample_type.h"
+#include "plugins/readers/vtk/vtk_format.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tetra {
+
+/// What the helper program is asked for.
+struct VtkRequest {
+    bool contentsOnly = false; ///< probe() instead of read()
+    VtkFormat format = VtkFormat::None;
+    std::string path;
+    std::string array; ///< a name, or a number from 1; "automatic"
+    std::string component;
+    std::int64_t timeStep = 1; ///< from 1
+    std::string part;          ///< a name, or a number from 1; empty: what fits together
+    std::string companion;     ///< of PLOT3D grids the file with the values; empty: what is beside the grid
+};
+
+enum class VtkDataKind : std::uint8_t { Lattice, Grid, Cells, Points };
+
+/// What VTK read, in plain arrays: not yet checked, the helper may have stumbled over a damaged file.
+struct VtkFindings {
+    VtkDataKind kind = VtkDataKind::Lattice;
+    std::array<std::uint32_t, 3> size{}; ///< of a lattice or a grid
+    Eigen::Vector3d spacing{1, 1, 1};    ///< of a lattice, with origin
+    Eigen::Vector3d origin{0, 0, 0};
+    std::vector<Eigen::Vector3d> positions{}; ///< of all but lattices
+    SampleType type = SampleType::Float32;
+    Buffer<std::byte> samples{}; ///< of `type`, one a point, or a cell if `perCell`; of Cells doubles, whatever `type`
+    bool perCell = false;        ///< of Cells only
+    std::vector<CellShape> shapes{}; ///< of Cells, with the following as in CellComplex
+    std::vector<std::uint64_t> offsets{};
+    std::vector<std::uint64_t> corners{};
+    std::vector<std::uint8_t> blanked{};
+    std::string arrayName{};
+    std::vector<std::string> remarks{};
+};
+
+} // namespace tetra

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/vtk/vtk_format.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace tetra {
+namespace {
+
+struct FormatEntry {
+    VtkFormat format;
+    std::string_view filter;
+    double byName; ///< the score of a file with one of these names; a signature that fits adds to it
+};
+
+/// Names that other readers claim too have a score that leaves those the first choice.
+constexpr std::array<FormatEntry, 17> formats = {{
+    {VtkFormat::Xml, "VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)", 0.9},
+    {VtkFormat::Legacy, "VTK legacy (*.vtk)", 0.9},
+    {VtkFormat::Hdf, "VTK HDF (*.vtkhdf *.hdf)", 0.6},
+    {VtkFormat::Exodus, "Exodus II (*.ex2 *.exo *.exii *.e *.g)", 0.6},
+    {VtkFormat::EnSight, "EnSight (*.case *.encas)", 0.8},
+    {VtkFormat::NetCdf, "NetCDF, CF conventions (*.nc *.cdf)", 0.6},
+    {VtkFormat::Cgns, "CGNS (*.cgns)", 0.8},
+    {VtkFormat::MetaImage, "MetaImage (*.mhd *.mha)", 0.9},
+    {VtkFormat::Nifti, "NIfTI (*.nii *.nii.gz)", 0.9},
+    {VtkFormat::Mrc, "MRC electron microscopy (*.mrc *.ccp4)", 0.8},
+    {VtkFormat::Tiff, "TIFF stack (*.tif *.tiff)", 0.6},
+    {VtkFormat::Dicom, "DICOM series (*.dcm *.dicom)", 0.6},
+    {VtkFormat::Plot3d, "PLOT3D, also text (*.xyz *.x *.g *.p3d *.q)", 0.15},
+    {VtkFormat::Gambit, "GAMBIT (*.neu)", 0.8},
+    {VtkFormat::Fluent, "Fluent (*.cas)", 0.8},
+    {VtkFormat::OpenFoam, "OpenFOAM (*.foam controlDict)", 0.8},
+    {VtkFormat::Tecplot, "Tecplot text (*.tec *.tp)", 0.5},
+}};
+
+std::string lowered(std::string text)
+{
+    std::ranges::transform(text, text.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return text;
+}
+
+/// Whether the name ends as one of the patterns of "Text (*.one *.two)" says.
+bool fitsFilter(const std::string& name, std::string_view filter)
+{
+    filter.remove_prefix(filter.rfind('(') + 1);
+    filter.remove_suffix(1);
+    while (!filter.empty()) {
+        const auto end = std::min(filter.find(' '), filter.size());
+        const std::string pattern = lowered(std::string(filter.substr(0, end)));
+        if (pattern.starts_with('*') ? name.size() > pattern.size() - 1 && name.ends_with(pattern.substr(1))
+                                     : name == pattern)
+            return true;
+        filter.remove_prefix(std::min(end + 1, filter.size()));
+    }
+    return false;
+}
+
+bool hasAt(std::string_view bytes, std::size_t place, std::string_view wanted)
+{
+    return bytes.size() >= place + wanted.size() && bytes.substr(place, wanted.size()) == wanted;
+}
+
+bool isTiff(std::string_view bytes)
+{
+    using namespace std::string_view_literals;
+    return hasAt(bytes, 0, "II*\0"sv) || hasAt(bytes, 0, "MM\0*"sv) || hasAt(bytes, 0, "II+\0"sv) ||
+           hasAt(bytes, 0, "MM\0+"sv);
+}
+
+/// The format whose signature a file begins with; None for those without.
+VtkFormat bySignature(std::string_view bytes)
+{
+    if (hasAt(bytes, 0, "# vtk DataFile"))
+        return VtkFormat::Legacy;
+    if (const auto element = bytes.find("<VTKFile"); element != std::string_view::npos)
+        return VtkFormat::Xml;
+    if (hasAt(bytes, 128, "DICM"))
+        return VtkFormat::Dicom;
+    return isTiff(bytes) ? VtkFormat::Tiff : VtkFormat::None;
+}
+
+/// Whether a file begins as a PLOT3D text does: numbers alone, first one or three whole ones in a line. (Tables of
+/// points have four in each; chemical structures have names in the third line.)
+bool isPlot3dText(std::string_view bytes)
+{
+    constexpr std::string_view whole = "0123456789";
+    constexpr std::string_view blank = " \t\r\n";
+    if (bytes.find_first_not_of("0123456789+-.eEdD \t\r\n") != std::string_view::npos)
+        return false;
+    std::string_view line = bytes.substr(0, bytes.find('\n'));
+    int words = 0;
+    for (; line.find_first_not_of(blank) != std::string_view::npos; ++words) {
+        line.remove_prefix(line.find_first_not_of(blank));
+        const std::string_view word = line.substr(0, line.find_first_of(blank));
+        if (word.find_first_not_of(whole) != std::string_view::npos)
+            return false;
+        line.remove_prefix(word.size());
+    }
+    return words == 1 || words == 3;
+}
+
+/// Whether the name alone would send a file to a reader for which its beginning is nothing.
+bool isOutOfQuestion(VtkFormat format, std::string_view bytes)
+{
+    const bool isNetCdf = hasAt(bytes, 0, "CDF") || hasAt(bytes, 0, "\x89HDF");
+    switch (format) {
+    case VtkFormat::Exodus:
+    case VtkFormat::NetCdf: return !isNetCdf;
+    case VtkFormat::Hdf: return !hasAt(bytes, 0, "\x89HDF");
+    default: return false;
+    }
+}
+
+} // namespace
+
+VtkGuess guessVtkFormat(const std::filesystem::path& path, std::span<const std::byte> firstBytes)
+{
+    const std::string_view bytes(reinterpret_cast<const char*>(firstBytes.data()), firstBytes.size());
+    if (const VtkFormat format = bySignature(bytes); format != VtkFormat::None)
+        return {format, 0.95};
+    const std::string name = lowered(path.filename().string());
+    const auto entry = std::ranges::find_if(formats, [&](const FormatEntry& e) { return fitsFilter(name, e.filter); });
+    if (entry == formats.end())
+        return {};
+    if (entry->format == VtkFormat::Plot3d && isPlot3dText(bytes))
+        return {entry->format, 0.85};
+    return {entry->format, isOutOfQuestion(entry->format, bytes) ? entry->byName / 4 : entry->byName};
+}
+
+std::vector<std::string> vtkNameFilters()
+{
+    std::vector<std::string> filters;
+    for (const FormatEntry& entry : formats)
+        filters.emplace_back(entry.filter);
+    return filters;
+}
+
+} // namespace tetra

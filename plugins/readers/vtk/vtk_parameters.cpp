@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/vtk/vtk_parameters.h"
+
+namespace tetra {
+namespace {
+
+Parameter textParameter(std::string id, std::string label, std::string explanation, std::string defaultText)
+{
+    Parameter parameter;
+    parameter.id = std::move(id);
+    parameter.label = std::move(label);
+    parameter.explanation = std::move(explanation);
+    parameter.defaultValue = std::move(defaultText);
+    return parameter;
+}
+
+/// Empty if the text can be a component: "magnitude" or a whole number from 0.
+std::string componentMistake(const std::string& text)
+{
+    const bool isNumber = !text.empty() && text.size() < 9 && text.find_first_not_of("0123456789") == std::string::npos;
+    return text == "magnitude" || isNumber ? "" : "Give 'magnitude', or the number of a component from 0.";
+}
+
+} // namespace
+
+std::vector<Parameter> vtkParameters()
+{
+    Parameter array =
+        textParameter("array", "Values",
+                      "The values to take, by name or number; 'automatic' takes the first there are.", "automatic");
+    Parameter component =
+        textParameter("component", "Component",
+                      "Of arrays with several components: the number of one, from 0, or 'magnitude'.", "magnitude");
+    component.mistake = componentMistake;
+    Parameter time;
+    time.id = "time";
+    time.label = "Time step";
+    time.explanation = "Of files with several time steps: which one, from 1.";
+    time.defaultValue = std::int64_t(1);
+    time.minimum = 1;
+    time.maximum = 1e9;
+    Parameter part = textParameter("part", "Part",
+                                   "Of files with several blocks or parts: one, by name or number from 1; without it "
+                                   "all irregular meshes that have the values, or the first grid.",
+                                   "");
+    Parameter solution =
+        textParameter("solution", "Solution file",
+                      "The PLOT3D solution of the grid; without it the one beside it with a fitting name.", "");
+    return {array, component, time, part, solution};
+}
+
+VtkRequest vtkRequest(const ParameterValues& values)
+{
+    const auto all = vtkParameters();
+    VtkRequest request;
+    request.array = parameterValue<std::string>(all, values, "array");
+    request.component = parameterValue<std::string>(all, values, "component");
+    request.timeStep = parameterValue<std::int64_t>(all, values, "time");
+    request.part = parameterValue<std::string>(all, values, "part");
+    request.companion = parameterValue<std::string>(all, values, "solution");
+    return request;
+}
+
+} // namespace tetra

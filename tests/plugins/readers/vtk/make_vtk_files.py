@@ -1,0 +1,341 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Writes a file of each format into the folder named first, and beside it NAME.ref with what VTK itself reads in it: five
+# 64-bit integers (points, cells, three dimensions or zeros), then the positions and the values as doubles.
+# Exits with 77 without VTK.
+import math
+import os
+import struct
+import sys
+
+try:
+    import numpy
+    import vtk
+    from vtk.util.numpy_support import vtk_to_numpy
+except ImportError:
+    sys.exit(77)
+
+folder = sys.argv[1]
+SIZE = (4, 5, 6)
+
+
+def path(name):
+    return os.path.join(folder, name)
+
+
+def field(data, name, vtk_type=vtk.VTK_FLOAT, scale=40.0):
+    """A smooth field at the points of a dataset."""
+    array = vtk.vtkDataArray.CreateDataArray(vtk_type)
+    array.SetName(name)
+    array.SetNumberOfTuples(data.GetNumberOfPoints())
+    for i in range(data.GetNumberOfPoints()):
+        x, y, z = data.GetPoint(i)
+        value = scale * (1.3 + math.sin(0.7 * x + 0.1) * math.cos(0.5 * y) + 0.05 * z)
+        array.SetTuple1(i, value if vtk_type in (vtk.VTK_FLOAT, vtk.VTK_DOUBLE) else int(value))
+    return array
+
+
+def with_fields(data, vtk_type=vtk.VTK_FLOAT):
+    data.GetPointData().SetScalars(field(data, "density", vtk_type))
+    vector = vtk.vtkFloatArray()
+    vector.SetName("velocity")
+    vector.SetNumberOfComponents(3)
+    for i in range(data.GetNumberOfPoints()):
+        x, y, z = data.GetPoint(i)
+        vector.InsertNextTuple3(y - z, 0.5 * x, x * y)
+    data.GetPointData().AddArray(vector)
+    return data
+
+
+def image(vtk_type=vtk.VTK_FLOAT):
+    data = vtk.vtkImageData()
+    data.SetDimensions(*SIZE)
+    data.SetSpacing(0.5, 0.25, 1.5)
+    data.SetOrigin(-1, 2, 3)
+    return with_fields(data, vtk_type)
+
+
+def scalar_image(vtk_type):
+    data = vtk.vtkImageData()
+    data.SetDimensions(*SIZE)
+    data.SetSpacing(0.5, 0.25, 1.5)
+    data.SetOrigin(-1, 2, 3)
+    data.GetPointData().SetScalars(field(data, "scalars", vtk_type))
+    return data
+
+
+def rectilinear():
+    data = vtk.vtkRectilinearGrid()
+    data.SetDimensions(*SIZE)
+    for axis, name in enumerate(("X", "Y", "Z")):
+        values = vtk.vtkDoubleArray()
+        for i in range(SIZE[axis]):
+            values.InsertNextValue(0.3 * i * i + i + axis)
+        getattr(data, "Set" + name + "Coordinates")(values)
+    return with_fields(data, vtk.VTK_DOUBLE)
+
+
+def structured():
+    points = vtk.vtkPoints()
+    for k in range(SIZE[2]):
+        for j in range(SIZE[1]):
+            for i in range(SIZE[0]):
+                points.InsertNextPoint(i + 0.1 * j, j + 0.05 * k * k, k + 0.2 * i)
+    data = vtk.vtkStructuredGrid()
+    data.SetDimensions(*SIZE)
+    data.SetPoints(points)
+    return with_fields(data)
+
+
+def tetrahedra():
+    triangulate = vtk.vtkDataSetTriangleFilter()
+    triangulate.SetInputData(image())
+    triangulate.Update()
+    return triangulate.GetOutput()
+
+
+def cloud():
+    data = vtk.vtkPolyData()
+    points = vtk.vtkPoints()
+    vertices = vtk.vtkCellArray()
+    for i in range(50):
+        points.InsertNextPoint(math.sin(i * 1.7) * 5, math.cos(i * 2.3) * 4, (i * 7 % 50) * 0.1)
+        vertices.InsertNextCell(1, [i])
+    data.SetPoints(points)
+    data.SetVerts(vertices)
+    return with_fields(data)
+
+
+def leaves(data):
+    if data.IsA("vtkDataSet"):
+        return [data]
+    at = data.NewIterator()
+    found = []
+    at.InitTraversal()
+    while not at.IsDoneWithTraversal():
+        if at.GetCurrentDataObject().GetNumberOfPoints() > 0:
+            found.append(at.GetCurrentDataObject())
+        at.GoToNextItem()
+    return found
+
+
+def write_reference(name, reader, array=None):
+    """What VTK reads; `array` is the first one if it is not named."""
+    reader.Update()
+    data = leaves(reader.GetOutputDataObject(0))[0]
+    values = data.GetPointData().GetArray(array) if array else data.GetPointData().GetScalars()
+    if values is None:
+        values = data.GetPointData().GetArray(0)
+    dimensions = data.GetDimensions() if hasattr(data, "GetDimensions") else (0, 0, 0)
+    with open(path(name) + ".ref", "wb") as file:
+        file.write(struct.pack("<5q", data.GetNumberOfPoints(), data.GetNumberOfCells(), *dimensions))
+        for i in range(data.GetNumberOfPoints()):
+            file.write(struct.pack("<3d", *data.GetPoint(i)))
+        file.write(vtk_to_numpy(values).reshape(data.GetNumberOfPoints(), -1)[:, 0].astype("<f8").tobytes())
+
+
+def written(name, writer, data, reader, **settings):
+    writer.SetFileName(path(name))
+    for setting, value in settings.items():
+        getattr(writer, setting)(value)
+    writer.SetInputData(data)
+    writer.Write()
+    reader.SetFileName(path(name))
+    write_reference(name, reader)
+
+
+def write_xml():
+    kinds = {"vti": (vtk.vtkXMLImageDataWriter, vtk.vtkXMLImageDataReader, image()),
+             "vtr": (vtk.vtkXMLRectilinearGridWriter, vtk.vtkXMLRectilinearGridReader, rectilinear()),
+             "vts": (vtk.vtkXMLStructuredGridWriter, vtk.vtkXMLStructuredGridReader, structured()),
+             "vtu": (vtk.vtkXMLUnstructuredGridWriter, vtk.vtkXMLUnstructuredGridReader, tetrahedra()),
+             "vtp": (vtk.vtkXMLPolyDataWriter, vtk.vtkXMLPolyDataReader, cloud())}
+    for ending, (writer, reader, data) in kinds.items():
+        for mode, label in enumerate(("ascii", "binary", "appended")):
+            written(label + "." + ending, writer(), data, reader(), SetDataMode=mode)
+    for vtk_type in (vtk.VTK_UNSIGNED_CHAR, vtk.VTK_SIGNED_CHAR, vtk.VTK_UNSIGNED_SHORT, vtk.VTK_SHORT,
+                     vtk.VTK_UNSIGNED_INT, vtk.VTK_INT, vtk.VTK_DOUBLE):
+        written("type%d.vti" % vtk_type, vtk.vtkXMLImageDataWriter(), image(vtk_type), vtk.vtkXMLImageDataReader())
+    pieces = vtk.vtkXMLPImageDataWriter()
+    written("pieces.pvti", pieces, image(), vtk.vtkXMLPImageDataReader(), SetNumberOfPieces=2, SetStartPiece=0,
+            SetEndPiece=1)
+    written("pieces.pvtu", vtk.vtkXMLPUnstructuredGridWriter(), tetrahedra(), vtk.vtkXMLPUnstructuredGridReader(),
+            SetNumberOfPieces=1, SetStartPiece=0, SetEndPiece=0)
+    blocks = vtk.vtkMultiBlockDataSet()
+    blocks.SetBlock(0, structured())
+    blocks.SetBlock(1, rectilinear())
+    written("blocks.vtm", vtk.vtkXMLMultiBlockDataWriter(), blocks, vtk.vtkXMLMultiBlockDataReader())
+
+
+def write_legacy():
+    for name, data in (("points", image()), ("rectilinear", rectilinear()), ("structured", structured()),
+                       ("tetrahedra", tetrahedra()), ("cloud", cloud())):
+        for binary in (0, 1):
+            written("%s%d.vtk" % (name, binary), vtk.vtkGenericDataObjectWriter(), data,
+                    vtk.vtkGenericDataObjectReader(), SetFileType=2 if binary else 1)
+
+
+def write_images():
+    for vtk_type in (vtk.VTK_UNSIGNED_CHAR, vtk.VTK_SHORT, vtk.VTK_FLOAT):
+        data = scalar_image(vtk_type)
+        written("image%d.mha" % vtk_type, vtk.vtkMetaImageWriter(), data, vtk.vtkMetaImageReader())
+        written("image%d.mhd" % vtk_type, vtk.vtkMetaImageWriter(), data, vtk.vtkMetaImageReader())
+        written("image%d.nii" % vtk_type, vtk.vtkNIFTIImageWriter(), data, vtk.vtkNIFTIImageReader())
+        written("image%d.nii.gz" % vtk_type, vtk.vtkNIFTIImageWriter(), data, vtk.vtkNIFTIImageReader())
+    written("pages.tif", vtk.vtkTIFFWriter(), scalar_image(vtk.VTK_UNSIGNED_CHAR), vtk.vtkTIFFReader())
+    numbers = numpy.arange(4 * 5 * 6, dtype="<f4").reshape(6, 5, 4)
+    header = struct.pack("<4i3i3i6f3i3f", 4, 5, 6, 2, 0, 0, 0, 4, 5, 6, 4, 5, 6, 90, 90, 90, 1, 2, 3, 0, 119, 60)
+    header += struct.pack("<2i", 0, 0) + bytes(100) + struct.pack("<3f", 0, 0, 0) + b"MAP " + b"\x44\x44\x00\x00"
+    with open(path("map.mrc"), "wb") as file:
+        file.write(header.ljust(1024, b"\0") + numbers.tobytes())
+    reader = vtk.vtkMRCReader()
+    reader.SetFileName(path("map.mrc"))
+    write_reference("map.mrc", reader)
+
+
+def dicom_element(group, element, kind, value):
+    if len(value) % 2:
+        value += b" "
+    if kind in (b"OW", b"OB"):
+        return struct.pack("<2H", group, element) + kind + b"\0\0" + struct.pack("<I", len(value)) + value
+    return struct.pack("<2H", group, element) + kind + struct.pack("<H", len(value)) + value
+
+
+def write_dicom():
+    os.makedirs(path("series"), exist_ok=True)
+    for z in range(6):
+        meta = dicom_element(2, 0x10, b"UI", b"1.2.840.10008.1.2.1")
+        meta = dicom_element(2, 0, b"UL", struct.pack("<I", len(meta))) + meta
+        pixels = struct.pack("<20h", *[100 * z + i for i in range(20)])
+        body = b"".join([
+            dicom_element(0x8, 0x60, b"CS", b"CT"), dicom_element(0x18, 0x50, b"DS", b"2.5"),
+            dicom_element(0x20, 0xE, b"UI", b"1.2.3"), dicom_element(0x20, 0x13, b"IS", str(z + 1).encode()),
+            dicom_element(0x20, 0x32, b"DS", b"0\\0\\%g" % (2.5 * z)),
+            dicom_element(0x20, 0x37, b"DS", b"1\\0\\0\\0\\1\\0"), dicom_element(0x28, 2, b"US", b"\1\0"),
+            dicom_element(0x28, 4, b"CS", b"MONOCHROME2"), dicom_element(0x28, 0x10, b"US", b"\5\0"),
+            dicom_element(0x28, 0x11, b"US", b"\4\0"), dicom_element(0x28, 0x30, b"DS", b"0.5\\0.25"),
+            dicom_element(0x28, 0x100, b"US", b"\x10\0"), dicom_element(0x28, 0x101, b"US", b"\x10\0"),
+            dicom_element(0x28, 0x102, b"US", b"\x0f\0"), dicom_element(0x28, 0x103, b"US", b"\1\0"),
+            dicom_element(0x7FE0, 0x10, b"OW", pixels)])
+        with open(path("series/slice%02d.dcm" % z), "wb") as file:
+            file.write(bytes(128) + b"DICM" + meta + body)
+    reader = vtk.vtkDICOMImageReader()
+    reader.SetDirectoryName(path("series"))
+    write_reference("series/slice00.dcm", reader)
+
+
+def netcdf_name(text):
+    raw = text.encode()
+    return struct.pack(">i", len(raw)) + raw + b"\0" * (-len(raw) % 4)
+
+
+def write_netcdf():
+    """Classic NetCDF: temperature(z, y, x) with coordinate variables."""
+    sizes = {"z": 6, "y": 5, "x": 4}
+    variables = [(n, [i], (numpy.arange(s) * (i + 0.5)).astype(">f8")) for i, (n, s) in enumerate(sizes.items())]
+    variables.append(("temperature", [0, 1, 2], numpy.sin(numpy.arange(120) * 0.1).astype(">f4").reshape(6, 5, 4)))
+    head = b"CDF\1" + struct.pack(">i", 0) + struct.pack(">2i", 10, 3)
+    head += b"".join(netcdf_name(n) + struct.pack(">i", s) for n, s in sizes.items()) + struct.pack(">2i", 0, 0)
+
+    def listed(first):
+        text, begin = struct.pack(">2i", 11, len(variables)), first
+        for name, dimensions, values in variables:
+            text += netcdf_name(name) + struct.pack(">i", len(dimensions)) + struct.pack(">%di" % len(dimensions), *dimensions)
+            text += struct.pack(">2i", 0, 0) + struct.pack(">3i", 6 if values.dtype.itemsize == 8 else 5, values.nbytes, begin)
+            begin += values.nbytes
+        return text
+
+    first = len(head) + len(listed(0))
+    with open(path("grid.nc"), "wb") as file:
+        file.write(head + listed(first) + b"".join(values.tobytes() for _, _, values in variables))
+    reader = vtk.vtkNetCDFCFReader()
+    reader.SetFileName(path("grid.nc"))
+    reader.SphericalCoordinatesOff()
+    reader.UpdateMetaData()
+    reader.SetDimensions("(z, y, x)")
+    write_reference("grid.nc", reader, "temperature")
+
+
+def write_plot3d():
+    """Two grids in one text file, with a solution."""
+    def grid(shift):
+        data = structured()
+        return [[data.GetPoint(i)[axis] + shift for i in range(data.GetNumberOfPoints())] for axis in range(3)]
+
+    def text(values):
+        return " ".join("%.9g" % value for value in values) + "\n"
+
+    count = SIZE[0] * SIZE[1] * SIZE[2]
+    for name, shifts, blanking in (("one", [0], False), ("two", [0, 20], False), ("blanked", [0], True)):
+        sizes = ("%d\n" % len(shifts) if len(shifts) > 1 else "") + "%d %d %d\n" % SIZE * len(shifts)
+        with open(path(name + ".xyz"), "w") as file:
+            file.write(sizes)
+            for shift in shifts:
+                file.write("".join(text(values) for values in grid(shift)))
+                if blanking:
+                    file.write(" ".join("0" if i % 4 == 3 else "1" for i in range(count)) + "\n")
+        with open(path(name + ".q"), "w") as file:
+            file.write(sizes)
+            for shift in shifts:
+                file.write("0.5 0 1000 1\n" + "".join(text([k + 1 + 0.01 * i for i in range(count)]) for k in range(5)))
+        reader = vtk.vtkMultiBlockPLOT3DReader()
+        reader.SetXYZFileName(path(name + ".xyz"))
+        reader.SetQFileName(path(name + ".q"))
+        reader.BinaryFileOff()
+        reader.SetMultiGrid(len(shifts) > 1)
+        reader.SetIBlanking(blanking)
+        write_reference(name + ".xyz", reader, "Density")
+
+
+def write_exodus():
+    data = tetrahedra()
+    writer = vtk.vtkExodusIIWriter()
+    writer.SetFileName(path("mesh.ex2"))
+    writer.SetInputData(data)
+    writer.WriteOutBlockIdArrayOff()
+    writer.Write()
+    reader = vtk.vtkExodusIIReader()
+    reader.SetFileName(path("mesh.ex2"))
+    reader.UpdateInformation()
+    reader.SetAllArrayStatus(vtk.vtkExodusIIReader.NODAL, 1)
+    write_reference("mesh.ex2", reader, "density")
+
+
+def write_ensight():
+    data = tetrahedra()
+    positions = [data.GetPoint(i) for i in range(data.GetNumberOfPoints())]
+    cells = [[data.GetCell(c).GetPointId(i) + 1 for i in range(4)] for c in range(data.GetNumberOfCells())]
+    with open(path("run.case"), "w") as file:
+        file.write("FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: run.geo\nVARIABLE\nscalar per node: 1 heat run.heat**\n"
+                   "TIME\ntime set: 1\nnumber of steps: 2\nfilename start number: 0\nfilename increment: 1\n"
+                   "time values: 0.5 1.5\n")
+    with open(path("run.geo"), "w") as file:
+        file.write("one\ntwo\nnode id assign\nelement id assign\npart\n%10d\nfluid\ncoordinates\n%10d\n" % (1, len(positions)))
+        for axis in range(3):
+            file.write("".join("%12.5e\n" % position[axis] for position in positions))
+        file.write("tetra4\n%10d\n" % len(cells))
+        file.write("".join("%10d%10d%10d%10d\n" % tuple(cell) for cell in cells))
+    for step in range(2):
+        with open(path("run.heat%02d" % step), "w") as file:
+            file.write("heat\npart\n%10d\ncoordinates\n" % 1)
+            file.write("".join("%12.5e\n" % (position[0] + 10 * step) for position in positions))
+    reader = vtk.vtkGenericEnSightReader()
+    reader.SetCaseFileName(path("run.case"))
+    reader.ReadAllVariablesOn()
+    write_reference("run.case", reader, "heat")
+
+
+def write_texts():
+    """Tecplot: a zone of points."""
+    size = (3, 3, 3)
+    nodes = [(i, j, k) for k in range(3) for j in range(3) for i in range(3)]
+    with open(path("block.tec"), "w") as file:
+        file.write('TITLE = "t"\nVARIABLES = "X", "Y", "Z", "P"\nZONE I=%d, J=%d, K=%d, F=POINT\n' % size)
+        file.write("".join("%g %g %g %g\n" % (i, j, k, i * 2 + j * j + k) for i, j, k in nodes))
+    reader = vtk.vtkTecplotReader()
+    reader.SetFileName(path("block.tec"))
+    write_reference("block.tec", reader, "P")
+
+
+for write in (write_xml, write_legacy, write_images, write_dicom, write_netcdf, write_plot3d, write_exodus, write_ensight,
+              write_texts):
+    write()
