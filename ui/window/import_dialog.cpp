@@ -315,7 +315,6 @@ void ImportDialog::showGrid()
         region_->setGrid(contents_.lattice);
     else
         region_->setSpace();
-    region_->setEnabled(isGrid || !withLayout_);
     const bool isKnown =
         isGrid || contents_.domain == DomainClass::Scattered || contents_.domain == DomainClass::Irregular;
     if (const auto part = isKnown ? std::exchange(wantedPart_, std::nullopt) : std::nullopt)
@@ -325,8 +324,10 @@ void ImportDialog::showGrid()
 
 void ImportDialog::showPart()
 {
-    read_->setEnabled(!isReading() && region_->isUsable() && (!withLayout_ || fits_));
-    const std::uint64_t points = region_->points().value_or(contents_.points);
+    const bool isLaidOut = !withLayout_ || fits_;
+    read_->setEnabled(!isReading() && region_->isUsable() && isLaidOut);
+    region_->setEnabled(isLaidOut);
+    const std::uint64_t points = isLaidOut ? region_->points().value_or(contents_.points) : 0;
     estimate_->setVisible(points > 0);
     if (points == 0)
         return;
