@@ -9,6 +9,7 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <cmath>
 #include <thread>
 
 namespace tetra {
@@ -71,6 +72,13 @@ QString roughBytesText(std::uint64_t bytes)
     return ImportTexts::tr("%1 MiB").arg(countText(steps * step));
 }
 
+QString roughDurationText(double seconds)
+{
+    constexpr double minute = 60;
+    return seconds < minute - 1 ? ImportTexts::tr("%1 s").arg(std::max(1, static_cast<int>(std::ceil(seconds))))
+                                : durationText(seconds);
+}
+
 } // namespace
 
 std::optional<StoredSamples> storedSamplesOf(const ParameterValues& values)
@@ -126,7 +134,7 @@ QString estimateText(const BuildSize& size)
         size.siteShare < 1 ? ImportTexts::tr("Building to an error of 0 takes about %1 of memory, %2 of disk and %3.")
                            : ImportTexts::tr("Building to an error of 0 takes up to %1 of memory, %2 of disk and %3.");
     const QString needs = text.arg(roughBytesText(estimate.memoryBytes), roughBytesText(estimate.diskBytes),
-                                   durationText(estimate.seconds));
+                                   roughDurationText(estimate.seconds));
     const std::uint64_t usable = usableBytes();
     if (usable != 0 && estimate.memoryBytes > usable)
         return needs + " " + ImportTexts::tr("This machine has %1 of memory.").arg(bytesText(usable));

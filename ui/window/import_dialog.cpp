@@ -70,7 +70,9 @@ void ImportDialog::fillFields()
     reader_->setAccessibleName(tr("Reader"));
     reader_->setToolTip(tr("Who reads the file"));
     auto* readerRow = new QFormLayout;
-    readerRow->addRow(tr("R&eader"), reader_);
+    readerLabel_ = new QLabel(tr("R&eader"));
+    readerLabel_->setBuddy(reader_);
+    readerRow->addRow(readerLabel_, reader_);
     auto* values = new QGroupBox(tr("How it is read"));
     auto* valueLayout = new QVBoxLayout(values);
     valueLayout->addLayout(readerRow);
@@ -218,9 +220,22 @@ void ImportDialog::showForm()
     formReader_ = question_.reader.id;
     form_->setParameters(shownFields_.parameters, shownFields_.choices);
     form_->setValues(before);
+    alignLabels();
     // While a size is typed it is seen what it means.
     if (auto* size = findChild<QLineEdit*>("import.option.size"))
         connect(size, &QLineEdit::textChanged, this, &ImportDialog::showLayout);
+}
+
+/// The reader's field stands above the others.
+void ImportDialog::alignLabels()
+{
+    std::vector<QLabel*> labels = {readerLabel_};
+    for (QLabel* label : form_->findChildren<QLabel*>())
+        if (label->buddy() != nullptr)
+            labels.push_back(label);
+    const auto widest = std::ranges::max(labels, {}, [](const QLabel* label) { return label->sizeHint().width(); });
+    for (QLabel* label : labels)
+        label->setMinimumWidth(widest->sizeHint().width());
 }
 
 void ImportDialog::showSuggestions()
@@ -300,7 +315,6 @@ void ImportDialog::showGrid()
         region_->setGrid(contents_.lattice);
     else
         region_->setSpace();
-    region_->setEnabled(isGrid || !withLayout_);
     const bool isKnown =
         isGrid || contents_.domain == DomainClass::Scattered || contents_.domain == DomainClass::Irregular;
     if (const auto part = isKnown ? std::exchange(wantedPart_, std::nullopt) : std::nullopt)
@@ -310,8 +324,10 @@ void ImportDialog::showGrid()
 
 void ImportDialog::showPart()
 {
-    read_->setEnabled(!isReading() && region_->isUsable() && (!withLayout_ || fits_));
-    const std::uint64_t points = region_->points().value_or(contents_.points);
+    const bool isLaidOut = !withLayout_ || fits_;
+    read_->setEnabled(!isReading() && region_->isUsable() && isLaidOut);
+    region_->setEnabled(isLaidOut);
+    const std::uint64_t points = isLaidOut ? region_->points().value_or(contents_.points) : 0;
     estimate_->setVisible(points > 0);
     if (points == 0)
         return;

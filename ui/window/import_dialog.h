@@ -40,6 +40,7 @@ private:
 
     void showReaders();
     void showForm();
+    void alignLabels();
     void showSuggestions();
     void showContents(const Result<FileContents>& contents);
     void showLayout();
@@ -70,6 +71,7 @@ private:
     QLabel* file_;
     CheckLabel* reason_;
     QComboBox* reader_;
+    QLabel* readerLabel_ = nullptr;
     ParameterForm* form_;
     QWidget* fields_;
     QGroupBox* layoutHelp_;
