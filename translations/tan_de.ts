@@ -521,6 +521,54 @@
         <translation>Tabelle von Punkten (*.csv)</translation>
     </message>
     <message>
+        <source>Meshes of cells</source>
+        <translation>Zellnetze</translation>
+    </message>
+    <message>
+        <source>Reads meshes of tetrahedra, hexahedra, prisms and pyramids from VTK XML (.vtu) and AVS UCD (.inp).</source>
+        <translation>Liest Netze aus Tetraedern, Hexaedern, Prismen und Pyramiden aus VTK-XML (.vtu) und AVS UCD (.inp).</translation>
+    </message>
+    <message>
+        <source>VTU writer</source>
+        <translation>VTU-Schreiber</translation>
+    </message>
+    <message>
+        <source>Writes meshes of tetrahedra as VTK XML unstructured grids.</source>
+        <translation>Schreibt Tetraedernetze als unstrukturierte Gitter in VTK-XML.</translation>
+    </message>
+    <message>
+        <source>VTK unstructured grid (*.vtu)</source>
+        <translation>Unstrukturiertes VTK-Gitter (*.vtu)</translation>
+    </message>
+    <message>
+        <source>AVS UCD mesh (*.inp)</source>
+        <translation>AVS-UCD-Netz (*.inp)</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>The array whose values to take, of points or of cells; nothing takes the one the file calls active, else the first.</source>
+        <translation>Das Feld, dessen Werte genommen werden, von Punkten oder Zellen; ohne Angabe das, das die Datei aktiv nennt, sonst das erste.</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <translation>Komponente</translation>
+    </message>
+    <message>
+        <source>Of arrays with several components: magnitude, or a number from 0.</source>
+        <translation>Bei Feldern mit mehreren Komponenten: magnitude für den Betrag, oder eine Nummer ab 0.</translation>
+    </message>
+    <message>
+        <source>Cutting the cells</source>
+        <translation>Zerlegen der Zellen</translation>
+    </message>
+    <message>
+        <source>Checking the mesh</source>
+        <translation>Prüfen des Netzes</translation>
+    </message>
+    <message>
         <source>Positions</source>
         <translation>Orte</translation>
     </message>

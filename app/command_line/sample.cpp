@@ -75,17 +75,19 @@ Syntax sampleSyntax(PluginHost& host)
     Syntax syntax{
         .purpose = "make a dataset from a formula, to try things without data",
         .explanation =
-            "The dataset is a cube of samples, a curvilinear grid (blunt-body, o-grid, bent-duct, stretched), or "
-            "scattered points, with values from 0 to 1, or over the whole range of an integer type. It is the same on "
+            "The dataset is a cube of samples, a curvilinear grid (blunt-body, o-grid, bent-duct, stretched), "
+            "scattered points or an irregular mesh (part), with values from 0 to 1, or over the whole range of an "
+            "integer type. It is the same on "
             "every machine. Cubes are written as .nrrd, curvilinear grids as .xyz with a .q file beside it (PLOT3D), "
-            "scattered points as .csv.",
+            "scattered points as .csv, irregular meshes as .vtu.",
         .positionals = {{"NAME", "Which one: " + names + ".", false}},
         .options = {outputOption("FILE", "The file to write; its ending says the format.", false),
                     {.name = "size",
                      .placeholder = "N",
                      .explanation = "Samples along each axis, " + std::to_string(smallestSampleSize) + " to " +
                                     std::to_string(largestSampleSize) +
-                                    "; of scattered points the cube root of their " + "number, to " +
+                                    "; of scattered points the cube root of their number, of the part eight times the "
+                                    "cells between two holes, to " +
                                     std::to_string(largestScatteredSize) + ".",
                      .byDefault = std::to_string(defaultSize)},
                     {.name = "type",
@@ -100,6 +102,7 @@ Syntax sampleSyntax(PluginHost& host)
         .examples = {{"tan sample c60 --size 64 -o c60.nrrd", "The electrons around a ball of sixty carbon atoms."},
                      {"tan sample blunt-body --size 48 -o body.xyz", "A curvilinear grid; body.q holds its values."},
                      {"tan sample scattered --size 20 -o ball.csv", "8000 random points in a ball."},
+                     {"tan sample part -o part.vtu", "A plate with holes, as tetrahedra."},
                      {"tan sample --list", "What there is."}}};
     addPluginOptions(syntax, allParameters(host.writers()));
     return syntax;

@@ -44,12 +44,12 @@ struct ComplexValues {
     SampleType type = SampleType::Float32; ///< that the dataset keeps them in
 };
 
-/// The irregular dataset that such cells make (R1, S6, S20): every cell is cut into tetrahedra, the same diagonal from
-/// both sides of a face, quadratic ones through all their nodes; cells blanked or with a value that is not finite are
-/// holes. What is harmless is mended and said in `remarks`: points on one place in cells that join there, points that
-/// no cell uses, cells with a repeated corner, of no volume or turned over. Refused with a count and an example:
-/// polyhedra, overlapping cells, faces in three cells, a boundary that is no manifold, numbers of points out of
-/// range, nothing left. One thread, memory about 200 bytes a tetrahedron; safe from any thread.
+/// The irregular dataset that such cells make (R1, S6, S20), which passes checkIrregular(): every cell is cut into
+/// tetrahedra, quadratic ones through all their nodes; cells blanked or with a value that is not finite are holes.
+/// Harmless things are mended and said in `remarks`: points on one place (the mean of their values), points that no
+/// cell uses, cells with a repeated corner, of no volume, turned over or there twice. Refused with a count and an
+/// example: polyhedra, overlapping cells, faces in three cells, a boundary that is no manifold or meets itself, numbers
+/// of points out of range, nothing left. One thread, about 300 bytes a tetrahedron; safe from any thread.
 Result<Dataset> irregularDataset(const CellComplex& complex, const ComplexValues& values, const Source& source,
                                  const Progress& progress = {});
 

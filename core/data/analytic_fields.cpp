@@ -3,6 +3,7 @@
 
 #include "core/data/analytic_functions.h"
 #include "core/data/analytic_grids.h"
+#include "core/data/analytic_part.h"
 #include "core/data/analytic_points.h"
 #include "core/data/sample_buffer.h"
 
@@ -23,7 +24,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::array<SampleKind, 9> kinds = {{
+constexpr std::array<SampleKind, 10> kinds = {{
     {"c60", "electron density of the C60 molecule, a hollow ball of smooth bumps", SampleType::UInt8},
     {"hydrogen", "probability density of the hydrogen atom's 3d electron: two lobes and a ring", SampleType::Float32},
     {"marschner-lobb", "the test signal of Marschner and Lobb: ripples that are hard to reproduce",
@@ -38,6 +39,8 @@ constexpr std::array<SampleKind, 9> kinds = {{
      DomainClass::Curvilinear},
     {"scattered", "random points in a ball, with waves that grow finer outwards", SampleType::Float32,
      DomainClass::Scattered},
+    {"part", "stress in a plate with five holes and a closed cavity: an irregular mesh", SampleType::Float32,
+     DomainClass::Irregular},
 }};
 
 RowFunction rowFunction(const SampleRequest& request)
@@ -147,17 +150,46 @@ Status fillBall(std::uint64_t seed, SampleType type, std::byte* samples, std::ve
     return {};
 }
 
-std::string nameOf(const SampleKind& kind, std::uint32_t size)
+bool onGrid(const SampleKind& kind)
+{
+    return kind.domain == DomainClass::RegularLattice || kind.domain == DomainClass::Curvilinear;
+}
+
+std::string nameOf(const SampleKind& kind, std::uint32_t size, std::uint64_t points)
 {
     const std::string edge = std::to_string(size);
-    const std::string points = std::to_string(std::uint64_t(size) * size * size);
-    return std::string(kind.name) + " " +
-           (kind.domain == DomainClass::Scattered ? points : edge + "x" + edge + "x" + edge);
+    return std::string(kind.name) + " " + (onGrid(kind) ? edge + "x" + edge + "x" + edge : std::to_string(points));
+}
+
+/// A mesh, on one thread.
+Result<Dataset> partDataset(SampleType type, std::uint32_t size, const Progress& progress)
+{
+    AnalyticMesh mesh = analyticPart(size);
+    if (progress.cancelled())
+        return cancelledError("Making the sample");
+    Result<std::shared_ptr<std::byte>> samples = allocateSamples(type, mesh.values.size());
+    if (!samples)
+        return samples.error();
+    storeRow(mesh.values, type, 0, samples->get());
+    Dataset dataset;
+    dataset.lattice.size = {static_cast<std::uint32_t>(mesh.values.size()), 1, 1};
+    dataset.values = ScalarField(type, mesh.values.size(), *std::move(samples));
+    dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(mesh.positions));
+    dataset.tetrahedra = std::make_shared<const std::vector<std::array<std::uint32_t, 4>>>(std::move(mesh.tetrahedra));
+    return dataset;
+}
+
+Dataset described(Dataset dataset, const SampleKind& kind, std::uint32_t size)
+{
+    dataset.domain = kind.domain;
+    dataset.source.name = nameOf(kind, size, dataset.pointCount());
+    dataset.source.hash = contentHash(dataset.values, dataset.positions, dataset.tetrahedra);
+    return dataset;
 }
 
 Status checkSize(const SampleKind& kind, std::uint32_t size)
 {
-    const std::uint32_t largest = kind.domain == DomainClass::Scattered ? largestScatteredSize : largestSampleSize;
+    const std::uint32_t largest = onGrid(kind) ? largestSampleSize : largestScatteredSize;
     if (size >= smallestSampleSize && size <= largest)
         return {};
     return Error{ErrorKind::WrongUsage, "The sample '" + std::string(kind.name) + "' has from " +
@@ -180,6 +212,10 @@ try {
     if (const Status fits = checkSize(*kind, request.size); !fits)
         return fits.error();
     const SampleType type = request.type.value_or(kind->type);
+    if (kind->domain == DomainClass::Irregular) {
+        Result<Dataset> part = partDataset(type, request.size, progress);
+        return part ? described(*std::move(part), *kind, request.size) : part;
+    }
     Dataset dataset;
     dataset.lattice.size = {request.size, request.size, request.size};
     const std::uint64_t count = dataset.lattice.pointCount();
@@ -201,11 +237,8 @@ try {
     }
     if (!filled)
         return filled.error();
-    dataset.domain = kind->domain;
     dataset.values = ScalarField(type, count, *std::move(samples));
-    dataset.source.name = nameOf(*kind, request.size);
-    dataset.source.hash = contentHash(dataset.values, dataset.positions);
-    return dataset;
+    return described(std::move(dataset), *kind, request.size);
 } catch (const std::bad_alloc&) {
     return Error{ErrorKind::OutOfResource, "Not enough memory to make the sample. Ask for a smaller size."};
 }

@@ -21,7 +21,7 @@ struct SampleKind {
 };
 
 /// All kinds: c60, hydrogen, marschner-lobb, noise; the curvilinear grids blunt-body, o-grid, bent-duct, stretched;
-/// scattered points: scattered.
+/// scattered points: scattered; an irregular mesh: part.
 std::span<const SampleKind> sampleKinds();
 
 struct SampleRequest {
@@ -33,13 +33,15 @@ struct SampleRequest {
 
 constexpr std::uint32_t smallestSampleSize = 2;
 constexpr std::uint32_t largestSampleSize = 2048;
-constexpr std::uint32_t largestScatteredSize = 512; ///< of scattered points: the cube root of their number
+/// Of scattered points, where it is the cube root of their number, and of the irregular mesh.
+constexpr std::uint32_t largestScatteredSize = 512;
 
-/// Makes the dataset on all threads: a cube with spacing 1 and origin 0, a curvilinear grid, or size^3 scattered
-/// points. Every field has values in [0, 1]; floating-point types hold them as they are, integer types hold value *
-/// largest number of the type, rounded to nearest. The samples are the same bits on every machine and with any number
-/// of threads. Errors: unknown name (naming the known ones), size out of bounds, not enough memory, cancelled. Formulas
-/// and sources: core/data/analytic_functions.h, analytic_grids.h and analytic_points.h.
+/// Makes the dataset on all threads: a cube with spacing 1 and origin 0, a curvilinear grid, size^3 scattered
+/// points, or a mesh of tetrahedra. Every field has values in [0, 1]; floating-point types hold them as they are,
+/// integer types hold value * largest number of the type, rounded to nearest. The samples are the same bits on every
+/// machine and with any number of threads. Errors: unknown name (naming the known ones), size out of bounds, not enough
+/// memory, cancelled. Formulas and sources: core/data/analytic_functions.h, analytic_grids.h, analytic_points.h and
+/// analytic_part.h.
 Result<Dataset> makeSample(const SampleRequest& request, const Progress& progress = {});
 
 } // namespace tetra

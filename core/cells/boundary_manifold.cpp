@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cells/boundary_manifold.h"
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+
+namespace tetra {
+
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// One triangle's share of an edge: its corner place `corner` is where it starts along the edge.
+struct EdgeUse {
+    std::uint64_t edge; ///< smaller vertex in the upper half
+    std::uint32_t triangle;
+    std::uint8_t corner;
+    bool upwards; ///< from the smaller vertex to the larger
+};
+
+std::vector<EdgeUse> sortedEdgeUses(std::span<const Triangle> triangles)
+{
+    std::vector<EdgeUse> uses;
+    uses.reserve(3 * triangles.size());
+    for (std::uint32_t t = 0; t < triangles.size(); ++t)
+        for (std::uint8_t i = 0; i < 3; ++i) {
+            const std::uint64_t from = triangles[t][i], to = triangles[t][(i + 1) % 3];
+            uses.push_back({std::min(from, to) << 32 | std::max(from, to), t, i, from < to});
+        }
+    std::ranges::sort(uses, [](const EdgeUse& a, const EdgeUse& b) {
+        return a.edge != b.edge ? a.edge < b.edge : a.triangle < b.triangle;
+    });
+    return uses;
+}
+
+/// Calls visit(first, count) for the uses of each edge.
+template <class Visit> void forEdges(const std::vector<EdgeUse>& uses, Visit&& visit)
+{
+    for (std::size_t first = 0; first < uses.size();) {
+        std::size_t end = first + 1;
+        while (end < uses.size() && uses[end].edge == uses[first].edge)
+            ++end;
+        visit(first, end - first);
+        first = end;
+    }
+}
+
+class Unions {
+public:
+    explicit Unions(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0); }
+    std::uint32_t root(std::uint32_t item)
+    {
+        while (parents_[item] != item)
+            item = parents_[item] = parents_[parents_[item]];
+        return item;
+    }
+    void join(std::uint32_t a, std::uint32_t b) { parents_[std::max(root(a), root(b))] = std::min(root(a), root(b)); }
+
+private:
+    std::vector<std::uint32_t> parents_;
+};
+
+bool sound(const EdgeUse& a, const EdgeUse& b)
+{
+    return a.upwards != b.upwards;
+}
+
+} // namespace
+
+ManifoldBreaches findBreaches(std::span<const Triangle> triangles)
+{
+    ManifoldBreaches breaches;
+    const std::vector<EdgeUse> uses = sortedEdgeUses(triangles);
+    Unions fans(3 * triangles.size()); // of the corners of triangles
+    forEdges(uses, [&](std::size_t first, std::size_t count) {
+        const EdgeUse& a = uses[first];
+        if (count != 2 || !sound(a, uses[first + 1])) {
+            breaches.edges.push_back({static_cast<std::uint32_t>(a.edge >> 32), static_cast<std::uint32_t>(a.edge)});
+            return;
+        }
+        // Where one starts along the edge, the other ends.
+        const EdgeUse& b = uses[first + 1];
+        fans.join(3 * a.triangle + a.corner, 3 * b.triangle + (b.corner + 1) % 3);
+        fans.join(3 * a.triangle + (a.corner + 1) % 3, 3 * b.triangle + b.corner);
+    });
+    std::unordered_map<std::uint32_t, std::uint32_t> breached; // ends of breached edges
+    for (const auto& [a, b] : breaches.edges) {
+        breached[a] = 0;
+        breached[b] = 0;
+    }
+    std::vector<std::uint32_t> centres;
+    for (std::uint32_t corner = 0; corner < 3 * triangles.size(); ++corner)
+        if (fans.root(corner) == corner)
+            if (const std::uint32_t vertex = triangles[corner / 3][corner % 3]; !breached.contains(vertex))
+                centres.push_back(vertex);
+    std::ranges::sort(centres);
+    for (std::size_t i = 1; i < centres.size(); ++i)
+        if (centres[i] == centres[i - 1] && (breaches.vertices.empty() || breaches.vertices.back() != centres[i]))
+            breaches.vertices.push_back(centres[i]);
+    return breaches;
+}
+
+std::vector<std::uint32_t> surfaceComponents(std::span<const Triangle> triangles)
+{
+    const std::vector<EdgeUse> uses = sortedEdgeUses(triangles);
+    Unions joined(triangles.size());
+    forEdges(uses, [&](std::size_t first, std::size_t count) {
+        for (std::size_t i = 1; i < count; ++i)
+            joined.join(uses[first].triangle, uses[first + i].triangle);
+    });
+    std::vector<std::uint32_t> components(triangles.size());
+    std::uint32_t count = 0;
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+        const std::uint32_t root = joined.root(t);
+        components[t] = root == t ? count++ : components[root];
+    }
+    return components;
+}
+
+} // namespace tetra

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/cells/prepared_cells.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tetra {
+
+/// Positive tetrahedra, and which of the prepared cells each comes from.
+struct CutCells {
+    std::vector<std::array<std::uint32_t, 4>> tetrahedra;
+    std::vector<std::uint32_t> cells;
+    std::vector<std::uint32_t> warped; ///< cells that have no cut into positive tetrahedra
+};
+
+/// Cuts every cell by the rule of splitCell(), turning over what is negative; a cell in which that gives tetrahedra
+/// of either sign, as faces that are not flat do, gets another inside, or other diagonals on faces where the neighbour
+/// can follow. Cells without volume are left out. `mending` is told. Errors: OutOfResource for more tetrahedra than
+/// the program can number; cancelled. Linear in the cells but for those few.
+Result<CutCells> cutCells(std::span<const Eigen::Vector3d> positions, const PreparedCells& cells, Mending& mending,
+                          const Progress& progress);
+
+} // namespace tetra

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cells/cell_complex.h"
+#include "core/cells/cut_cells.h"
+#include "core/cells/irregular_check.h"
+#include "core/cells/mending.h"
+#include "core/cells/pinch_mending.h"
+#include "core/cells/point_values.h"
+#include "core/cells/prepared_cells.h"
+#include "core/data/sample_buffer.h"
+
+#include <algorithm>
+#include <new>
+
+namespace tetra {
+
+namespace {
+
+using Tetrahedra = std::vector<std::array<std::uint32_t, 4>>;
+
+/// Holes that cells too warped to be cut leave are said; with more than one in so many the mesh is another one.
+constexpr std::uint64_t cellsPerWarpedOne = 100;
+
+Status checkWarped(const CellComplex& complex, const PreparedCells& cells, const CutCells& cut, Mending& mending)
+{
+    mending.warped = cut.warped.size();
+    if (cut.warped.size() * cellsPerWarpedOne <= cells.count())
+        return {};
+    const std::uint64_t origin = cells.origins[cut.warped.front()];
+    const Eigen::Vector3d& place = complex.positions[complex.corners[complex.offsets[origin]]];
+    return Error{ErrorKind::BadInput,
+                 std::to_string(cut.warped.size()) +
+                     " cells are folded or so warped that no tetrahedra fill them; the first is cell " +
+                     std::to_string(origin) + " at (" + std::to_string(place[0]) + ", " + std::to_string(place[1]) +
+                     ", " + std::to_string(place[2]) + "). Mend the mesh where it was made."};
+}
+
+Result<CutCells> cut(const CellComplex& complex, PreparedCells& cells, Mending& mending, const Progress& progress)
+{
+    const Mending before = mending;
+    dropMiddlesIfMixed(cells, mending);
+    auto result = cutCells(complex.positions, cells, mending, progress);
+    if (!result || result->warped.empty() || mending.middles > before.middles)
+        return result;
+    Mending again = before;
+    dropMiddles(cells, again);
+    if (again.middles == before.middles)
+        return result;
+    mending = again;
+    return cutCells(complex.positions, cells, mending, progress);
+}
+
+/// Without holes that the file has or that were made, parts that touch in an edge or a point are the mesh's own, and
+/// so is what would be taken away: no more than one in so many tetrahedra.
+constexpr std::uint64_t tetrahedraPerPinchingOne = 100;
+
+Status mendMesh(std::span<const Eigen::Vector3d> positions, CutCells& cut, Mending& mending, const Progress& progress)
+{
+    MeshFaces faces = findMeshFaces(cut.tetrahedra);
+    mending.duplicates = removeDuplicates(cut, faces);
+    const bool holes = mending.blanked + mending.notFinite + mending.warped > 0;
+    const std::uint64_t count = cut.tetrahedra.size();
+    mending.pinching =
+        removePinches(cut, faces, holes ? count : count / tetrahedraPerPinchingOne, progress.part(0, 0.3));
+    return checkTetrahedra(positions, cut.tetrahedra, faces, progress.part(0.3, 1));
+}
+
+/// Numbers the points that are used from 0, in their order. Returns which they were.
+std::vector<std::uint32_t> renumber(Tetrahedra& tetrahedra, std::size_t points)
+{
+    constexpr std::uint32_t unused = 0xffffffff;
+    std::vector<std::uint32_t> numbers(points, unused);
+    for (const auto& tetrahedron : tetrahedra)
+        for (const std::uint32_t point : tetrahedron)
+            numbers[point] = 0;
+    std::vector<std::uint32_t> used;
+    for (std::size_t point = 0; point < points; ++point)
+        if (numbers[point] != unused) {
+            numbers[point] = static_cast<std::uint32_t>(used.size());
+            used.push_back(static_cast<std::uint32_t>(point));
+        }
+    for (auto& tetrahedron : tetrahedra)
+        for (std::uint32_t& point : tetrahedron)
+            point = numbers[point];
+    return used;
+}
+
+Result<ScalarField> fieldOf(const std::vector<double>& values, SampleType type)
+{
+    auto samples = allocateSamples(type, values.size());
+    if (!samples)
+        return samples.error();
+    visitSampleType(type, [&]<class T>() {
+        std::ranges::transform(values, reinterpret_cast<T*>(samples->get()),
+                               [](double value) { return static_cast<T>(value); });
+    });
+    return ScalarField(type, values.size(), *std::move(samples));
+}
+
+} // namespace
+
+Result<Dataset> irregularDataset(const CellComplex& complex, const ComplexValues& values, const Source& source,
+                                 const Progress& progress)
+try {
+    Mending mending;
+    auto cells = prepareCells(complex, values, mending);
+    if (!cells)
+        return cells.error();
+    auto cutting = cut(complex, *cells, mending, progress.part(0, 0.5));
+    if (!cutting)
+        return cutting.error();
+    if (const Status sound = checkWarped(complex, *cells, *cutting, mending); !sound)
+        return sound.error();
+    if (cutting->tetrahedra.empty())
+        return Error{ErrorKind::BadInput, "No cell of the mesh has a volume: nothing is left."};
+    const std::vector<double> all = pointValues(complex, values, *cells, *cutting, mending);
+    if (const Status sound = mendMesh(complex.positions, *cutting, mending, progress.part(0.5, 0.95)); !sound)
+        return sound.error();
+    Tetrahedra tetrahedra = std::move(cutting->tetrahedra);
+
+    const std::vector<std::uint32_t> used = renumber(tetrahedra, complex.positions.size());
+    std::vector<double> usedValues(used.size());
+    auto positions = std::make_shared<std::vector<Eigen::Vector3d>>(used.size());
+    for (std::size_t point = 0; point < used.size(); ++point) {
+        (*positions)[point] = complex.positions[used[point]];
+        usedValues[point] = all[used[point]];
+    }
+    const auto field = fieldOf(usedValues, typeOfPointValues(values, mending, usedValues));
+    if (!field)
+        return field.error();
+    const std::uint64_t explained = used.size() + mending.welded + mending.middles;
+    mending.unused = complex.positions.size() - std::min<std::uint64_t>(explained, complex.positions.size());
+
+    Dataset dataset;
+    dataset.domain = DomainClass::Irregular;
+    dataset.lattice.size = {static_cast<std::uint32_t>(used.size()), 1, 1};
+    dataset.positions = std::move(positions);
+    dataset.values = *field;
+    dataset.tetrahedra = std::make_shared<const Tetrahedra>(std::move(tetrahedra));
+    dataset.source = source;
+    dataset.source.hash = contentHash(dataset.values, dataset.positions, dataset.tetrahedra);
+    dataset.remarks = mendingRemarks(mending);
+    return dataset;
+} catch (const std::bad_alloc&) {
+    return Error{ErrorKind::OutOfResource, "Not enough memory for the mesh. Take a part of it."};
+}
+
+} // namespace tetra

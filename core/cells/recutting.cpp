@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cells/recutting.h"
+
+#include "core/cells/cavity_filling.h"
+#include "core/cells/cell_orientation.h"
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <set>
+
+namespace tetra {
+
+namespace {
+
+using FaceKey = std::array<std::uint32_t, 4>;
+
+FaceKey keyOf(const CellPolygon& quadrilateral)
+{
+    FaceKey key = quadrilateral.nodes;
+    std::ranges::sort(key);
+    return key;
+}
+
+class Recutting {
+public:
+    Recutting(std::span<const Eigen::Vector3d> positions, const PreparedCells& cells,
+              const std::vector<std::uint32_t>& failing)
+        : positions_(positions), cells_(cells), failing_(failing)
+    {
+    }
+
+    RecutCells run()
+    {
+        findNeighbours();
+        // What a turned diagonal does to a neighbour may let that be mended, too.
+        for (bool progressed = true; progressed;) {
+            progressed = false;
+            for (const std::uint32_t cell : failing_)
+                if (!result_.pieces.contains(cell))
+                    progressed = mend(cell) || progressed;
+        }
+        for (const std::uint32_t cell : failing_)
+            if (!result_.pieces.contains(cell))
+                result_.warped.push_back(cell);
+        return std::move(result_);
+    }
+
+private:
+    void findNeighbours()
+    {
+        for (const std::uint32_t cell : failing_)
+            for (const CellPolygon& face : quadrilateralsOf(cells_.shapes[cell], cells_.nodesOf(cell)))
+                sides_[keyOf(face)];
+        if (sides_.empty())
+            return;
+        std::set<std::uint32_t> corners;
+        for (const auto& [key, cells] : sides_)
+            corners.insert(key[0]);
+        for (std::uint32_t cell = 0; cell < cells_.count(); ++cell) {
+            const auto nodes = cells_.nodesOf(cell);
+            if (std::ranges::none_of(nodes, [&](std::uint32_t node) { return corners.contains(node); }))
+                continue;
+            for (const CellPolygon& face : quadrilateralsOf(cells_.shapes[cell], nodes))
+                if (const auto found = sides_.find(keyOf(face)); found != sides_.end())
+                    found->second.push_back(cell);
+        }
+    }
+
+    /// A cut with the diagonals as they are turned now.
+    std::optional<CellPieces> cut(std::uint32_t cell) const
+    {
+        CellSurface surface;
+        const auto turned = [&](const CellPolygon& face) { return turned_.contains(keyOf(face)); };
+        cellSurface(cells_.shapes[cell], cells_.nodesOf(cell), turned, surface);
+        double volume = 0;
+        for (const auto& [a, b, c] : surface)
+            volume +=
+                (positions_[a] - positions_[surface[0][0]])
+                    .dot((positions_[b] - positions_[surface[0][0]]).cross(positions_[c] - positions_[surface[0][0]]));
+        if (volume < 0)
+            for (auto& triangle : surface)
+                std::swap(triangle[1], triangle[2]);
+        return fillCavity(positions_, surface);
+    }
+
+    void turn(const std::vector<CellPolygon>& faces, std::uint32_t mask)
+    {
+        for (std::size_t face = 0; face < faces.size(); ++face)
+            if ((mask >> face & 1) != 0) {
+                const FaceKey key = keyOf(faces[face]);
+                if (turned_.erase(key) == 0)
+                    turned_.insert(key);
+            }
+    }
+
+    bool mend(std::uint32_t cell)
+    {
+        const std::vector<CellPolygon> faces = quadrilateralsOf(cells_.shapes[cell], cells_.nodesOf(cell));
+        std::vector<std::uint32_t> masks(std::size_t(1) << faces.size());
+        for (std::uint32_t mask = 0; mask < masks.size(); ++mask)
+            masks[mask] = mask;
+        std::ranges::stable_sort(masks, {}, [](std::uint32_t mask) { return std::popcount(mask); });
+        for (const std::uint32_t mask : masks) {
+            turn(faces, mask);
+            if (tryNow(cell, faces, mask))
+                return true;
+            turn(faces, mask);
+        }
+        return false;
+    }
+
+    bool tryNow(std::uint32_t cell, const std::vector<CellPolygon>& faces, std::uint32_t mask)
+    {
+        std::map<std::uint32_t, CellPieces> pieces;
+        const auto take = [&](std::uint32_t which) {
+            auto found = cut(which);
+            if (found)
+                pieces[which] = *std::move(found);
+            return pieces.contains(which);
+        };
+        if (!take(cell))
+            return false;
+        for (std::size_t face = 0; face < faces.size(); ++face)
+            if ((mask >> face & 1) != 0)
+                for (const std::uint32_t neighbour : sides_[keyOf(faces[face])])
+                    if (!pieces.contains(neighbour) && !take(neighbour) && !stillFailing(neighbour))
+                        return false;
+        for (auto& [which, found] : pieces)
+            result_.pieces[which] = std::move(found);
+        return true;
+    }
+
+    bool stillFailing(std::uint32_t cell) const
+    {
+        return std::ranges::binary_search(failing_, cell) && !result_.pieces.contains(cell);
+    }
+
+    std::span<const Eigen::Vector3d> positions_;
+    const PreparedCells& cells_;
+    const std::vector<std::uint32_t>& failing_;
+    std::map<FaceKey, std::vector<std::uint32_t>> sides_;
+    std::set<FaceKey> turned_;
+    RecutCells result_;
+};
+
+} // namespace
+
+RecutCells recutCells(std::span<const Eigen::Vector3d> positions, const PreparedCells& cells,
+                      const std::vector<std::uint32_t>& failing)
+{
+    return Recutting(positions, cells, failing).run();
+}
+
+} // namespace tetra

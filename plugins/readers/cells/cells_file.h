@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/cells/cell_complex.h"
+#include "plugins/api/reader.h"
+
+#include <string>
+#include <string_view>
+
+namespace tetra {
+
+/// Which of a file's arrays becomes the scalar.
+struct CellsRequest {
+    std::string array;     ///< empty: the one the file calls active, else the first of the points, else of the cells
+    std::string component; ///< "magnitude", or a number from 0; only for arrays of several components
+};
+
+/// What a file of cells holds.
+struct CellsFile {
+    CellComplex complex;
+    ComplexValues values;
+};
+
+/// The component that a request names of an array with so many, -1 for the magnitude. Errors: WrongUsage.
+Result<int> componentOf(const CellsRequest& request, int components);
+/// That no array has the name asked for, naming those there are.
+Error unknownArray(const std::string& name, const std::vector<FileArray>& arrays);
+
+/// AVS UCD in text (.inp): `bytes` is the whole file. Errors name the line. Memory is bounded by the file's size,
+/// whatever its header says.
+Result<CellsFile> readUcd(std::string_view bytes, const CellsRequest& request, const Progress& progress);
+Result<FileContents> probeUcd(std::string_view bytes);
+/// Whether the first line that says something is five numbers.
+bool looksLikeUcd(std::string_view firstBytes);
+
+/// VTK XML unstructured grids (.vtu), in text, base64 or appended raw, plain or packed with zlib, several pieces.
+Result<CellsFile> readVtu(std::string_view bytes, const CellsRequest& request, const Progress& progress);
+Result<FileContents> probeVtu(std::string_view bytes);
+
+} // namespace tetra

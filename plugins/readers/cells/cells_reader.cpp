@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/cells/cells_reader.h"
+
+#include "core/base/mapped_file.h"
+#include "plugins/readers/cells/cells_file.h"
+
+#include <algorithm>
+#include <new>
+
+namespace tetra {
+
+namespace {
+
+std::string_view asText(std::span<const std::byte> bytes)
+{
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+bool nameEndsWith(const std::filesystem::path& path, std::string_view ending)
+{
+    std::string text = path.extension().string();
+    std::ranges::transform(text, text.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return text == ending;
+}
+
+bool isVtu(std::string_view firstBytes)
+{
+    return firstBytes.find("<VTKFile") != std::string_view::npos &&
+           firstBytes.find("UnstructuredGrid") != std::string_view::npos;
+}
+
+Error inFile(const std::filesystem::path& path, const Error& error)
+{
+    if (error.kind == ErrorKind::Cancelled)
+        return error;
+    return {error.kind, "Cannot read '" + path.string() + "': " + error.text};
+}
+
+/// Opens the file and calls one of two for what it holds.
+template <class Value, class Vtu, class Ucd>
+Result<Value> withFile(const std::filesystem::path& path, Vtu&& vtu, Ucd&& ucd)
+try {
+    constexpr std::size_t headBytes = 4096;
+    const auto file = MappedFile::open(path);
+    if (!file)
+        return file.error();
+    const std::string_view bytes = asText((*file)->bytes());
+    const bool xml = isVtu(bytes.substr(0, headBytes)) || nameEndsWith(path, ".vtu");
+    Result<Value> result = xml ? vtu(bytes) : ucd(bytes);
+    if ((*file)->damaged())
+        return inFile(path, {ErrorKind::BadInput, "it changed while it was read. Read it again."});
+    if (!result)
+        return inFile(path, result.error());
+    return result;
+} catch (const std::bad_alloc&) {
+    return Error{ErrorKind::OutOfResource, "Not enough memory to read '" + path.string() + "'. Close other programs."};
+}
+
+} // namespace
+
+std::vector<std::string> CellsReader::nameFilters() const
+{
+    return {"VTK unstructured grid (*.vtu)", "AVS UCD mesh (*.inp)"};
+}
+
+double CellsReader::score(const std::filesystem::path& path, std::span<const std::byte> firstBytes) const
+{
+    // A reader by VTK itself, where there is one, knows more kinds of .vtu.
+    constexpr double ofVtu = 0.8, ofUcd = 0.95;
+    if (isVtu(asText(firstBytes)) || nameEndsWith(path, ".vtu"))
+        return ofVtu;
+    return nameEndsWith(path, ".inp") && looksLikeUcd(asText(firstBytes)) ? ofUcd : 0;
+}
+
+std::vector<Parameter> CellsReader::parameters() const
+{
+    Parameter array;
+    array.id = "array";
+    array.label = "Array";
+    array.explanation = "The array whose values to take, of points or of cells; nothing takes the one the file calls "
+                        "active, else the first.";
+    array.defaultValue = std::string();
+    Parameter component;
+    component.id = "component";
+    component.label = "Component";
+    component.explanation = "Of arrays with several components: magnitude, or a number from 0.";
+    component.defaultValue = std::string("magnitude");
+    return {array, component};
+}
+
+Result<Dataset> CellsReader::read(const std::filesystem::path& path, const ParameterValues& values,
+                                  const Progress& progress) const
+{
+    constexpr double readingShare = 0.4;
+    CellsRequest request{parameterValue<std::string>(parameters(), values, "array"),
+                         parameterValue<std::string>(parameters(), values, "component")};
+    if (request.array == "automatic") // what other readers say
+        request.array.clear();
+    const auto reading = progress.part(0, readingShare);
+    const auto made = [&](Result<CellsFile> file) -> Result<Dataset> {
+        if (!file)
+            return file.error();
+        return irregularDataset(file->complex, file->values,
+                                {.name = path.filename().string(), .path = path, .hash = 0},
+                                progress.part(readingShare, 1));
+    };
+    return withFile<Dataset>(
+        path, [&](std::string_view bytes) { return made(readVtu(bytes, request, reading)); },
+        [&](std::string_view bytes) { return made(readUcd(bytes, request, reading)); });
+}
+
+Result<FileContents> CellsReader::probe(const std::filesystem::path& path, const ParameterValues& /*values*/,
+                                        const Progress& /*progress*/) const
+{
+    return withFile<FileContents>(path, probeVtu, probeUcd);
+}
+
+} // namespace tetra

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/cells/vtu_head.h"
+
+#include "core/base/number_text.h"
+#include "plugins/readers/cells/xml_tags.h"
+
+#include <tuple>
+
+namespace tetra {
+
+namespace {
+
+Error bad(std::string text)
+{
+    return {ErrorKind::BadInput, std::move(text)};
+}
+
+std::optional<std::uint64_t> numberOf(const XmlTag& tag, std::string_view key)
+{
+    std::string text = tag.attribute(key);
+    std::erase(text, ' ');
+    return parseNumber<std::uint64_t>(text);
+}
+
+class HeadParsing {
+public:
+    explicit HeadParsing(std::string_view bytes) : bytes_(bytes), tags_(bytes) {}
+
+    Result<VtuHead> run()
+    {
+        const auto first = tags_.next();
+        if (!first || first->name != "VTKFile")
+            return bad("it does not begin with <VTKFile>, so it is no VTK XML file.");
+        if (const Status status = fileTag(*first); !status)
+            return status.error();
+        while (const auto tag = tags_.next()) {
+            if (tag->name == "AppendedData" && tag->opens) {
+                if (const Status status = appended(*tag); !status)
+                    return status.error();
+                break;
+            }
+            if (const Status status = element(*tag); !status)
+                return status.error();
+        }
+        if (tags_.broken())
+            return bad("its XML is damaged or cut short.");
+        return finish();
+    }
+
+private:
+    Status fileTag(const XmlTag& tag)
+    {
+        if (tag.attribute("type") != "UnstructuredGrid")
+            return bad("it holds a " + tag.attribute("type") +
+                       ", not an UnstructuredGrid. The VTK plugin reads those.");
+        head_.bigEndian = tag.attribute("byte_order") == "BigEndian";
+        head_.wideHeaders = tag.attribute("header_type") == "UInt64";
+        const std::string compressor = tag.attribute("compressor");
+        head_.packed = compressor == "vtkZLibDataCompressor";
+        if (!compressor.empty() && !head_.packed)
+            return bad("it is packed by " + compressor + ", which the VTK plugin unpacks; zlib is read without it.");
+        return {};
+    }
+
+    Status element(const XmlTag& tag)
+    {
+        if (tag.opens && !tag.closes)
+            inside_ = tag.name == "DataArray" ? inside_ : tag.name;
+        else if (!tag.opens && tag.name == inside_)
+            inside_ = {};
+        if (!tag.opens)
+            return {};
+        if (tag.name == "Piece")
+            return piece(tag);
+        if (head_.pieces.size() == 1 && tag.name == "PointData")
+            head_.activePoints = tag.attribute("Scalars");
+        if (head_.pieces.size() == 1 && tag.name == "CellData")
+            head_.activeCells = tag.attribute("Scalars");
+        if (tag.name == "DataArray" && !head_.pieces.empty())
+            return array(tag);
+        return {};
+    }
+
+    Status piece(const XmlTag& tag)
+    {
+        const auto points = numberOf(tag, "NumberOfPoints"), cells = numberOf(tag, "NumberOfCells");
+        if (!points || !cells)
+            return bad("a piece does not say how many points and cells it has.");
+        head_.pieces.push_back({.points = *points,
+                                .cells = *cells,
+                                .pointArrays = {},
+                                .cellArrays = {},
+                                .positions = {},
+                                .connectivity = {},
+                                .offsets = {},
+                                .types = {}});
+        return {};
+    }
+
+    Status array(const XmlTag& tag)
+    {
+        VtuArray array;
+        array.name = tag.attribute("Name");
+        array.type = tag.attribute("type");
+        array.format = tag.attribute("format");
+        array.rangeMinimum = tag.attribute("RangeMin");
+        array.rangeMaximum = tag.attribute("RangeMax");
+        const std::string components = tag.attribute("NumberOfComponents");
+        constexpr int mostComponents = 1000;
+        array.components = components.empty() ? 1 : parseNumber<int>(components).value_or(-1);
+        if (array.components == 0)
+            array.components = 1;
+        if (array.components < 1 || array.components > mostComponents)
+            return bad("the array '" + array.name + "' has " + components + " components.");
+        if (array.format == "appended") {
+            const auto offset = numberOf(tag, "offset");
+            if (!offset)
+                return bad("the array '" + array.name + "' does not say where it is.");
+            offset_ = *offset;
+        } else {
+            const std::size_t end = bytes_.find('<', tag.end);
+            if (end == std::string_view::npos && !tag.closes)
+                return bad("the array '" + array.name + "' does not end.");
+            array.content = tag.closes ? std::string_view() : bytes_.substr(tag.end, end - tag.end);
+        }
+        place(std::move(array));
+        return {};
+    }
+
+    void place(VtuArray array)
+    {
+        VtuPiece& piece = head_.pieces.back();
+        VtuArray* where = nullptr;
+        if (inside_ == "PointData")
+            where = &piece.pointArrays.emplace_back();
+        else if (inside_ == "CellData")
+            where = &piece.cellArrays.emplace_back();
+        else if (inside_ == "Points")
+            where = &piece.positions;
+        else if (inside_ == "Cells" && array.name == "connectivity")
+            where = &piece.connectivity;
+        else if (inside_ == "Cells" && array.name == "offsets")
+            where = &piece.offsets;
+        else if (inside_ == "Cells" && array.name == "types")
+            where = &piece.types;
+        if (where == nullptr)
+            return;
+        *where = std::move(array);
+        // Until it is known where the appended data begin: how far behind that.
+        if (where->format == "appended")
+            appendedOffsets_.emplace_back(head_.pieces.size() - 1, where->name, inside_, offset_);
+    }
+
+    Status appended(const XmlTag& tag)
+    {
+        head_.appendedBase64 = tag.attribute("encoding") == "base64";
+        const std::size_t mark = bytes_.find('_', tag.end);
+        if (mark == std::string_view::npos)
+            return bad("its appended data do not begin.");
+        const std::string_view data = bytes_.substr(mark + 1);
+        for (auto& [piece, name, inside, offset] : appendedOffsets_)
+            if (VtuArray* array = find(head_.pieces[piece], name, inside))
+                array->content = offset < data.size() ? data.substr(offset) : std::string_view();
+        return {};
+    }
+
+    static VtuArray* find(VtuPiece& piece, const std::string& name, std::string_view inside)
+    {
+        const auto among = [&](std::vector<VtuArray>& arrays) -> VtuArray* {
+            for (VtuArray& array : arrays)
+                if (array.name == name)
+                    return &array;
+            return nullptr;
+        };
+        if (inside == "PointData")
+            return among(piece.pointArrays);
+        if (inside == "CellData")
+            return among(piece.cellArrays);
+        if (inside == "Points")
+            return &piece.positions;
+        return name == "connectivity" ? &piece.connectivity : name == "offsets" ? &piece.offsets : &piece.types;
+    }
+
+    Result<VtuHead> finish()
+    {
+        if (head_.pieces.empty())
+            return bad("it has no piece with points and cells.");
+        for (const VtuPiece& piece : head_.pieces)
+            for (const auto& [array, name] :
+                 {std::pair(&piece.positions, "Points"), std::pair(&piece.connectivity, "connectivity"),
+                  std::pair(&piece.offsets, "offsets"), std::pair(&piece.types, "types")})
+                if (piece.cells > 0 && array->type.empty())
+                    return bad("a piece has no array '" + std::string(name) + "'.");
+        return std::move(head_);
+    }
+
+    std::string_view bytes_;
+    XmlTags tags_;
+    VtuHead head_;
+    std::string_view inside_;
+    std::uint64_t offset_ = 0;
+    std::vector<std::tuple<std::size_t, std::string, std::string_view, std::uint64_t>> appendedOffsets_;
+};
+
+} // namespace
+
+Result<VtuHead> parseVtuHead(std::string_view bytes)
+{
+    return HeadParsing(bytes).run();
+}
+
+} // namespace tetra

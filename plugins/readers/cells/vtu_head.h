@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tetra {
+
+/// A DataArray element of a VTK XML file.
+struct VtuArray {
+    std::string name;
+    std::string type; ///< "Float32" ...
+    std::string format;
+    int components = 1;
+    std::string_view content;   ///< from its first byte; of an appended array to the end of the file
+    std::string rangeMinimum{}; ///< as the file says; may be empty
+    std::string rangeMaximum{};
+};
+
+struct VtuPiece {
+    std::uint64_t points = 0;
+    std::uint64_t cells = 0;
+    std::vector<VtuArray> pointArrays;
+    std::vector<VtuArray> cellArrays;
+    VtuArray positions, connectivity, offsets, types;
+};
+
+/// The structure of a .vtu file; views into its bytes.
+struct VtuHead {
+    bool bigEndian = false;
+    bool wideHeaders = false; ///< block headers of 64 bits, not 32
+    bool packed = false;      ///< with zlib
+    bool appendedBase64 = false;
+    std::string activePoints, activeCells; ///< the scalars of the first piece that the file calls active
+    std::vector<VtuPiece> pieces;
+};
+
+/// Errors: no such file, or one of another kind; a compressor but zlib; missing elements.
+Result<VtuHead> parseVtuHead(std::string_view bytes);
+
+} // namespace tetra

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/cells/cells_reader.h"
+#include "plugins/readers/cells/vtu_writer.h"
+#include "tests/plugins/readers/cells/vtu_text.h"
+
+#include <QByteArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <zlib.h>
+
+#include <cstring>
+#include <random>
+
+using namespace tetra;
+
+namespace {
+
+template <class Number> std::string bytesOf(const std::vector<Number>& numbers)
+{
+    return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)};
+}
+std::string base64(const std::string& bytes)
+{
+    return QByteArray::fromStdString(bytes).toBase64().toStdString();
+}
+std::string packed(const std::string& bytes)
+{
+    uLongf size = compressBound(bytes.size());
+    std::string result(size, '\0');
+    compress(reinterpret_cast<Bytef*>(result.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+             bytes.size());
+    result.resize(size);
+    return result;
+}
+
+const std::vector<float> heat = {1, 2, 3, 4, 5, 6};
+const std::vector<double> places = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, .5, .5, 1, 2, .5, .5};
+const std::vector<std::int64_t> corners = {0, 1, 2, 3, 4, 1, 5, 2, 4};
+const std::vector<std::int64_t> ends = {5, 9};
+const std::vector<std::uint8_t> types = {14, 10};
+
+/// A block of an array with its header.
+std::string block(const std::string& bytes, bool zip, bool encoded)
+{
+    const std::vector<std::uint32_t> plain = {static_cast<std::uint32_t>(bytes.size())};
+    if (!zip)
+        return encoded ? base64(bytesOf(plain) + bytes) : bytesOf(plain) + bytes;
+    // In two blocks, the second one shorter.
+    const std::size_t first = bytes.size() * 2 / 3;
+    const std::string a = packed(bytes.substr(0, first)), b = packed(bytes.substr(first));
+    const std::vector<std::uint32_t> head = {
+        2, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(bytes.size() - first),
+        static_cast<std::uint32_t>(a.size()), static_cast<std::uint32_t>(b.size())};
+    return encoded ? base64(bytesOf(head)) + base64(a + b) : bytesOf(head) + a + b;
+}
+
+/// The same mesh with its arrays in another way.
+std::string encodedText(bool zip, bool appended, bool encoded)
+{
+    VtuText file;
+    if (zip)
+        file.fileAttributes += " compressor=\"vtkZLibDataCompressor\"";
+    std::string data;
+    const auto array = [&](const std::string& attributes, const std::string& bytes) {
+        const std::string content = block(bytes, zip, encoded);
+        if (!appended)
+            return "<DataArray " + attributes + " format=\"binary\">\n  " + content + "\n</DataArray>";
+        const std::string tag =
+            "<DataArray " + attributes + " format=\"appended\" offset=\"" + std::to_string(data.size()) + "\"/>";
+        data += content;
+        return tag;
+    };
+    file.pointData = array("type=\"Float32\" Name=\"heat\"", bytesOf(heat));
+    file.positions = array("type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"", bytesOf(places));
+    file.connectivity = array("type=\"Int64\" Name=\"connectivity\"", bytesOf(corners));
+    file.offsets = array("type=\"Int64\" Name=\"offsets\"", bytesOf(ends));
+    file.types = array("type=\"UInt8\" Name=\"types\"", bytesOf(types));
+    if (appended)
+        file.after = std::string("<AppendedData encoding=\"") + (encoded ? "base64" : "raw") + "\">\n_" + data +
+                     "</AppendedData>\n";
+    return file.text();
+}
+
+} // namespace
+
+class CellsReaderTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    CellsReader reader_;
+
+    std::filesystem::path file(const char* name, const std::string& text) const
+    {
+        return writtenFile(std::filesystem::path(folder_.path().toStdString()) / name, text);
+    }
+    void expectMesh(const Result<Dataset>& dataset) const
+    {
+        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text.c_str());
+        QCOMPARE(dataset->pointCount(), 6);
+        QCOMPARE(dataset->tetrahedra->size(), 3);
+        for (std::size_t point = 0; point < 6; ++point) {
+            QCOMPARE(dataset->values.at(point), static_cast<double>(heat[point]));
+            for (int k = 0; k < 3; ++k)
+                QCOMPARE((*dataset->positions)[point][k], places[3 * point + std::size_t(k)]);
+        }
+    }
+
+private slots:
+    void text() { expectMesh(reader_.read(file("text.vtu", VtuText().text()), {}, {})); }
+
+    /// R1: each way in which VTK writes arrays.
+    void encodings()
+    {
+        for (const bool zip : {false, true})
+            for (const bool appended : {false, true})
+                for (const bool encoded : {false, true})
+                    if (appended || encoded)
+                        expectMesh(reader_.read(file("encoded.vtu", encodedText(zip, appended, encoded)), {}, {}));
+    }
+
+    void arraysAndComponents()
+    {
+        VtuText text;
+        text.pointData = R"(<DataArray type="Int32" Name="v" NumberOfComponents="2" format="ascii">
+            3 4 3 4 3 4 3 4 3 4 6 8</DataArray>)" +
+                         text.pointData;
+        text.cellData =
+            R"(<DataArray type="Float64" Name="c" RangeMin="7" RangeMax="9" format="ascii">7 9</DataArray>)";
+        const auto path = file("arrays.vtu", text.text());
+        const auto range = [&](const std::string& array, const std::string& component) {
+            const auto dataset = reader_.read(path, {{"array", array}, {"component", component}}, {});
+            return dataset ? dataset->values.range() : ValueRange{-1, -1};
+        };
+        QCOMPARE(range("", "magnitude").maximum, 10.0);
+        QCOMPARE(range("v", "0").maximum, 6.0);
+        QCOMPARE(range("v", "1").minimum, 4.0);
+        QCOMPARE(range("heat", "magnitude").maximum, 6.0);
+        QCOMPARE(range("c", "magnitude").maximum, 9.0);
+        QCOMPARE(range("c", "magnitude").minimum, 7.0);
+        const auto unknown = reader_.read(path, {{"array", std::string("x")}}, {});
+        QCOMPARE(unknown.error().kind, ErrorKind::WrongUsage);
+        QVERIFY(unknown.error().text.find("v, heat, c") != std::string::npos);
+        QCOMPARE(reader_.read(path, {{"component", std::string("2")}}, {}).error().kind, ErrorKind::WrongUsage);
+
+        const auto contents = reader_.probe(path, {}, {});
+        QVERIFY(contents.ok());
+        QCOMPARE(contents->points, 6);
+        QCOMPARE(contents->cells, 2);
+        QCOMPARE(contents->arrays.size(), 3);
+        QCOMPARE(contents->arrays[0].components, 2);
+        QVERIFY(contents->arrays[2].perCell);
+        QCOMPARE(contents->arrays[2].range->maximum, 9.0);
+    }
+
+    void hiddenCells()
+    {
+        VtuText text;
+        text.cellData = R"(<DataArray type="UInt8" Name="vtkGhostType" format="ascii">0 32</DataArray>)";
+        const auto dataset = reader_.read(file("ghost.vtu", text.text()), {}, {});
+        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text.c_str());
+        QCOMPARE(dataset->tetrahedra->size(), 2);
+    }
+
+    /// What is written is read again as the same.
+    void roundTrip()
+    {
+        const auto first = reader_.read(file("first.vtu", VtuText().text()), {}, {});
+        QVERIFY(first.ok());
+        for (const bool doubles : {false, true}) {
+            Dataset dataset = *first;
+            auto positions = *first->positions;
+            if (doubles)
+                positions[5][1] += 0x1p-40;
+            dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(positions);
+            const auto path = std::filesystem::path(folder_.path().toStdString()) / "again.vtu";
+            QVERIFY(VtuWriter().write(dataset, path, {}, {}).ok());
+            const auto again = reader_.read(path, {}, {});
+            QVERIFY2(again.ok(), again ? "" : again.error().text.c_str());
+            QVERIFY(*again->positions == positions);
+            QVERIFY(*again->tetrahedra == *first->tetrahedra);
+            QCOMPARE(again->values.type(), SampleType::Float32);
+            QVERIFY(std::ranges::equal(again->values.bytes(), first->values.bytes()));
+        }
+        Dataset points = *first;
+        points.tetrahedra = nullptr;
+        QCOMPARE(VtuWriter().write(points, "x.vtu", {}, {}).error().kind, ErrorKind::WrongUsage);
+    }
+
+    void ucd()
+    {
+        const std::string text = "# a comment\n6 3 3 1 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n15 .5 .5 1\n6 2 .5 .5\n"
+                                 "1 1 pyr 15 1 2 3 4\n2 1 tet 2 6 3 15\n3 line 1 2\n"
+                                 "2 1 2\nheat, K\nwind, m/s\n1 1 3 4\n2 2 3 4\n3 3 3 4\n4 4 3 4\n15 5 3 4\n6 6 3 4\n"
+                                 "1 1\nmaterial,\n1 1\n2 2\n3 3\n";
+        const auto path = file("mesh.inp", text);
+        expectMesh(reader_.read(path, {}, {}));
+        const auto wind = reader_.read(path, {{"array", std::string("wind")}}, {});
+        QCOMPARE(wind->values.range().maximum, 5.0);
+        const auto material = reader_.read(path, {{"array", std::string("material")}}, {});
+        QVERIFY(material.ok());
+        QCOMPARE(material->values.range().maximum, 2.0);
+        const auto contents = reader_.probe(path, {}, {});
+        QCOMPARE(contents->points, 6);
+        QCOMPARE(contents->arrays.size(), 3);
+        QCOMPARE(contents->arrays[1].name, "wind");
+        QVERIFY(contents->arrays[2].perCell);
+    }
+
+    void scores()
+    {
+        const auto score = [&](const char* name, std::string_view text) {
+            return reader_.score(name, std::as_bytes(std::span(text)));
+        };
+        QCOMPARE(score("a.vtu", "<VTKFile type=\"UnstructuredGrid\">"), 0.8);
+        QCOMPARE(score("a.inp", "#\n 4 1 1 0 0\n"), 0.95);
+        QCOMPARE(score("a.inp", "*HEADING\n"), 0.0);
+        QCOMPARE(score("a.vti", "<VTKFile type=\"ImageData\">"), 0.0);
+    }
+};
+
+QTEST_GUILESS_MAIN(CellsReaderTest)
+#include "cells_reader_test.moc"
