@@ -250,7 +250,7 @@ private slots:
         QFETCH(QString, name);
         const Run run = tan({"isosurface", "c60.tan", "--error", "2", "--value", "100,150", "-o", name, "--json"});
         QVERIFY2(run.exitCode == 0, run.messages);
-        const VtkReader reader(path(name));
+        const VtkReader reader(path(qPrintable(name)));
         if (reader.isMissing())
             QSKIP("skipped: no python3-vtk9");
         QVERIFY2(reader.ok(), reader.messages());

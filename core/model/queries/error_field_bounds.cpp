@@ -26,6 +26,8 @@ double between(double first, double second, double part)
         return first;
     if (part >= 1)
         return second;
+    if (std::isinf(first)) // less something infinite it would be no number
+        return first;
     return std::clamp(first + (second - first) * part, std::min(first, second), std::max(first, second));
 }
 

@@ -5,6 +5,8 @@
 #include "plugins/readers/lattice/field_text.h"
 #include "plugins/readers/lattice/nrrd_geometry.h"
 
+#include <algorithm>
+
 namespace tetra {
 
 namespace {
@@ -79,6 +81,10 @@ Result<NrrdLayout> nrrdLayout(const NrrdFields& fields)
                      "its samples are spread over several files ('data file: " + printable(fields["data file"]) +
                          "'), which is not read. Join them into one file first."};
     layout.dataFile = fields["data file"];
+    // One with a zero byte would open another file than messages name.
+    if (std::ranges::any_of(layout.dataFile, [](char c) { return static_cast<unsigned char>(c) < ' '; }))
+        return Error{ErrorKind::BadInput, "its data file is called '" + printable(layout.dataFile) +
+                                              "', with characters that no name should have. Correct it."};
     if (const Status parsed = parseEncoding(fields, layout.samples); !parsed)
         return parsed.error();
     if (const Status parsed = parseSkips(fields, layout.samples); !parsed)

@@ -2,6 +2,7 @@
 #include "plugins/readers/points/point_table.h"
 
 #include "core/base/number_text.h"
+#include "core/base/shown_text.h"
 #include "plugins/readers/points/chemical_structure.h"
 #include "plugins/readers/points/delimited_text.h"
 
@@ -126,7 +127,7 @@ Result<double> TableReading::number(std::size_t column) const
     const std::string_view field = fields_[column];
     if (const auto number = finiteNumber(field))
         return *number;
-    const std::string where = lineText(lines_.number()) + ", " + columns_.names[column] + ": ";
+    const std::string where = lineText(lines_.number()) + ", " + shownText(columns_.names[column]) + ": ";
     if (field.empty())
         return Error{ErrorKind::BadInput, where + "there is no number. Add it, or have incomplete rows skipped."};
     if (field.find(',') != std::string_view::npos)
@@ -147,8 +148,8 @@ Status TableReading::addRow()
         if (!coordinate)
             return coordinate.error();
         if (std::abs(*coordinate) > largestCoordinate)
-            return Error{ErrorKind::BadInput, lineText(lines_.number()) + ", " + columns_.names[column] + ": " +
-                                                  shown(fields_[column]) + " is too large for a position."};
+            return Error{ErrorKind::BadInput, lineText(lines_.number()) + ", " + shownText(columns_.names[column]) +
+                                                  ": " + shown(fields_[column]) + " is too large for a position."};
         position[axis] = *coordinate;
     }
     const Result<double> value = number(columns_.value);

@@ -72,6 +72,18 @@ class ErrorFieldTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Between infinity and a number there is infinity, never no number.
+    void whatFallsFromInfinityIsANumber()
+    {
+        const std::array<Eigen::Vector3d, 4> corners = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.5}}};
+        for (const auto& [inner, outer] : {std::pair(infinity, 2.0), {2.0, infinity}, {infinity, infinity}}) {
+            const ErrorField field = SpaceRamp{HalfSpace{{0, 0, 1}, 0}, inner, outer, 1};
+            QCOMPARE(field.at({0, 0, 0.5}, 0), infinity);
+            QCOMPARE(field.at({0, 0, 2}, 0), outer);
+            QCOMPARE(field.leastIn(corners, 0, {0, 0}), std::min(inner, field.at({0, 0, 0.5}, 0)));
+        }
+    }
+
     void numbersCanBeCombined()
     {
         const ErrorField two = 2.0;

@@ -132,6 +132,8 @@ private slots:
         QTest::newRow("a page of the web") << QByteArray("<html><body a=\"b\">\n<p>1,2,3,4</p>\n") << "column";
         QTest::newRow("a megabyte of digits") << QByteArray("x,y,z,v\n1,2,3,") + QByteArray(1 << 20, '9') << "99...'";
         QTest::newRow("control characters") << QByteArray("x,y,z,v\n1,2,3,\x1b[2J\n") << "'?[2J'";
+        QTest::newRow("a name that controls terminals")
+            << QByteArray("x,y,z,\x1bt\n1,2,3,hot\n") << "line 2, ?t: 'hot'";
         QTest::newRow("UTF-16") << QByteArray("\xff\xfex\0,\0", 6) << "UTF-16";
     }
     void badTablesAreRefusedWithTheLine()
