@@ -6,8 +6,8 @@
 namespace tetra {
 
 /// The sign of det(b - a, c - a, d - a): 1, 0 or -1. Exact for all doubles whose triple products neither overflow nor
-/// underflow: in doubles where a bound on their rounding allows it, else in integers of 128 bits where the points lie close
-/// enough together, else as a sum of doubles that rounds nothing (Shewchuk 1997), some 20 microseconds.
+/// underflow: in doubles where a bound on their rounding allows it, else in integers of 128 bits where the points lie
+/// close enough together, else as a sum of doubles that rounds nothing (Shewchuk 1997), some 20 microseconds.
 int orientationSign(const std::array<double, 3>& a, const std::array<double, 3>& b, const std::array<double, 3>& c,
                     const std::array<double, 3>& d);
 
