@@ -147,7 +147,7 @@ Eigen::Vector3d stressOfHole(const Place& place)
 
 double stressAt(const Eigen::Vector3d& position)
 {
-    constexpr double largest = 4;
+    constexpr double largest = 3.2;
     Eigen::Vector3d stress(1, 0, 0);
     for (std::uint32_t y = 0; y < tilesAlongY; ++y)
         for (std::uint32_t x = 0; x < tilesAlongX; ++x) {

@@ -84,7 +84,8 @@ void AnalyticFieldsTest::everyKindFillsItsRange()
     for (const SampleKind& kind : sampleKinds()) {
         const Dataset dataset = sample(kind.name, 48);
         QCOMPARE(dataset.values.type(), kind.type);
-        QCOMPARE(dataset.values.count(), std::uint64_t(48) * 48 * 48);
+        if (kind.domain != DomainClass::Irregular)
+            QCOMPARE(dataset.values.count(), std::uint64_t(48) * 48 * 48);
         QCOMPARE(dataset.lattice.pointCount(), dataset.values.count());
         QCOMPARE(dataset.values.notFiniteCount(), std::uint64_t(0));
         const double full = isInteger(kind.type) ? 255 : 1;

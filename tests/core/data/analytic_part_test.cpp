@@ -56,7 +56,7 @@ private slots:
     {
         const AnalyticMesh mesh = analyticPart(64);
         const auto largest = static_cast<std::size_t>(std::ranges::max_element(mesh.values) - mesh.values.begin());
-        QVERIFY(mesh.values[largest] > 0.6 && mesh.values[largest] < 0.95);
+        QVERIFY(mesh.values[largest] > 0.9 && mesh.values[largest] < 1);
         const Eigen::Vector3d& place = mesh.positions[largest];
         const Eigen::Vector2d fromCentre(std::fmod(place[0], 2.0) - 1, std::fmod(place[1], 2.0) - 1);
         QVERIFY(std::abs(fromCentre.norm() - 0.5) < 1e-6);
