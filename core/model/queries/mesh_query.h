@@ -48,7 +48,7 @@ constexpr double keptPercent(double asked, double scale)
 /// choose a conforming mesh of the whole domain, then values and window choose from its tetrahedra.
 struct MeshQuery {
     ErrorField error = 0.0;          ///< at most this at each sample, % of the value range
-    ErrorField warping = anyWarping; ///< likewise, % of the diagonal: curvilinear data only
+    ErrorField warping = anyWarping; ///< likewise, % of the diagonal: curvilinear and irregular data only
     /// At most so many tetrahedra in the whole mesh: error and warping are multiplied by the least number, at least 1,
     /// with which that is so (keptPercent()). Insertion looks for it with a few meshes and may leave a tenth unused.
     std::optional<std::uint64_t> budget;

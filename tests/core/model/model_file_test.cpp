@@ -96,7 +96,7 @@ private slots:
         QCOMPARE(valueAt<float>(bytes, 184), history.finalError);
         const auto sectionCount = valueAt<std::uint32_t>(bytes, 20);
         QCOMPARE(sectionCount, 11u);
-        QCOMPARE(valueAt<std::uint16_t>(bytes, 10), std::uint16_t(1));
+        QCOMPARE(valueAt<std::uint16_t>(bytes, 10), std::uint16_t(2));
         std::uint64_t end = 256 + 64 * sectionCount;
         for (std::uint32_t number = 0; number < sectionCount; ++number) {
             const auto offset = valueAt<std::uint64_t>(bytes, 256 + 64 * number + 16);
@@ -258,13 +258,13 @@ void ModelFileTest::whatCannotBeReadIsRefused_data()
     row(
         "magic", [](FileParts& f) { f.header().magic[4] = '\n'; }, "is not a TAn model");
     row(
-        "later", [](FileParts& f) { f.header().majorVersion = 2; }, "version 2.1; this program reads up to version 1");
+        "later", [](FileParts& f) { f.header().majorVersion = 2; }, "version 2.2; this program reads up to version 1");
     row(
         "remedy", [](FileParts& f) { f.header().majorVersion = 300; }, "Install a later version of TAn");
     row(
         "byte order", [](FileParts& f) { f.header().byteOrderMark = 0x04030201; }, "the other byte order");
     row(
-        "domain", [](FileParts& f) { f.header().domainClass = 2; }, "a model of an irregular mesh, which this version");
+        "domain", [](FileParts& f) { f.header().domainClass = 2; }, "a lattice of 4 x 3 x 5 points cannot be");
     row(
         "far domain", [](FileParts& f) { f.header().domainClass = 77; }, "domain class 77, which this version cannot");
     row(
