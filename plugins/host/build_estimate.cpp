@@ -50,12 +50,16 @@ BuildEstimate estimateDecimation(const BuildSize& size)
     constexpr double modelTetrahedronBytes = 26; // all that ever lived, with their sites
     constexpr double livedOverKept = 3.5;        // tetrahedra of the history over those of the dataset
     constexpr double collapseSeconds = 12e-6;
-    constexpr double tetrahedronBytes = 150; // of memory
+    constexpr double fixedBytes = 30e6; // of memory: the program, and as decimationBytes()
+    constexpr double pointBytes = 700;
+    constexpr double tetrahedronBytes = 100;
     BuildEstimate estimate;
     const auto tetrahedra = static_cast<double>(size.tetrahedra);
     estimate.modelBytes = static_cast<std::uint64_t>(tetrahedra * livedOverKept * modelTetrahedronBytes);
     estimate.diskBytes = estimate.modelBytes;
-    estimate.memoryBytes = static_cast<std::uint64_t>(tetrahedra * tetrahedronBytes) + estimate.modelBytes;
+    estimate.memoryBytes =
+        estimate.modelBytes + static_cast<std::uint64_t>(fixedBytes + static_cast<double>(size.points) * pointBytes +
+                                                         tetrahedra * tetrahedronBytes);
     estimate.seconds = static_cast<double>(size.points) * collapseSeconds;
     return estimate;
 }

@@ -97,8 +97,10 @@ QWidget* ImportRegion::makeSpace()
     inBox_->setObjectName("import.region.inBox");
     inBox_->setToolTip(tr("Takes only what lies in a box; of irregular meshes whole tetrahedra"));
     grid->addWidget(inBox_, 0, 0, 1, 4);
+    for (int axis = 0; axis < 3; ++axis)
+        grid->addWidget(new QLabel(axisNames[static_cast<std::size_t>(axis)]), 1, axis + 1, Qt::AlignHCenter);
     for (int corner = 0; corner < 2; ++corner) {
-        grid->addWidget(new QLabel(corner == 0 ? tr("From") : tr("To")), 1 + corner, 0);
+        grid->addWidget(new QLabel(corner == 0 ? tr("From") : tr("To")), 2 + corner, 0);
         for (int axis = 0; axis < 3; ++axis) {
             const QString name = axisNames[static_cast<std::size_t>(axis)];
             auto* box = new ValueBox;
@@ -109,7 +111,7 @@ QWidget* ImportRegion::makeSpace()
             box->setEnabled(false);
             connect(inBox_, &QCheckBox::toggled, box, &QWidget::setEnabled);
             connect(box, &ValueBox::valueChanged, this, &ImportRegion::edited);
-            grid->addWidget(box, 1 + corner, axis + 1);
+            grid->addWidget(box, 2 + corner, axis + 1);
             corners_[static_cast<std::size_t>(3 * corner + axis)] = box;
         }
     }

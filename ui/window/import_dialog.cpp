@@ -205,6 +205,7 @@ void ImportDialog::changeReader()
     question_.options = {};
     contents_ = {};
     isFirstProbe_ = true;
+    showReason(true, {});
     showForm();
     probe_->request(question_.path, {.reader = question_.reader.id});
 }
@@ -261,6 +262,7 @@ void ImportDialog::takeSuggestion(int index)
 
 void ImportDialog::valuesEdited()
 {
+    showReason(true, {}); // what was said of other values
     if (withLayout_)
         showLayout();
     probe_->request(question_.path, {.reader = question_.reader.id, .values = form_->values()});
@@ -277,8 +279,8 @@ void ImportDialog::showContents(const Result<FileContents>& contents)
         showForm();
         return valuesEdited();
     }
-    if (!withLayout_ && !isReading()) // of a layout the check of its size says it better
-        showReason(contents.ok(), contents ? QString() : pluginText(contents.error().text));
+    if (!contents && !withLayout_ && !isReading()) // of a layout the check of its size says it better
+        showReason(false, pluginText(contents.error().text));
     if (!contents)
         return;
     contents_ = *contents;
