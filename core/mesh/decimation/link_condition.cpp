@@ -40,10 +40,15 @@ void LinkCondition::set(const VertexStar& star)
     sortOut(rimEdges_);
 }
 
+bool LinkCondition::isOnRim(std::uint32_t vertex) const
+{
+    return has(rim_, vertex);
+}
+
 bool LinkCondition::allows(const CollapsibleMesh& mesh, const VertexStar& star, std::uint32_t linkPlace)
 {
     const std::uint32_t vertex = star.vertex(), target = star.link()[linkPlace];
-    if (!has(rim_, target))
+    if (!isOnRim(target))
         return false;
     shared_.clear();
     sharedEdges_.clear();
@@ -74,8 +79,7 @@ bool LinkCondition::allows(const CollapsibleMesh& mesh, const VertexStar& star, 
         if (std::ranges::find(vertices, vertex) != vertices.end()) {
             // A face of the target and one of the vertex would fold onto one another.
             const std::size_t other = indexOf(vertices, vertex);
-            if (CollapsibleMesh::isTriangle(neighbours[own]) &&
-                CollapsibleMesh::isTriangle(neighbours[other]))
+            if (CollapsibleMesh::isTriangle(neighbours[own]) && CollapsibleMesh::isTriangle(neighbours[other]))
                 return false;
         }
         for (std::size_t i = 0; i < 4; ++i) {

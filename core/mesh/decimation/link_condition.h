@@ -16,7 +16,9 @@ class LinkCondition {
 public:
     /// For collapses of a boundary vertex.
     void set(const VertexStar& star);
-    /// Whether the vertex may move onto `target`, which must then be joined to it by a boundary edge.
+    /// Whether a boundary edge joins the vertex with another: onto others it must not move.
+    bool isOnRim(std::uint32_t vertex) const;
+    /// Whether the vertex may move onto one of its link.
     bool allows(const CollapsibleMesh& mesh, const VertexStar& star, std::uint32_t linkPlace);
 
 private:
