@@ -28,8 +28,8 @@ public:
     /// The places among the star's faces of those that have a tetrahedron.
     std::span<const std::uint32_t> faces() const noexcept { return faces_; }
 
-    /// Nine columns of columnLength() numbers, by face: three times three rows whose products with a place are the weights
-    /// of the face's corners. Of no meaning for faces without a tetrahedron.
+    /// Nine columns of columnLength() numbers, by face: three times three rows whose products with a place are the
+    /// weights of the face's corners. Of no meaning for faces without a tetrahedron.
     std::span<const double> weights() const noexcept { return weights_; }
     std::size_t columnLength() const noexcept { return columnLength_; }
     /// The weights of the corners of a face at a place from the apex.

@@ -103,9 +103,9 @@ const BoundaryJudge::Nearest& BoundaryJudge::onRing(Point& point) const
     return point.onRing;
 }
 
-BoundaryJudge::Nearest BoundaryJudge::nearest(Point& point) const
+BoundaryJudge::Nearest BoundaryJudge::onFresh(const Point& point) const
 {
-    Nearest nearest = onRing(point);
+    Nearest nearest;
     for (const Triangle& triangle : fresh_)
         approach(triangle, point.place, nearest);
     return nearest;
@@ -117,13 +117,25 @@ double BoundaryJudge::warpingOf(const Point& point, const Nearest& projection) c
     return distance > measure_.leastWarping ? weight(point.point) * distance : 0;
 }
 
-double BoundaryJudge::judgeError(Point& point, const ApexFan& fan)
+double BoundaryJudge::errorOf(const Point& point, double interpolated) const
+{
+    const double residual = std::abs(input_.values[point.point] - interpolated);
+    return residual > measure_.leastError ? weight(point.point) * residual : 0;
+}
+
+/// Of a point outside.
+double BoundaryJudge::keyOf(const Point& point, const Nearest& projection) const
+{
+    return std::max(errorOf(point, projection.value), measure_.warpingWeight * warpingOf(point, projection));
+}
+
+double BoundaryJudge::judgeError(Point& point, const ApexFan& fan, double largest)
 {
     Vector place{};
     for (std::size_t axis = 0; axis < 3; ++axis)
         place[axis] = point.place[axis] - fan.apex()[axis];
     double deepest = -insideTolerance;
-    Error error{point.point, point.triangleBefore, none, none, 0};
+    Error error{point.point, point.triangleBefore, none, none, 0, 0};
     for (const std::uint32_t face : fan.faces()) {
         const auto [first, second, third] = fan.weightsAt(face, place);
         const double depth = std::min({first, second, third, 1 - first - second - third});
@@ -132,31 +144,33 @@ double BoundaryJudge::judgeError(Point& point, const ApexFan& fan)
             error.inFan = face;
         }
     }
-    double interpolated = 0;
     if (error.inFan != none) {
         const Vector gradient = fan.gradient(error.inFan, 0);
-        interpolated =
-            fan.apexSamples()[0] + gradient[0] * place[0] + gradient[1] * place[1] + gradient[2] * place[2];
+        error.error = errorOf(point, fan.apexSamples()[0] + gradient[0] * place[0] + gradient[1] * place[1] +
+                                         gradient[2] * place[2]);
     } else {
-        const Nearest projection = nearest(point);
+        Nearest projection = onFresh(point);
+        if ((point.ofRing || keyOf(point, projection) > largest) &&
+            onRing(point).squaredDistance <= projection.squaredDistance)
+            projection = point.onRing;
         if (point.ofRing && projection.triangle == point.triangleBefore)
             return 0;
-        interpolated = projection.value;
         error.triangle = projection.triangle;
+        error.error = errorOf(point, projection.value);
         error.warping = warpingOf(point, projection);
     }
-    const double residual = std::abs(input_.values[point.point] - interpolated);
-    error.error = residual > measure_.leastError ? weight(point.point) * residual : 0;
     errors_.push_back(error);
     return std::max(error.error, measure_.warpingWeight * error.warping);
 }
 
-double BoundaryJudge::judgeWarping(Point& point)
+double BoundaryJudge::judgeWarping(Point& point, double largest)
 {
-    const Nearest projection = nearest(point);
-    const double warping = warpingOf(point, projection);
-    warpings_.push_back({point.point, projection.triangle, warping});
-    return measure_.warpingWeight * warping;
+    Nearest projection = onFresh(point);
+    if (measure_.warpingWeight * warpingOf(point, projection) > largest &&
+        onRing(point).squaredDistance < projection.squaredDistance)
+        projection = point.onRing;
+    warpings_.push_back({point.point, projection.triangle, warpingOf(point, projection)});
+    return measure_.warpingWeight * warpings_.back().warping;
 }
 
 double BoundaryJudge::evaluate(const VertexStar& star, std::uint32_t linkPlace, const ApexFan& fan, double bound)
@@ -170,9 +184,9 @@ double BoundaryJudge::evaluate(const VertexStar& star, std::uint32_t linkPlace, 
     warpings_.clear();
     double largest = 0;
     for (auto point = ofBoundary_.begin(); point != ofBoundary_.end() && largest <= bound; ++point)
-        largest = std::max(largest, judgeWarping(*point));
+        largest = std::max(largest, judgeWarping(*point, largest));
     for (auto point = points_.begin(); point != points_.end() && largest <= bound; ++point)
-        largest = std::max(largest, judgeError(*point, fan));
+        largest = std::max(largest, judgeError(*point, fan, largest));
     return largest;
 }
 

@@ -17,7 +17,8 @@ namespace tetra {
 
 /// Judges collapses of boundary vertices of an irregular mesh: there removed points come to lie out- or inside, and the
 /// distance of the original boundary changes (R4, R5). Points outside go to the nearest of the new boundary triangles
-/// and those around them. Coordinates are relative to the star's vertex.
+/// or, if there the key would be larger than it is already, to the nearest of these and those around them. Coordinates
+/// are relative to the star's vertex.
 class BoundaryJudge {
 public:
     static constexpr std::uint32_t none = CollapsibleMesh::none;
@@ -78,10 +79,12 @@ private:
     Vector placeOf(std::uint32_t vertex) const;
     void approach(const Triangle& triangle, const Vector& place, Nearest& nearest) const;
     const Nearest& onRing(Point& point) const;
-    Nearest nearest(Point& point) const;
+    Nearest onFresh(const Point& point) const;
     double warpingOf(const Point& point, const Nearest& projection) const;
-    double judgeError(Point& point, const ApexFan& fan);
-    double judgeWarping(Point& point);
+    double errorOf(const Point& point, double interpolated) const;
+    double keyOf(const Point& point, const Nearest& projection) const;
+    double judgeError(Point& point, const ApexFan& fan, double largest);
+    double judgeWarping(Point& point, double largest);
     double weight(std::uint32_t point) const
     {
         return input_.weights.empty() ? 1 : static_cast<double>(input_.weights[point]);

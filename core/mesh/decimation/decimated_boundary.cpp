@@ -37,41 +37,18 @@ void DecimatedMesh::setBoundaryChange(std::uint32_t linkPlace)
     }
 }
 
-DecimatedMesh::Candidate DecimatedMesh::bestOnBoundary()
+bool DecimatedMesh::boundaryAllows(std::uint32_t linkPlace)
 {
-    double least = std::numeric_limits<double>::infinity();
-    std::uint32_t target = none;
-    const auto link = star_.link();
-    linkCondition_.set(star_);
-    bool judging = false;
-    for (std::uint32_t place = 0; place < link.size(); ++place) {
-        if (sides_[link[place]] == 0 || !star_.opensOnto(place) || !linkCondition_.allows(mesh_, star_, place))
-            continue;
-        gather();
-        if (!judging)
-            boundaryJudge_.set(mesh_, star_, points_.points, boundaryPoints_);
-        judging = true;
-        setFan(place);
-        ++evaluations_;
-        const double key = boundaryJudge_.evaluate(star_, place, fan_, least);
-        if (key > least || (key == least && link[place] > target))
-            continue;
-        setBoundaryChange(place);
-        if (boundary_->meetsItself(addedTriangles_, removedTriangles_))
-            continue;
-        least = key;
-        target = link[place];
-    }
-    return {target, target == none ? 0 : roundedUp(std::max(least, keyOfFacesAround()))};
+    setBoundaryChange(linkPlace);
+    return linkCondition_.allows(mesh_, star_, linkPlace) &&
+           !boundary_->meetsItself(addedTriangles_, removedTriangles_);
 }
 
 bool DecimatedMesh::collapseOnBoundary(std::uint32_t vertex, std::uint32_t target)
 {
     const auto link = star_.link();
     const auto place = static_cast<std::uint32_t>(std::ranges::find(link, target) - link.begin());
-    setBoundaryChange(place);
-    linkCondition_.set(star_);
-    if (!linkCondition_.allows(mesh_, star_, place) || boundary_->meetsItself(addedTriangles_, removedTriangles_))
+    if (!boundaryAllows(place))
         return false;
     boundary_->replace(removedTriangles_, addedTriangles_);
     boundaryJudge_.set(mesh_, star_, points_.points, boundaryPoints_);

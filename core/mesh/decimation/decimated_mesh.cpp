@@ -14,7 +14,7 @@ namespace tetra {
 namespace {
 
 /// Marks of vertices of irregular meshes.
-constexpr std::uint8_t onBoundary = 1, locked = 0xff;
+constexpr std::uint8_t boundaryMark = 1, locked = 0xff;
 
 std::array<double, 3> arrayOf(const Eigen::Vector3d& vector)
 {
@@ -89,7 +89,7 @@ void DecimatedMesh::findBoundary()
         triangles.push_back(mesh_.cornersOf(CollapsibleMesh::firstTriangle + triangle));
     for (const SurfaceTriangle& triangle : triangles)
         for (const std::uint32_t corner : triangle)
-            sides_[corner] = onBoundary;
+            sides_[corner] = boundaryMark;
     boundary_.emplace(input_.positions, triangles);
     for (std::uint32_t vertex = 0; vertex < vertexCount(); ++vertex) {
         if (sides_[vertex] == 0)
@@ -111,10 +111,11 @@ int DecimatedMesh::handednessOfInput() const
     return balance < 0 ? -1 : 1;
 }
 
-/// Whether the boundary allows it: in a box vertices stay on their sides.
 bool DecimatedMesh::mayMove(std::uint32_t vertex, std::uint32_t target) const
 {
-    return !input_.box || (sides_[vertex] & ~sides_[target]) == 0;
+    if (input_.box)
+        return (sides_[vertex] & ~sides_[target]) == 0;
+    return sides_[vertex] == 0 || (sides_[vertex] != locked && sides_[target] != 0);
 }
 
 float DecimatedMesh::keyOf(float error, float warping) const
@@ -126,7 +127,9 @@ void DecimatedMesh::setStar(std::uint32_t vertex)
 {
     star_.set(mesh_, vertex, movesOnBoundary(vertex));
     star_.measure();
-    gathered_ = false;
+    gathered_ = judging_ = false;
+    if (movesOnBoundary(vertex))
+        linkCondition_.set(star_);
 }
 
 /// What evaluations of collapses need besides the star's geometry.
@@ -197,28 +200,75 @@ bool DecimatedMesh::inverts(std::uint32_t linkPlace) const
     return false;
 }
 
+/// Whether what is quickly looked at allows a collapse.
+bool DecimatedMesh::opens(std::uint32_t linkPlace) const
+{
+    const std::uint32_t target = star_.link()[linkPlace];
+    if (movesOnBoundary(star_.vertex()) ? !linkCondition_.isOnRim(target) : !mayMove(star_.vertex(), target))
+        return false;
+    return star_.opensOnto(linkPlace);
+}
+
+double DecimatedMesh::evaluate(std::uint32_t linkPlace, double bound)
+{
+    setFan(linkPlace);
+    ++evaluations_;
+    if (!movesOnBoundary(star_.vertex()))
+        return evaluateFan(fan_, measure_, bound, points_);
+    if (!judging_)
+        boundaryJudge_.set(mesh_, star_, points_.points, boundaryPoints_);
+    judging_ = true;
+    return boundaryJudge_.evaluate(star_, linkPlace, fan_, bound);
+}
+
+/// What takes longer to look at and seldom forbids a collapse.
+bool DecimatedMesh::confirms(std::uint32_t linkPlace)
+{
+    return movesOnBoundary(star_.vertex()) ? boundaryAllows(linkPlace) : !inverts(linkPlace);
+}
+
+DecimatedMesh::Candidate DecimatedMesh::bestOfCandidates()
+{
+    const auto link = star_.link();
+    while (!candidates_.empty()) {
+        double least = std::numeric_limits<double>::infinity();
+        std::uint32_t best = candidates_.front();
+        for (const std::uint32_t place : candidates_) {
+            const double key = evaluate(place, least);
+            if (key > least || (key == least && link[place] > link[best]))
+                continue;
+            least = key;
+            best = place;
+        }
+        if (confirms(best))
+            return {link[best], roundedUp(std::max(least, keyOfFacesAround()))};
+        std::erase(candidates_, best);
+    }
+    return {};
+}
+
 DecimatedMesh::Candidate DecimatedMesh::best(std::uint32_t vertex)
 {
-    if (sides_[vertex] == locked)
+    if (!input_.box && sides_[vertex] == locked)
         return {};
     setStar(vertex);
-    if (movesOnBoundary(vertex))
-        return bestOnBoundary();
-    double least = std::numeric_limits<double>::infinity();
-    std::uint32_t target = none;
-    const auto link = star_.link();
-    for (std::uint32_t place = 0; place < link.size(); ++place) {
-        if (!mayMove(vertex, link[place]) || !star_.opensOnto(place))
-            continue;
-        setFan(place);
-        ++evaluations_;
-        const double key = evaluateFan(fan_, measure_, least, points_);
-        if (key > least || (key == least && link[place] > target) || inverts(place))
-            continue;
-        least = key;
-        target = link[place];
-    }
-    return {target, target == none ? 0 : roundedUp(std::max(least, keyOfFacesAround()))};
+    candidates_.clear();
+    for (std::uint32_t place = 0; place < star_.link().size(); ++place)
+        if (opens(place))
+            candidates_.push_back(place);
+    return bestOfCandidates();
+}
+
+DecimatedMesh::Candidate DecimatedMesh::judge(std::uint32_t vertex, std::uint32_t target)
+{
+    if (!input_.box && sides_[vertex] == locked)
+        return {};
+    setStar(vertex);
+    candidates_.clear();
+    const auto place = static_cast<std::uint32_t>(std::ranges::find(star_.link(), target) - star_.link().begin());
+    if (place < star_.link().size() && opens(place))
+        candidates_.push_back(place);
+    return bestOfCandidates();
 }
 
 bool DecimatedMesh::collapse(std::uint32_t vertex, std::uint32_t target)

@@ -40,6 +40,8 @@ public:
     };
     /// The legal collapse of a vertex that has the smallest key; among equals the target of the smallest number.
     Candidate best(std::uint32_t vertex);
+    /// The collapse of a vertex onto a neighbour, if it is legal.
+    Candidate judge(std::uint32_t vertex, std::uint32_t target);
 
     /// Does a collapse that best() named; nothing around the vertex has changed since. False, and nothing is done, if
     /// what lies behind its neighbours has come into the way on an irregular boundary.
@@ -51,6 +53,15 @@ public:
     float key() const noexcept { return keys_.largest(); }
     std::uint64_t evaluations() const noexcept { return evaluations_; }
     std::uint64_t liveTetrahedra() const noexcept { return live_; }
+
+    const CollapsibleMesh& tetrahedra() const noexcept { return mesh_; }
+    const DecimationMesh& input() const noexcept { return input_; }
+    /// Whether the vertex lies on the boundary of the mesh.
+    bool onBoundary(std::uint32_t vertex) const noexcept { return sides_[vertex] != 0; }
+
+    /// Whether the boundary has nothing against a collapse onto a neighbour at first sight: in a box vertices stay on
+    /// their sides, elsewhere boundary vertices on the boundary.
+    bool mayMove(std::uint32_t vertex, std::uint32_t target) const;
 
     const CollapseLog& log() const noexcept { return log_; }
     std::vector<CollapseLog::Coarsest> coarsest() const;
@@ -69,9 +80,12 @@ private:
     int handednessOfInput() const;
     void findBoundary();
     bool movesOnBoundary(std::uint32_t vertex) const { return !input_.box && sides_[vertex] != 0; }
-    bool mayMove(std::uint32_t vertex, std::uint32_t target) const;
     double keyOfFacesAround() const;
-    Candidate bestOnBoundary();
+    bool opens(std::uint32_t linkPlace) const;
+    double evaluate(std::uint32_t linkPlace, double bound);
+    Candidate bestOfCandidates();
+    bool confirms(std::uint32_t linkPlace);
+    bool boundaryAllows(std::uint32_t linkPlace);
     void setBoundaryChange(std::uint32_t linkPlace);
     bool collapseOnBoundary(std::uint32_t vertex, std::uint32_t target);
     void relateToBoundary();
@@ -110,6 +124,8 @@ private:
     ApexFan fan_;
     std::vector<ApexFan::Samples> samples_; ///< of the star's link
     bool gathered_ = false;                 ///< whether points_ and samples_ are the star's
+    bool judging_ = false;                  ///< whether boundaryJudge_ is the star's
+    std::vector<std::uint32_t> candidates_; ///< places in the star's link
     std::vector<std::uint32_t> touched_;
     std::vector<CollapseLog::Tetrahedron> logged_;
 };

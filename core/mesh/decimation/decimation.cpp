@@ -68,12 +68,23 @@ Status checkOptions(const DecimationMesh& mesh, const DecimationOptions& options
     return {};
 }
 
+Status collapseInOrder(DecimatedMesh& mesh, const DecimationOptions& options, const Progress& progress)
+{
+    switch (options.order) {
+    case DecimationOrder::PaperEstimates:
+        return decimateByEstimates(mesh, options.warpingWeight, options.stopKey, progress);
+    case DecimationOrder::IndependentRounds: return decimateInRounds(mesh, options.stopKey, progress);
+    case DecimationOrder::ExactError: break;
+    }
+    return decimateByExactError(mesh, options.stopKey, progress);
+}
+
 Result<DecimationResult> decimateSound(const DecimationMesh& mesh, const DecimationOptions& options, HistorySink& sink,
                                        const Progress& progress)
 {
     const RenumberedMesh renumbered(mesh);
     DecimatedMesh decimated(renumbered.view(), options);
-    if (Status status = decimateByExactError(decimated, options.stopKey, progress.part(0, .9)); !status)
+    if (Status status = collapseInOrder(decimated, options, progress.part(0, .9)); !status)
         return status.error();
     const bool warps = !mesh.box || !mesh.lifted.empty();
     if (Status status = sink.begin({.warpingWeight = warps ? options.warpingWeight : 0, .delaunay = false}); !status)

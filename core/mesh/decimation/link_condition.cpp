@@ -40,6 +40,11 @@ void LinkCondition::set(const VertexStar& star)
     sortOut(rimEdges_);
 }
 
+bool LinkCondition::isOnRim(std::uint32_t vertex) const
+{
+    return has(rim_, vertex);
+}
+
 /// Whether a tetrahedron vanishes that has its face opposite to the target on the boundary. Then the one behind its
 /// face opposite to the vertex, which the collapse does not touch, gets onto the boundary, and the history, in which a
 /// site depends on what it destroys alone, would not say that the vertex needs it: closed sets would have cracks.
@@ -54,7 +59,7 @@ bool LinkCondition::leavesFaceOpen(const VertexStar& star, std::uint32_t linkPla
 bool LinkCondition::allows(const CollapsibleMesh& mesh, const VertexStar& star, std::uint32_t linkPlace)
 {
     const std::uint32_t vertex = star.vertex(), target = star.link()[linkPlace];
-    if (!has(rim_, target) || leavesFaceOpen(star, linkPlace))
+    if (!isOnRim(target) || leavesFaceOpen(star, linkPlace))
         return false;
     shared_.clear();
     sharedEdges_.clear();
@@ -85,8 +90,7 @@ bool LinkCondition::allows(const CollapsibleMesh& mesh, const VertexStar& star, 
         if (std::ranges::find(vertices, vertex) != vertices.end()) {
             // A face of the target and one of the vertex would fold onto one another.
             const std::size_t other = indexOf(vertices, vertex);
-            if (CollapsibleMesh::isTriangle(neighbours[own]) &&
-                CollapsibleMesh::isTriangle(neighbours[other]))
+            if (CollapsibleMesh::isTriangle(neighbours[own]) && CollapsibleMesh::isTriangle(neighbours[other]))
                 return false;
         }
         for (std::size_t i = 0; i < 4; ++i) {

@@ -16,8 +16,10 @@ class LinkCondition {
 public:
     /// For collapses of a boundary vertex.
     void set(const VertexStar& star);
-    /// Whether the vertex may move onto `target`, which must then be joined to it by a boundary edge, and leave the
-    /// history one in which closed sets have meshes.
+    /// Whether a boundary edge joins the vertex with another: onto others it must not move.
+    bool isOnRim(std::uint32_t vertex) const;
+    /// Whether the vertex may move onto one of its link, which must then be joined to it by a boundary edge, and leave
+    /// the history one in which closed sets have meshes.
     bool allows(const CollapsibleMesh& mesh, const VertexStar& star, std::uint32_t linkPlace);
 
 private:

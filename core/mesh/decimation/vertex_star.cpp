@@ -158,8 +158,7 @@ bool VertexStar::opensOnto(std::uint32_t linkPlace) const
 {
     // Faces that have the vertex themselves have no volume with it, so they are not counted.
     const std::size_t wanted = faces_.size() - facesOfLink_[linkPlace];
-    return wanted > 0 &&
-           countPositive(planes_.data(), paddedFaceCount(), places_[linkPlace].data(), doubt_) == wanted;
+    return wanted > 0 && countPositive(planes_.data(), paddedFaceCount(), places_[linkPlace].data(), doubt_) == wanted;
 }
 
 } // namespace tetra
