@@ -13,6 +13,9 @@ namespace {
 using Triangle = std::array<std::uint32_t, 3>;
 using Tetrahedron = std::array<std::uint32_t, 4>;
 
+/// Of one cavity.
+constexpr std::uint64_t mostSteps = 5000;
+
 /// The same triangle, its smallest corner first.
 Triangle turned(Triangle triangle)
 {
@@ -22,8 +25,8 @@ Triangle turned(Triangle triangle)
 
 class CavitySearch {
 public:
-    CavitySearch(std::span<const Eigen::Vector3d> positions, const CellSurface& surface, std::uint32_t mostSteps)
-        : positions_(positions), stepsLeft_(mostSteps)
+    CavitySearch(std::span<const Eigen::Vector3d> positions, const CellSurface& surface, std::uint64_t steps)
+        : positions_(positions), stepsLeft_(steps)
     {
         for (const Triangle& triangle : surface) {
             front_.push_back(turned(triangle));
@@ -59,6 +62,7 @@ public:
         return false;
     }
     const CellPieces& pieces() const { return pieces_; }
+    std::uint64_t stepsLeft() const { return stepsLeft_; }
 
 private:
     /// Takes the piece away from what is to be filled; false if its faces do not fit.
@@ -79,7 +83,7 @@ private:
     }
 
     std::span<const Eigen::Vector3d> positions_;
-    std::uint32_t stepsLeft_;
+    std::uint64_t stepsLeft_;
     std::vector<std::uint32_t> corners_;
     std::vector<Triangle> front_;
     CellPieces pieces_;
@@ -88,10 +92,13 @@ private:
 } // namespace
 
 std::optional<CellPieces> fillCavity(std::span<const Eigen::Vector3d> positions, const CellSurface& surface,
-                                     std::uint32_t mostSteps)
+                                     std::uint64_t& stepsLeft)
 {
-    CavitySearch search(positions, surface, mostSteps);
-    if (surface.empty() || !search.fill())
+    const std::uint64_t steps = std::min(stepsLeft, mostSteps);
+    CavitySearch search(positions, surface, steps);
+    const bool filled = !surface.empty() && search.fill();
+    stepsLeft -= steps - search.stepsLeft();
+    if (!filled)
         return std::nullopt;
     return search.pieces();
 }

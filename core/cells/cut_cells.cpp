@@ -54,17 +54,20 @@ public:
         return {};
     }
 
-    void recut()
+    Status recut(const Progress& progress)
     {
         if (failing_.empty())
-            return;
-        RecutCells recut = recutCells(positions_, cells_, failing_);
+            return {};
+        RecutCells recut = recutCells(positions_, cells_, failing_, progress);
+        if (progress.cancelled())
+            return cancelledError(activity);
         mending_.recut += recut.pieces.size();
         removeOf(recut.pieces);
         for (const auto& [cell, pieces] : recut.pieces)
             for (const auto& piece : pieces)
                 add(cell, piece);
         result_.warped = std::move(recut.warped);
+        return {};
     }
     CutCells take() { return std::move(result_); }
 
@@ -134,7 +137,8 @@ Result<CutCells> cutCells(std::span<const Eigen::Vector3d> positions, const Prep
     Cutting cutting(positions, cells, mending);
     if (const Status cut = cutting.cutAll(progress); !cut)
         return cut.error();
-    cutting.recut();
+    if (const Status recut = cutting.recut(progress); !recut)
+        return recut.error();
     return cutting.take();
 }
 

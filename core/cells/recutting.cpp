@@ -13,6 +13,10 @@ namespace tetra {
 
 namespace {
 
+/// Of all searches together: seconds. A warped cell takes some dozens, so that meshes which can be mended are; one of
+/// garbage is given up.
+constexpr std::uint64_t mostSteps = 1'000'000;
+
 using FaceKey = std::array<std::uint32_t, 4>;
 
 FaceKey keyOf(const CellPolygon& quadrilateral)
@@ -30,15 +34,18 @@ public:
     {
     }
 
-    RecutCells run()
+    RecutCells run(const Progress& progress)
     {
         findNeighbours();
         // What a turned diagonal does to a neighbour may let that be mended, too.
         for (bool progressed = true; progressed;) {
             progressed = false;
-            for (const std::uint32_t cell : failing_)
+            for (const std::uint32_t cell : failing_) {
+                if (progress.cancelled() || stepsLeft_ == 0)
+                    break;
                 if (!result_.pieces.contains(cell))
                     progressed = mend(cell) || progressed;
+            }
         }
         for (const std::uint32_t cell : failing_)
             if (!result_.pieces.contains(cell))
@@ -68,7 +75,7 @@ private:
     }
 
     /// A cut with the diagonals as they are turned now.
-    std::optional<CellPieces> cut(std::uint32_t cell) const
+    std::optional<CellPieces> cut(std::uint32_t cell)
     {
         CellSurface surface;
         const auto turned = [&](const CellPolygon& face) { return turned_.contains(keyOf(face)); };
@@ -81,7 +88,7 @@ private:
         if (volume < 0)
             for (auto& triangle : surface)
                 std::swap(triangle[1], triangle[2]);
-        return fillCavity(positions_, surface);
+        return fillCavity(positions_, surface, stepsLeft_);
     }
 
     void turn(const std::vector<CellPolygon>& faces, std::uint32_t mask)
@@ -141,15 +148,16 @@ private:
     const std::vector<std::uint32_t>& failing_;
     std::map<FaceKey, std::vector<std::uint32_t>> sides_;
     std::set<FaceKey> turned_;
+    std::uint64_t stepsLeft_ = mostSteps;
     RecutCells result_;
 };
 
 } // namespace
 
 RecutCells recutCells(std::span<const Eigen::Vector3d> positions, const PreparedCells& cells,
-                      const std::vector<std::uint32_t>& failing)
+                      const std::vector<std::uint32_t>& failing, const Progress& progress)
 {
-    return Recutting(positions, cells, failing).run();
+    return Recutting(positions, cells, failing).run(progress);
 }
 
 } // namespace tetra

@@ -47,41 +47,6 @@ private slots:
         QCOMPARE(built["degenerate"].toInt(-1), 0);
     }
 
-    void aPartIsBuiltAndVerified()
-    {
-        const QStringList part = {"--region", "1,0,2,10,11,9", "--stride", "3,1,1"};
-        const Run info = tan(QStringList{"info", "c60.nrrd", "--json"} + part);
-        QVERIFY2(info.exitCode == 0, info.messages);
-        QCOMPARE(info.json()["size"].toArray(), (QJsonArray{4, 12, 8}));
-        QCOMPARE(info.json()["spacing"].toArray()[0].toDouble(),
-                 3 * tan({"info", "c60.nrrd", "--json"}).json()["spacing"].toArray()[0].toDouble());
-        const Run build = tan(QStringList{"build", "c60.nrrd", "-o", "part.tan", "--json"} + part);
-        QVERIFY2(build.exitCode == 0, build.messages);
-        QCOMPARE(tan({"verify", "part.tan", "--against", "c60.nrrd", "--lod", "1,0"}).exitCode, 0);
-        QCOMPARE(tan({"verify", "part.tan", "--against", "c60.nrrd", "--lod", "1", "--stride", "2,1,1"}).exitCode, 1);
-        QCOMPARE(tan({"info", "part.tan", "--json"}).json()["parameters"].toObject()["import.stride"].toString(),
-                 QString("3,1,1"));
-        for (const char* wrong : {"0,0,0,12,11,11", "0,0,0,11,11", "0,0,5,11,11,5"})
-            QCOMPARE(tan({"build", "c60.nrrd", "--region", wrong, "-o", "no.tan"}).exitCode, 2);
-        QCOMPARE(tan({"info", "part.tan", "--stride", "2"}).exitCode, 2);
-        QVERIFY(!QFileInfo::exists(path("no.tan")));
-    }
-
-    void aModelOfARawFileKnowsItsLayout()
-    {
-        QFile raw(path("samples.dat"));
-        QVERIFY(raw.open(QIODevice::WriteOnly));
-        for (int n = 0; n < 4 * 5 * 6; ++n)
-            raw.putChar(static_cast<char>(n * 7));
-        raw.close();
-        const Run build = tan({"build", "samples.dat", "--reader", "lattice", "--size", "4x5x6", "-o", "raw.tan"});
-        QVERIFY2(build.exitCode == 0, build.messages);
-        const Run verified = tan({"verify", "raw.tan", "--against", "samples.dat"});
-        QVERIFY2(verified.exitCode == 0, verified.messages);
-        QCOMPARE(tan({"verify", "raw.tan", "--against", "samples.dat", "--size", "6x5x4"}).exitCode, 1);
-        QCOMPARE(tan({"info", "samples.dat", "--reader", "magic"}).exitCode, 2);
-    }
-
     void infoTellsTheLevels()
     {
         const Run run = tan({"info", "c60.tan", "--lod", "4,.5,0", "--json"});

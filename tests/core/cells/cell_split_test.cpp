@@ -163,7 +163,8 @@ private slots:
                 unsigned face = 0;
                 cellSurface(
                     shape, numbers, [&](const CellPolygon&) { return (mask >> face++ & 1) != 0; }, surface);
-                const auto pieces = fillCavity(positions, surface);
+                std::uint64_t steps = 5000;
+                const auto pieces = fillCavity(positions, surface, steps);
                 if (!pieces)
                     continue;
                 ++found;

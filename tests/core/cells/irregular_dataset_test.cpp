@@ -11,6 +11,8 @@
 #include <limits>
 #include <map>
 
+#include <random>
+
 using namespace tetra;
 
 namespace {
@@ -78,6 +80,18 @@ private slots:
             for (std::uint64_t point = 0; point < dataset->pointCount(); ++point)
                 QCOMPARE(dataset->values.at(point), (*dataset->positions)[point].dot(Eigen::Vector3d(1, 2, 4)));
         }
+    }
+
+    /// S20: points anywhere. Such a mesh is given up in seconds, whatever its size, and not searched through cell by cell.
+    void garbageIsRefusedSoon()
+    {
+        const RandomCells cells({20, 20, 20}, 0.1, 3, RandomCells::Kinds::NoTetrahedra);
+        CellComplex complex = cells.complex();
+        std::mt19937 random(4);
+        std::uniform_real_distribution<double> anywhere(-1e90, 1e90);
+        for (Eigen::Vector3d& position : complex.positions)
+            position = {anywhere(random), 1e-80 * anywhere(random), anywhere(random)};
+        QVERIFY(!datasetOf(complex, linearValues(complex)));
     }
 
     /// Faces far from flat: whatever is accepted without leaving cells out covers the box.

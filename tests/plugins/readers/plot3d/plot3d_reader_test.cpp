@@ -54,8 +54,6 @@ private slots:
     void probesWithoutTheData();
     void constantArraysAreNotTaken();
     void zerosBehindTheDataAreBorne();
-    void refuses_data();
-    void refuses();
     void mutationsAreReadOrRefused();
     void otherFilesAreLeftToOthers();
     void whatIsWrittenComesBack();
@@ -243,95 +241,6 @@ void Plot3dReaderTest::zerosBehindTheDataAreBorne()
     QVERIFY(!read(folder_->path().toStdString() + "/g.xyz").ok());
     write("g.q", testFile({}, true) + QByteArray(5000, '\0'));
     QVERIFY(!read(folder_->path().toStdString() + "/g.xyz").ok());
-}
-
-void Plot3dReaderTest::refuses_data()
-{
-    QTest::addColumn<QByteArray>("grid");
-    QTest::addColumn<QByteArray>("solution");
-    QTest::addColumn<QString>("says");
-    const Plot3dStyle marked{.marks = true};
-    const QByteArray grid = testFile(marked, false);
-    const QByteArray solution = testFile(marked, true);
-    const auto row = [&](const char* name, const QByteArray& gridFile, const QByteArray& solutionFile,
-                         const char* says) { QTest::newRow(name) << gridFile << solutionFile << QString(says); };
-    row("empty", {}, solution, "is empty");
-    row("text", "3 4 5\n1.0 2.0 3.0\n", solution, "no binary PLOT3D file");
-    row("cut short", grid.chopped(1), solution, "cut short");
-    row("cut solution", grid, solution.chopped(1), "cut short");
-    row("another's solution", grid, testFile({.marks = true, .multiGrid = true, .grids = 2}, true), "another grid");
-    row("holes", testFile({.marks = true, .iblank = true}, false, [](int n) { return n == 7 || n == 9 ? 0 : 1; }),
-        solution, "2 of its points are blanked out");
-    QByteArray wrongMark = grid;
-    wrongMark[wrongMark.size() - 4] = 1;
-    row("wrong mark", wrongMark, solution, "Fortran records");
-
-    Plot3dBytes flat(marked);
-    flat.integer(5);
-    flat.integer(4);
-    flat.endRecord();
-    for (int n = 0; n < 40; ++n)
-        flat.real(n);
-    flat.endRecord();
-    row("two-dimensional", flat.bytes(), solution, "two-dimensional");
-
-    Plot3dBytes layer(marked);
-    for (const int number : {5, 4, 1})
-        layer.integer(number);
-    layer.endRecord();
-    for (int n = 0; n < 60; ++n)
-        layer.real(n);
-    layer.endRecord();
-    row("one layer", layer.bytes(), solution, "5 x 4 x 1");
-
-    const auto filled = [&](int components, bool isSolution, double value, bool everywhere) {
-        Plot3dBytes file(marked);
-        for (const std::int32_t number : testSize(0))
-            file.integer(number);
-        file.endRecord();
-        if (isSolution) {
-            for (int i = 0; i < 4; ++i)
-                file.real(1);
-            file.endRecord();
-        }
-        for (int n = 0; n < 60 * components; ++n)
-            file.real(everywhere || n == 33 ? value : n * n % 17);
-        file.endRecord();
-        return file.bytes();
-    };
-    row("no number", filled(3, false, NAN, false), solution, "position of point (0, 3, 2)");
-    row("infinite", filled(3, false, INFINITY, false), solution, "position of point (0, 3, 2)");
-    row("one place", filled(3, false, 2, true), solution, "no cell has a volume");
-    const auto sized = [](std::initializer_list<std::int32_t> numbers) {
-        Plot3dBytes file(Plot3dStyle{});
-        for (const std::int32_t number : numbers)
-            file.integer(number);
-        file.endRecord();
-        return file.bytes() + QByteArray(720, '\1');
-    };
-    row("negative size", sized({-3, 4, 5}), solution, "no binary PLOT3D file");
-    row("no points", sized({3, 0, 5}), solution, "no binary PLOT3D file");
-    row("overflow of the product", sized({0x7fffffff, 0x7fffffff, 0x7fffffff}), solution, "PLOT3D");
-    row("more bytes than 64 bits count", sized({0x10000, 0x10000, 0x7fffffff}), solution, "PLOT3D");
-    row("gigabytes that are not there", sized({1000, 1000, 1000}), solution, "cut short");
-    row("thousands of millions of grids", sized({0x7fffffff, 3, 4, 5}), solution, "PLOT3D");
-    row("a negative number of grids", sized({-1, 3, 4, 5}), solution, "no binary PLOT3D file");
-    row("one byte", "x", solution, "no binary PLOT3D file");
-    row("nothing but zeros", QByteArray(400, '\0'), solution, "no binary PLOT3D file");
-    row("nothing varies", grid, filled(5, true, 0, true), "nothing to see");
-}
-
-void Plot3dReaderTest::refuses()
-{
-    QFETCH(QByteArray, grid);
-    QFETCH(QByteArray, solution);
-    QFETCH(QString, says);
-    write("g.q", solution);
-    const auto dataset = read(write("g.xyz", grid));
-    QVERIFY(!dataset.ok());
-    QCOMPARE(dataset.error().kind, ErrorKind::BadInput);
-    const QString text = QString::fromStdString(dataset.error().text);
-    QVERIFY2(text.contains(says) && text.contains(folder_->path()), qPrintable(text));
 }
 
 void Plot3dReaderTest::mutationsAreReadOrRefused()

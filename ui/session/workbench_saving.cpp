@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What of the session goes into files: pictures, meshes, surfaces, statistics, small texts.
+#include "core/model/level_text.h"
+#include "ui/session/accuracy_scale.h"
+#include "ui/session/target_path.h"
+#include "ui/session/text_file.h"
+#include "ui/session/workbench.h"
+
+#include <QFileInfo>
+
+namespace tetra {
+
+QString Workbench::proposedPath(const QString& ending) const
+{
+    const std::filesystem::path& path = session_.model()->path();
+    const QFileInfo model(pathText(path == lookPath_ ? buildTarget_ : path)); // looks go with the program
+    return model.absolutePath() + "/" + model.completeBaseName() + ending;
+}
+
+void Workbench::savePicture(const PictureOrder& order)
+{
+    savingPicture_.start([this, order](const Progress& progress) -> std::function<void()> {
+        return [this, order, saved = writePicture(order, progress)] {
+            if (saved)
+                emit pictureSaved(pathText(order.target));
+            else
+                tell(saved.error());
+        };
+    });
+}
+
+void Workbench::saveText(const std::filesystem::path& target, const std::string& text)
+{
+    textFiles_.start([this, target, text](const Progress&) -> std::function<void()> {
+        return [this, target, saved = writeTextFile(target, text)] {
+            if (saved)
+                emit textSaved(pathText(target));
+            else
+                tell(saved.error());
+        };
+    });
+}
+
+void Workbench::loadText(const std::filesystem::path& path, std::function<Status(const std::string& text)> use)
+{
+    textFiles_.start([this, path, use = std::move(use)](const Progress&) -> std::function<void()> {
+        return [this, path, use, text = readTextFile(path)] {
+            if (!text)
+                return tell(text.error());
+            if (const Status used = use(*text); !used)
+                tell({used.error().kind, "In '" + path.string() + "': " + used.error().text});
+        };
+    });
+}
+
+void Workbench::saveMesh(const std::filesystem::path& target)
+{
+    meshTarget_ = target;
+    savesSurfaces_ = false;
+    saveMeshWhenShown();
+}
+
+void Workbench::saveSurfaces(const std::filesystem::path& target)
+{
+    meshTarget_ = target;
+    savesSurfaces_ = true;
+    saveMeshWhenShown();
+}
+
+void Workbench::saveStatistics(const std::filesystem::path& target)
+{
+    std::vector<Accuracy> levels;
+    for (const double error : accuracyPresets)
+        levels.push_back(bothWithin(error));
+    if (const auto text = levelsFor(target, *session_.model(), levels))
+        saveText(target, *text);
+    else
+        tell(text.error());
+}
+
+void Workbench::saveMeshWhenShown()
+{
+    MeshOrder order{session_.model(), sceneBuilder_.mesh(), session_.shown() ? session_.shown()->query : MeshQuery(),
+                    meshTarget_};
+    // While the worker is busy its mesh may be that of a picture to come.
+    if (meshTarget_.empty() || sceneBuilder_.busy() || !session_.showsQuery() || !order.mesh)
+        return;
+    // Of two meshes that are blended neither is what was asked for.
+    if (renderer() != nullptr && renderer()->blendsFocus())
+        order.mesh = nullptr;
+    meshTarget_.clear();
+    const std::optional<std::vector<Isovalue>> isovalues =
+        savesSurfaces_ ? std::optional(session_.view().isovalues()) : std::nullopt;
+    savingMesh_.start([this, order, isovalues](const Progress& progress) -> std::function<void()> {
+        const Status result = isovalues ? writeSurfaces({order, *isovalues}, progress) : writeMesh(order, progress);
+        return [this, target = order.target, saved = result] {
+            if (saved)
+                emit meshSaved(pathText(target));
+            else
+                tell(saved.error());
+        };
+    });
+}
+
+} // namespace tetra
