@@ -39,7 +39,7 @@ enum class DecimationOrder {
 /// How the warping of an irregular boundary is measured (R4, S13).
 enum class BoundaryDistance {
     OneSided, ///< from the original boundary's vertices to the mesh's boundary, as in the paper
-    TwoSided  ///< and from the mesh's boundary to the original one
+    TwoSided  ///< and from the mesh's boundary to the original one; refused for meshes that are no box
 };
 
 struct DecimationOptions {
