@@ -25,11 +25,6 @@ private:
         std::ofstream(path, std::ios::binary | std::ios::trunc).write(content.data(), content.size());
         return path;
     }
-    std::filesystem::path writePair(const Plot3dStyle& style) const
-    {
-        write("g.q", testFile(style, true));
-        return write("g.xyz", testFile(style, false));
-    }
     static Result<Dataset> read(const std::filesystem::path& path, const ParameterValues& values = {})
     {
         return Plot3dReader().read(path, values, {});
