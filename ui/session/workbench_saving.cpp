@@ -89,10 +89,9 @@ void Workbench::saveMeshWhenShown()
     if (renderer() != nullptr && renderer()->blendsFocus())
         order.mesh = nullptr;
     meshTarget_.clear();
-    const std::optional<std::vector<Isovalue>> isovalues =
-        savesSurfaces_ ? std::optional(session_.view().isovalues()) : std::nullopt;
-    savingMesh_.start([this, order, isovalues](const Progress& progress) -> std::function<void()> {
-        const Status result = isovalues ? writeSurfaces({order, *isovalues}, progress) : writeMesh(order, progress);
+    savingMesh_.start([this, order, surfaces = savesSurfaces_,
+                       isovalues = session_.view().isovalues()](const Progress& progress) -> std::function<void()> {
+        const Status result = surfaces ? writeSurfaces({order, isovalues}, progress) : writeMesh(order, progress);
         return [this, target = order.target, saved = result] {
             if (saved)
                 emit meshSaved(pathText(target));
