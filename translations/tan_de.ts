@@ -1215,22 +1215,6 @@
         <translation>Runden</translation>
     </message>
     <message>
-        <source>Distance</source>
-        <translation>Abstand</translation>
-    </message>
-    <message>
-        <source>For irregular meshes, how far a boundary is off: &apos;one-sided&apos; from the points of the original boundary, as in the paper; &apos;two-sided&apos; from any place of the new one too.</source>
-        <translation>Für irreguläre Netze, wie weit ein Rand abweicht: „one-sided“ von den Punkten des ursprünglichen Randes aus, wie im Aufsatz; „two-sided“ auch von jeder Stelle des neuen aus.</translation>
-    </message>
-    <message>
-        <source>one-sided</source>
-        <translation>einseitig</translation>
-    </message>
-    <message>
-        <source>two-sided</source>
-        <translation>beidseitig</translation>
-    </message>
-    <message>
         <source>Judging the vertices</source>
         <translation>Die Knoten werden beurteilt</translation>
     </message>

@@ -63,9 +63,6 @@ Status checkOptions(const DecimationMesh& mesh, const DecimationOptions& options
     const bool warps = !mesh.box || !mesh.lifted.empty();
     if (!(options.warpingWeight >= 0) || !std::isfinite(options.warpingWeight) || (warps && options.warpingWeight == 0))
         return Error{ErrorKind::WrongUsage, "The weight of the warping must be a positive number."};
-    if (options.distance == BoundaryDistance::TwoSided && !mesh.box)
-        return Error{ErrorKind::WrongUsage, "Decimation cannot steer by the two-sided distance; take the one-sided one "
-                                            "and look at the two-sided one afterwards."};
     if (!(options.stopKey >= 0))
         return Error{ErrorKind::WrongUsage, "The error to stop at must not be negative."};
     return {};

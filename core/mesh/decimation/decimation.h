@@ -36,15 +36,8 @@ enum class DecimationOrder {
     IndependentRounds ///< rounds of vertices whose stars do not touch, an octave of keys each: shallow dependencies
 };
 
-/// How the warping of an irregular boundary is measured (R4, S13).
-enum class BoundaryDistance {
-    OneSided, ///< from the original boundary's vertices to the mesh's boundary, as in the paper
-    TwoSided  ///< and from the mesh's boundary to the original one; refused for meshes that are no box
-};
-
 struct DecimationOptions {
     DecimationOrder order = DecimationOrder::ExactError;
-    BoundaryDistance distance = BoundaryDistance::OneSided;
     /// Units of the values for a unit of length: the key of a mesh is the larger of its error and this times its
     /// warping (S4). Positive if there can be warping.
     double warpingWeight = 0;

@@ -16,7 +16,6 @@ namespace tetra {
 namespace {
 
 constexpr std::string_view exact = "exact", paper = "paper", rounds = "rounds";
-constexpr std::string_view oneSided = "one-sided", twoSided = "two-sided";
 
 Parameter percentParameter(std::string id, std::string label, std::string explanation, std::string unit)
 {
@@ -43,18 +42,6 @@ Parameter orderParameter()
     order.defaultValue = std::string(exact);
     order.choices = {std::string(exact), std::string(paper), std::string(rounds)};
     return order;
-}
-
-Parameter distanceParameter()
-{
-    Parameter distance;
-    distance.id = "distance";
-    distance.label = "Distance";
-    distance.explanation = "For irregular meshes, how far a boundary is off: 'one-sided' from the points of the "
-                           "original boundary, as in the paper; 'two-sided' from any place of the new one too.";
-    distance.defaultValue = std::string(oneSided);
-    distance.choices = {std::string(oneSided), std::string(twoSided)};
-    return distance;
 }
 
 DecimationOrder orderOf(const std::string& name)
@@ -128,7 +115,7 @@ std::vector<Parameter> DecimationBuilder::parameters() const
                              "says how much the shape counts against the values, 1 : 1 if either is 0, and then the "
                              "other holds for both; two of 0 go on to the coarsest mesh.",
                              "% of the diagonal"),
-            orderParameter(), distanceParameter(), weightsParameter()};
+            orderParameter(), weightsParameter()};
 }
 
 Result<BuildReport> DecimationBuilder::build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
@@ -146,8 +133,6 @@ Result<BuildReport> DecimationBuilder::build(const Dataset& dataset, const Param
     DecimationOptions options = optionsFor(dataset, parameterValue<double>(known, values, "error"),
                                            parameterValue<double>(known, values, "warping"));
     options.order = orderOf(parameterValue<std::string>(known, values, "order"));
-    if (parameterValue<std::string>(known, values, "distance") == twoSided)
-        options.distance = BoundaryDistance::TwoSided;
     const DecimationMesh mesh = input->mesh();
     const auto result = decimate(mesh, options, target.history, progress.part(0.02, 1));
     if (!result)
