@@ -703,6 +703,18 @@
         <translation>Wo Genauigkeit zählt: point:x,y,z,reichweite, box:x0,y0,z0,x1,y1,z1,reichweite oder value:q,reichweite, mehrere durch &apos;;&apos; getrennt. Fehler zählen dort voll und fallen linear auf ein Zehntel (oder auf den Wert eines letzten &apos;,boden&apos;) in der Entfernung &apos;reichweite&apos;; es gilt das größte Gewicht. Beispiele: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</translation>
     </message>
     <message>
+        <source>An irregular mesh: decimation keeps its shape and its cavities.</source>
+        <translation>Ein irreguläres Netz: Die Vergröberung erhält seine Form und seine Hohlräume.</translation>
+    </message>
+    <message>
+        <source>A curvilinear grid: decimation takes fewer points for the same accuracy, but more time and memory.</source>
+        <translation>Ein krummliniges Gitter: Die Vergröberung braucht für dieselbe Genauigkeit weniger Punkte, aber mehr Zeit und Speicher.</translation>
+    </message>
+    <message>
+        <source>A regular lattice: decimation takes fewer points for the same accuracy, but more time and memory.</source>
+        <translation>Ein reguläres Gitter: Die Vergröberung braucht für dieselbe Genauigkeit weniger Punkte, aber mehr Zeit und Speicher.</translation>
+    </message>
+    <message>
         <source>A regular lattice: refinement keeps the exact domain and needs the least time.</source>
         <translation>Ein regelmäßiges Gitter: Die Verfeinerung erhält das Gebiet genau und braucht die wenigste Zeit.</translation>
     </message>
@@ -1523,8 +1535,8 @@ Verwerfung %2</translation>
         <translation>Datensatz oder Modell öffnen</translation>
     </message>
     <message>
-        <source>Drop a file here: a volume (NRRD, raw samples) to build a model of, or a finished .tan model.</source>
-        <translation>Lassen Sie hier eine Datei fallen: ein Volumen (NRRD, rohe Abtastwerte), um sein Modell zu bauen, oder ein fertiges .tan-Modell.</translation>
+        <source>Drop a file here: a dataset (a volume, a grid, a mesh or points) to build a model of, a finished .tan model or a session.</source>
+        <translation>Legen Sie hier eine Datei ab: einen Datensatz (ein Volumen, ein Gitter, ein Netz oder Punkte), aus dem ein Modell gebaut wird, ein fertiges .tan-Modell oder eine Sitzung.</translation>
     </message>
 </context>
 <context>

@@ -26,6 +26,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -35,6 +36,7 @@ namespace tetra {
 namespace {
 
 constexpr QSize firstSize(1280, 800);
+constexpr QSize frameOfWindows(8, 40); ///< what a window manager may add
 constexpr const char* geometryKey = "window/geometry";
 constexpr const char* layoutKey = "window/layout";
 /// Of what saveState() writes; layouts of other versions are not restored.
@@ -61,7 +63,7 @@ MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
 {
     setObjectName("window");
     setAcceptDrops(true);
-    resize(firstSize);
+    resize(firstSize.boundedTo(screen()->availableSize() - frameOfWindows));
     setCentralWidget(makeCentre());
     docks_ = makeDocks(*this, *actions_.panels, workbench_, *viewport_);
     layOutDocks(*this, docks_, workbench_.dataset() != nullptr);

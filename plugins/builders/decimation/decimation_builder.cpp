@@ -74,13 +74,12 @@ DecimationOptions optionsFor(const Dataset& dataset, double error, double warpin
 
 std::string reasonFor(const Dataset& dataset)
 {
-    const std::string need = "about " + neededBytesText(decimationNeed(decimationSize(dataset))) + " of memory.";
     switch (dataset.domain) {
-    case DomainClass::Irregular: return "An irregular mesh: decimation keeps its shape and its cavities; takes " + need;
+    case DomainClass::Irregular: return "An irregular mesh: decimation keeps its shape and its cavities.";
     case DomainClass::Curvilinear:
-        return "A curvilinear grid: decimation takes fewer points for the same accuracy, but more time, and " + need;
+        return "A curvilinear grid: decimation takes fewer points for the same accuracy, but more time and memory.";
     case DomainClass::RegularLattice:
-        return "A regular lattice: decimation takes fewer points for the same accuracy, but more time, and " + need;
+        return "A regular lattice: decimation takes fewer points for the same accuracy, but more time and memory.";
     case DomainClass::Scattered: break;
     }
     return "Scattered points have no tetrahedra that decimation could begin with. Refine them instead.";
