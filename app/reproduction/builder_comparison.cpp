@@ -49,7 +49,7 @@ Result<std::optional<Dataset>> open(PluginHost& host, ComparedDataset& entry, co
         entry.skipped = "No reader here reads '" + entry.file.string() + "': " + reader.error().text;
         return std::optional<Dataset>();
     }
-    auto dataset = openDataset(host, path, entry.readerValues, progress);
+    auto dataset = openDataset(host, path, {.values = entry.readerValues}, progress);
     if (!dataset)
         return dataset.error();
     return std::optional(*std::move(dataset));
