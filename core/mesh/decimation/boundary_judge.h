@@ -21,7 +21,8 @@ namespace tetra {
 /// tetrahedra that the collapse makes, never to one beyond: what is related to a tetrahedron is known when it is made,
 /// and stays until it goes, so that its own error and warping hold in every mesh of the history that has it, whatever
 /// else was collapsed there. For the same reason a point outside that a new tetrahedron takes in, but that is related
-/// to one which stays, counts for both. Coordinates are relative to the star's vertex.
+/// to one which stays, counts for both; such are looked for on the triangles around those that change. Coordinates are
+/// relative to the star's vertex.
 class BoundaryJudge {
 public:
     static constexpr std::uint32_t none = CollapsibleMesh::none;
