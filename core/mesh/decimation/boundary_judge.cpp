@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace tetra {
 
@@ -27,22 +28,30 @@ void BoundaryJudge::set(const CollapsibleMesh& mesh, const VertexStar& star, std
     addPoint(vertex_, none, false, ofBoundary_);
     for (const VertexStar::RimTriangle& rim : star.rim()) {
         for (const std::uint32_t point : relations.outside(rim.triangle))
-            addPoint(point, rim.triangle, false, points_);
+            addPoint(point, none, false, points_);
         for (const std::uint32_t point : relations.ofBoundary(rim.triangle))
-            addPoint(point, rim.triangle, false, ofBoundary_);
+            addPoint(point, none, false, ofBoundary_);
     }
     for (const Triangle& triangle : ring_)
-        for (const std::uint32_t point : relations.outside(triangle.number)) {
-            addPoint(point, triangle.number, true, points_);
-            approach(triangle, points_.back().place, points_.back().onRing);
-            points_.back().ringKnown = true;
-        }
+        for (const std::uint32_t point : relations.outside(triangle.number))
+            addPoint(point, isKept(triangle.number) ? triangle.number : none, true, points_);
+    dropDoubles();
+}
+
+/// What a tetrahedron has by itself may be related to a triangle, too: once is enough, where it stays if it can.
+void BoundaryJudge::dropDoubles()
+{
+    std::ranges::sort(points_, {},
+                      [](const Point& one) { return std::tuple(one.point, one.keptBy == none, one.ofRing); });
+    const auto surplus = std::ranges::unique(points_, {}, &Point::point);
+    points_.erase(surplus.begin(), surplus.end());
 }
 
 /// The boundary triangles that share a vertex with those of the star's vertex.
 void BoundaryJudge::findRing(const CollapsibleMesh& mesh, const VertexStar& star)
 {
     ring_.clear();
+    kept_.clear();
     for (const VertexStar::RimTriangle& rim : star.rim()) {
         // Each vertex around is once the first corner.
         for (const std::uint32_t slot : mesh.star(star.link()[rim.corners[0]]))
@@ -58,11 +67,14 @@ void BoundaryJudge::findRing(const CollapsibleMesh& mesh, const VertexStar& star
     std::ranges::sort(ring_, {}, &Triangle::number);
     const auto surplus = std::ranges::unique(ring_, {}, &Triangle::number);
     ring_.erase(surplus.begin(), surplus.end());
+    for (const Triangle& triangle : ring_)
+        if (std::ranges::find(star.slots(), mesh.slotOfTriangle(triangle.number)) != star.slots().end())
+            kept_.push_back(triangle);
 }
 
-void BoundaryJudge::addPoint(std::uint32_t point, std::uint32_t triangleBefore, bool ofRing, std::vector<Point>& to)
+void BoundaryJudge::addPoint(std::uint32_t point, std::uint32_t keptBy, bool ofRing, std::vector<Point>& to)
 {
-    to.push_back({point, triangleBefore, ofRing, {}, placeOf(point)});
+    to.push_back({point, keptBy, ofRing, placeOf(point)});
 }
 
 BoundaryJudge::Vector BoundaryJudge::placeOf(std::uint32_t vertex) const
@@ -94,20 +106,13 @@ void BoundaryJudge::approach(const Triangle& triangle, const Vector& place, Near
         nearest.value += weights[i] * input_.values[triangle.corners[i]];
 }
 
-const BoundaryJudge::Nearest& BoundaryJudge::onRing(Point& point) const
-{
-    if (!point.ringKnown)
-        for (const Triangle& triangle : ring_)
-            approach(triangle, point.place, point.onRing);
-    point.ringKnown = true;
-    return point.onRing;
-}
-
-BoundaryJudge::Nearest BoundaryJudge::onFresh(const Point& point) const
+/// On the boundary triangles of the tetrahedra that the collapse makes.
+BoundaryJudge::Nearest BoundaryJudge::onFan(const Point& point) const
 {
     Nearest nearest;
-    for (const Triangle& triangle : fresh_)
-        approach(triangle, point.place, nearest);
+    for (const auto& triangles : {std::span(fresh_), std::span(kept_)})
+        for (const Triangle& triangle : triangles)
+            approach(triangle, point.place, nearest);
     return nearest;
 }
 
@@ -123,19 +128,13 @@ double BoundaryJudge::errorOf(const Point& point, double interpolated) const
     return residual > measure_.leastError ? weight(point.point) * residual : 0;
 }
 
-/// Of a point outside.
-double BoundaryJudge::keyOf(const Point& point, const Nearest& projection) const
-{
-    return std::max(errorOf(point, projection.value), measure_.warpingWeight * warpingOf(point, projection));
-}
-
-double BoundaryJudge::judgeError(Point& point, const ApexFan& fan, double largest)
+double BoundaryJudge::judgeError(const Point& point, const ApexFan& fan)
 {
     Vector place{};
     for (std::size_t axis = 0; axis < 3; ++axis)
         place[axis] = point.place[axis] - fan.apex()[axis];
     double deepest = -insideTolerance;
-    Error error{point.point, point.triangleBefore, none, none, 0, 0};
+    Error error{point.point, point.keptBy, none, none, 0, 0};
     for (const std::uint32_t face : fan.faces()) {
         const auto [first, second, third] = fan.weightsAt(face, place);
         const double depth = std::min({first, second, third, 1 - first - second - third});
@@ -149,12 +148,9 @@ double BoundaryJudge::judgeError(Point& point, const ApexFan& fan, double larges
         error.error = errorOf(point, fan.apexSamples()[0] + gradient[0] * place[0] + gradient[1] * place[1] +
                                          gradient[2] * place[2]);
     } else {
-        Nearest projection = onFresh(point);
-        if ((point.ofRing || keyOf(point, projection) > largest) &&
-            onRing(point).squaredDistance <= projection.squaredDistance)
-            projection = point.onRing;
-        if (point.ofRing && projection.triangle == point.triangleBefore)
+        if (point.ofRing)
             return 0;
+        const Nearest projection = onFan(point);
         error.triangle = projection.triangle;
         error.error = errorOf(point, projection.value);
         error.warping = warpingOf(point, projection);
@@ -163,12 +159,9 @@ double BoundaryJudge::judgeError(Point& point, const ApexFan& fan, double larges
     return std::max(error.error, measure_.warpingWeight * error.warping);
 }
 
-double BoundaryJudge::judgeWarping(Point& point, double largest)
+double BoundaryJudge::judgeWarping(const Point& point)
 {
-    Nearest projection = onFresh(point);
-    if (measure_.warpingWeight * warpingOf(point, projection) > largest &&
-        onRing(point).squaredDistance < projection.squaredDistance)
-        projection = point.onRing;
+    const Nearest projection = onFan(point);
     warpings_.push_back({point.point, projection.triangle, warpingOf(point, projection)});
     return measure_.warpingWeight * warpings_.back().warping;
 }
@@ -177,16 +170,16 @@ double BoundaryJudge::evaluate(const VertexStar& star, std::uint32_t linkPlace, 
 {
     fresh_.clear();
     for (const VertexStar::RimTriangle& rim : star.rim())
-        if (rim.corners[0] != linkPlace && rim.corners[1] != linkPlace)
+        if (comesWithTetrahedron(star, rim, linkPlace))
             fresh_.push_back(
                 {rim.triangle, {star.link()[linkPlace], star.link()[rim.corners[0]], star.link()[rim.corners[1]]}});
     errors_.clear();
     warpings_.clear();
     double largest = 0;
     for (auto point = ofBoundary_.begin(); point != ofBoundary_.end() && largest <= bound; ++point)
-        largest = std::max(largest, judgeWarping(*point, largest));
+        largest = std::max(largest, judgeWarping(*point));
     for (auto point = points_.begin(); point != points_.end() && largest <= bound; ++point)
-        largest = std::max(largest, judgeError(*point, fan, largest));
+        largest = std::max(largest, judgeError(*point, fan));
     return largest;
 }
 

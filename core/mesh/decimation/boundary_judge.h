@@ -7,6 +7,7 @@
 #include "core/mesh/decimation/decimation.h"
 #include "core/mesh/decimation/vertex_star.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -16,9 +17,12 @@
 namespace tetra {
 
 /// Judges collapses of boundary vertices of an irregular mesh: there removed points come to lie out- or inside, and the
-/// distance of the original boundary changes (R4, R5). Points outside go to the nearest of the new boundary triangles
-/// or, if there the key would be larger than it is already, to the nearest of these and those around them. Coordinates
-/// are relative to the star's vertex.
+/// distance of the original boundary changes (R4, R5). Points outside go to the nearest boundary triangle of the
+/// tetrahedra that the collapse makes, never to one beyond: what is related to a tetrahedron is known when it is made,
+/// and stays until it goes, so that its own error and warping hold in every mesh of the history that has it, whatever
+/// else was collapsed there. For the same reason a point outside that a new tetrahedron takes in, but that is related
+/// to one which stays, counts for both; such are looked for on the triangles around those that change. Coordinates are
+/// relative to the star's vertex.
 class BoundaryJudge {
 public:
     static constexpr std::uint32_t none = CollapsibleMesh::none;
@@ -36,11 +40,11 @@ public:
     /// What becomes of a point by the collapse evaluated last.
     struct Error {
         std::uint32_t point = none;
-        std::uint32_t triangleBefore = none; ///< that it was related to as a point outside
-        std::uint32_t inFan = none;          ///< the face of the star whose tetrahedron has it; none: it lies outside
-        std::uint32_t triangle = none;       ///< then which boundary triangle is nearest
-        double error = 0;                    ///< weighted
-        double warping = 0;                  ///< weighted; the distance of a point outside
+        std::uint32_t keptBy = none;   ///< the triangle of the fan that it is related to until now and leaves
+        std::uint32_t inFan = none;    ///< the face of the star whose tetrahedron has it; none: it lies outside
+        std::uint32_t triangle = none; ///< then which boundary triangle is nearest
+        double error = 0;              ///< weighted
+        double warping = 0;            ///< weighted; the distance of a point outside
     };
     struct Warping {
         std::uint32_t point = none;
@@ -49,16 +53,21 @@ public:
     };
     std::span<const Error> errors() const noexcept { return errors_; }
     std::span<const Warping> warpings() const noexcept { return warpings_; }
-    /// The boundary triangles around those of the vertex.
-    struct Triangle {
-        std::uint32_t number = none;
-        std::array<std::uint32_t, 3> corners{}; ///< vertices
-    };
-    std::span<const Triangle> ring() const noexcept { return ring_; }
+    /// Whether a boundary triangle of the vertex becomes one of a tetrahedron that the collapse makes. Else it goes, or
+    /// a tetrahedron that is there already gets it.
+    static bool comesWithTetrahedron(const VertexStar& star, const VertexStar::RimTriangle& rim,
+                                     std::uint32_t linkPlace)
+    {
+        return rim.corners[0] != linkPlace && rim.corners[1] != linkPlace && !star.holds(rim.slotPlace, linkPlace);
+    }
 
 private:
     using Vector = std::array<double, 3>;
 
+    struct Triangle {
+        std::uint32_t number = none;
+        std::array<std::uint32_t, 3> corners{}; ///< vertices
+    };
     struct Nearest {
         double squaredDistance = std::numeric_limits<double>::infinity();
         double value = 0;
@@ -67,24 +76,25 @@ private:
     /// A removed point that the collapse may relate otherwise.
     struct Point {
         std::uint32_t point = none;
-        std::uint32_t triangleBefore = none;
-        bool ofRing = false; ///< it may stay as it is
-        Nearest onRing;      ///< on the triangles that stay; for points of the ring on theirs
+        std::uint32_t keptBy = none; ///< the triangle of the fan that it is related to already
+        bool ofRing = false;         ///< it stays as it is, unless a new tetrahedron has it
         Vector place{};
-        bool ringKnown = false;
     };
 
     void findRing(const CollapsibleMesh& mesh, const VertexStar& star);
-    void addPoint(std::uint32_t point, std::uint32_t triangleBefore, bool ofRing, std::vector<Point>& to);
+    bool isKept(std::uint32_t triangle) const
+    {
+        return std::ranges::find(kept_, triangle, &Triangle::number) != kept_.end();
+    }
+    void dropDoubles();
+    void addPoint(std::uint32_t point, std::uint32_t keptBy, bool ofRing, std::vector<Point>& to);
     Vector placeOf(std::uint32_t vertex) const;
     void approach(const Triangle& triangle, const Vector& place, Nearest& nearest) const;
-    const Nearest& onRing(Point& point) const;
-    Nearest onFresh(const Point& point) const;
+    Nearest onFan(const Point& point) const;
     double warpingOf(const Point& point, const Nearest& projection) const;
     double errorOf(const Point& point, double interpolated) const;
-    double keyOf(const Point& point, const Nearest& projection) const;
-    double judgeError(Point& point, const ApexFan& fan, double largest);
-    double judgeWarping(Point& point, double largest);
+    double judgeError(const Point& point, const ApexFan& fan);
+    double judgeWarping(const Point& point);
     double weight(std::uint32_t point) const
     {
         return input_.weights.empty() ? 1 : static_cast<double>(input_.weights[point]);
@@ -93,7 +103,8 @@ private:
     const DecimationMesh& input_;
     const FanMeasure& measure_;
     std::uint32_t vertex_ = none;
-    std::vector<Triangle> ring_;
+    std::vector<Triangle> ring_;  ///< the boundary triangles around those of the vertex
+    std::vector<Triangle> kept_;  ///< those of the ring that a new tetrahedron gets
     std::vector<Triangle> fresh_; ///< the new boundary triangles of the collapse at hand
     std::vector<Point> points_;   ///< whose errors change
     std::vector<Point> ofBoundary_;

@@ -37,8 +37,14 @@ void DecimatedMesh::setBoundaryChange(std::uint32_t linkPlace)
     }
 }
 
+/// Some boundary triangle must be left that the points outside can be related to.
 bool DecimatedMesh::boundaryAllows(std::uint32_t linkPlace)
 {
+    const auto comesWithTetrahedron = [&](const VertexStar::RimTriangle& rim) {
+        return BoundaryJudge::comesWithTetrahedron(star_, rim, linkPlace);
+    };
+    if (std::ranges::none_of(star_.rim(), comesWithTetrahedron))
+        return false;
     setBoundaryChange(linkPlace);
     return linkCondition_.allows(mesh_, star_, linkPlace) &&
            !boundary_->meetsItself(addedTriangles_, removedTriangles_);
@@ -64,34 +70,19 @@ bool DecimatedMesh::collapseOnBoundary(std::uint32_t vertex, std::uint32_t targe
 /// Gives the points to the tetrahedra and boundary triangles that have them, as they were evaluated.
 void DecimatedMesh::relateToBoundary()
 {
-    const auto changed = [this](std::uint32_t triangle) {
-        const auto corners = mesh_.cornersOf(triangle);
-        touched_.insert(touched_.end(), corners.begin(), corners.end());
-        raiseOwn(mesh_.slotOfTriangle(triangle));
-    };
-    const auto ofRing = [this](std::uint32_t triangle) {
-        return std::ranges::any_of(boundaryJudge_.ring(), [&](const auto& other) { return other.number == triangle; });
-    };
     for (const BoundaryJudge::Error& error : boundaryJudge_.errors()) {
-        if (error.triangleBefore != none && ofRing(error.triangleBefore))
-            boundaryPoints_.takeOutside(error.triangleBefore, error.point);
+        if (error.keptBy != none)
+            boundaryPoints_.takeOutside(error.keptBy, error.point);
         if (error.inFan != none) {
             State& state = states_[star_.slots()[error.inFan]];
             state.inside = pool_.appended(state.inside, {&error.point, 1});
             state.insideError = std::max(state.insideError, roundedUp(error.error));
         } else {
             boundaryPoints_.addOutside(error.triangle, error.point, roundedUp(error.error), roundedUp(error.warping));
-            changed(error.triangle);
         }
     }
-    for (const BoundaryJudge::Warping& warping : boundaryJudge_.warpings()) {
+    for (const BoundaryJudge::Warping& warping : boundaryJudge_.warpings())
         boundaryPoints_.addOfBoundary(warping.triangle, warping.point, roundedUp(warping.warping));
-        changed(warping.triangle);
-    }
-    std::ranges::sort(touched_);
-    const auto surplus = std::ranges::unique(touched_);
-    touched_.erase(surplus.begin(), surplus.end());
-    std::erase(touched_, star_.vertex());
 }
 
 } // namespace tetra

@@ -23,8 +23,9 @@ struct SitePlaces {
 
 /// Says of tetrahedra of a history whether a query allows them: by their own error and warping (own bounds of the file
 /// and, often closer, the running key when they died), against what the fields ask for anywhere in them. Sound: in a
-/// closed set every sample that is no site counts for a tetrahedron that contains it, so a mesh of allowed tetrahedra
-/// keeps the field at each sample. One thread; the model and the places outlive it.
+/// closed set every sample that is no site counts for a tetrahedron that contains it or, outside of an irregular mesh,
+/// for one with a face on the boundary within its own warping, so a mesh of allowed tetrahedra keeps the field at each
+/// sample. One thread; the model and the places outlive it.
 class FieldJudge {
 public:
     /// `places` of all sites that are going to be corners.
