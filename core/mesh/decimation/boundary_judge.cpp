@@ -51,13 +51,29 @@ void BoundaryJudge::findRing(const CollapsibleMesh& mesh, const VertexStar& star
                     continue;
                 const auto corners = mesh.cornersOf(neighbour);
                 if (std::ranges::find(corners, star.link()[rim.corners[0]]) != corners.end() &&
-                    std::ranges::find(corners, vertex_) == corners.end())
-                    ring_.push_back({neighbour, corners});
+                    std::ranges::find(corners, vertex_) == corners.end() &&
+                    std::ranges::find(ring_, neighbour, &Triangle::number) == ring_.end())
+                    ring_.push_back(triangleOf(neighbour, corners));
             }
     }
     std::ranges::sort(ring_, {}, &Triangle::number);
-    const auto surplus = std::ranges::unique(ring_, {}, &Triangle::number);
-    ring_.erase(surplus.begin(), surplus.end());
+}
+
+BoundaryJudge::Triangle BoundaryJudge::triangleOf(std::uint32_t number,
+                                                  const std::array<std::uint32_t, 3>& corners) const
+{
+    Triangle triangle;
+    triangle.number = number;
+    for (std::size_t i = 0; i < 3; ++i) {
+        triangle.corners[i] = placeOf(corners[i]);
+        triangle.values[i] = input_.values[corners[i]];
+    }
+    const auto& [a, b, c] = triangle.corners;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        triangle.least[axis] = std::min({a[axis], b[axis], c[axis]});
+        triangle.greatest[axis] = std::max({a[axis], b[axis], c[axis]});
+    }
+    return triangle;
 }
 
 void BoundaryJudge::addPoint(std::uint32_t point, std::uint32_t triangleBefore, bool ofRing, std::vector<Point>& to)
@@ -74,12 +90,17 @@ BoundaryJudge::Vector BoundaryJudge::placeOf(std::uint32_t vertex) const
 /// Takes the triangle, if it is nearer.
 void BoundaryJudge::approach(const Triangle& triangle, const Vector& place, Nearest& nearest) const
 {
-    std::array<Vector, 3> corners{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Vector corner = placeOf(triangle.corners[i]);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            corners[i][axis] = corner[axis] - place[axis];
+    double fromBox = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double away = std::max({triangle.least[axis] - place[axis], place[axis] - triangle.greatest[axis], 0.0});
+        fromBox += away * away;
     }
+    if (fromBox >= nearest.squaredDistance)
+        return;
+    std::array<Vector, 3> corners{};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            corners[i][axis] = triangle.corners[i][axis] - place[axis];
     const auto weights = nearestWeights(corners);
     double squaredDistance = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -91,7 +112,7 @@ void BoundaryJudge::approach(const Triangle& triangle, const Vector& place, Near
         return;
     nearest = {squaredDistance, 0, triangle.number};
     for (std::size_t i = 0; i < 3; ++i)
-        nearest.value += weights[i] * input_.values[triangle.corners[i]];
+        nearest.value += weights[i] * triangle.values[i];
 }
 
 const BoundaryJudge::Nearest& BoundaryJudge::onRing(Point& point) const
@@ -178,8 +199,8 @@ double BoundaryJudge::evaluate(const VertexStar& star, std::uint32_t linkPlace, 
     fresh_.clear();
     for (const VertexStar::RimTriangle& rim : star.rim())
         if (rim.corners[0] != linkPlace && rim.corners[1] != linkPlace)
-            fresh_.push_back(
-                {rim.triangle, {star.link()[linkPlace], star.link()[rim.corners[0]], star.link()[rim.corners[1]]}});
+            fresh_.push_back(triangleOf(rim.triangle, {star.link()[linkPlace], star.link()[rim.corners[0]],
+                                                       star.link()[rim.corners[1]]}));
     errors_.clear();
     warpings_.clear();
     double largest = 0;

@@ -50,14 +50,16 @@ public:
     std::span<const Error> errors() const noexcept { return errors_; }
     std::span<const Warping> warpings() const noexcept { return warpings_; }
     /// The boundary triangles around those of the vertex.
+    using Vector = std::array<double, 3>;
     struct Triangle {
         std::uint32_t number = none;
-        std::array<std::uint32_t, 3> corners{}; ///< vertices
+        std::array<Vector, 3> corners{}; ///< from the star's vertex
+        std::array<double, 3> values{};
+        Vector least{}, greatest{}; ///< its box
     };
     std::span<const Triangle> ring() const noexcept { return ring_; }
 
 private:
-    using Vector = std::array<double, 3>;
 
     struct Nearest {
         double squaredDistance = std::numeric_limits<double>::infinity();
@@ -77,6 +79,7 @@ private:
     void findRing(const CollapsibleMesh& mesh, const VertexStar& star);
     void addPoint(std::uint32_t point, std::uint32_t triangleBefore, bool ofRing, std::vector<Point>& to);
     Vector placeOf(std::uint32_t vertex) const;
+    Triangle triangleOf(std::uint32_t number, const std::array<std::uint32_t, 3>& corners) const;
     void approach(const Triangle& triangle, const Vector& place, Nearest& nearest) const;
     const Nearest& onRing(Point& point) const;
     Nearest onFresh(const Point& point) const;

@@ -222,12 +222,14 @@ double DecimatedMesh::evaluate(std::uint32_t linkPlace, double bound)
 }
 
 /// What takes longer to look at and seldom forbids a collapse.
-bool DecimatedMesh::confirms(std::uint32_t linkPlace)
+bool DecimatedMesh::confirms(std::uint32_t linkPlace, Legality legality)
 {
-    return movesOnBoundary(star_.vertex()) ? boundaryAllows(linkPlace) : !inverts(linkPlace);
+    if (movesOnBoundary(star_.vertex()))
+        return legality == Legality::OfStar || boundaryAllows(linkPlace);
+    return !inverts(linkPlace);
 }
 
-DecimatedMesh::Candidate DecimatedMesh::bestOfCandidates()
+DecimatedMesh::Candidate DecimatedMesh::bestOfCandidates(Legality legality)
 {
     const auto link = star_.link();
     while (!candidates_.empty()) {
@@ -240,14 +242,14 @@ DecimatedMesh::Candidate DecimatedMesh::bestOfCandidates()
             least = key;
             best = place;
         }
-        if (confirms(best))
+        if (confirms(best, legality))
             return {link[best], roundedUp(std::max(least, keyOfFacesAround()))};
         std::erase(candidates_, best);
     }
     return {};
 }
 
-DecimatedMesh::Candidate DecimatedMesh::best(std::uint32_t vertex)
+DecimatedMesh::Candidate DecimatedMesh::best(std::uint32_t vertex, Legality legality)
 {
     if (!input_.box && sides_[vertex] == locked)
         return {};
@@ -256,7 +258,7 @@ DecimatedMesh::Candidate DecimatedMesh::best(std::uint32_t vertex)
     for (std::uint32_t place = 0; place < star_.link().size(); ++place)
         if (opens(place))
             candidates_.push_back(place);
-    return bestOfCandidates();
+    return bestOfCandidates(legality);
 }
 
 DecimatedMesh::Candidate DecimatedMesh::judge(std::uint32_t vertex, std::uint32_t target)
@@ -268,7 +270,7 @@ DecimatedMesh::Candidate DecimatedMesh::judge(std::uint32_t vertex, std::uint32_
     const auto place = static_cast<std::uint32_t>(std::ranges::find(star_.link(), target) - star_.link().begin());
     if (place < star_.link().size() && opens(place))
         candidates_.push_back(place);
-    return bestOfCandidates();
+    return bestOfCandidates(Legality::Whole);
 }
 
 bool DecimatedMesh::collapse(std::uint32_t vertex, std::uint32_t target)

@@ -38,8 +38,11 @@ public:
         float key = 0;
         bool exists() const noexcept { return target != none; }
     };
+    /// How far best() looks at what forbids collapses of boundary vertices of irregular meshes: what lies behind their
+    /// neighbours takes long and seldom does, and collapse() asks for it anyway.
+    enum class Legality { Whole, OfStar };
     /// The legal collapse of a vertex that has the smallest key; among equals the target of the smallest number.
-    Candidate best(std::uint32_t vertex);
+    Candidate best(std::uint32_t vertex, Legality legality = Legality::Whole);
     /// The collapse of a vertex onto a neighbour, if it is legal.
     Candidate judge(std::uint32_t vertex, std::uint32_t target);
 
@@ -83,8 +86,8 @@ private:
     double keyOfFacesAround() const;
     bool opens(std::uint32_t linkPlace) const;
     double evaluate(std::uint32_t linkPlace, double bound);
-    Candidate bestOfCandidates();
-    bool confirms(std::uint32_t linkPlace);
+    Candidate bestOfCandidates(Legality legality);
+    bool confirms(std::uint32_t linkPlace, Legality legality);
     bool boundaryAllows(std::uint32_t linkPlace);
     void setBoundaryChange(std::uint32_t linkPlace);
     bool collapseOnBoundary(std::uint32_t vertex, std::uint32_t target);

@@ -31,7 +31,7 @@ private:
         bool changed = false;      ///< whether something around the vertex has changed since it was made
     };
 
-    void evaluate(std::uint32_t vertex);
+    void evaluate(std::uint32_t vertex, DecimatedMesh::Legality legality);
     void collapse(const Entry& entry);
 
     DecimatedMesh& mesh_;
@@ -40,9 +40,9 @@ private:
     std::priority_queue<Entry> queue_;
 };
 
-void ExactOrder::evaluate(std::uint32_t vertex)
+void ExactOrder::evaluate(std::uint32_t vertex, DecimatedMesh::Legality legality)
 {
-    const DecimatedMesh::Candidate candidate = mesh_.best(vertex);
+    const DecimatedMesh::Candidate candidate = mesh_.best(vertex, legality);
     VertexState& state = states_[vertex];
     ++state.version;
     state.changed = false;
@@ -54,7 +54,7 @@ void ExactOrder::evaluate(std::uint32_t vertex)
 void ExactOrder::collapse(const Entry& entry)
 {
     if (!mesh_.collapse(entry.vertex, entry.target)) {
-        evaluate(entry.vertex);
+        evaluate(entry.vertex, DecimatedMesh::Legality::Whole);
         return;
     }
     states_[entry.vertex].queued = false;
@@ -79,7 +79,7 @@ Status ExactOrder::run(const Progress& progress)
                 return cancelledError("The decimation");
             progress.report(.2 * vertex / vertices, "Judging the vertices");
         }
-        evaluate(vertex);
+        evaluate(vertex, DecimatedMesh::Legality::OfStar);
     }
     std::uint32_t work = 0;
     while (!queue_.empty()) {
@@ -94,7 +94,7 @@ Status ExactOrder::run(const Progress& progress)
         if (state.version != entry.version || !state.queued)
             continue;
         if (state.changed)
-            evaluate(entry.vertex);
+            evaluate(entry.vertex, DecimatedMesh::Legality::OfStar);
         else
             collapse(entry);
     }
