@@ -166,9 +166,7 @@ double BoundaryJudge::judgeError(Point& point, const ApexFan& fan, double larges
         }
     }
     if (error.inFan != none) {
-        const Vector gradient = fan.gradient(error.inFan, 0);
-        error.error = errorOf(point, fan.apexSamples()[0] + gradient[0] * place[0] + gradient[1] * place[1] +
-                                         gradient[2] * place[2]);
+        error.error = errorOf(point, fan.interpolated(error.inFan, 0, fan.weightsAt(error.inFan, place)));
     } else {
         Nearest projection = onFresh(point);
         if ((point.ofRing || keyOf(point, projection) > largest) &&
@@ -199,8 +197,8 @@ double BoundaryJudge::evaluate(const VertexStar& star, std::uint32_t linkPlace, 
     fresh_.clear();
     for (const VertexStar::RimTriangle& rim : star.rim())
         if (rim.corners[0] != linkPlace && rim.corners[1] != linkPlace)
-            fresh_.push_back(triangleOf(rim.triangle, {star.link()[linkPlace], star.link()[rim.corners[0]],
-                                                       star.link()[rim.corners[1]]}));
+            fresh_.push_back(triangleOf(
+                rim.triangle, {star.link()[linkPlace], star.link()[rim.corners[0]], star.link()[rim.corners[1]]}));
     errors_.clear();
     warpings_.clear();
     double largest = 0;

@@ -60,7 +60,6 @@ public:
     std::span<const Triangle> ring() const noexcept { return ring_; }
 
 private:
-
     struct Nearest {
         double squaredDistance = std::numeric_limits<double>::infinity();
         double value = 0;

@@ -94,8 +94,10 @@ private:
     void relateToBoundary();
     void raiseOwn(std::uint32_t slot);
     void setStar(std::uint32_t vertex);
-    void gather();
+    void boundCandidates();
+    std::size_t nextCandidate(double least) const;
     void gatherPoints();
+    void gatherSamples();
     void setFan(std::uint32_t linkPlace);
     bool inverts(std::uint32_t linkPlace) const;
     void logStar();
@@ -125,10 +127,14 @@ private:
     std::vector<SurfaceTriangle> removedTriangles_;
     StarPoints points_;
     ApexFan fan_;
-    std::vector<ApexFan::Samples> samples_; ///< of the star's link
-    bool gathered_ = false;                 ///< whether points_ and samples_ are the star's
-    bool judging_ = false;                  ///< whether boundaryJudge_ is the star's
+    ApexFan around_; ///< the star itself
+    LinkSamples samples_;
+    bool gathered_ = false;          ///< whether points_ is the star's
+    bool sampled_ = false;           ///< whether samples_ are
+    bool judging_ = false;           ///< whether boundaryJudge_ is the star's
+    std::uint32_t evaluated_ = none; ///< the place in the star's link that all of points_ were evaluated for last
     std::vector<std::uint32_t> candidates_; ///< places in the star's link
+    std::vector<double> leastKeys_;         ///< of each candidate: a bound from below
     std::vector<std::uint32_t> touched_;
     std::vector<CollapseLog::Tetrahedron> logged_;
 };
