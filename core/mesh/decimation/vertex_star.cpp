@@ -5,6 +5,7 @@
 #include "core/mesh/face_adjacency.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace tetra {
@@ -83,7 +84,7 @@ TETRA_SIMD_CLONES void countSurelyPositive(const double* planes, std::size_t cou
 } // namespace
 
 VertexStar::VertexStar(std::span<const Eigen::Vector3d> positions, bool exact)
-    : positions_(positions), doubt_(exact ? 0 : 1e-13), placeInLink_(positions.size(), 0)
+    : positions_(positions), doubt_(exact ? 0 : 1e-13)
 {
 }
 
@@ -98,6 +99,8 @@ void VertexStar::set(const CollapsibleMesh& mesh, std::uint32_t vertex, bool wit
     rim_.clear();
     for (const std::uint32_t slot : slots_)
         mesh.prefetch(slot);
+    // A face brings three vertices at most.
+    placeInLink_.assign(std::bit_ceil(4 * slots_.size()), CollapsibleMesh::none);
     for (const std::uint32_t slot : slots_) {
         const CollapsibleMesh::Four& vertices = mesh.vertices(slot);
         const std::size_t own = indexOf(vertices, vertex);
@@ -151,11 +154,13 @@ bool VertexStar::rimIsOneCycle() const
 
 std::uint32_t VertexStar::linkPlaceOf(std::uint32_t vertex)
 {
-    const std::uint32_t known = placeInLink_[vertex];
-    if (known < link_.size() && link_[known] == vertex)
-        return known;
+    const std::size_t last = placeInLink_.size() - 1;
+    std::size_t at = vertex * std::size_t{0x9e3779b1} >> 7 & last;
+    for (; placeInLink_[at] != CollapsibleMesh::none; at = (at + 1) & last)
+        if (link_[placeInLink_[at]] == vertex)
+            return placeInLink_[at];
     const auto place = static_cast<std::uint32_t>(link_.size());
-    placeInLink_[vertex] = place;
+    placeInLink_[at] = place;
     link_.push_back(vertex);
     facesOfLink_.push_back(0);
     __builtin_prefetch(&positions_[vertex]);

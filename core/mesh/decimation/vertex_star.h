@@ -75,7 +75,7 @@ private:
     std::vector<double> planes_;
     std::vector<double> apexes_;             ///< places_ side by side: three columns, padded
     std::vector<double> positive_;           ///< by place in link(): with how many faces it has a positive volume
-    std::vector<std::uint32_t> placeInLink_; ///< by vertex; valid if the link has the vertex there
+    std::vector<std::uint32_t> placeInLink_; ///< a table of places in link() by the hash of the vertex; none: free
 };
 
 } // namespace tetra
