@@ -125,6 +125,8 @@ float DecimatedMesh::keyOf(float error, float warping) const
 
 void DecimatedMesh::setStar(std::uint32_t vertex)
 {
+    for (const std::uint32_t slot : mesh_.star(vertex))
+        __builtin_prefetch(&states_[slot]);
     star_.set(mesh_, vertex, movesOnBoundary(vertex));
     star_.measure();
     gathered_ = judging_ = sampled_ = false;
@@ -153,6 +155,8 @@ void DecimatedMesh::gatherPoints()
     if (gathered_)
         return;
     gathered_ = true;
+    for (const std::uint32_t slot : star_.slots())
+        __builtin_prefetch(std::as_const(pool_)[states_[slot].inside].data());
     points_.points.clear();
     points_.points.push_back(star_.vertex());
     for (const std::uint32_t slot : star_.slots()) {
@@ -317,6 +321,8 @@ bool DecimatedMesh::collapse(std::uint32_t vertex, std::uint32_t target)
     const auto link = star_.link();
     const auto place = static_cast<std::uint32_t>(std::ranges::find(link, target) - link.begin());
     const bool known = evaluated_ == place;
+    for (const std::uint32_t around : link)
+        mesh_.prefetchStar(around);
     if (!known)
         setFan(place);
     touched_.assign(link.begin(), link.end());
@@ -359,7 +365,8 @@ void DecimatedMesh::clearStates()
         pool_.release(states_[slot].inside);
         states_[slot] = {};
         states_[slot].madeBy = log_.collapseCount();
-        keys_.set(slot, 0);
+        if (!mesh_.alive(slot)) // the keys of the others are set when they are known
+            keys_.set(slot, 0);
     }
 }
 

@@ -18,6 +18,9 @@ struct Entry {
     bool operator<(const Entry& other) const { return std::tie(other.key, other.vertex) < std::tie(key, vertex); }
 };
 
+/// How much larger the key at hand is when vertices are looked at again that could not go.
+constexpr float patience = 1.05F;
+
 class ExactOrder {
 public:
     ExactOrder(DecimatedMesh& mesh, double stopKey) : mesh_(mesh), stopKey_(stopKey), states_(mesh.vertexCount()) {}
@@ -63,9 +66,9 @@ void ExactOrder::collapse(const Entry& entry)
         state.changed = true;
         if (state.queued)
             continue;
-        // What could not go may be able to now: its turn to be looked at comes at once.
+        // What could not go may be able to now. Its turn to be looked at comes a little later, after more has changed.
         state.queued = true;
-        queue_.push({entry.key, vertex, DecimatedMesh::none, ++state.version});
+        queue_.push({patience * entry.key, vertex, DecimatedMesh::none, ++state.version});
     }
 }
 
@@ -90,6 +93,8 @@ Status ExactOrder::run(const Progress& progress)
         }
         const Entry entry = queue_.top();
         queue_.pop();
+        if (!queue_.empty())
+            mesh_.tetrahedra().prefetchStar(queue_.top().vertex);
         const VertexState& state = states_[entry.vertex];
         if (state.version != entry.version || !state.queued)
             continue;

@@ -88,6 +88,21 @@ VertexStar::VertexStar(std::span<const Eigen::Vector3d> positions, bool exact)
 {
 }
 
+inline std::uint32_t VertexStar::linkPlaceOf(std::uint32_t vertex)
+{
+    const std::size_t last = placeInLink_.size() - 1;
+    std::size_t at = vertex * std::size_t{0x9e3779b1} >> 7 & last;
+    for (; placeInLink_[at] != CollapsibleMesh::none; at = (at + 1) & last)
+        if (link_[placeInLink_[at]] == vertex)
+            return placeInLink_[at];
+    const auto place = static_cast<std::uint32_t>(link_.size());
+    placeInLink_[at] = place;
+    link_.push_back(vertex);
+    facesOfLink_.push_back(0);
+    __builtin_prefetch(&positions_[vertex]);
+    return place;
+}
+
 void VertexStar::set(const CollapsibleMesh& mesh, std::uint32_t vertex, bool withRim)
 {
     vertex_ = vertex;
@@ -150,21 +165,6 @@ bool VertexStar::rimIsOneCycle() const
     for (; at != first && at != CollapsibleMesh::none && length <= rim_.size(); ++length)
         at = next[at];
     return at == first && length == rim_.size();
-}
-
-std::uint32_t VertexStar::linkPlaceOf(std::uint32_t vertex)
-{
-    const std::size_t last = placeInLink_.size() - 1;
-    std::size_t at = vertex * std::size_t{0x9e3779b1} >> 7 & last;
-    for (; placeInLink_[at] != CollapsibleMesh::none; at = (at + 1) & last)
-        if (link_[placeInLink_[at]] == vertex)
-            return placeInLink_[at];
-    const auto place = static_cast<std::uint32_t>(link_.size());
-    placeInLink_[at] = place;
-    link_.push_back(vertex);
-    facesOfLink_.push_back(0);
-    __builtin_prefetch(&positions_[vertex]);
-    return place;
 }
 
 void VertexStar::measure()
