@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 namespace tetra {
 
@@ -19,53 +20,73 @@ double dot(const Vector& a, const Vector& b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// The rows of the inverses of the matrices whose columns are the corners from the apex.
-TETRA_SIMD_CLONES void computeWeights(const double* corners, std::size_t count, const double* apex, double* weights)
+/// The rows of the inverses of the matrices whose columns are the corners from the apex, and how far the corners'
+/// values are from the apex's.
+TETRA_SIMD_CLONES void computeColumns(const double* corners, const double* values, std::size_t count,
+                                      const double* apex, double apexValue, double* columns)
 {
-    for (std::size_t first = 0; first < count; first += lanes)
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            const std::size_t face = first + lane;
-            double from[3][3];
-            for (std::size_t corner = 0; corner < 3; ++corner)
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    from[corner][axis] = corners[(3 * corner + axis) * count + face] - apex[axis];
-            double rows[3][3];
-            for (std::size_t row = 0; row < 3; ++row) {
-                const double* u = from[(row + 1) % 3];
-                const double* v = from[(row + 2) % 3];
-                rows[row][0] = u[1] * v[2] - u[2] * v[1];
-                rows[row][1] = u[2] * v[0] - u[0] * v[2];
-                rows[row][2] = u[0] * v[1] - u[1] * v[0];
+    for (std::size_t first = 0; first < count; first += lanes) {
+        Double8 from[3][3], rows[3][3];
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                Double8 coordinate;
+                std::memcpy(&coordinate, corners + (3 * corner + axis) * count + first, sizeof coordinate);
+                from[corner][axis] = coordinate - apex[axis];
             }
-            const double scale = 1 / (from[0][0] * rows[0][0] + from[0][1] * rows[0][1] + from[0][2] * rows[0][2]);
-            for (std::size_t row = 0; row < 3; ++row)
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    weights[(3 * row + axis) * count + face] = scale * rows[row][axis];
+        for (std::size_t row = 0; row < 3; ++row) {
+            const Double8* u = from[(row + 1) % 3];
+            const Double8* v = from[(row + 2) % 3];
+            rows[row][0] = u[1] * v[2] - u[2] * v[1];
+            rows[row][1] = u[2] * v[0] - u[0] * v[2];
+            rows[row][2] = u[0] * v[1] - u[1] * v[0];
         }
+        const Double8 scale = 1 / (from[0][0] * rows[0][0] + from[0][1] * rows[0][1] + from[0][2] * rows[0][2]);
+        for (std::size_t row = 0; row < 3; ++row)
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const Double8 weight = scale * rows[row][axis];
+                std::memcpy(columns + (3 * row + axis) * count + first, &weight, sizeof weight);
+            }
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            Double8 value;
+            std::memcpy(&value, values + corner * count + first, sizeof value);
+            value = value - apexValue;
+            std::memcpy(columns + (9 + corner) * count + first, &value, sizeof value);
+        }
+    }
 }
 
-/// Which face's tetrahedron has each of eight places: the one whose smallest weight is largest, so that rounding leaves
-/// no place without one.
-TETRA_SIMD_CLONES void locateEight(const double* weights, std::size_t count, const std::uint32_t* faces,
-                                   std::size_t faceCount, const double* from, double* owners)
+/// What is found of eight places: the face whose tetrahedron has each, how far the value there is from the apex's, and
+/// the sum of the weights of the face's corners.
+struct Located {
+    double owner[lanes], step[lanes], weights[lanes];
+};
+
+/// The tetrahedron of a place is the one whose smallest weight is largest, so that rounding leaves no place without
+/// one.
+TETRA_SIMD_CLONES void locateEight(const double* columns, std::size_t count, const std::uint32_t* faces,
+                                   std::size_t faceCount, const double* from, Located& located)
 {
     Double8 x, y, z;
     std::memcpy(&x, from, sizeof x);
     std::memcpy(&y, from + lanes, sizeof y);
     std::memcpy(&z, from + 2 * lanes, sizeof z);
     Double8 deepest = x * 0 - 1e300;
-    Double8 owner = x * 0;
+    Double8 owner = x * 0, step = owner, weights = owner;
     for (std::size_t i = 0; i < faceCount; ++i) {
-        const double* row = weights + faces[i];
+        const double* row = columns + faces[i];
         const Double8 a = row[0] * x + row[count] * y + row[2 * count] * z;
         const Double8 b = row[3 * count] * x + row[4 * count] * y + row[5 * count] * z;
         const Double8 c = row[6 * count] * x + row[7 * count] * y + row[8 * count] * z;
         const Double8 lower = a < b ? a : b;
         const Double8 depth = lower < c ? lower : c;
         owner = depth > deepest ? Double8{} + static_cast<double>(faces[i]) : owner;
+        step = depth > deepest ? a * row[9 * count] + b * row[10 * count] + c * row[11 * count] : step;
+        weights = depth > deepest ? a + b + c : weights;
         deepest = depth > deepest ? depth : deepest;
     }
-    std::memcpy(owners, &owner, sizeof owner);
+    std::memcpy(located.owner, &owner, sizeof owner);
+    std::memcpy(located.step, &step, sizeof step);
+    std::memcpy(located.weights, &weights, sizeof weights);
 }
 
 double withoutRounding(double measured, double least)
@@ -75,80 +96,126 @@ double withoutRounding(double measured, double least)
 
 } // namespace
 
-void ApexFan::set(const VertexStar& star, std::uint32_t linkPlace, std::span<const Samples> samples, bool lifted)
+void LinkSamples::set(const VertexStar& star, std::span<const double> values, std::span<const Eigen::Vector3d> lifted)
 {
-    apex_ = star.place(linkPlace);
-    apexSamples_ = samples[linkPlace];
-    lifted_ = lifted;
+    lifted_ = !lifted.empty();
     columnLength_ = star.paddedFaceCount();
-    weights_.resize(9 * columnLength_);
-    computeWeights(star.corners().data(), columnLength_, apex_.data(), weights_.data());
-    const std::size_t sampleCount = lifted ? 4 : 1;
-    gradients_.resize(3 * sampleCount * columnLength_);
-    faces_.clear();
-    for (std::uint32_t face = 0; face < star.faces().size(); ++face) {
-        if (star.holds(face, linkPlace))
-            continue;
-        faces_.push_back(face);
-        for (std::size_t number = 0; number < sampleCount; ++number) {
-            Vector steps{};
-            for (std::size_t corner = 0; corner < 3; ++corner)
-                steps[corner] = samples[star.faces()[face][corner]][number] - apexSamples_[number];
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const double* column = weights_.data() + axis * columnLength_ + face;
-                gradients_[(face * sampleCount + number) * 3 + axis] =
-                    column[0] * steps[0] + column[3 * columnLength_] * steps[1] + column[6 * columnLength_] * steps[2];
-            }
-        }
+    ofLink_.clear();
+    for (const std::uint32_t vertex : star.link()) {
+        ofLink_.push_back(values[vertex]);
+        if (lifted_)
+            ofLink_.insert(ofLink_.end(), lifted[vertex].begin(), lifted[vertex].end());
     }
+    ofCorners_.resize(3 * numberCount() * columnLength_);
+    for (std::size_t face = 0; face < star.faces().size(); ++face)
+        for (std::size_t number = 0; number < numberCount(); ++number)
+            for (std::size_t corner = 0; corner < 3; ++corner)
+                ofCorners_[(3 * number + corner) * columnLength_ + face] = at(star.faces()[face][corner], number);
+}
+
+void ApexFan::set(const VertexStar& star, std::uint32_t linkPlace, const LinkSamples& samples)
+{
+    samples_ = &samples;
+    apex_ = star.place(linkPlace);
+    for (std::size_t number = 0; number < (lifted() ? 4 : 1); ++number)
+        apexSamples_[number] = samples.at(linkPlace, number);
+    compute(star);
+    faces_.clear();
+    for (std::uint32_t face = 0; face < star.faces().size(); ++face)
+        if (!star.holds(face, linkPlace))
+            faces_.push_back(face);
+}
+
+void ApexFan::setStar(const VertexStar& star, double value, const LinkSamples& samples)
+{
+    samples_ = &samples;
+    apex_ = {};
+    apexSamples_ = {value};
+    compute(star);
+    faces_.resize(star.faces().size());
+    std::iota(faces_.begin(), faces_.end(), 0U);
+}
+
+void ApexFan::compute(const VertexStar& star)
+{
+    columnLength_ = star.paddedFaceCount();
+    columns_.resize(12 * columnLength_);
+    computeColumns(star.corners().data(), samples_->ofCorners(0).data(), columnLength_, apex_.data(), apexValue(),
+                   columns_.data());
 }
 
 std::array<double, 3> ApexFan::weightsAt(std::size_t face, const Vector& place) const
 {
-    const double* column = weights_.data() + face;
+    const double* column = columns_.data() + face;
     const std::size_t n = columnLength_;
     return {column[0] * place[0] + column[n] * place[1] + column[2 * n] * place[2],
             column[3 * n] * place[0] + column[4 * n] * place[1] + column[5 * n] * place[2],
             column[6 * n] * place[0] + column[7 * n] * place[1] + column[8 * n] * place[2]};
 }
 
-std::array<double, 3> ApexFan::gradient(std::size_t face, std::size_t number) const
+double ApexFan::interpolated(std::size_t face, std::size_t number, const std::array<double, 3>& weights) const
 {
-    const double* three = gradients_.data() + (face * (lifted_ ? 4 : 1) + number) * 3;
-    return {three[0], three[1], three[2]};
+    const double apex = apexSamples_[number];
+    const double* column = samples_->ofCorners(number).data() + face;
+    double value = apex;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+        value += weights[corner] * (column[corner * columnLength_] - apex);
+    return value;
 }
 
 double evaluateFan(const ApexFan& fan, const FanMeasure& measure, double bound, StarPoints& points)
 {
     double largest = 0;
     double from[3 * lanes];
-    double owners[lanes];
+    Located located;
     for (std::size_t first = 0; first < points.count() && largest <= bound; first += lanes) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             for (std::size_t lane = 0; lane < lanes; ++lane)
                 from[axis * lanes + lane] = points.place[axis][first + lane] - fan.apex()[axis];
-        locateEight(fan.weights().data(), fan.columnLength(), fan.faces().data(), fan.faces().size(), from, owners);
-        const std::size_t end = std::min(points.count() - first, lanes);
-        for (std::size_t lane = 0; lane < end; ++lane) {
+        locateEight(fan.columns().data(), fan.columnLength(), fan.faces().data(), fan.faces().size(), from, located);
+        // What is beyond the last point is a copy of the first.
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
             const std::size_t point = first + lane;
-            const auto owner = static_cast<std::size_t>(owners[lane]);
-            const Vector place{from[lane], from[lanes + lane], from[2 * lanes + lane]};
-            points.owner[point] = static_cast<std::uint32_t>(owner);
+            points.owner[point] = static_cast<std::uint32_t>(located.owner[lane]);
             const double weight = points.weight.empty() ? 1 : points.weight[point];
-            const double residual = points.value[point] - fan.apexSamples()[0] - dot(fan.gradient(owner, 0), place);
+            const double residual = points.value[point] - fan.apexValue() - located.step[lane];
             points.error[point] = weight * withoutRounding(std::abs(residual), measure.leastError);
             largest = std::max(largest, points.error[point]);
-            if (!fan.lifted())
-                continue;
+        }
+        if (!fan.lifted())
+            continue;
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const std::size_t point = first + lane, owner = points.owner[point];
+            const Vector weights = fan.weightsAt(owner, {from[lane], from[lanes + lane], from[2 * lanes + lane]});
             Vector away{};
             for (std::size_t axis = 0; axis < 3; ++axis)
-                away[axis] = points.lifted[axis][point] - fan.apexSamples()[axis + 1] -
-                             dot(fan.gradient(owner, axis + 1), place);
+                away[axis] = points.lifted[axis][point] - fan.interpolated(owner, axis + 1, weights);
+            const double weight = points.weight.empty() ? 1 : points.weight[point];
             points.warping[point] = weight * withoutRounding(std::sqrt(dot(away, away)), measure.leastWarping);
             largest = std::max(largest, measure.warpingWeight * points.warping[point]);
         }
     }
     return largest;
+}
+
+void vertexErrors(const VertexStar& star, const ApexFan& fan, const FanMeasure& measure, const LinkSamples& samples,
+                  std::span<const std::uint32_t> linkPlaces, std::vector<double>& errors)
+{
+    errors.clear();
+    double from[3 * lanes];
+    Located located;
+    for (std::size_t first = 0; first < linkPlaces.size(); first += lanes) {
+        const std::size_t count = std::min(lanes, linkPlaces.size() - first);
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                from[axis * lanes + lane] = -star.place(linkPlaces[first + (lane < count ? lane : 0)])[axis];
+        locateEight(fan.columns().data(), fan.columnLength(), fan.faces().data(), fan.faces().size(), from, located);
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            // Opposite to the target the corners have these weights, so the vertex is the mean of all with its own, 1.
+            const double step = samples.at(linkPlaces[first + lane], 0) - fan.apexValue() + located.step[lane];
+            errors.push_back(withoutRounding(std::abs(step / (1 + located.weights[lane])), measure.leastError));
+        }
+    }
 }
 
 } // namespace tetra

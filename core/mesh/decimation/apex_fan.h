@@ -4,6 +4,8 @@
 #include "core/mesh/decimation/star_points.h"
 #include "core/mesh/decimation/vertex_star.h"
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cstdint>
 #include <span>
@@ -11,40 +13,63 @@
 
 namespace tetra {
 
+/// What of the vertices of a star's link is interpolated: the field, and of lifted meshes the three physical
+/// coordinates.
+class LinkSamples {
+public:
+    void set(const VertexStar& star, std::span<const double> values, std::span<const Eigen::Vector3d> lifted);
+
+    bool lifted() const noexcept { return lifted_; }
+    double at(std::uint32_t linkPlace, std::size_t number) const { return ofLink_[numberCount() * linkPlace + number]; }
+    /// Of the corners of the star's faces side by side, as VertexStar::corners(): three columns.
+    std::span<const double> ofCorners(std::size_t number) const
+    {
+        return std::span(ofCorners_).subspan(3 * number * columnLength_, 3 * columnLength_);
+    }
+
+private:
+    std::size_t numberCount() const noexcept { return lifted_ ? 4 : 1; }
+
+    bool lifted_ = false;
+    std::size_t columnLength_ = 0;
+    std::vector<double> ofLink_;
+    std::vector<double> ofCorners_;
+};
+
 /// The tetrahedra that a collapse makes: around a common apex, one for each face of the star that the apex does not lie
 /// in, as linear functions of the place from the apex.
 class ApexFan {
 public:
-    /// What of the star's link is interpolated: the field, and of lifted meshes the three physical coordinates.
-    using Samples = std::array<double, 4>;
-
-    /// `samples`: one for each vertex of the star's link; without `lifted` only the first number counts. The star has
-    /// been measured.
-    void set(const VertexStar& star, std::uint32_t linkPlace, std::span<const Samples> samples, bool lifted);
+    /// Both must live on. The star has been measured.
+    void set(const VertexStar& star, std::uint32_t linkPlace, const LinkSamples& samples);
+    /// The tetrahedra of the star itself, the vertex as their apex, which has this value.
+    void setStar(const VertexStar& star, double value, const LinkSamples& samples);
 
     const std::array<double, 3>& apex() const noexcept { return apex_; } ///< from the star's vertex
-    const Samples& apexSamples() const noexcept { return apexSamples_; }
-    bool lifted() const noexcept { return lifted_; }
+    double apexValue() const noexcept { return apexSamples_[0]; }
+    bool lifted() const noexcept { return samples_->lifted(); }
     /// The places among the star's faces of those that have a tetrahedron.
     std::span<const std::uint32_t> faces() const noexcept { return faces_; }
 
-    /// Nine columns of columnLength() numbers, by face: three times three rows whose products with a place are the
-    /// weights of the face's corners. Of no meaning for faces without a tetrahedron.
-    std::span<const double> weights() const noexcept { return weights_; }
+    /// Twelve columns of columnLength() numbers, by face: three times three rows whose products with a place are the
+    /// weights of the face's corners, and the differences of their values to the apex's. Of no meaning for faces
+    /// without a tetrahedron.
+    std::span<const double> columns() const noexcept { return columns_; }
     std::size_t columnLength() const noexcept { return columnLength_; }
     /// The weights of the corners of a face at a place from the apex.
     std::array<double, 3> weightsAt(std::size_t face, const std::array<double, 3>& place) const;
-    /// How fast sample `number` grows along each axis.
-    std::array<double, 3> gradient(std::size_t face, std::size_t number) const;
+    /// Sample `number` where the corners of a face have these weights.
+    double interpolated(std::size_t face, std::size_t number, const std::array<double, 3>& weights) const;
 
 private:
+    void compute(const VertexStar& star);
+
+    const LinkSamples* samples_ = nullptr;
     std::array<double, 3> apex_{};
-    Samples apexSamples_{};
-    bool lifted_ = false;
+    std::array<double, 4> apexSamples_{};
     std::size_t columnLength_ = 0;
     std::vector<std::uint32_t> faces_;
-    std::vector<double> weights_;
-    std::vector<double> gradients_; ///< by face, of each sample three numbers
+    std::vector<double> columns_;
 };
 
 /// What below cannot be told from none, because rounding makes as much; and how warpings compare with errors.
@@ -58,5 +83,11 @@ struct FanMeasure {
 /// `points`, which names the tetrahedra by their faces. Returns the largest of the errors and weighted warpings, or, as
 /// soon as that exceeds `bound`, what it is so far.
 double evaluateFan(const ApexFan& fan, const FanMeasure& measure, double bound, StarPoints& points);
+
+/// For each of some vertices of the link the unweighted error that the star's vertex gets by a collapse onto it: where
+/// the line from there through the vertex leaves the star. `fan` is the star itself; positive are the tetrahedra of
+/// each of these collapses.
+void vertexErrors(const VertexStar& star, const ApexFan& fan, const FanMeasure& measure, const LinkSamples& samples,
+                  std::span<const std::uint32_t> linkPlaces, std::vector<double>& errors);
 
 } // namespace tetra

@@ -60,16 +60,32 @@ void BoundaryJudge::findRing(const CollapsibleMesh& mesh, const VertexStar& star
                     continue;
                 const auto corners = mesh.cornersOf(neighbour);
                 if (std::ranges::find(corners, star.link()[rim.corners[0]]) != corners.end() &&
-                    std::ranges::find(corners, vertex_) == corners.end())
-                    ring_.push_back({neighbour, corners});
+                    std::ranges::find(corners, vertex_) == corners.end() &&
+                    std::ranges::find(ring_, neighbour, &Triangle::number) == ring_.end())
+                    ring_.push_back(triangleOf(neighbour, corners));
             }
     }
     std::ranges::sort(ring_, {}, &Triangle::number);
-    const auto surplus = std::ranges::unique(ring_, {}, &Triangle::number);
-    ring_.erase(surplus.begin(), surplus.end());
     for (const Triangle& triangle : ring_)
         if (std::ranges::find(star.slots(), mesh.slotOfTriangle(triangle.number)) != star.slots().end())
             kept_.push_back(triangle);
+}
+
+BoundaryJudge::Triangle BoundaryJudge::triangleOf(std::uint32_t number,
+                                                  const std::array<std::uint32_t, 3>& corners) const
+{
+    Triangle triangle;
+    triangle.number = number;
+    for (std::size_t i = 0; i < 3; ++i) {
+        triangle.corners[i] = placeOf(corners[i]);
+        triangle.values[i] = input_.values[corners[i]];
+    }
+    const auto& [a, b, c] = triangle.corners;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        triangle.least[axis] = std::min({a[axis], b[axis], c[axis]});
+        triangle.greatest[axis] = std::max({a[axis], b[axis], c[axis]});
+    }
+    return triangle;
 }
 
 void BoundaryJudge::addPoint(std::uint32_t point, std::uint32_t keptBy, bool ofRing, std::vector<Point>& to)
@@ -86,12 +102,17 @@ BoundaryJudge::Vector BoundaryJudge::placeOf(std::uint32_t vertex) const
 /// Takes the triangle, if it is nearer.
 void BoundaryJudge::approach(const Triangle& triangle, const Vector& place, Nearest& nearest) const
 {
-    std::array<Vector, 3> corners{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Vector corner = placeOf(triangle.corners[i]);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            corners[i][axis] = corner[axis] - place[axis];
+    double fromBox = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double away = std::max({triangle.least[axis] - place[axis], place[axis] - triangle.greatest[axis], 0.0});
+        fromBox += away * away;
     }
+    if (fromBox >= nearest.squaredDistance)
+        return;
+    std::array<Vector, 3> corners{};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            corners[i][axis] = triangle.corners[i][axis] - place[axis];
     const auto weights = nearestWeights(corners);
     double squaredDistance = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -103,7 +124,7 @@ void BoundaryJudge::approach(const Triangle& triangle, const Vector& place, Near
         return;
     nearest = {squaredDistance, 0, triangle.number};
     for (std::size_t i = 0; i < 3; ++i)
-        nearest.value += weights[i] * input_.values[triangle.corners[i]];
+        nearest.value += weights[i] * triangle.values[i];
 }
 
 /// On the boundary triangles of the tetrahedra that the collapse makes.
@@ -144,9 +165,7 @@ double BoundaryJudge::judgeError(const Point& point, const ApexFan& fan)
         }
     }
     if (error.inFan != none) {
-        const Vector gradient = fan.gradient(error.inFan, 0);
-        error.error = errorOf(point, fan.apexSamples()[0] + gradient[0] * place[0] + gradient[1] * place[1] +
-                                         gradient[2] * place[2]);
+        error.error = errorOf(point, fan.interpolated(error.inFan, 0, fan.weightsAt(error.inFan, place)));
     } else {
         if (point.ofRing)
             return 0;
@@ -171,8 +190,8 @@ double BoundaryJudge::evaluate(const VertexStar& star, std::uint32_t linkPlace, 
     fresh_.clear();
     for (const VertexStar::RimTriangle& rim : star.rim())
         if (comesWithTetrahedron(star, rim, linkPlace))
-            fresh_.push_back(
-                {rim.triangle, {star.link()[linkPlace], star.link()[rim.corners[0]], star.link()[rim.corners[1]]}});
+            fresh_.push_back(triangleOf(
+                rim.triangle, {star.link()[linkPlace], star.link()[rim.corners[0]], star.link()[rim.corners[1]]}));
     errors_.clear();
     warpings_.clear();
     double largest = 0;

@@ -63,11 +63,13 @@ public:
 
 private:
     using Vector = std::array<double, 3>;
-
     struct Triangle {
         std::uint32_t number = none;
-        std::array<std::uint32_t, 3> corners{}; ///< vertices
+        std::array<Vector, 3> corners{}; ///< from the star's vertex
+        std::array<double, 3> values{};
+        Vector least{}, greatest{}; ///< its box
     };
+
     struct Nearest {
         double squaredDistance = std::numeric_limits<double>::infinity();
         double value = 0;
@@ -89,6 +91,7 @@ private:
     void dropDoubles();
     void addPoint(std::uint32_t point, std::uint32_t keptBy, bool ofRing, std::vector<Point>& to);
     Vector placeOf(std::uint32_t vertex) const;
+    Triangle triangleOf(std::uint32_t number, const std::array<std::uint32_t, 3>& corners) const;
     void approach(const Triangle& triangle, const Vector& place, Nearest& nearest) const;
     Nearest onFan(const Point& point) const;
     double warpingOf(const Point& point, const Nearest& projection) const;

@@ -7,10 +7,18 @@
 
 namespace tetra {
 
-CollapsibleMesh::CollapsibleMesh(std::uint32_t vertexCount, std::span<const Four> tetrahedra)
-    : vertices_(tetrahedra.begin(), tetrahedra.end()), neighbours_(tetrahedra.size()), stars_(vertexCount)
+CollapsibleMesh::CollapsibleMesh(std::uint32_t vertexCount, std::span<const Four> tetrahedra, bool withNeighbours)
+    : vertices_(tetrahedra.begin(), tetrahedra.end()), stars_(vertexCount)
 {
-    const FaceAdjacency adjacency = matchFaces(tetrahedra);
+    if (withNeighbours)
+        findNeighbours();
+    setStars(vertexCount);
+}
+
+void CollapsibleMesh::findNeighbours()
+{
+    neighbours_.resize(vertices_.size());
+    const FaceAdjacency adjacency = matchFaces(vertices_);
     for (std::uint32_t slot = 0; slot < slotCount(); ++slot)
         for (std::size_t i = 0; i < 4; ++i) {
             const std::uint32_t neighbour = adjacency.neighbours[slot][i];
@@ -21,7 +29,6 @@ CollapsibleMesh::CollapsibleMesh(std::uint32_t vertexCount, std::span<const Four
                 neighbours_[slot][i] = FaceAdjacency::cellOf(neighbour);
             }
         }
-    setStars(vertexCount);
 }
 
 void CollapsibleMesh::setStars(std::uint32_t vertexCount)
@@ -66,10 +73,12 @@ void CollapsibleMesh::collapse(std::uint32_t vertex, std::uint32_t target)
 void CollapsibleMesh::remove(std::uint32_t slot, std::uint32_t vertex, std::uint32_t target)
 {
     Four& vertices = vertices_[slot];
-    const std::uint32_t ofTarget = neighbours_[slot][indexOf(vertices, vertex)];
-    const std::uint32_t ofVertex = neighbours_[slot][indexOf(vertices, target)];
-    replaceNeighbour(ofTarget, slot, ofVertex);
-    replaceNeighbour(ofVertex, slot, ofTarget);
+    if (!neighbours_.empty()) {
+        const std::uint32_t ofTarget = neighbours_[slot][indexOf(vertices, vertex)];
+        const std::uint32_t ofVertex = neighbours_[slot][indexOf(vertices, target)];
+        replaceNeighbour(ofTarget, slot, ofVertex);
+        replaceNeighbour(ofVertex, slot, ofTarget);
+    }
     for (const std::uint32_t corner : vertices)
         if (corner != vertex)
             stars_[corner] = pool_.without(stars_[corner], slot);

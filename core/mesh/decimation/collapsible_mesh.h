@@ -21,14 +21,16 @@ public:
 
     using Four = std::array<std::uint32_t, 4>;
 
-    /// `tetrahedra` conform, fewer than 2^30. May throw std::bad_alloc.
-    CollapsibleMesh(std::uint32_t vertexCount, std::span<const Four> tetrahedra);
+    /// `tetrahedra` conform, fewer than 2^30. `withNeighbours`: whether these and boundary triangles are wanted; to
+    /// keep them takes a third of a collapse. May throw std::bad_alloc.
+    CollapsibleMesh(std::uint32_t vertexCount, std::span<const Four> tetrahedra, bool withNeighbours);
 
     std::uint32_t slotCount() const noexcept { return static_cast<std::uint32_t>(vertices_.size()); }
     bool alive(std::uint32_t slot) const noexcept { return vertices_[slot][0] != none; }
     /// Positive; the first is none where the slot is empty.
     const Four& vertices(std::uint32_t slot) const noexcept { return vertices_[slot]; }
     void prefetch(std::uint32_t slot) const { __builtin_prefetch(&vertices_[slot]); }
+    void prefetchStar(std::uint32_t vertex) const { __builtin_prefetch(star(vertex).data()); }
     /// Slots or boundary triangles, each opposite to the vertex.
     const Four& neighbours(std::uint32_t slot) const noexcept { return neighbours_[slot]; }
     /// The tetrahedra around a vertex; none if it was removed.
@@ -49,6 +51,7 @@ public:
     void collapse(std::uint32_t vertex, std::uint32_t target);
 
 private:
+    void findNeighbours();
     void setStars(std::uint32_t vertexCount);
     void remove(std::uint32_t slot, std::uint32_t vertex, std::uint32_t target);
     void replaceNeighbour(std::uint32_t slot, std::uint32_t before, std::uint32_t after);

@@ -46,7 +46,7 @@ bool exactVolumes(std::span<const Eigen::Vector3d> positions)
 } // namespace
 
 DecimatedMesh::DecimatedMesh(const DecimationMesh& mesh, const DecimationOptions& options)
-    : input_(mesh), options_(options), mesh_(vertexCount(), mesh.tetrahedra), states_(mesh_.slotCount()),
+    : input_(mesh), options_(options), mesh_(vertexCount(), mesh.tetrahedra, !mesh.box), states_(mesh_.slotCount()),
       keys_(mesh_.slotCount()), boundaryPoints_(mesh_.triangleCount()), live_(mesh_.slotCount()),
       star_(mesh.positions, exactVolumes(mesh.positions)), boundaryJudge_(input_, measure_)
 {
@@ -125,42 +125,47 @@ float DecimatedMesh::keyOf(float error, float warping) const
 
 void DecimatedMesh::setStar(std::uint32_t vertex)
 {
+    for (const std::uint32_t slot : mesh_.star(vertex))
+        __builtin_prefetch(&states_[slot]);
     star_.set(mesh_, vertex, movesOnBoundary(vertex));
     star_.measure();
-    gathered_ = judging_ = false;
+    gathered_ = judging_ = sampled_ = false;
+    evaluated_ = none;
     if (movesOnBoundary(vertex))
         linkCondition_.set(star_);
 }
 
+void DecimatedMesh::setFan(std::uint32_t linkPlace)
+{
+    gatherPoints();
+    gatherSamples();
+    fan_.set(star_, linkPlace, samples_);
+}
+
+void DecimatedMesh::gatherSamples()
+{
+    if (!sampled_)
+        samples_.set(star_, input_.values, input_.lifted);
+    sampled_ = true;
+}
+
 /// What evaluations of collapses need besides the star's geometry.
-void DecimatedMesh::gather()
+void DecimatedMesh::gatherPoints()
 {
     if (gathered_)
         return;
     gathered_ = true;
-    samples_.clear();
-    for (const std::uint32_t vertex : star_.link()) {
-        ApexFan::Samples& samples = samples_.emplace_back();
-        samples[0] = input_.values[vertex];
-        if (!input_.lifted.empty())
-            std::ranges::copy(input_.lifted[vertex], samples.begin() + 1);
-    }
-    gatherPoints();
-}
-
-void DecimatedMesh::setFan(std::uint32_t linkPlace)
-{
-    gather();
-    fan_.set(star_, linkPlace, samples_, !input_.lifted.empty());
-}
-
-void DecimatedMesh::gatherPoints()
-{
+    for (const std::uint32_t slot : star_.slots())
+        __builtin_prefetch(std::as_const(pool_)[states_[slot].inside].data());
     points_.points.clear();
     points_.points.push_back(star_.vertex());
     for (const std::uint32_t slot : star_.slots()) {
         const auto inside = std::as_const(pool_)[states_[slot].inside];
         points_.points.insert(points_.points.end(), inside.begin(), inside.end());
+    }
+    for (const std::uint32_t point : points_.points) {
+        __builtin_prefetch(&input_.positions[point]);
+        __builtin_prefetch(&input_.values[point]);
     }
     const std::size_t count = points_.count();
     const std::size_t room = (count + StarPoints::lanes - 1) / StarPoints::lanes * StarPoints::lanes;
@@ -213,41 +218,79 @@ double DecimatedMesh::evaluate(std::uint32_t linkPlace, double bound)
 {
     setFan(linkPlace);
     ++evaluations_;
-    if (!movesOnBoundary(star_.vertex()))
-        return evaluateFan(fan_, measure_, bound, points_);
+    if (!movesOnBoundary(star_.vertex())) {
+        const double key = evaluateFan(fan_, measure_, bound, points_);
+        evaluated_ = key <= bound ? linkPlace : none;
+        return key;
+    }
     if (!judging_)
         boundaryJudge_.set(mesh_, star_, points_.points, boundaryPoints_);
     judging_ = true;
     return boundaryJudge_.evaluate(star_, linkPlace, fan_, bound);
 }
 
-/// What takes longer to look at and seldom forbids a collapse.
-bool DecimatedMesh::confirms(std::uint32_t linkPlace)
+/// The error that the vertex itself gets is a bound from below on the key of a collapse. On an irregular boundary it
+/// may lie outside of what becomes of the star, so there is none.
+void DecimatedMesh::boundCandidates()
 {
-    return movesOnBoundary(star_.vertex()) ? boundaryAllows(linkPlace) : !inverts(linkPlace);
+    const std::uint32_t vertex = star_.vertex();
+    if (movesOnBoundary(vertex) || candidates_.size() < 2) {
+        leastKeys_.assign(candidates_.size(), 0);
+        return;
+    }
+    gatherSamples();
+    around_.setStar(star_, input_.values[vertex], samples_);
+    vertexErrors(star_, around_, measure_, samples_, candidates_, leastKeys_);
+    constexpr double beyondRounding = 1 - 1e-12;
+    const double weight = input_.weights.empty() ? 1 : static_cast<double>(input_.weights[vertex]);
+    for (double& key : leastKeys_)
+        key *= weight * beyondRounding;
 }
 
-DecimatedMesh::Candidate DecimatedMesh::bestOfCandidates()
+/// Which of the candidates is the most promising, if it can be as good as `least`; else how many there are.
+std::size_t DecimatedMesh::nextCandidate(double least) const
+{
+    std::size_t next = leastKeys_.size();
+    for (std::size_t i = 0; i < leastKeys_.size(); ++i)
+        if (leastKeys_[i] <= least) {
+            least = leastKeys_[i];
+            next = i;
+        }
+    return next;
+}
+
+/// What takes longer to look at and seldom forbids a collapse.
+bool DecimatedMesh::confirms(std::uint32_t linkPlace, Legality legality)
+{
+    if (movesOnBoundary(star_.vertex()))
+        return legality == Legality::OfStar || boundaryAllows(linkPlace);
+    return !inverts(linkPlace);
+}
+
+DecimatedMesh::Candidate DecimatedMesh::bestOfCandidates(Legality legality)
 {
     const auto link = star_.link();
     while (!candidates_.empty()) {
+        boundCandidates();
         double least = std::numeric_limits<double>::infinity();
-        std::uint32_t best = candidates_.front();
-        for (const std::uint32_t place : candidates_) {
+        std::uint32_t best = none;
+        for (std::size_t i = nextCandidate(least); i < candidates_.size(); i = nextCandidate(least)) {
+            const std::uint32_t place = candidates_[i];
+            leastKeys_[i] = std::numeric_limits<double>::quiet_NaN();
             const double key = evaluate(place, least);
-            if (key > least || (key == least && link[place] > link[best]))
+            if (best != none && (key > least || (key == least && link[place] > link[best])))
                 continue;
             least = key;
             best = place;
         }
-        if (confirms(best))
+        if (confirms(best, legality))
             return {link[best], roundedUp(std::max(least, keyOfFacesAround()))};
         std::erase(candidates_, best);
     }
     return {};
 }
 
-DecimatedMesh::Candidate DecimatedMesh::best(std::uint32_t vertex)
+DecimatedMesh::Candidate DecimatedMesh::best(std::uint32_t vertex, Legality legality)
 {
     if (!input_.box && sides_[vertex] == locked)
         return {};
@@ -256,7 +299,7 @@ DecimatedMesh::Candidate DecimatedMesh::best(std::uint32_t vertex)
     for (std::uint32_t place = 0; place < star_.link().size(); ++place)
         if (opens(place))
             candidates_.push_back(place);
-    return bestOfCandidates();
+    return bestOfCandidates(legality);
 }
 
 DecimatedMesh::Candidate DecimatedMesh::judge(std::uint32_t vertex, std::uint32_t target)
@@ -268,7 +311,7 @@ DecimatedMesh::Candidate DecimatedMesh::judge(std::uint32_t vertex, std::uint32_
     const auto place = static_cast<std::uint32_t>(std::ranges::find(star_.link(), target) - star_.link().begin());
     if (place < star_.link().size() && opens(place))
         candidates_.push_back(place);
-    return bestOfCandidates();
+    return bestOfCandidates(Legality::Whole);
 }
 
 bool DecimatedMesh::collapse(std::uint32_t vertex, std::uint32_t target)
@@ -276,14 +319,20 @@ bool DecimatedMesh::collapse(std::uint32_t vertex, std::uint32_t target)
     if (star_.vertex() != vertex)
         setStar(vertex);
     const auto link = star_.link();
-    setFan(static_cast<std::uint32_t>(std::ranges::find(link, target) - link.begin()));
+    const auto place = static_cast<std::uint32_t>(std::ranges::find(link, target) - link.begin());
+    const bool known = evaluated_ == place;
+    for (const std::uint32_t around : link)
+        mesh_.prefetchStar(around);
+    if (!known)
+        setFan(place);
     touched_.assign(link.begin(), link.end());
     logStar();
     if (movesOnBoundary(vertex)) {
         if (!collapseOnBoundary(vertex, target))
             return false;
     } else {
-        evaluateFan(fan_, measure_, std::numeric_limits<double>::infinity(), points_);
+        if (!known)
+            evaluateFan(fan_, measure_, std::numeric_limits<double>::infinity(), points_);
         mesh_.collapse(vertex, target);
         clearStates();
         giveOutPoints();
@@ -316,7 +365,8 @@ void DecimatedMesh::clearStates()
         pool_.release(states_[slot].inside);
         states_[slot] = {};
         states_[slot].madeBy = log_.collapseCount();
-        keys_.set(slot, 0);
+        if (!mesh_.alive(slot)) // the keys of the others are set when they are known
+            keys_.set(slot, 0);
     }
 }
 

@@ -38,8 +38,11 @@ public:
         float key = 0;
         bool exists() const noexcept { return target != none; }
     };
+    /// How far best() looks at what forbids collapses of boundary vertices of irregular meshes: what lies behind their
+    /// neighbours takes long and seldom does, and collapse() asks for it anyway.
+    enum class Legality { Whole, OfStar };
     /// The legal collapse of a vertex that has the smallest key; among equals the target of the smallest number.
-    Candidate best(std::uint32_t vertex);
+    Candidate best(std::uint32_t vertex, Legality legality = Legality::Whole);
     /// The collapse of a vertex onto a neighbour, if it is legal.
     Candidate judge(std::uint32_t vertex, std::uint32_t target);
 
@@ -83,16 +86,18 @@ private:
     double keyOfFacesAround() const;
     bool opens(std::uint32_t linkPlace) const;
     double evaluate(std::uint32_t linkPlace, double bound);
-    Candidate bestOfCandidates();
-    bool confirms(std::uint32_t linkPlace);
+    Candidate bestOfCandidates(Legality legality);
+    bool confirms(std::uint32_t linkPlace, Legality legality);
     bool boundaryAllows(std::uint32_t linkPlace);
     void setBoundaryChange(std::uint32_t linkPlace);
     bool collapseOnBoundary(std::uint32_t vertex, std::uint32_t target);
     void relateToBoundary();
     void raiseOwn(std::uint32_t slot);
     void setStar(std::uint32_t vertex);
-    void gather();
+    void boundCandidates();
+    std::size_t nextCandidate(double least) const;
     void gatherPoints();
+    void gatherSamples();
     void setFan(std::uint32_t linkPlace);
     bool inverts(std::uint32_t linkPlace) const;
     void logStar();
@@ -122,10 +127,14 @@ private:
     std::vector<SurfaceTriangle> removedTriangles_;
     StarPoints points_;
     ApexFan fan_;
-    std::vector<ApexFan::Samples> samples_; ///< of the star's link
-    bool gathered_ = false;                 ///< whether points_ and samples_ are the star's
-    bool judging_ = false;                  ///< whether boundaryJudge_ is the star's
+    ApexFan around_; ///< the star itself
+    LinkSamples samples_;
+    bool gathered_ = false;          ///< whether points_ is the star's
+    bool sampled_ = false;           ///< whether samples_ are
+    bool judging_ = false;           ///< whether boundaryJudge_ is the star's
+    std::uint32_t evaluated_ = none; ///< the place in the star's link that all of points_ were evaluated for last
     std::vector<std::uint32_t> candidates_; ///< places in the star's link
+    std::vector<double> leastKeys_;         ///< of each candidate: a bound from below
     std::vector<std::uint32_t> touched_;
     std::vector<CollapseLog::Tetrahedron> logged_;
 };

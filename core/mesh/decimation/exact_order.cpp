@@ -18,6 +18,9 @@ struct Entry {
     bool operator<(const Entry& other) const { return std::tie(other.key, other.vertex) < std::tie(key, vertex); }
 };
 
+/// How much larger the key at hand is when vertices are looked at again that could not go.
+constexpr float patience = 1.05F;
+
 class ExactOrder {
 public:
     ExactOrder(DecimatedMesh& mesh, double stopKey) : mesh_(mesh), stopKey_(stopKey), states_(mesh.vertexCount()) {}
@@ -31,7 +34,7 @@ private:
         bool changed = false;      ///< whether something around the vertex has changed since it was made
     };
 
-    void evaluate(std::uint32_t vertex);
+    void evaluate(std::uint32_t vertex, DecimatedMesh::Legality legality);
     void collapse(const Entry& entry);
 
     DecimatedMesh& mesh_;
@@ -40,9 +43,9 @@ private:
     std::priority_queue<Entry> queue_;
 };
 
-void ExactOrder::evaluate(std::uint32_t vertex)
+void ExactOrder::evaluate(std::uint32_t vertex, DecimatedMesh::Legality legality)
 {
-    const DecimatedMesh::Candidate candidate = mesh_.best(vertex);
+    const DecimatedMesh::Candidate candidate = mesh_.best(vertex, legality);
     VertexState& state = states_[vertex];
     ++state.version;
     state.changed = false;
@@ -54,7 +57,7 @@ void ExactOrder::evaluate(std::uint32_t vertex)
 void ExactOrder::collapse(const Entry& entry)
 {
     if (!mesh_.collapse(entry.vertex, entry.target)) {
-        evaluate(entry.vertex);
+        evaluate(entry.vertex, DecimatedMesh::Legality::Whole);
         return;
     }
     states_[entry.vertex].queued = false;
@@ -63,9 +66,9 @@ void ExactOrder::collapse(const Entry& entry)
         state.changed = true;
         if (state.queued)
             continue;
-        // What could not go may be able to now: its turn to be looked at comes at once.
+        // What could not go may be able to now. Its turn to be looked at comes a little later, after more has changed.
         state.queued = true;
-        queue_.push({entry.key, vertex, DecimatedMesh::none, ++state.version});
+        queue_.push({patience * entry.key, vertex, DecimatedMesh::none, ++state.version});
     }
 }
 
@@ -79,7 +82,7 @@ Status ExactOrder::run(const Progress& progress)
                 return cancelledError("The decimation");
             progress.report(.2 * vertex / vertices, "Judging the vertices");
         }
-        evaluate(vertex);
+        evaluate(vertex, DecimatedMesh::Legality::OfStar);
     }
     std::uint32_t work = 0;
     while (!queue_.empty()) {
@@ -90,11 +93,13 @@ Status ExactOrder::run(const Progress& progress)
         }
         const Entry entry = queue_.top();
         queue_.pop();
+        if (!queue_.empty())
+            mesh_.tetrahedra().prefetchStar(queue_.top().vertex);
         const VertexState& state = states_[entry.vertex];
         if (state.version != entry.version || !state.queued)
             continue;
         if (state.changed)
-            evaluate(entry.vertex);
+            evaluate(entry.vertex, DecimatedMesh::Legality::OfStar);
         else
             collapse(entry);
     }

@@ -5,7 +5,8 @@
 #include "core/mesh/face_adjacency.h"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
+#include <cstring>
 
 namespace tetra {
 
@@ -13,59 +14,93 @@ namespace {
 
 constexpr std::size_t lanes = VertexStar::lanes;
 
-/// Fills the eight columns of VertexStar's planes.
+/// Fills the eight columns of VertexStar's planes. Vectors are named because compilers do not see them in such loops.
 TETRA_SIMD_CLONES void computePlanes(const double* corners, double* planes, std::size_t count)
 {
+    const Double8 zero{};
     for (std::size_t first = 0; first < count; first += lanes) {
-        double offset[lanes] = {}, magnitude[lanes] = {};
+        Double8 corner[3][3], along[2][3];
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                std::memcpy(&corner[i][axis], corners + (3 * i + axis) * count + first, sizeof zero);
+        for (std::size_t i = 0; i < 2; ++i)
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                along[i][axis] = corner[i + 1][axis] - corner[0][axis];
+        Double8 offset = zero, magnitude = zero;
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-            for (std::size_t lane = 0; lane < lanes; ++lane) {
-                const auto along = [=](std::size_t corner, std::size_t axis) {
-                    const std::size_t face = first + lane;
-                    return corners[(3 * corner + axis) * count + face] - corners[axis * count + face];
-                };
-                const double plus = along(1, j) * along(2, k), minus = along(1, k) * along(2, j);
-                const double from = corners[i * count + first + lane];
-                const double size = std::abs(plus) + std::abs(minus);
-                planes[i * count + first + lane] = plus - minus;
-                planes[(4 + i) * count + first + lane] = size;
-                offset[lane] += (plus - minus) * from;
-                magnitude[lane] += size * std::abs(from);
-            }
+            const Double8 plus = along[0][j] * along[1][k], minus = along[0][k] * along[1][j];
+            const Double8 normal = plus - minus;
+            const Double8 size = (plus < zero ? -plus : plus) + (minus < zero ? -minus : minus);
+            const Double8 from = corner[0][i];
+            offset += normal * from;
+            magnitude += size * (from < zero ? -from : from);
+            std::memcpy(planes + i * count + first, &normal, sizeof normal);
+            std::memcpy(planes + (4 + i) * count + first, &size, sizeof size);
         }
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            planes[3 * count + first + lane] = offset[lane];
-            planes[7 * count + first + lane] = magnitude[lane];
-        }
+        std::memcpy(planes + 3 * count + first, &offset, sizeof offset);
+        std::memcpy(planes + 7 * count + first, &magnitude, sizeof magnitude);
     }
 }
 
-/// How many faces have a volume with the apex that is positive beyond doubt.
-TETRA_SIMD_CLONES std::size_t countPositive(const double* planes, std::size_t count, const double* apex, double doubt)
+/// With how many of `faceCount` faces each of eight apexes has a volume that is positive.
+TETRA_SIMD_CLONES void countPositive(const double* planes, std::size_t count, std::size_t faceCount,
+                                     const double* apexes, std::size_t apexCount, double* positive)
 {
-    double positive[lanes] = {};
-    const double x = apex[0], y = apex[1], z = apex[2];
-    const double absX = doubt * std::abs(x), absY = doubt * std::abs(y), absZ = doubt * std::abs(z);
-    for (std::size_t first = 0; first < count; first += lanes)
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            const double* plane = planes + first + lane;
-            const double volume = plane[3 * count] - plane[0] * x - plane[count] * y - plane[2 * count] * z;
-            const double least =
-                doubt * plane[7 * count] + plane[4 * count] * absX + plane[5 * count] * absY + plane[6 * count] * absZ;
-            positive[lane] += volume > least ? 1.0 : 0.0;
-        }
-    double sum = 0;
-    for (const double part : positive)
-        sum += part;
-    return static_cast<std::size_t>(sum);
+    Double8 x, y, z;
+    std::memcpy(&x, apexes, sizeof x);
+    std::memcpy(&y, apexes + apexCount, sizeof y);
+    std::memcpy(&z, apexes + 2 * apexCount, sizeof z);
+    const Double8 zero{};
+    Double8 sum = zero;
+    for (const double* plane = planes; plane < planes + faceCount; ++plane) {
+        const Double8 volume = plane[3 * count] - plane[0] * x - plane[count] * y - plane[2 * count] * z;
+        sum += volume > zero ? zero + 1 : zero;
+    }
+    std::memcpy(positive, &sum, sizeof sum);
+}
+
+/// The same, beyond the doubt that rounding leaves.
+TETRA_SIMD_CLONES void countSurelyPositive(const double* planes, std::size_t count, std::size_t faceCount,
+                                           const double* apexes, std::size_t apexCount, double doubt, double* positive)
+{
+    Double8 x, y, z;
+    std::memcpy(&x, apexes, sizeof x);
+    std::memcpy(&y, apexes + apexCount, sizeof y);
+    std::memcpy(&z, apexes + 2 * apexCount, sizeof z);
+    const Double8 zero{};
+    const Double8 absX = doubt * (x < zero ? -x : x), absY = doubt * (y < zero ? -y : y),
+                  absZ = doubt * (z < zero ? -z : z);
+    Double8 sum = zero;
+    for (const double* plane = planes; plane < planes + faceCount; ++plane) {
+        const Double8 volume = plane[3 * count] - plane[0] * x - plane[count] * y - plane[2 * count] * z;
+        const Double8 least =
+            doubt * plane[7 * count] + plane[4 * count] * absX + plane[5 * count] * absY + plane[6 * count] * absZ;
+        sum += volume > least ? zero + 1 : zero;
+    }
+    std::memcpy(positive, &sum, sizeof sum);
 }
 
 } // namespace
 
 VertexStar::VertexStar(std::span<const Eigen::Vector3d> positions, bool exact)
-    : positions_(positions), doubt_(exact ? 0 : 1e-13), placeInLink_(positions.size(), 0)
+    : positions_(positions), doubt_(exact ? 0 : 1e-13)
 {
+}
+
+inline std::uint32_t VertexStar::linkPlaceOf(std::uint32_t vertex)
+{
+    const std::size_t last = placeInLink_.size() - 1;
+    std::size_t at = vertex * std::size_t{0x9e3779b1} >> 7 & last;
+    for (; placeInLink_[at] != CollapsibleMesh::none; at = (at + 1) & last)
+        if (link_[placeInLink_[at]] == vertex)
+            return placeInLink_[at];
+    const auto place = static_cast<std::uint32_t>(link_.size());
+    placeInLink_[at] = place;
+    link_.push_back(vertex);
+    facesOfLink_.push_back(0);
+    __builtin_prefetch(&positions_[vertex]);
+    return place;
 }
 
 void VertexStar::set(const CollapsibleMesh& mesh, std::uint32_t vertex, bool withRim)
@@ -79,6 +114,8 @@ void VertexStar::set(const CollapsibleMesh& mesh, std::uint32_t vertex, bool wit
     rim_.clear();
     for (const std::uint32_t slot : slots_)
         mesh.prefetch(slot);
+    // A face brings three vertices at most.
+    placeInLink_.assign(std::bit_ceil(4 * slots_.size()), CollapsibleMesh::none);
     for (const std::uint32_t slot : slots_) {
         const CollapsibleMesh::Four& vertices = mesh.vertices(slot);
         const std::size_t own = indexOf(vertices, vertex);
@@ -89,6 +126,10 @@ void VertexStar::set(const CollapsibleMesh& mesh, std::uint32_t vertex, bool wit
             ++facesOfLink_[place];
         if (withRim)
             addRim(mesh, slot, own);
+    }
+    for (const std::uint32_t other : link_) {
+        const Eigen::Vector3d from = positions_[other] - positions_[vertex];
+        places_.push_back({from.x(), from.y(), from.z()});
     }
 }
 
@@ -126,20 +167,6 @@ bool VertexStar::rimIsOneCycle() const
     return at == first && length == rim_.size();
 }
 
-std::uint32_t VertexStar::linkPlaceOf(std::uint32_t vertex)
-{
-    const std::uint32_t known = placeInLink_[vertex];
-    if (known < link_.size() && link_[known] == vertex)
-        return known;
-    const auto place = static_cast<std::uint32_t>(link_.size());
-    placeInLink_[vertex] = place;
-    link_.push_back(vertex);
-    facesOfLink_.push_back(0);
-    const Eigen::Vector3d from = positions_[vertex] - positions_[vertex_];
-    places_.push_back({from.x(), from.y(), from.z()});
-    return place;
-}
-
 void VertexStar::measure()
 {
     const std::size_t room = paddedFaceCount();
@@ -152,13 +179,32 @@ void VertexStar::measure()
                 corners_[(3 * corner + axis) * room + face] = place[axis];
         }
     computePlanes(corners_.data(), planes_.data(), room);
+    countVolumes();
+}
+
+void VertexStar::countVolumes()
+{
+    const std::size_t room = (link_.size() + lanes - 1) / lanes * lanes, planeRoom = paddedFaceCount();
+    apexes_.resize(3 * room);
+    positive_.resize(room);
+    for (std::size_t place = 0; place < room; ++place)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            apexes_[axis * room + place] = place < places_.size() ? places_[place][axis] : 0;
+    for (std::size_t first = 0; first < room; first += lanes) {
+        const double* apexes = apexes_.data() + first;
+        double* positive = positive_.data() + first;
+        if (doubt_ == 0)
+            countPositive(planes_.data(), planeRoom, faces_.size(), apexes, room, positive);
+        else
+            countSurelyPositive(planes_.data(), planeRoom, faces_.size(), apexes, room, doubt_, positive);
+    }
 }
 
 bool VertexStar::opensOnto(std::uint32_t linkPlace) const
 {
     // Faces that have the vertex themselves have no volume with it, so they are not counted.
     const std::size_t wanted = faces_.size() - facesOfLink_[linkPlace];
-    return wanted > 0 && countPositive(planes_.data(), paddedFaceCount(), places_[linkPlace].data(), doubt_) == wanted;
+    return wanted > 0 && positive_[linkPlace] == static_cast<double>(wanted);
 }
 
 } // namespace tetra

@@ -58,6 +58,7 @@ public:
 private:
     void addRim(const CollapsibleMesh& mesh, std::uint32_t slot, std::size_t own);
     std::uint32_t linkPlaceOf(std::uint32_t vertex);
+    void countVolumes();
 
     std::span<const Eigen::Vector3d> positions_;
     double doubt_;
@@ -72,7 +73,9 @@ private:
     /// Columns as of corners(): the normal of each face, its offset, and how large the terms of these four are. The
     /// volume of the tetrahedron with an apex p is offset - normal . p.
     std::vector<double> planes_;
-    std::vector<std::uint32_t> placeInLink_; ///< by vertex; valid if the link has the vertex there
+    std::vector<double> apexes_;             ///< places_ side by side: three columns, padded
+    std::vector<double> positive_;           ///< by place in link(): with how many faces it has a positive volume
+    std::vector<std::uint32_t> placeInLink_; ///< a table of places in link() by the hash of the vertex; none: free
 };
 
 } // namespace tetra
