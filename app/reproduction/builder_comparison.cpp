@@ -50,8 +50,12 @@ Result<std::optional<Dataset>> open(PluginHost& host, ComparedDataset& entry, co
         return std::optional<Dataset>();
     }
     auto dataset = openDataset(host, path, {.values = entry.readerValues}, progress);
-    if (!dataset)
+    if (!dataset && dataset.error().kind == ErrorKind::Cancelled)
         return dataset.error();
+    if (!dataset) {
+        entry.skipped = dataset.error().text;
+        return std::optional<Dataset>();
+    }
     return std::optional(*std::move(dataset));
 }
 

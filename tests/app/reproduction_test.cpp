@@ -152,7 +152,7 @@ private slots:
                 const Run info = runTan({"info", model, "--lod", "1", "--warping", "1", "--json"}, folder_.path());
                 const int sites = info.json()["levels"].toArray()[0]["sites"].toInt();
                 QVERIFY(sites > 0);
-                QCOMPARE(levels[3][builder]["sites"].toInt(), sites);
+                QCOMPARE(levels[3].toObject()[QString(builder)]["sites"].toInt(), sites);
             }
             for (const QJsonValue build : dataset["builds"].toArray())
                 QVERIFY(build["seconds"].toDouble() > 0);
