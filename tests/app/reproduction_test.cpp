@@ -152,13 +152,13 @@ private slots:
                 const Run info = runTan({"info", model, "--lod", "1", "--warping", "1", "--json"}, folder_.path());
                 const int sites = info.json()["levels"].toArray()[0]["sites"].toInt();
                 QVERIFY(sites > 0);
-                QCOMPARE(levels[3].toObject()[QString(builder)]["sites"].toInt(), sites);
+                QCOMPARE(levels[3].toObject().value(builder).toObject().value("sites").toInt(), sites);
             }
             for (const QJsonValue build : dataset["builds"].toArray())
-                QVERIFY(build["seconds"].toDouble() > 0);
+                QVERIFY(build.toObject().value("seconds").toDouble() > 0);
         }
         QVERIFY(datasets["SOD 32"]["skipped"].toString().contains("no 'sod/sod_sub_32x32x32_uint8.nhdr'"));
-        QVERIFY(datasets["SPX"]["skipped"].toString().contains("No reader"));
+        QVERIFY(datasets["SPX"]["skipped"].toString().contains("spx.vtu"));
         for (const char* name : {"builders.txt", "builders.md", "builders.json", "builders-regular.svg",
                                  "builders-regular.png", "builders-curvilinear.png"})
             QVERIFY2(QFileInfo(path("out") + "/" + name).size() > 300, name);
