@@ -20,6 +20,12 @@ void BoundaryJudge::set(const CollapsibleMesh& mesh, const VertexStar& star, std
 {
     vertex_ = star.vertex();
     findRing(mesh, star);
+    least_ = greatest_ = {};
+    for (std::uint32_t place = 0; place < star.link().size(); ++place)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            least_[axis] = std::min(least_[axis], star.place(place)[axis]);
+            greatest_[axis] = std::max(greatest_[axis], star.place(place)[axis]);
+        }
     points_.clear();
     ofBoundary_.clear();
     for (const std::uint32_t point : inside)
@@ -37,6 +43,18 @@ void BoundaryJudge::set(const CollapsibleMesh& mesh, const VertexStar& star, std
             approach(triangle, points_.back().place, points_.back().onRing);
             points_.back().ringKnown = true;
         }
+}
+
+/// Whether the box around the star has the place, or nearly.
+bool BoundaryJudge::mayBeInStar(const Vector& place) const
+{
+    constexpr double beyondRounding = 1e-9;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double margin = beyondRounding * (greatest_[axis] - least_[axis]);
+        if (place[axis] < least_[axis] - margin || place[axis] > greatest_[axis] + margin)
+            return false;
+    }
+    return true;
 }
 
 /// The boundary triangles that share a vertex with those of the star's vertex.
@@ -124,9 +142,12 @@ const BoundaryJudge::Nearest& BoundaryJudge::onRing(Point& point) const
     return point.onRing;
 }
 
+/// Of the new triangles; none if the point is of the ring and as near to the triangle that it has there.
 BoundaryJudge::Nearest BoundaryJudge::onFresh(const Point& point) const
 {
     Nearest nearest;
+    if (point.ofRing)
+        nearest.squaredDistance = point.onRing.squaredDistance;
     for (const Triangle& triangle : fresh_)
         approach(triangle, point.place, nearest);
     return nearest;
@@ -157,7 +178,7 @@ double BoundaryJudge::judgeError(Point& point, const ApexFan& fan, double larges
         place[axis] = point.place[axis] - fan.apex()[axis];
     double deepest = -insideTolerance;
     Error error{point.point, point.triangleBefore, none, none, 0, 0};
-    for (const std::uint32_t face : fan.faces()) {
+    for (const std::uint32_t face : mayBeInStar(point.place) ? fan.faces() : std::span<const std::uint32_t>()) {
         const auto [first, second, third] = fan.weightsAt(face, place);
         const double depth = std::min({first, second, third, 1 - first - second - third});
         if (depth > deepest) {
@@ -169,11 +190,11 @@ double BoundaryJudge::judgeError(Point& point, const ApexFan& fan, double larges
         error.error = errorOf(point, fan.interpolated(error.inFan, 0, fan.weightsAt(error.inFan, place)));
     } else {
         Nearest projection = onFresh(point);
-        if ((point.ofRing || keyOf(point, projection) > largest) &&
+        if (projection.triangle == none)
+            return 0;
+        if (!point.ofRing && keyOf(point, projection) > largest &&
             onRing(point).squaredDistance <= projection.squaredDistance)
             projection = point.onRing;
-        if (point.ofRing && projection.triangle == point.triangleBefore)
-            return 0;
         error.triangle = projection.triangle;
         error.error = errorOf(point, projection.value);
         error.warping = warpingOf(point, projection);

@@ -81,6 +81,7 @@ private:
     Triangle triangleOf(std::uint32_t number, const std::array<std::uint32_t, 3>& corners) const;
     void approach(const Triangle& triangle, const Vector& place, Nearest& nearest) const;
     const Nearest& onRing(Point& point) const;
+    bool mayBeInStar(const Vector& place) const;
     Nearest onFresh(const Point& point) const;
     double warpingOf(const Point& point, const Nearest& projection) const;
     double errorOf(const Point& point, double interpolated) const;
@@ -95,6 +96,7 @@ private:
     const DecimationMesh& input_;
     const FanMeasure& measure_;
     std::uint32_t vertex_ = none;
+    Vector least_{}, greatest_{}; ///< the box of the star
     std::vector<Triangle> ring_;
     std::vector<Triangle> fresh_; ///< the new boundary triangles of the collapse at hand
     std::vector<Point> points_;   ///< whose errors change
