@@ -21,6 +21,12 @@ void BoundaryJudge::set(const CollapsibleMesh& mesh, const VertexStar& star, std
 {
     vertex_ = star.vertex();
     findRing(mesh, star);
+    least_ = greatest_ = {};
+    for (std::uint32_t place = 0; place < star.link().size(); ++place)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            least_[axis] = std::min(least_[axis], star.place(place)[axis]);
+            greatest_[axis] = std::max(greatest_[axis], star.place(place)[axis]);
+        }
     points_.clear();
     ofBoundary_.clear();
     for (const std::uint32_t point : inside)
@@ -45,6 +51,18 @@ void BoundaryJudge::dropDoubles()
                       [](const Point& one) { return std::tuple(one.point, one.keptBy == none, one.ofRing); });
     const auto surplus = std::ranges::unique(points_, {}, &Point::point);
     points_.erase(surplus.begin(), surplus.end());
+}
+
+/// Whether the box around the star has the place, or nearly.
+bool BoundaryJudge::mayBeInStar(const Vector& place) const
+{
+    constexpr double beyondRounding = 1e-9;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double margin = beyondRounding * (greatest_[axis] - least_[axis]);
+        if (place[axis] < least_[axis] - margin || place[axis] > greatest_[axis] + margin)
+            return false;
+    }
+    return true;
 }
 
 /// The boundary triangles that share a vertex with those of the star's vertex.
@@ -156,7 +174,7 @@ double BoundaryJudge::judgeError(const Point& point, const ApexFan& fan)
         place[axis] = point.place[axis] - fan.apex()[axis];
     double deepest = -insideTolerance;
     Error error{point.point, point.keptBy, none, none, 0, 0};
-    for (const std::uint32_t face : fan.faces()) {
+    for (const std::uint32_t face : mayBeInStar(point.place) ? fan.faces() : std::span<const std::uint32_t>()) {
         const auto [first, second, third] = fan.weightsAt(face, place);
         const double depth = std::min({first, second, third, 1 - first - second - third});
         if (depth > deepest) {

@@ -94,6 +94,7 @@ private:
     Triangle triangleOf(std::uint32_t number, const std::array<std::uint32_t, 3>& corners) const;
     void approach(const Triangle& triangle, const Vector& place, Nearest& nearest) const;
     Nearest onFan(const Point& point) const;
+    bool mayBeInStar(const Vector& place) const;
     double warpingOf(const Point& point, const Nearest& projection) const;
     double errorOf(const Point& point, double interpolated) const;
     double judgeError(const Point& point, const ApexFan& fan);
@@ -106,6 +107,7 @@ private:
     const DecimationMesh& input_;
     const FanMeasure& measure_;
     std::uint32_t vertex_ = none;
+    Vector least_{}, greatest_{}; ///< the box of the star
     std::vector<Triangle> ring_;  ///< the boundary triangles around those of the vertex
     std::vector<Triangle> kept_;  ///< those of the ring that a new tetrahedron gets
     std::vector<Triangle> fresh_; ///< the new boundary triangles of the collapse at hand

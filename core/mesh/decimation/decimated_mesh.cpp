@@ -13,8 +13,8 @@ namespace tetra {
 
 namespace {
 
-/// Marks of vertices of irregular meshes.
-constexpr std::uint8_t boundaryMark = 1, locked = 0xff;
+/// The mark of vertices on an irregular boundary.
+constexpr std::uint8_t boundaryMark = 1;
 
 std::array<double, 3> arrayOf(const Eigen::Vector3d& vector)
 {
@@ -189,129 +189,6 @@ void DecimatedMesh::gatherPoints()
         if (weighted)
             points_.weight[i] = static_cast<double>(input_.weights[point]);
     }
-}
-
-/// Whether a tetrahedron that the collapse makes is inverted in physical space.
-bool DecimatedMesh::inverts(std::uint32_t linkPlace) const
-{
-    if (input_.lifted.empty())
-        return false;
-    const auto at = [&](std::uint32_t place) { return arrayOf(input_.lifted[star_.link()[place]]); };
-    for (std::size_t face = 0; face < star_.faces().size(); ++face) {
-        const auto& [a, b, c] = star_.faces()[face];
-        if (!star_.holds(face, linkPlace) && handedness_ * orientationSign(at(linkPlace), at(a), at(b), at(c)) < 0)
-            return true;
-    }
-    return false;
-}
-
-/// Whether what is quickly looked at allows a collapse.
-bool DecimatedMesh::opens(std::uint32_t linkPlace) const
-{
-    const std::uint32_t target = star_.link()[linkPlace];
-    if (movesOnBoundary(star_.vertex()) ? !linkCondition_.isOnRim(target) : !mayMove(star_.vertex(), target))
-        return false;
-    return star_.opensOnto(linkPlace);
-}
-
-double DecimatedMesh::evaluate(std::uint32_t linkPlace, double bound)
-{
-    setFan(linkPlace);
-    ++evaluations_;
-    if (!movesOnBoundary(star_.vertex())) {
-        const double key = evaluateFan(fan_, measure_, bound, points_);
-        evaluated_ = key <= bound ? linkPlace : none;
-        return key;
-    }
-    if (!judging_)
-        boundaryJudge_.set(mesh_, star_, points_.points, boundaryPoints_);
-    judging_ = true;
-    return boundaryJudge_.evaluate(star_, linkPlace, fan_, bound);
-}
-
-/// The error that the vertex itself gets is a bound from below on the key of a collapse. On an irregular boundary it
-/// may lie outside of what becomes of the star, so there is none.
-void DecimatedMesh::boundCandidates()
-{
-    const std::uint32_t vertex = star_.vertex();
-    if (movesOnBoundary(vertex) || candidates_.size() < 2) {
-        leastKeys_.assign(candidates_.size(), 0);
-        return;
-    }
-    gatherSamples();
-    around_.setStar(star_, input_.values[vertex], samples_);
-    vertexErrors(star_, around_, measure_, samples_, candidates_, leastKeys_);
-    constexpr double beyondRounding = 1 - 1e-12;
-    const double weight = input_.weights.empty() ? 1 : static_cast<double>(input_.weights[vertex]);
-    for (double& key : leastKeys_)
-        key *= weight * beyondRounding;
-}
-
-/// Which of the candidates is the most promising, if it can be as good as `least`; else how many there are.
-std::size_t DecimatedMesh::nextCandidate(double least) const
-{
-    std::size_t next = leastKeys_.size();
-    for (std::size_t i = 0; i < leastKeys_.size(); ++i)
-        if (leastKeys_[i] <= least) {
-            least = leastKeys_[i];
-            next = i;
-        }
-    return next;
-}
-
-/// What takes longer to look at and seldom forbids a collapse.
-bool DecimatedMesh::confirms(std::uint32_t linkPlace, Legality legality)
-{
-    if (movesOnBoundary(star_.vertex()))
-        return legality == Legality::OfStar || boundaryAllows(linkPlace);
-    return !inverts(linkPlace);
-}
-
-DecimatedMesh::Candidate DecimatedMesh::bestOfCandidates(Legality legality)
-{
-    const auto link = star_.link();
-    while (!candidates_.empty()) {
-        boundCandidates();
-        double least = std::numeric_limits<double>::infinity();
-        std::uint32_t best = none;
-        for (std::size_t i = nextCandidate(least); i < candidates_.size(); i = nextCandidate(least)) {
-            const std::uint32_t place = candidates_[i];
-            leastKeys_[i] = std::numeric_limits<double>::quiet_NaN();
-            const double key = evaluate(place, least);
-            if (best != none && (key > least || (key == least && link[place] > link[best])))
-                continue;
-            least = key;
-            best = place;
-        }
-        if (confirms(best, legality))
-            return {link[best], roundedUp(std::max(least, keyOfFacesAround()))};
-        std::erase(candidates_, best);
-    }
-    return {};
-}
-
-DecimatedMesh::Candidate DecimatedMesh::best(std::uint32_t vertex, Legality legality)
-{
-    if (!input_.box && sides_[vertex] == locked)
-        return {};
-    setStar(vertex);
-    candidates_.clear();
-    for (std::uint32_t place = 0; place < star_.link().size(); ++place)
-        if (opens(place))
-            candidates_.push_back(place);
-    return bestOfCandidates(legality);
-}
-
-DecimatedMesh::Candidate DecimatedMesh::judge(std::uint32_t vertex, std::uint32_t target)
-{
-    if (!input_.box && sides_[vertex] == locked)
-        return {};
-    setStar(vertex);
-    candidates_.clear();
-    const auto place = static_cast<std::uint32_t>(std::ranges::find(star_.link(), target) - star_.link().begin());
-    if (place < star_.link().size() && opens(place))
-        candidates_.push_back(place);
-    return bestOfCandidates(Legality::Whole);
 }
 
 bool DecimatedMesh::collapse(std::uint32_t vertex, std::uint32_t target)

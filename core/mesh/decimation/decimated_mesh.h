@@ -79,6 +79,8 @@ private:
         std::uint32_t madeBy = CollapseLog::none;
     };
 
+    static constexpr std::uint8_t locked = 0xff; ///< the mark of a vertex that stays
+
     void findSides();
     int handednessOfInput() const;
     void findBoundary();

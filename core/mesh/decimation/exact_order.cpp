@@ -19,7 +19,7 @@ struct Entry {
 };
 
 /// How much larger the key at hand is when vertices are looked at again that could not go.
-constexpr float patience = 1.05F;
+constexpr float patience = 1.02F;
 
 class ExactOrder {
 public:
