@@ -61,7 +61,8 @@ EmptyPage::EmptyPage(QWidget* parent)
 void EmptyPage::invite(const QStringList& recentFiles)
 {
     title_->setText(tr("Open a dataset or a model"));
-    text_->setText(tr("Drop a file here: a dataset (a volume, a grid, a mesh or points) to build a model of, a finished .tan model or a session."));
+    text_->setText(tr("Drop a file here: a dataset (a volume, a grid, a mesh or points) to build a model of, a "
+                      "finished .tan model or a session."));
     open_->show();
     showRecent(recentFiles.mid(0, mostRecent));
 }

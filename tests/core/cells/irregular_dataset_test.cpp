@@ -81,7 +81,8 @@ private slots:
         }
     }
 
-    /// S20: points anywhere. Such a mesh is given up in seconds, whatever its size, and not searched through cell by cell.
+    /// S20: points anywhere. Such a mesh is given up in seconds, whatever its size, and not searched through cell by
+    /// cell.
     void garbageIsRefusedSoon()
     {
         const RandomCells cells({20, 20, 20}, 0.1, 3, RandomCells::Kinds::NoTetrahedra);
