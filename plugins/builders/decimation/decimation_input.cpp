@@ -2,8 +2,8 @@
 #include "plugins/builders/decimation/decimation_input.h"
 
 #include "core/data/grid_handedness.h"
-#include "core/mesh/decimation/lattice_tetrahedra.h"
 #include "core/mesh/exact_orientation.h"
+#include "plugins/builders/decimation/decimation_need.h"
 
 #include <new>
 #include <span>
@@ -44,7 +44,7 @@ try {
     input.values_ = valuesOf(dataset);
     if (dataset.domain != DomainClass::Irregular) {
         input.positions_ = computationalPositions(dataset.lattice);
-        input.tetrahedra_ = latticeTetrahedra(dataset.lattice.size, LatticeCut::Five);
+        input.tetrahedra_ = latticeTetrahedra(dataset.lattice.size, gridCut(dataset.domain));
     }
     return input;
 } catch (const std::bad_alloc&) {

@@ -8,19 +8,13 @@
 
 namespace tetra {
 
-namespace {
-
-constexpr std::uint64_t tetrahedraOfACell = 5;
-
-} // namespace
-
 DecimationSize decimationSize(const Dataset& dataset)
 {
     if (dataset.domain == DomainClass::Irregular)
         return {dataset.pointCount(), dataset.tetrahedra ? dataset.tetrahedra->size() : 0};
     if (dataset.domain == DomainClass::Scattered)
         return {dataset.pointCount(), 0};
-    DecimationSize size{dataset.lattice.pointCount(), tetrahedraOfACell};
+    DecimationSize size{dataset.lattice.pointCount(), gridCut(dataset.domain) == LatticeCut::Five ? 5u : 6u};
     for (const std::uint32_t points : dataset.lattice.size)
         size.tetrahedra *= points > 0 ? points - 1 : 0;
     return size;

@@ -3,10 +3,18 @@
 
 #include "core/base/result.h"
 #include "core/data/dataset.h"
+#include "core/mesh/decimation/lattice_tetrahedra.h"
 
 #include <cstdint>
 
 namespace tetra {
+
+/// How the cells of a grid are cut: lattices into five tetrahedra each, the fewest; curvilinear grids into six, from
+/// which a fifth fewer sites keep the same accuracy (docs/performance.md).
+constexpr LatticeCut gridCut(DomainClass domain) noexcept
+{
+    return domain == DomainClass::Curvilinear ? LatticeCut::Six : LatticeCut::Five;
+}
 
 /// How large the mesh of a dataset is that is decimated.
 struct DecimationSize {

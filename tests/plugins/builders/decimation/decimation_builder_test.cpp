@@ -195,7 +195,7 @@ private slots:
         QVERIFY(report.ok());
         QVERIFY(report->inverted > 0);
         QVERIFY(report->degenerate > 0);
-        const auto tetrahedra = latticeTetrahedra(dataset.lattice.size, LatticeCut::Five);
+        const auto tetrahedra = latticeTetrahedra(dataset.lattice.size, LatticeCut::Six);
         LiftedSigns signs;
         for (const auto& t : tetrahedra) {
             const auto& at = *positions;
