@@ -226,7 +226,7 @@ private slots:
         row(
             "called regular", [](FileParts& f) { f.header().domainClass = 0; }, "warping weight");
         row(
-            "irregular", [](FileParts& f) { f.header().domainClass = 2; }, "irregular");
+            "irregular", [](FileParts& f) { f.header().domainClass = 2; }, "a lattice of 6 x 5 x 4 points");
         row(
             "a class of its own", [](FileParts& f) { f.header().domainClass = 4; }, "domain class 4");
     }
