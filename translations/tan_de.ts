@@ -2343,6 +2343,10 @@ Verwerfung %2</translation>
         <translation>Eine Transferfunktion aus einer Datei nehmen: eine von TAn oder Vorlagen von ParaView (JSON oder XML)</translation>
     </message>
     <message>
+        <source>The file holds several presets:</source>
+        <translation>Die Datei enthält mehrere Vorlagen:</translation>
+    </message>
+    <message>
         <source>Colours alone</source>
         <translation>Nur Farben</translation>
     </message>

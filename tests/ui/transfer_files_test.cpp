@@ -7,7 +7,7 @@
 
 #include <QFile>
 #include <QFileDialog>
-#include <QMenu>
+#include <QInputDialog>
 #include <QToolButton>
 
 #include <cmath>
@@ -150,13 +150,13 @@ void TransferFilesTest::ofSeveralPresetsOneIsChosen()
     const TransferFunction before = function();
     load(written("two.json", R"([{"Name": "red", "RGBPoints": [0, 1, 0, 0, 1, 1, 0, 0]},
                                  {"Name": "blue & white", "RGBPoints": [0, 0, 0, 1, 1, 1, 1, 1]}])"));
-    QTRY_VERIFY(window_->window.findChild<QMenu*>("transfer.choice") != nullptr);
-    auto& choice = window_->find<QMenu>("transfer.choice");
+    QTRY_VERIFY(window_->window.findChild<QInputDialog*>("transfer.choice") != nullptr);
+    auto& choice = window_->find<QInputDialog>("transfer.choice");
     QCOMPARE(function(), before);
-    QCOMPARE(choice.actions().size(), 2);
-    QCOMPARE(choice.actions().last()->text(), QString("blue && white"));
-    choice.actions().last()->trigger();
-    choice.close();
+    QCOMPARE(choice.comboBoxItems().size(), 2);
+    QVERIFY(choice.comboBoxItems().last().endsWith("blue & white"));
+    choice.setTextValue(choice.comboBoxItems().last());
+    choice.accept();
     QCOMPARE(evaluate(function(), session().range().minimum).colour, (std::array<double, 3>{0, 0, 1}));
 }
 

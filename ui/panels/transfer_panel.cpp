@@ -19,6 +19,7 @@
 #include <QCheckBox>
 #include <QFileInfo>
 #include <QGridLayout>
+#include <QInputDialog>
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -298,16 +299,25 @@ void TransferPanel::load(const QString& path)
     });
 }
 
-/// A menu of the presets that a file holds.
+/// Asks which of the presets that a file holds is meant, and lets the window work on.
 void TransferPanel::offerChoice(std::vector<ImportedTransfer> imported)
 {
-    auto* menu = new QMenu(this);
-    menu->setObjectName("transfer.choice");
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    for (ImportedTransfer& preset : imported)
-        connect(menu->addAction(QString::fromStdString(preset.name).replace('&', "&&")), &QAction::triggered, this,
-                [this, chosen = std::move(preset.function)] { session_.setTransfer(chosen); });
-    menu->popup(load_->mapToGlobal(QPoint(0, load_->height())));
+    QStringList names;
+    for (std::size_t preset = 0; preset < imported.size(); ++preset)
+        names.append(QString("%1  %2").arg(preset + 1).arg(QString::fromStdString(imported[preset].name)));
+    auto* choice = new QInputDialog(this);
+    choice->setObjectName("transfer.choice");
+    choice->setAttribute(Qt::WA_DeleteOnClose);
+    choice->setWindowTitle(tr("Load Transfer Function"));
+    choice->setLabelText(tr("The file holds several presets:"));
+    choice->setOption(QInputDialog::UseListViewForComboBoxItems);
+    choice->setComboBoxItems(names);
+    connect(choice, &QInputDialog::textValueSelected, this,
+            [this, names, presets = std::move(imported)](const QString& name) {
+                if (const qsizetype index = names.indexOf(name); index >= 0)
+                    session_.setTransfer(presets[static_cast<std::size_t>(index)].function);
+            });
+    choice->open();
 }
 
 void TransferPanel::save(const QString& path)
