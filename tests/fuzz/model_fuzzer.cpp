@@ -4,6 +4,7 @@
 #include "core/model/queries/history_part.h"
 #include "core/model/queries/mesh_extractor.h"
 #include "core/model/verification.h"
+#include "tests/core/model/irregular/irregular_models.h"
 #include "tests/core/model/model_fixture.h"
 #include "tests/fuzz/fuzz_folder.h"
 #include "tests/fuzz/fuzz_input.h"
@@ -52,7 +53,12 @@ const Dataset& datasetFor(const Model& model)
 {
     static const Dataset lattice = bumps(SampleType::UInt8, {3, 3, 3});
     static const Dataset bent = bentBumps(SampleType::Float32, {3, 3, 3});
-    return model.description().domain == DomainClass::Curvilinear ? bent : lattice;
+    static const Dataset part = randomIrregular(4);
+    switch (model.description().domain) {
+    case DomainClass::Curvilinear: return bent;
+    case DomainClass::Irregular: return part;
+    default: return lattice;
+    }
 }
 
 void examine(const std::shared_ptr<const Model>& model)

@@ -3,8 +3,11 @@
 #include "core/graphics/camera_text.h"
 #include "core/model/queries/error_field_text.h"
 #include "core/transfer/transfer_text.h"
+#include "plugins/readers/cells/vtu_writer.h"
+#include "tests/core/model/irregular/irregular_models.h"
 #include "tests/core/model/model_fixture.h"
 #include "tests/core/model/queries/some_models.h"
+#include "tests/plugins/readers/cells/vtu_text.h"
 #include "tests/plugins/readers/lattice/volume_files.h"
 #include "tests/plugins/readers/plot3d/plot3d_files.h"
 
@@ -99,6 +102,21 @@ void addModels(const QString& folder)
     writeModel(seeds.next().toStdString(), bentBumps(SampleType::Float32, {3, 3, 3}));
     writeModel(seeds.next().toStdString(), bentBumps(SampleType::Int16, {3, 2, 3}, true, true));
     scatteredModel(seeds.next().toStdString(), 20, 5);
+    const Dataset part = randomIrregular(4);
+    modelOf(seeds.next().toStdString(), part, decimated(part));
+}
+
+void addCells(const QString& folder)
+{
+    Seeds seeds(folder, "cells");
+    seeds.add(VtuText().text());
+    const std::vector<Eigen::Vector3d> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+    const Dataset two = datasetOfTetrahedra(corners, {1, 2, 3, 4, 5}, {{0, 1, 2, 3}, {1, 2, 3, 4}});
+    if (const Status written = VtuWriter().write(two, seeds.next().toStdString(), {}, {}); !written)
+        qFatal("%s", written.error().message.c_str());
+    seeds.add(std::string("# cells\n9 3 1 1 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n"
+                          "9 .5 .5 2\n1 0 hex 1 2 3 4 5 6 7 8\n2 0 pyr 5 6 7 8 9\n3 0 tet 1 2 3 9\n1 1\nheat, K\n"
+                          "1 1\n2 2\n3 3\n4 4\n5 5\n6 6\n7 7\n8 8\n9 9\n1 1\nstress, Pa\n1 .1\n2 .2\n3 .3\n"));
 }
 
 void addTexts(const QString& folder)
@@ -137,6 +155,7 @@ int main(int count, char** words)
     addGrids(folder);
     addPoints(folder);
     addModels(folder);
+    addCells(folder);
     addTexts(folder);
     return 0;
 }

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads a mesh or surface file with VTK: read_with_vtk.py FILE FOLDER. Writes the bytes of every array into the folder (points,
-cells, point.NAME, cell.NAME) and prints, as JSON, the types of the arrays and the field data. Exit code 77: no VTK."""
+"""Reads mesh and surface files with VTK, as long as it is asked to by lines of JSON, ["FILE", "FOLDER"]. Writes the bytes of
+every array into the folder (points, cells, point.NAME, cell.NAME) and answers with a line of JSON, the types of the arrays and
+the field data. Exit code 77: no VTK."""
 import json
 import os
 import sys
@@ -54,7 +55,7 @@ def joined(blocks):
     return appended.GetOutput()
 
 
-def main(path, folder):
+def read(path, folder):
     ending = path.lower().rpartition(".")[2]
     reader = READERS[ending](path)
     errors = []
@@ -83,7 +84,8 @@ def main(path, folder):
     for number in range(facts.GetNumberOfArrays()):
         told["facts"][facts.GetArrayName(number)] = facts.GetAbstractArray(number).GetValue(0)
     told["active normals"] = grid.GetPointData().GetNormals().GetName() if grid.GetPointData().GetNormals() else ""
-    print(json.dumps(told))
+    return told
 
 
-main(sys.argv[1], sys.argv[2])
+for line in sys.stdin:
+    print(json.dumps(read(*json.loads(line))), flush=True)
