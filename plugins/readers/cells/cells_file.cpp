@@ -2,6 +2,7 @@
 #include "plugins/readers/cells/cells_file.h"
 
 #include "core/base/number_text.h"
+#include "core/base/shown_text.h"
 
 namespace tetra {
 
@@ -23,10 +24,10 @@ Error unknownArray(const std::string& name, const std::vector<FileArray>& arrays
 {
     std::string names;
     for (const FileArray& array : arrays)
-        names += (names.empty() ? "" : ", ") + array.name;
+        names += (names.empty() ? "" : ", ") + shownText(array.name);
     if (names.empty())
         return {ErrorKind::BadInput, "it has no values, of points or of cells."};
-    return {ErrorKind::WrongUsage, "it has no array '" + name + "'. There are: " + names + "."};
+    return {ErrorKind::WrongUsage, "it has no array '" + shownText(name) + "'. There are: " + names + "."};
 }
 
 } // namespace tetra

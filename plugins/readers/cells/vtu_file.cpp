@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/number_text.h"
+#include "core/base/shown_text.h"
 #include "plugins/readers/cells/cells_file.h"
 #include "plugins/readers/cells/vtu_data.h"
 #include "plugins/readers/cells/vtu_head.h"
@@ -151,7 +152,7 @@ private:
         const auto& among = chosen_.perCell ? piece.cellArrays : piece.pointArrays;
         const auto array = std::ranges::find(among, chosen_.name, &VtuArray::name);
         if (array == among.end() || array->components != chosen_.components)
-            return Error{ErrorKind::BadInput, "not every piece has the array '" + chosen_.name + "'."};
+            return Error{ErrorKind::BadInput, "not every piece has the array '" + shownText(chosen_.name) + "'."};
         const std::uint64_t count = chosen_.perCell ? piece.cells : piece.points;
         const auto components = static_cast<std::uint64_t>(chosen_.components);
         if (count > std::numeric_limits<std::uint64_t>::max() / components)

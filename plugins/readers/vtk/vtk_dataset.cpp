@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/vtk_dataset.h"
 
+#include "core/base/shown_text.h"
 #include "core/data/grid_checks.h"
 #include "core/data/lattice_checks.h"
 #include "core/data/merged_points.h"
@@ -22,7 +23,7 @@ std::uint64_t product(const std::array<std::uint32_t, 3>& size)
 Result<ScalarField> fieldOf(VtkFindings& found, std::uint64_t points, const Progress& progress)
 {
     if (found.samples.size() / sampleSize(found.type) != points)
-        return Error{ErrorKind::BadInput, "its array '" + found.arrayName + "' has " +
+        return Error{ErrorKind::BadInput, "its array '" + shownText(found.arrayName) + "' has " +
                                               std::to_string(found.samples.size() / sampleSize(found.type)) +
                                               " values for " + std::to_string(points) + " points."};
     const auto samples = std::make_shared<const Buffer<std::byte>>(std::move(found.samples));
@@ -69,8 +70,9 @@ Result<Dataset> gridDataset(VtkFindings& found, const Progress& progress)
 Status checkPoints(const VtkFindings& found, std::span<const double> values)
 {
     if (values.size() != found.positions.size())
-        return Error{ErrorKind::BadInput, "its array '" + found.arrayName + "' has " + std::to_string(values.size()) +
-                                              " values for " + std::to_string(found.positions.size()) + " points."};
+        return Error{ErrorKind::BadInput, "its array '" + shownText(found.arrayName) + "' has " +
+                                              std::to_string(values.size()) + " values for " +
+                                              std::to_string(found.positions.size()) + " points."};
     if (values.empty())
         return Error{ErrorKind::BadInput, "it holds no points."};
     if (values.size() > std::numeric_limits<std::uint32_t>::max())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/cell_findings.h"
 
+#include "core/base/shown_text.h"
 #include "plugins/readers/vtk/helper/blanking.h"
 
 #include <vtkCellArray.h>
@@ -121,7 +122,7 @@ Result<VtkFindings> pointFindings(vtkDataSet& data, const VtkArray& array, const
 {
     if (array.perCell)
         return Error{ErrorKind::BadInput,
-                     "its array '" + array.name +
+                     "its array '" + shownText(array.name) +
                          "' has values for its polygons, not its points. Choose an array of points."};
     VtkFindings found;
     found.kind = VtkDataKind::Points;

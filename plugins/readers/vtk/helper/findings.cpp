@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/findings.h"
 
+#include "core/base/shown_text.h"
 #include "plugins/readers/vtk/helper/arrays.h"
 #include "plugins/readers/vtk/helper/cell_findings.h"
 #include "plugins/readers/vtk/helper/grid_findings.h"
@@ -95,7 +96,7 @@ Result<VtkFindings> findingsOfMeshes(const std::vector<VtkLeaf>& meshes, const V
     }
     found.remarks = first->samples.remarks;
     if (without > 0)
-        found.remarks.push_back(std::to_string(without) + " of its parts have no '" + first->array.name +
+        found.remarks.push_back(std::to_string(without) + " of its parts have no '" + shownText(first->array.name) +
                                 "' and were left out.");
     return found;
 }
@@ -125,7 +126,7 @@ Result<VtkFindings> findingsOf(const std::vector<VtkLeaf>& leaves, const VtkRequ
     auto found = asMeshes ? findingsOfMeshes(meshes, request) : findingsOfOne(*first.data, request);
     if (found && !asMeshes)
         found->remarks.push_back("It has " + std::to_string(leaves.size()) + " parts; this is the one called '" +
-                                 first.name + "'. Choose another one with 'part'.");
+                                 shownText(first.name) + "'. Choose another one with 'part'.");
     else if (found && meshes.size() < leaves.size())
         found->remarks.push_back(std::to_string(leaves.size() - meshes.size()) +
                                  " of its parts are no irregular meshes and were left out.");

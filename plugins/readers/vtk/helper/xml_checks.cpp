@@ -3,6 +3,7 @@
 
 #include "core/base/mapped_file.h"
 #include "core/base/number_text.h"
+#include "core/base/shown_text.h"
 
 #include <array>
 #include <cmath>
@@ -89,8 +90,7 @@ Status checkXmlGrid(const std::string& path, std::string_view type)
         return wrong("its element " + std::string(type) + " is missing.");
     for (const std::string_view name : {"Spacing", "Origin"})
         if (const auto value = xmlAttribute(*grid, name); !value.empty() && !numbersIn<double, 3>(value))
-            return wrong("its " + std::string(name) + " is '" + std::string(value.substr(0, 60)) +
-                         "' and not three numbers.");
+            return wrong("its " + std::string(name) + " is '" + shownText(value) + "' and not three numbers.");
     const auto whole = cellsIn(xmlAttribute(*grid, "WholeExtent"));
     double covered = 0;
     while (const auto piece = nextElement(text, "<Piece", place))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/xml_sources.h"
 
+#include "core/base/shown_text.h"
 #include "plugins/readers/vtk/helper/xml_checks.h"
 
 #include <vtkDataArraySelection.h>
@@ -79,7 +80,7 @@ Result<VtkSource> makeXmlSource(const VtkRequest& request)
     if (found == readers.end())
         return Error{ErrorKind::BadInput,
                      type.empty() ? "it is no VTK file: its beginning does not say a type of data. Write it anew."
-                                  : "it holds data of the type '" + type +
+                                  : "it holds data of the type '" + shownText(type) +
                                         "', which are no volume. Write them as a grid, a mesh or points."};
     if (type == "ImageData" || type == "RectilinearGrid" || type == "StructuredGrid")
         if (const Status fits = checkXmlGrid(request.path, type); !fits)
