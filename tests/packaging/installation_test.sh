@@ -16,7 +16,7 @@ for component in program development; do
     cmake --install "$build" --prefix "$place" --component "$component" >"$scratch/files"
 done
 for file in bin/tan bin/tan-desktop lib/tan/libtan-ui.so.0 lib/tan/plugins include/tan/core/base/result.h \
-    include/tan/plugins/api/reader.h lib/cmake/TAn/TAnConfig.cmake share/man/man1/tan.1 share/man/man1/tan-desktop.1 \
+    include/tan/plugins/api/reader.h lib/cmake/TAn/TAnConfig.cmake share/man/man1/tan.1.gz share/man/man1/tan-desktop.1.gz \
     share/applications/org.tan.TAn.desktop share/mime/packages/org.tan.TAn.xml share/icons/hicolor/scalable/apps/org.tan.TAn.svg; do
     installed "$file"
 done
