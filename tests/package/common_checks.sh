@@ -33,7 +33,7 @@ check_command_line()
         '$bin/tan' render c60.tan --error 1 --isovalue 140:orange --size 320x240 -o picture.png; cmp picture.png expected/picture.png"
 }
 
-check_vtk() { check 'a file that only VTK reads' "cd /work; '$bin/tan' info image.vti | grep -F '18'"; }
+check_vtk() { check 'a file that only VTK reads' "cd /work; '$bin/tan' info image.vti --json | grep -E '\"points\": 18'"; }
 
 # check_window TEXT COMMAND: on a display of its own, COMMAND brings up a window with c60.tan in its title; what the screen shows then is
 # kept in /work/window.xwd.

@@ -21,7 +21,7 @@ seconds install /packages/tan-vtk-readers_*.deb
 echo "install time: tan-vtk-readers_*.deb $seconds s"
 check_vtk
 
-install xvfb xauth xdotool x11-apps xdg-utils libglib2.0-bin shared-mime-info desktop-file-utils
+install xvfb xauth xdotool x11-apps xdg-utils libfile-mimeinfo-perl libglib2.0-bin shared-mime-info desktop-file-utils
 check 'the desktop knows models, also without their ending' "cd /work; cp c60.tan nameless
     [ \$(xdg-mime query filetype c60.tan) = application/x-tan-model ]
     gio info -a standard::content-type nameless | grep application/x-tan-model
