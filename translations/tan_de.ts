@@ -223,6 +223,14 @@
         <source>Open a part of a dataset, or say how its file is to be read</source>
         <translation>Einen Teil eines Datensatzes öffnen oder sagen, wie seine Datei zu lesen ist</translation>
     </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>Read how everything works, in the web browser</source>
+        <translation>Im Webbrowser nachlesen, wie alles geht</translation>
+    </message>
 </context>
 <context>
     <name>AddIsovalue</name>
@@ -274,6 +282,17 @@
     <message>
         <source>change of accuracy</source>
         <translation>Änderung der Genauigkeit</translation>
+    </message>
+</context>
+<context>
+    <name>ColourMapNames</name>
+    <message>
+        <source>&amp;Cool to warm</source>
+        <translation>&amp;Kalt bis warm</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>&amp;Grau</translation>
     </message>
 </context>
 <context>
@@ -477,6 +496,17 @@
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>Manual</name>
+    <message>
+        <source>The manual is not installed. Install the package tan again with its documentation, or build TAn with the package python3-markdown; the same texts are in the folder docs of its sources.</source>
+        <translation>Das Handbuch ist nicht installiert. Installieren Sie das Paket tan noch einmal mit seiner Dokumentation, oder bauen Sie TAn mit dem Paket python3-markdown; dieselben Texte liegen im Ordner docs der Quellen.</translation>
+    </message>
+    <message>
+        <source>No program opens web pages here. Install a web browser, or read %1.</source>
+        <translation>Hier öffnet kein Programm Webseiten. Installieren Sie einen Webbrowser, oder lesen Sie %1.</translation>
     </message>
 </context>
 <context>
@@ -993,10 +1023,6 @@
     <message>
         <source>Reads VTK, Exodus, EnSight, NetCDF, CGNS, MetaImage, NIfTI, TIFF, DICOM and more, by means of VTK.</source>
         <translation>Liest VTK, Exodus, EnSight, NetCDF, CGNS, MetaImage, NIfTI, TIFF, DICOM und mehr, mit Hilfe von VTK.</translation>
-    </message>
-    <message>
-        <source>Component</source>
-        <translation>Komponente</translation>
     </message>
     <message>
         <source>Of arrays with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
@@ -1862,6 +1888,25 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::KeepSession</name>
+    <message>
+        <source>Save Session</source>
+        <translation>Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Sessions (*.tansession)</source>
+        <translation>Sitzungen (*.tansession)</translation>
+    </message>
+    <message>
+        <source>TAn ended unexpectedly while %1 was open. How it was seen can be restored.</source>
+        <translation>TAn wurde unerwartet beendet, während %1 geöffnet war. Die Ansicht kann wiederhergestellt werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+</context>
+<context>
     <name>tetra::MainWindow</name>
     <message>
         <source>Picture</source>
@@ -2424,36 +2469,6 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
-    <name>ColourMapNames</name>
-    <message>
-        <source>&amp;Cool to warm</source>
-        <translation>&amp;Kalt bis warm</translation>
-    </message>
-    <message>
-        <source>&amp;Grey</source>
-        <translation>&amp;Grau</translation>
-    </message>
-</context>
-<context>
-    <name>tetra::KeepSession</name>
-    <message>
-        <source>Save Session</source>
-        <translation>Sitzung speichern</translation>
-    </message>
-    <message>
-        <source>Sessions (*.tansession)</source>
-        <translation>Sitzungen (*.tansession)</translation>
-    </message>
-    <message>
-        <source>TAn ended unexpectedly while %1 was open. How it was seen can be restored.</source>
-        <translation>TAn wurde unerwartet beendet, während %1 geöffnet war. Die Ansicht kann wiederhergestellt werden.</translation>
-    </message>
-    <message>
-        <source>&amp;Restore</source>
-        <translation>&amp;Wiederherstellen</translation>
-    </message>
-</context>
-<context>
     <name>tetra::ViewPanel</name>
     <message>
         <source>&amp;Load…</source>
@@ -2648,10 +2663,6 @@ Verwerfung %2</translation>
     <message>
         <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
         <translation>Kein Plugin zur Darstellung konnte geladen werden; so lässt sich kein Modell zeigen. %1</translation>
-    </message>
-    <message>
-        <source>It was read as %1.</source>
-        <translation>Gelesen wurde sie als %1.</translation>
     </message>
     <message>
         <source>Sessions (*.tansession)</source>

@@ -46,6 +46,7 @@ int runDesktop(int argc, char** argv)
     QCoreApplication::setOrganizationName("TAn");
     QCoreApplication::setApplicationName("TAn");
     QCoreApplication::setApplicationVersion(TAN_VERSION);
+    QGuiApplication::setDesktopFileName("org.tan.TAn"); // how Wayland finds the icon
     QApplication::setWindowIcon(programIcon());
     QTranslator ours;
     QTranslator ofQt;

@@ -57,13 +57,6 @@ std::string wholeHelp(PluginHost& host)
     return programHelp(purposes);
 }
 
-void addCommonOptions(Syntax& syntax)
-{
-    syntax.options.push_back(
-        {.name = "json", .placeholder = "", .explanation = "Print one JSON object instead of text."});
-    syntax.options.push_back({.name = "help", .placeholder = "", .explanation = "Print this text.", .letter = 'h'});
-}
-
 Error unknownSubcommand(const std::string& word)
 {
     std::vector<std::string> names;
@@ -88,8 +81,7 @@ Result<Outcome> runGuarded(const Subcommand& subcommand, const Invocation& invoc
 int runSubcommand(const Subcommand& subcommand, std::span<const std::string> words, PluginHost& host,
                   const Streams& streams, const std::stop_token& stop)
 {
-    Syntax syntax = subcommand.syntax(host);
-    addCommonOptions(syntax);
+    const Syntax syntax = wholeSyntax(subcommand, host);
     if (std::ranges::any_of(words, [](const std::string& word) { return word == "--help" || word == "-h"; }))
         return print(streams, subcommandHelp(subcommand.name, syntax), 0);
     const auto arguments = parseArguments(syntax, words);

@@ -8,15 +8,6 @@ namespace {
 
 constexpr std::size_t lineWidth = 100;
 
-constexpr std::string_view exitCodes = R"(Exit codes:
-  0    done
-  1    the answer is no (verify: the model is not what it claims to be)
-  2    wrong usage: an unknown option, a value that does not fit, an output that would replace its input
-  3    bad input: a file that is missing, damaged, or of no known format
-  4    the result could not be written, or memory or another resource ran out
-  130  cancelled (Ctrl-C)
-)";
-
 /// `text` in lines of at most lineWidth, all but the first one indented. Line ends in the text are kept.
 std::string wrapped(std::string_view text, std::size_t firstColumn, std::size_t indent)
 {
@@ -69,18 +60,6 @@ std::string listed(const std::vector<std::pair<std::string, std::string>>& rows)
     return text;
 }
 
-std::string usage(std::string_view name, const Syntax& syntax)
-{
-    std::string text = "tan " + std::string(name);
-    for (const Positional& positional : syntax.positionals)
-        text += positional.required ? " " + positional.name : " [" + positional.name + "]";
-    for (const Option& option : syntax.options)
-        if (option.required)
-            text += option.letter != 0 ? std::string(" -") + option.letter + " " + option.placeholder
-                                       : " --" + option.name + " " + option.placeholder;
-    return text + " [OPTIONS]";
-}
-
 std::pair<std::string, std::string> row(const Option& option)
 {
     std::string left = option.letter != 0 ? std::string("-") + option.letter + ", " : "";
@@ -97,6 +76,45 @@ std::pair<std::string, std::string> row(const Option& option)
 
 } // namespace
 
+std::string usage(std::string_view name, const Syntax& syntax)
+{
+    std::string text = "tan " + std::string(name);
+    for (const Positional& positional : syntax.positionals)
+        text += positional.required ? " " + positional.name : " [" + positional.name + "]";
+    for (const Option& option : syntax.options)
+        if (option.required)
+            text += option.letter != 0 ? std::string(" -") + option.letter + " " + option.placeholder
+                                       : " --" + option.name + " " + option.placeholder;
+    return text + " [OPTIONS]";
+}
+
+std::vector<std::pair<std::string, std::string>> exitCodes()
+{
+    return {
+        {"0", "done"},
+        {"1", "the answer is no (verify: the model is not what it claims to be)"},
+        {"2", "wrong usage: an unknown option, a value that does not fit, an output that would replace its input"},
+        {"3", "bad input: a file that is missing, damaged, or of no known format"},
+        {"4", "the result could not be written, or memory or another resource ran out"},
+        {"130", "cancelled (Ctrl-C)"},
+    };
+}
+
+std::vector<std::pair<std::string, std::string>> environmentVariables()
+{
+    return {
+        {"TAN_PLUGIN_PATH", "more folders with plugins, separated by ':'"},
+        {"TAN_PLUGIN_DISABLE", "ids of plugins that are not to be loaded, separated by ','"},
+    };
+}
+
+std::string generalRemarks()
+{
+    return "Figures go to standard output, progress and messages to standard error; with --json, standard output is "
+           "one JSON object and nothing else. Accuracies are percentages of the data's range of values. Numbers are "
+           "written with a decimal point in every locale.";
+}
+
 std::string programHelp(const std::vector<std::pair<std::string, std::string>>& subcommands)
 {
     return "tan: Tetrahedra Analyzer. Volume data as multiresolution models with a known error.\n\n"
@@ -104,18 +122,14 @@ std::string programHelp(const std::vector<std::pair<std::string, std::string>>& 
            "       tan [FILE]                     open the window, with a dataset or a model\n"
            "       tan --help | --version\n\n"
            "Subcommands:\n" +
-           listed(subcommands) +
-           "\nFigures go to standard output, progress and messages to standard error; with --json, standard output "
-           "is\none JSON object and nothing else. Accuracies are percentages of the data's range of values. Numbers "
-           "are\nwritten with a decimal point in every locale.\n\n"
+           listed(subcommands) + "\n" + wrapped(generalRemarks(), 0, 0) +
+           "\n\n"
            "Examples:\n"
            "  tan sample c60 --size 64 -o c60.nrrd\n"
            "  tan build c60.nrrd -o c60.tan\n"
            "  tan render c60.tan --error 1 --isovalue 0.5:orange -o c60.png\n\n"
-           "Environment:\n"
-           "  TAN_PLUGIN_PATH     more folders with plugins, separated by ':'\n"
-           "  TAN_PLUGIN_DISABLE  ids of plugins that are not to be loaded, separated by ','\n\n" +
-           std::string(exitCodes);
+           "Environment:\n" +
+           listed(environmentVariables()) + "\nExit codes:\n" + listed(exitCodes());
 }
 
 std::string subcommandHelp(std::string_view name, const Syntax& syntax)
@@ -134,7 +148,7 @@ std::string subcommandHelp(std::string_view name, const Syntax& syntax)
         text += "\nExamples:\n";
     for (const Example& example : syntax.examples)
         text += "  " + example.command + "\n      " + wrapped(example.explanation, 6, 6) + "\n";
-    return text + "\n" + std::string(exitCodes);
+    return text + "\nExit codes:\n" + listed(exitCodes());
 }
 
 } // namespace tetra

@@ -10,6 +10,15 @@
 
 namespace tetra {
 
+/// The line behind "Usage:" of a subcommand: "tan build IN -o MODEL [OPTIONS]".
+std::string usage(std::string_view name, const Syntax& syntax);
+
+/// What holds for all subcommands: exit codes and variables of the environment, each with its meaning; where figures
+/// and messages go.
+std::vector<std::pair<std::string, std::string>> exitCodes();
+std::vector<std::pair<std::string, std::string>> environmentVariables();
+std::string generalRemarks();
+
 /// What `tan --help` prints; `subcommands` are names with their purposes.
 std::string programHelp(const std::vector<std::pair<std::string, std::string>>& subcommands);
 

@@ -38,4 +38,7 @@ struct Subcommand {
 /// All of them, in the order of the help.
 std::span<const Subcommand> subcommands();
 
+/// All that can be said to a subcommand: its own syntax and the options that every one has.
+Syntax wholeSyntax(const Subcommand& subcommand, PluginHost& host);
+
 } // namespace tetra

@@ -21,4 +21,13 @@ std::span<const Subcommand> subcommands()
     return all;
 }
 
+Syntax wholeSyntax(const Subcommand& subcommand, PluginHost& host)
+{
+    Syntax syntax = subcommand.syntax(host);
+    syntax.options.push_back(
+        {.name = "json", .placeholder = "", .explanation = "Print one JSON object instead of text."});
+    syntax.options.push_back({.name = "help", .placeholder = "", .explanation = "Print this text.", .letter = 'h'});
+    return syntax;
+}
+
 } // namespace tetra

@@ -130,6 +130,8 @@ void addViewMenu(QMainWindow& window, Actions& actions)
 void addHelpMenu(QMainWindow& window, Actions& actions)
 {
     QMenu* menu = addMenu(window, "help", Texts::tr("&Help"));
+    actions.manual =
+        add(menu, "manual", Texts::tr("&Manual"), {}, Texts::tr("Read how everything works, in the web browser"));
     actions.plugins = add(menu, "plugins", Texts::tr("&Plugins…"), {}, Texts::tr("The plugins that were found"));
     actions.about = add(menu, "about", Texts::tr("&About TAn"), {}, Texts::tr("Version and licence"));
 }

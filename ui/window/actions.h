@@ -30,6 +30,7 @@ struct Actions {
     QList<QAction*> namedViews; ///< in the order of NamedView
     QAction* fullScreen = nullptr;
     QAction* resetLayout = nullptr;
+    QAction* manual = nullptr;
     QAction* plugins = nullptr;
     QAction* about = nullptr;
     QMenu* recent = nullptr;

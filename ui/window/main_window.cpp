@@ -13,6 +13,7 @@
 #include "ui/window/empty_page.h"
 #include "ui/window/import_dialog.h"
 #include "ui/window/keep_session.h"
+#include "ui/window/manual.h"
 #include "ui/window/mode_actions.h"
 #include "ui/window/plugin_window.h"
 #include "ui/window/region_actions.h"
@@ -165,6 +166,10 @@ void MainWindow::connectActions()
             [this] { actions_.perspective->setChecked(viewport_->camera().perspective); });
     connect(actions_.fullScreen, &QAction::toggled, this,
             [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
+    connect(actions_.manual, &QAction::triggered, this, [this] {
+        if (const QString problem = openManual(QCoreApplication::applicationDirPath()); !problem.isEmpty())
+            messages_->add(problem);
+    });
     connect(actions_.plugins, &QAction::triggered, this, [this] {
         auto* window = new PluginWindow(workbench_.host(), this);
         window->setAttribute(Qt::WA_DeleteOnClose);

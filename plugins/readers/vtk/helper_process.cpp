@@ -77,8 +77,10 @@ Error notStarted(const fs::path& helper, const QString& reason)
 {
     std::error_code ignored;
     if (!fs::exists(helper, ignored))
-        return {ErrorKind::BadInput, "The VTK readers are not installed: this build of TAn is without them. Build it "
-                                     "anew after 'apt install libvtk9-dev', or convert the file to NRRD or CSV."};
+        return {ErrorKind::BadInput,
+                "The VTK readers are not installed. Install the package with 'apt install tan-vtk-readers' "
+                "(of a build of your own: build it anew after 'apt install libvtk9-dev'), or "
+                "convert the file to NRRD or CSV."};
     return {ErrorKind::BadInput,
             "The VTK readers cannot be started: '" + helper.string() + "': " + reason.toStdString()};
 }

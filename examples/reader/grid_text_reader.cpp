@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <plugins/api/reader.h>
+
+#include <core/data/sample_buffer.h>
+
+#include <QFile>
+#include <QObject>
+
+namespace {
+using namespace tetra;
+
+Error refused(const std::filesystem::path& path, const std::string& reason)
+{
+    return {ErrorKind::BadInput, "Cannot read '" + path.string() + "': " + reason};
+}
+} // namespace
+
+/// Reads a lattice from text: three numbers of points, then a value for each point, x fastest.
+class GridTextReader : public QObject, public tetra::Reader {
+    Q_OBJECT
+    Q_PLUGIN_METADATA(IID TAN_READER_INTERFACE FILE "grid_text_reader.json")
+    Q_INTERFACES(tetra::Reader)
+
+public:
+    std::vector<std::string> nameFilters() const override { return {"Grid text (*.grid)"}; }
+    double score(const std::filesystem::path& path, std::span<const std::byte>) const override
+    {
+        return path.extension() == ".grid" ? 1 : 0;
+    }
+    std::vector<Parameter> parameters() const override { return {}; }
+
+    Result<Dataset> read(const std::filesystem::path& path, const ParameterValues&, const Progress&) const override
+    {
+        QFile file(QString::fromStdString(path.string()));
+        if (!file.open(QIODevice::ReadOnly))
+            return refused(path, file.errorString().toStdString() + ".");
+        const QByteArrayList words = file.readAll().simplified().split(' ');
+        Lattice lattice;
+        for (int axis = 0; axis < 3; ++axis) {
+            lattice.size[axis] = words.value(axis).toUInt();
+            if (lattice.size[axis] < 2 || lattice.size[axis] > 1024)
+                return refused(path, "it begins with three numbers of points, each from 2 to 1024.");
+        }
+        const std::uint64_t count = lattice.pointCount();
+        if (std::uint64_t(words.size()) != count + 3)
+            return refused(path, "it should have " + std::to_string(count) + " values.");
+        const auto samples = allocateSamples(SampleType::Float32, count);
+        if (!samples)
+            return samples.error();
+        bool allNumbers = true;
+        for (std::uint64_t i = 0; i < count && allNumbers; ++i)
+            reinterpret_cast<float*>(samples->get())[i] = words[qsizetype(i) + 3].toFloat(&allNumbers);
+        const ScalarField values(SampleType::Float32, count, *samples);
+        if (!allNumbers || values.notFiniteCount() > 0)
+            return refused(path, "a value is no finite number.");
+        return Dataset{.lattice = lattice,
+                       .values = values,
+                       .source = {path.filename().string(), path, contentHash(values, nullptr)}};
+    }
+};
+
+#include "grid_text_reader.moc"

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The packages, by CPack; `./dev package` builds them. What differs between them is in packages_of_a_kind.cmake.
+set(CPACK_PACKAGE_NAME tan)
+set(CPACK_PACKAGE_VENDOR "TAn")
+set(CPACK_PACKAGE_CONTACT "${TAN_CONTACT}")
+set(CPACK_PACKAGE_HOMEPAGE_URL "${TAN_HOMEPAGE}")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "look at volume data at any accuracy")
+set(CPACK_PACKAGE_DESCRIPTION "TAn shows scalar volume data at any accuracy that is asked for, and
+tells what that accuracy is. It turns a dataset once into a multiresolution
+model and takes meshes from it whose error is bounded at the samples.")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_THREADS 0)
+set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_LIST_DIR}/packages_of_a_kind.cmake)
+set(CPACK_COMPONENTS_ALL program vtk development)
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SOURCE tan)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
+set(same_version "tan (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tan)
+# Loaded at run time, so that no link says so.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libegl1, libgl1-mesa-dri, libopengl0")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS qt6-translations-l10n)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS tan-vtk-readers)
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}")
+set(CPACK_DEBIAN_VTK_PACKAGE_NAME tan-vtk-readers)
+set(CPACK_DEBIAN_VTK_PACKAGE_DEPENDS "${same_version}")
+set(CPACK_COMPONENT_VTK_DESCRIPTION "reads VTK, Exodus, EnSight, NetCDF, DICOM and more into TAn
+A program that reads the formats of VTK for TAn, in a process of its own.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME tan-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${same_version}, libeigen3-dev, libtbb-dev, qt6-base-dev")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "headers for plugins of TAn
+The headers of TAn's library and of its plugin interfaces, a CMake package,
+and an example.")
+
+set(CPACK_RPM_COMPONENT_INSTALL ON)
+set(CPACK_RPM_FILE_NAME RPM-DEFAULT)
+set(CPACK_RPM_MAIN_COMPONENT program)
+set(CPACK_RPM_PACKAGE_LICENSE "GPL-3.0-or-later")
+set(CPACK_RPM_PACKAGE_GROUP "Applications/Engineering")
+set(CPACK_RPM_VTK_PACKAGE_NAME tan-vtk-readers)
+set(CPACK_RPM_VTK_PACKAGE_REQUIRES "tan = ${PROJECT_VERSION}")
+set(CPACK_RPM_DEVELOPMENT_PACKAGE_NAME tan-devel)
+set(CPACK_RPM_DEVELOPMENT_PACKAGE_REQUIRES "tan = ${PROJECT_VERSION}")
+# Folders that belong to the system.
+set(CPACK_RPM_EXCLUDE_FROM_AUTO_FILELIST_ADDITION /usr/share/applications /usr/share/icons /usr/share/icons/hicolor
+    /usr/share/icons/hicolor/scalable /usr/share/icons/hicolor/scalable/apps /usr/share/man /usr/share/man/man1
+    /usr/share/mime /usr/share/mime/packages /usr/share/metainfo /usr/share/bash-completion
+    /usr/share/bash-completion/completions /usr/share/zsh /usr/share/fish /usr/share/fish/vendor_completions.d
+    /usr/share/doc /usr/lib/cmake)
+set(CPACK_CMAKE_BUILD_FOLDER ${PROJECT_BINARY_DIR})
+set(CPACK_MACHINE ${CMAKE_SYSTEM_PROCESSOR})
+include(CPack)

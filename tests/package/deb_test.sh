@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# deb_test.sh FOLDER: the Debian packages of FOLDER in a Debian with nothing installed.
+set -euo pipefail
+root=$(cd -- "$(dirname -- "$0")/../.." && pwd)
+. "$root/tests/package/clean_debian.sh"
+. "$root/tests/package/common_checks.sh"
+packages=$1 bin=/usr/bin
+
+fresh_system deb
+make_expectations
+mkdir -p "$system/packages"
+cp "$packages"/*.deb "$system/packages/"
+
+seconds install /packages/tan_*.deb
+echo "install time: tan_*.deb $seconds s (with all that it needs, already fetched or not)"
+check_command_line
+check 'without the VTK readers: told what to install' \
+    "! '$bin/tan' info /work/image.vti 2>/work/message; grep -F 'apt install tan-vtk-readers' /work/message"
+seconds install /packages/tan-vtk-readers_*.deb
+echo "install time: tan-vtk-readers_*.deb $seconds s"
+check_vtk
+
+install xvfb xauth xdotool x11-apps xdg-utils libfile-mimeinfo-perl libglib2.0-bin shared-mime-info desktop-file-utils
+check 'the desktop knows models, also without their ending' "cd /work; cp c60.tan nameless
+    [ \$(xdg-mime query filetype c60.tan) = application/x-tan-model ]
+    gio info -a standard::content-type nameless | grep application/x-tan-model
+    [ \$(xdg-mime query default application/x-tan-model) = org.tan.TAn.desktop ]"
+check_window 'a model opens by its type (xdg-open)' 'xdg-open c60.tan'
+cp "$system/work/window.xwd" "$clean/deb-window.xwd"
+check_window 'a model opens by its type (gio)' 'gio open c60.tan'
+
+seconds install /packages/tan-dev_*.deb
+echo "install time: tan-dev_*.deb $seconds s"
+install cmake make g++
+check 'the example plugin is built with the installed headers' "cp -r /usr/share/doc/tan-dev/examples/reader /work/example
+    cd /work/example; cmake -B build -DCMAKE_BUILD_TYPE=Release; cmake --build build"
+check 'and loaded, and reads a file' "cd /work; export TAN_PLUGIN_PATH=/work/example/build
+    tan plugins | grep 'example.grid-text.*loaded'; echo '2 2 2  0 1 2 3 4 5 6 7' >cube.grid; tan build cube.grid -o cube.tan"
+
+inside 'dpkg -L tan tan-vtk-readers tan-dev' | sort -u >"$clean/owned"
+check 'purge' 'apt-get -q -y purge tan tan-vtk-readers tan-dev'
+left=$(while read -r path; do
+    # Folders that others use, too, may stay.
+    [ ! -e "$system$path" ] || { [ -d "$system$path" ] && inside "dpkg -S '$path'" >/dev/null 2>&1; } || echo "$path"
+done <"$clean/owned")
+left+=$(grep -rl x-tan "$system/usr/share/mime" "$system/usr/share/applications" || true)
+left+=$(find "$system/var/lib/dpkg/info" -name 'tan*')
+if [ -n "$left" ]; then
+    printf 'FAIL: left behind: %s\n' "$left"
+    exit 1
+fi
+echo 'passed: nothing is left'

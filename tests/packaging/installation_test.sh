@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# installation_test.sh SOURCE BUILD COMPILER: what `cmake --install` puts into a folder works from there, wherever it is, and the
+# example of a plugin outside of the tree is built with the installed headers, loaded, and reads a file.
+set -euo pipefail
+source=$1 build=$2 compiler=$3
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+place="$scratch/a place"
+unset TAN_PLUGIN_PATH
+
+check() { "$@" || { echo "FAIL: $*"; exit 1; }; }
+installed() { check test -e "$place/$1"; }
+
+for component in program development; do
+    cmake --install "$build" --prefix "$place" --component "$component" >"$scratch/files"
+done
+for file in bin/tan bin/tan-desktop lib/tan/libtan-ui.so.0 lib/tan/plugins include/tan/core/base/result.h \
+    include/tan/plugins/api/reader.h lib/cmake/TAn/TAnConfig.cmake share/man/man1/tan.1.gz share/man/man1/tan-desktop.1.gz \
+    share/applications/org.tan.TAn.desktop share/mime/packages/org.tan.TAn.xml share/icons/hicolor/scalable/apps/org.tan.TAn.svg; do
+    installed "$file"
+done
+# Headers of sources that are not interfaces stay at home, and so does what belongs to the VTK readers.
+check test ! -e "$place/include/tan/plugins/host"
+check test ! -e "$place/lib/tan/plugins/tan-read-vtk"
+
+# Every plugin of the build is there, and is found beside the program.
+mv "$place" "$scratch/another place"
+place="$scratch/another place"
+tan() { "$place/bin/tan" "$@"; }
+ids() { "$1" plugins --json | sed -n 's/.*"id": "\(.*\)",/\1/p' | sort; }
+check test "$(ids "$place/bin/tan")" = "$(ids "$build/bin/tan")"
+check test "$(ids "$place/bin/tan" | wc -l)" -gt 10
+if tan plugins --json | grep '"state"' | grep -v '"loaded"'; then
+    echo "FAIL: plugins that are not loaded"
+    exit 1
+fi
+# None of it needs the build's own folders.
+for file in "$place"/bin/* "$place"/lib/tan/*.so.*.* "$place"/lib/tan/plugins/*.so; do
+    if readelf -d "$file" | grep -E 'R(UN)?PATH' | grep -F "$build"; then
+        echo "FAIL: $file has a path into the build"
+        exit 1
+    fi
+done
+
+cmake -S "$source/examples/reader" -B "$scratch/example" -DCMAKE_PREFIX_PATH="$place" -DCMAKE_CXX_COMPILER="$compiler" \
+    -DCMAKE_BUILD_TYPE=Release >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
+cmake --build "$scratch/example" >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
+cd "$scratch"
+export TAN_PLUGIN_PATH=$scratch/example
+tan plugins --json | grep -A5 '"id": "example.grid-text"' | grep '"state": "loaded"' >/dev/null || { tan plugins; exit 1; }
+echo "2 2 3  0 1 2 3  4 5 6 7  8 9 10 11" >cube.grid
+tan build cube.grid -o cube.tan 2>messages
+tan verify cube.tan --against cube.grid --lod 0 --json | grep '"ok": true' >/dev/null
+echo "2 2 3  0 1 2 3  4 5 6 seven  8 9 10 11" >bad.grid
+check test "$(tan info bad.grid 2>&1 | grep -c 'no finite number')" = 1
+echo "passed"

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Help finds the manual beside the program, and says what to do where it is not.
+#include "tests/ui/window_fixture.h"
+#include "ui/window/manual.h"
+
+#include <QDesktopServices>
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace tetra {
+
+/// In place of a web browser.
+class Browser : public QObject {
+    Q_OBJECT
+public:
+    Browser() { QDesktopServices::setUrlHandler("file", this, "open"); }
+    ~Browser() override { QDesktopServices::unsetUrlHandler("file"); }
+    QList<QUrl> opened;
+public slots:
+    void open(const QUrl& url) { opened.append(url); }
+};
+
+class ManualTest : public QObject {
+    Q_OBJECT
+
+    static void makeManual(const QString& prefix)
+    {
+        QVERIFY(QDir().mkpath(prefix + "/bin"));
+        QVERIFY(QDir().mkpath(prefix + "/share/doc/tan/manual"));
+        QFile page(prefix + "/share/doc/tan/manual/index.html");
+        QVERIFY(page.open(QIODevice::WriteOnly));
+    }
+
+private slots:
+    void theManualBesideTheProgramIsOpened()
+    {
+        const QTemporaryDir folder;
+        const QString prefix = folder.path() + "/a place";
+        makeManual(prefix);
+        Browser browser;
+        QCOMPARE(openManual(prefix + "/bin"), QString());
+        QCOMPARE(browser.opened, {QUrl::fromLocalFile(prefix + "/share/doc/tan/manual/index.html")});
+    }
+
+    void withoutAManualItSaysWhatToInstall()
+    {
+        const QTemporaryDir folder;
+        Browser browser;
+        const QString text = openManual(folder.path() + "/bin");
+        QVERIFY2(text.contains("python3-markdown"), qPrintable(text));
+        QVERIFY(browser.opened.isEmpty());
+    }
+
+    /// From the menu: either the page of the build is opened, or the window says why not.
+    void theMenuHasIt()
+    {
+        const WindowFixture fixture;
+        Browser browser;
+        fixture.find<QAction>("action.manual").trigger();
+        const bool built = !manualPage(QCoreApplication::applicationDirPath()).isEmpty();
+        QCOMPARE(browser.opened.size(), built ? 1 : 0);
+        QCOMPARE(fixture.messages().join(' ').contains("python3-markdown"), !built);
+    }
+};
+
+} // namespace tetra
+
+QTEST_MAIN(tetra::ManualTest)
+#include "manual_test.moc"

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/manual.h"
+
+#include <QCoreApplication>
+#include <QDesktopServices>
+#include <QDir>
+#include <QFileInfo>
+#include <QUrl>
+
+namespace tetra {
+namespace {
+
+class Texts {
+    Q_DECLARE_TR_FUNCTIONS(Manual)
+};
+
+} // namespace
+
+QString manualPage(const QString& programFolder)
+{
+    const QString page = QDir::cleanPath(programFolder + "/../share/doc/tan/manual/index.html");
+    return QFileInfo(page).isFile() ? page : QString();
+}
+
+QString openManual(const QString& programFolder)
+{
+    const QString page = manualPage(programFolder);
+    if (page.isEmpty())
+        return Texts::tr(
+            "The manual is not installed. Install the package tan again with its documentation, or build "
+            "TAn with the package python3-markdown; the same texts are in the folder docs of its sources.");
+    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(page)))
+        return Texts::tr("No program opens web pages here. Install a web browser, or read %1.").arg(page);
+    return {};
+}
+
+} // namespace tetra
