@@ -149,6 +149,8 @@ TransferFunction transferFunctionOf(const CurvePreset& preset, const TransferFun
             function.points.push_back(point);
     };
     constexpr double infinity = std::numeric_limits<double>::infinity();
+    // So near each other are the sides of a step, as ParaView has it.
+    const double narrow = values.empty() ? 0 : 2e-9 * (values.back() - values.front());
     if (!values.empty())
         add(pointOf(values.front(), look(std::nextafter(values.front(), -infinity))));
     for (std::size_t stretch = 0; stretch + 1 < values.size(); ++stretch) {
@@ -159,6 +161,11 @@ TransferFunction transferFunctionOf(const CurvePreset& preset, const TransferFun
             const double value = share <= 0 ? from : share >= 1 ? to : std::lerp(from, to, share);
             return pointOf(value, look(std::clamp(value, first, last)));
         };
+        if (to - from <= narrow) {
+            add(pointAt(0));
+            function.points.back().value = to;
+            continue;
+        }
         const auto matches = [&](double a, double b, double place) {
             const TransferFunction straight{{pointAt(a), pointAt(b)}, function.unitDistance};
             const double value = std::lerp(from, to, place);
