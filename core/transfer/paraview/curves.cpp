@@ -163,7 +163,11 @@ TransferFunction transferFunctionOf(const CurvePreset& preset, const TransferFun
         };
         if (to - from <= narrow) {
             add(pointAt(0));
-            function.points.back().value = to;
+            auto& points = function.points;
+            // The upper side of a step stays where it is.
+            if (points.size() > 1 && points[points.size() - 2].value == from)
+                points.push_back(points.back());
+            points.back().value = to;
             continue;
         }
         const auto matches = [&](double a, double b, double place) {
