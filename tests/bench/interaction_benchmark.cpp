@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A scripted turntable, as if somebody dragged the picture round once and let go (R23): how many pictures a second the
 // CPU back end shows, how many of them keep within the budget of 15, and how long the full picture takes afterwards.
-// The choice of mesh and picture size is the window's own, without the window.
+// The choice of mesh and picture size is the window's own, without the window. Then, with the window, how long it is
+// from an edit of the transfer function to a picture of it.
 
 #include "tests/bench/bench_report.h"
+#include "tests/bench/edit_to_picture.h"
 
 #include "core/data/analytic_fields.h"
 #include "core/graphics/progressive/frame_pacer.h"
@@ -14,9 +16,10 @@
 #include "plugins/host/model_building.h"
 #include "ui/session/accuracy_scale.h"
 
+#include <QApplication>
 #include <QCommandLineParser>
-#include <QCoreApplication>
 #include <QFileInfo>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 
 #include <algorithm>
@@ -192,32 +195,29 @@ BenchCase measure(const std::shared_ptr<const Model>& model, const QString& name
     return one;
 }
 
-/// The model of a file, built first if it is a dataset.
-Result<std::shared_ptr<const Model>> modelOf(PluginHost& host, const Dataset& dataset, const QTemporaryDir& folder)
+/// The dataset's model, built at `target`.
+Result<std::shared_ptr<const Model>> modelOf(PluginHost& host, const Dataset& dataset, const QString& path)
 {
-    const std::filesystem::path target = folder.filePath("model.tan").toStdString();
+    const std::filesystem::path target = path.toStdString();
     if (const auto built = buildModel(host, dataset, "refinement", {}, target, {}); !built)
         return built.error();
     return Model::open(target);
 }
 
-std::vector<std::pair<QString, Result<std::shared_ptr<const Model>>>> modelsOf(const QStringList& files,
-                                                                               const QTemporaryDir& folder)
+std::vector<std::pair<QString, Result<std::shared_ptr<const Model>>>>
+modelsOf(PluginHost& host, const QStringList& files, const QTemporaryDir& folder)
 {
     std::vector<std::pair<QString, Result<std::shared_ptr<const Model>>>> models;
     for (const QString& file : files)
         models.emplace_back(QFileInfo(file).fileName(), Model::open(file.toStdString()));
     if (!files.isEmpty())
         return models;
-    PluginHost host({.folders = {TAN_BINARY_DIR "/lib/tan/plugins"}});
     const auto c60 = makeSample({"c60", 128, SampleType::UInt8});
-    models.emplace_back("c60 128^3", modelOf(host, *c60, folder));
+    models.emplace_back("c60 128^3", modelOf(host, *c60, folder.filePath("c60.tan")));
     const std::filesystem::path engine = TAN_SOURCE_DIR "/../shared/data/regular/engine_256x256x128_uint8.nrrd";
-    if (std::filesystem::exists(engine)) {
-        const QTemporaryDir other;
+    if (std::filesystem::exists(engine))
         if (const auto dataset = openDataset(host, engine, {}, {}))
-            models.emplace_back("engine 256x256x128", modelOf(host, *dataset, other));
-    }
+            models.emplace_back("engine 256x256x128", modelOf(host, *dataset, folder.filePath("engine.tan")));
     return models;
 }
 
@@ -227,23 +227,31 @@ std::vector<std::pair<QString, Result<std::shared_ptr<const Model>>>> modelsOf(c
 int main(int argc, char** argv)
 {
     using namespace tetra;
-    const QCoreApplication application(argc, argv);
+    if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QApplication application(argc, argv);
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setApplicationName("tan-bench-interaction");
+    PluginHost host({.folders = {TAN_BINARY_DIR "/lib/tan/plugins"}});
     QCommandLineParser parser;
     parser.addHelpOption();
     parser.addOption({"json", "Print one JSON object."});
     parser.addOption({"threads", "Of the back end.", "N", "2"});
     parser.addOption({"model", "Turn this model in place of C60 and the engine; may be repeated.", "FILE.tan"});
     parser.addOption({"error", "The mesh's, in %; without it what the window shows at first.", "PERCENT"});
+    parser.addOption({"edits-only", "Measure edits alone."});
     parser.process(application);
     const QTemporaryDir folder;
     std::vector<BenchCase> cases;
-    for (const auto& [name, model] : modelsOf(parser.values("model"), folder)) {
+    for (const auto& [name, model] : modelsOf(host, parser.values("model"), folder)) {
         if (!model) {
             std::fprintf(stderr, "%s\n", model.error().text.c_str());
             return 4;
         }
         const double error = parser.isSet("error") ? parser.value("error").toDouble() : startingError(**model);
-        cases.push_back(measure(*model, name, error, parser.value("threads").toInt()));
+        if (!parser.isSet("edits-only"))
+            cases.push_back(measure(*model, name, error, parser.value("threads").toInt()));
+        std::ranges::move(editToPicture(host, (*model)->path(), name), std::back_inserter(cases));
     }
     printReport("interaction", cases, parser.isSet("json"));
     return 0;

@@ -5,6 +5,7 @@
 #include "ui/session/isovalue_defaults.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tetra {
 namespace {
@@ -177,7 +178,7 @@ void Session::addIsovalue(std::optional<double> value)
     if (!model_)
         return;
     Isovalue isovalue = nextIsovalue(view_.isovalues(), range());
-    if (value)
+    if (value && std::isfinite(*value))
         isovalue.value = std::clamp(*value, range().minimum, range().maximum);
     undoStack_.push(new AddIsovalue(view_, isovalue));
 }
@@ -192,9 +193,12 @@ void Session::setIsovalue(int index, Isovalue isovalue)
 {
     if (!hasIsovalue(index))
         return;
+    const Isovalue& before = view_.isovalues()[static_cast<std::size_t>(index)];
+    isovalue.value = std::isfinite(isovalue.value) ? isovalue.value : before.value;
+    isovalue.opacity = std::isfinite(isovalue.opacity) ? isovalue.opacity : before.opacity;
     isovalue.value = std::clamp(isovalue.value, range().minimum, range().maximum);
     isovalue.opacity = std::clamp(isovalue.opacity, leastOpacity, 1.0F);
-    if (isovalue != view_.isovalues()[static_cast<std::size_t>(index)])
+    if (isovalue != before)
         undoStack_.push(new ChangeIsovalue(view_, index, isovalue, gesture_));
 }
 

@@ -63,7 +63,7 @@ public:
     void addIsovalue(std::optional<double> value = std::nullopt);
     /// Out of range indices are ignored.
     void removeIsovalue(int index);
-    /// The value is clamped to the model's range, the opacity to [0.01, 1].
+    /// The value is clamped to the model's range, the opacity to [0.01, 1]; what is not a number stays as it is.
     void setIsovalue(int index, Isovalue isovalue);
 
     /// What the last picture shows; nothing before the first.

@@ -2,11 +2,8 @@
 // ParaView's colour maps and opacities: what they look like there, they look like here, and the other way round. The
 // judge is VTK, whose classes ParaView uses.
 #include "core/transfer/paraview/preset_text.h"
+#include "looks.h"
 
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QProcess>
 #include <QTest>
 
 #include <algorithm>
@@ -16,63 +13,6 @@
 using namespace tetra;
 
 namespace {
-
-constexpr int sampleCount = 256;
-constexpr double withinByte = 1.0 / 255;
-
-/// Values and, for each, red, green, blue, opacity.
-struct Looks {
-    std::vector<double> values;
-    std::vector<std::array<double, 4>> looks;
-};
-
-std::vector<double> valuesOver(double first, double last)
-{
-    std::vector<double> values;
-    for (int sample = 0; sample < sampleCount; ++sample)
-        values.push_back(std::lerp(first, last, sample / (sampleCount - 1.0)));
-    return values;
-}
-
-QJsonObject request(const std::string& file, const std::vector<double>& values)
-{
-    QJsonArray list;
-    for (const double value : values)
-        list.append(value);
-    return {{"file", QString::fromStdString(file)}, {"values", list}};
-}
-
-/// Nothing without VTK.
-std::optional<QJsonArray> looksInVtk(const QJsonArray& requests)
-{
-    QProcess process;
-    process.start("/usr/bin/python3", {TAN_SOURCE_DIR "/tests/core/transfer/paraview/looks_in_vtk.py"});
-    if (!process.waitForStarted())
-        return std::nullopt;
-    process.write(QJsonDocument(requests).toJson());
-    process.closeWriteChannel();
-    if (!process.waitForFinished(120'000) || process.exitCode() == 77)
-        return std::nullopt;
-    if (process.exitCode() != 0)
-        qWarning() << process.readAllStandardError();
-    return QJsonDocument::fromJson(process.readAllStandardOutput()).array();
-}
-
-double worstDifference(const TransferFunction& function, const std::vector<double>& values, const QJsonArray& looks,
-                       bool opacityToo)
-{
-    double worst = looks.size() == sampleCount ? 0 : 1;
-    for (std::size_t sample = 0; sample < values.size(); ++sample) {
-        const TransferSample ours = evaluate(function, values[sample]);
-        const QJsonArray theirs = looks[qsizetype(sample)].toArray();
-        for (qsizetype channel = 0; channel < 3; ++channel)
-            worst = std::max(worst, std::abs(ours.colour[std::size_t(channel)] - theirs[channel].toDouble(9)));
-        if (opacityToo)
-            worst = std::max(worst,
-                             std::abs(-std::expm1(-ours.extinction * function.unitDistance) - theirs[3].toDouble(9)));
-    }
-    return worst;
-}
 
 CurvePreset randomPreset(std::mt19937& random, ColourSpace space)
 {
@@ -91,21 +31,6 @@ CurvePreset randomPreset(std::mt19937& random, ColourSpace space)
             {value, unit(random), bent ? 0.1 + 0.8 * unit(random) : 0.5, bent ? 0.9 * unit(random) : 0});
     }
     return preset;
-}
-
-TransferFunction randomFunction(std::mt19937& random)
-{
-    std::uniform_real_distribution<float> unit(0, 1);
-    TransferFunction function;
-    function.unitDistance = 0.5 + unit(random);
-    double value = -3;
-    for (std::size_t point = 2 + random() % 6; point > 0; --point) {
-        function.points.push_back({value, {unit(random), unit(random), unit(random)}, unit(random)});
-        if (random() % 4 != 0 || function.points.size() < 2 ||
-            function.points[function.points.size() - 2].value == value)
-            value += 0.1 + double(unit(random));
-    }
-    return function;
 }
 
 } // namespace
@@ -152,12 +77,12 @@ void PresetTest::presetsLookAsInVtk()
             valuesOver(functions.back().points.front().value - 0.05, functions.back().points.back().value + 0.05));
         requests.append(request(file, values.back()));
     }
-    const auto theirs = looksInVtk(requests);
+    const auto theirs =
+        looksIn("/usr/bin/python3", {TAN_SOURCE_DIR "/tests/core/transfer/paraview/looks_in_vtk.py"}, requests);
     if (!theirs)
         QSKIP("skipped: no python3-vtk9");
     for (std::size_t round = 0; round < functions.size(); ++round) {
-        const double worst =
-            worstDifference(functions[round], values[round], (*theirs)[qsizetype(round)].toArray(), true);
+        const double worst = worstDifference(functions[round], values[round], (*theirs)[qsizetype(round)].toArray());
         QVERIFY2(worst <= withinByte, qPrintable(QString("round %1: %2 of 255").arg(round).arg(255 * worst)));
     }
 }
@@ -169,18 +94,18 @@ void PresetTest::functionsLookTheSameInVtk()
     std::vector<TransferFunction> functions;
     std::vector<std::vector<double>> values;
     for (int round = 0; round < 100; ++round) {
-        functions.push_back(randomFunction(random));
+        functions.push_back(randomFunctionInParaview(random));
         QVERIFY(checkTransferFunction(functions.back()));
         values.push_back(
             valuesOver(functions.back().points.front().value + 1e-3, functions.back().points.back().value + 0.1));
         requests.append(request(presetToJson(curvesOf(functions.back(), "ours")), values.back()));
     }
-    const auto theirs = looksInVtk(requests);
+    const auto theirs =
+        looksIn("/usr/bin/python3", {TAN_SOURCE_DIR "/tests/core/transfer/paraview/looks_in_vtk.py"}, requests);
     if (!theirs)
         QSKIP("skipped: no python3-vtk9");
     for (std::size_t round = 0; round < functions.size(); ++round) {
-        const double worst =
-            worstDifference(functions[round], values[round], (*theirs)[qsizetype(round)].toArray(), true);
+        const double worst = worstDifference(functions[round], values[round], (*theirs)[qsizetype(round)].toArray());
         QVERIFY2(worst <= withinByte, qPrintable(QString("round %1: %2 of 255").arg(round).arg(255 * worst)));
     }
 }
@@ -219,7 +144,7 @@ void PresetTest::whatAPresetLacksIsKept()
 {
     std::mt19937 random(5);
     for (int round = 0; round < 50; ++round) {
-        const TransferFunction present = randomFunction(random);
+        const TransferFunction present = randomFunctionInParaview(random);
         CurvePreset preset = randomPreset(random, ColourSpace::Rgb);
         preset.opacities.clear();
         const TransferFunction coloured = transferFunctionOf(preset, present);

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A long session at work: thousands of edits with pictures do not fill the memory (R27).
+#include "tests/ui/random_edits.h"
+#include "tests/ui/sample_files.h"
+#include "ui/session/workbench.h"
+#include "ui/viewport/cpu_canvas.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace tetra;
+
+namespace {
+
+constexpr int edits = 10'000;
+constexpr int warmUp = 1500;
+constexpr int betweenPictures = 20;
+constexpr double allowedMegabytes = 20;
+
+/// VmRSS in MB; nothing where there is no /proc.
+std::optional<double> residentMegabytes()
+{
+    QFile status("/proc/self/status");
+    if (!status.open(QFile::ReadOnly))
+        return std::nullopt;
+    for (const QByteArray& line : status.readAll().split('\n'))
+        if (line.startsWith("VmRSS:"))
+            return line.mid(6).simplified().split(' ').front().toDouble() / 1024;
+    return std::nullopt;
+}
+
+} // namespace
+
+class EditingSessionTest : public QObject {
+    Q_OBJECT
+private slots:
+    void memoryDoesNotGrow();
+
+private:
+    void openModel();
+    void lookAtIt();
+
+    QTemporaryDir folder_;
+    std::unique_ptr<PluginHost> host_;
+    std::unique_ptr<Workbench> workbench_;
+    std::unique_ptr<CpuCanvas> canvas_;
+    View view_;
+};
+
+/// A workbench with a canvas that shows its scenes, and drafts of them while somebody drags, as the window has them.
+void EditingSessionTest::openModel()
+{
+    host_ = hostOfThisBuild();
+    workbench_ = std::make_unique<Workbench>(*host_);
+    canvas_ = std::make_unique<CpuCanvas>();
+    canvas_->failed = [](const QString& text) { QFAIL(qPrintable(text)); };
+    canvas_->resize(320, 240);
+    canvas_->show(view_);
+    canvas_->widget()->show();
+    connect(&workbench_->sceneBuilder(), &SceneBuilder::sceneReady, this, [this](const BuiltScene& scene) {
+        view_.levels = {{scene.scene, scene.mesh.tetrahedra}};
+        canvas_->show(view_);
+    });
+    connect(&workbench_->draftBuilder(), &DraftBuilder::draftsReady, this,
+            [this](const std::vector<DraftScene>& drafts) {
+                view_.levels.resize(std::min<std::size_t>(view_.levels.size(), 1));
+                for (const DraftScene& draft : drafts)
+                    if (!view_.levels.empty())
+                        view_.levels.push_back({draft.scene, draft.tetrahedra});
+                canvas_->show(view_);
+            });
+    connect(&workbench_->session(), &Session::gestureChanged, this, [this](bool on) {
+        view_.moving = on;
+        canvas_->show(view_);
+    });
+    workbench_->open(
+        QString::fromStdString(buildSampleModel(*host_, sampleDataset(16), folder_.path().toStdString()).string()));
+    QTRY_VERIFY(workbench_->session().model());
+    view_.camera = fitted(Camera(), workbench_->session().model()->description().bounds);
+}
+
+void EditingSessionTest::lookAtIt()
+{
+    QTRY_VERIFY_WITH_TIMEOUT(!workbench_->sceneBuilder().busy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(view_.moving || canvas_->settled(), 60'000);
+}
+
+void EditingSessionTest::memoryDoesNotGrow()
+{
+    if (!residentMegabytes())
+        QSKIP("skipped: no /proc/self/status");
+    openModel();
+    std::vector<std::string> modes;
+    for (const auto& mode : workbench_->modes())
+        modes.push_back(mode.id);
+    RandomEdits some(workbench_->session(), modes, 7);
+    double warm = 0;
+    for (int done = 0; done < edits; ++done) {
+        some.editOnce();
+        if (done % betweenPictures == 0)
+            lookAtIt();
+        if (done == warmUp)
+            warm = *residentMegabytes();
+    }
+    some.finish();
+    lookAtIt();
+    const double grown = *residentMegabytes() - warm;
+    qInfo("%.1f MB after %d edits, %.1f MB more after %d", warm, warmUp, grown, edits);
+    QVERIFY2(grown <= allowedMegabytes, qPrintable(QString("%1 MB more").arg(grown)));
+    canvas_.reset();
+    workbench_.reset();
+}
+
+QTEST_MAIN(EditingSessionTest)
+#include "editing_session_test.moc"
