@@ -277,6 +277,17 @@
     </message>
 </context>
 <context>
+    <name>ColourMapNames</name>
+    <message>
+        <source>&amp;Cool to warm</source>
+        <translation>&amp;Kalt bis warm</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>&amp;Grau</translation>
+    </message>
+</context>
+<context>
     <name>Desktop</name>
     <message>
         <source>Shows volume data at any accuracy.</source>
@@ -324,6 +335,17 @@
     <message>
         <source>Region</source>
         <translation>Bereich</translation>
+    </message>
+</context>
+<context>
+    <name>EditorPage</name>
+    <message>
+        <source>The editor cannot be used. %1</source>
+        <translation>Der Editor kann nicht verwendet werden. %1</translation>
+    </message>
+    <message>
+        <source>Help › Plugins lists all plugins and where they are looked for.</source>
+        <translation>Hilfe › Plugins zeigt alle Plugins und wo nach ihnen gesucht wird.</translation>
     </message>
 </context>
 <context>
@@ -995,10 +1017,6 @@
         <translation>Liest VTK, Exodus, EnSight, NetCDF, CGNS, MetaImage, NIfTI, TIFF, DICOM und mehr, mit Hilfe von VTK.</translation>
     </message>
     <message>
-        <source>Component</source>
-        <translation>Komponente</translation>
-    </message>
-    <message>
         <source>Of arrays with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
         <translation>Bei Feldern mit mehreren Komponenten: die Nummer einer, ab 0, oder „magnitude“ für den Betrag.</translation>
     </message>
@@ -1241,6 +1259,14 @@
     <message>
         <source>A tetrahedral mesh needs a cell: two points or more along each axis.</source>
         <translation>Ein Tetraedernetz braucht eine Zelle: zwei Punkte oder mehr entlang jeder Achse.</translation>
+    </message>
+    <message>
+        <source>Transfer function editor</source>
+        <translation>Editor der Transferfunktion</translation>
+    </message>
+    <message>
+        <source>Edits the colour and the opacity of each value, over how often the values occur.</source>
+        <translation>Bearbeitet Farbe und Deckkraft jedes Wertes über der Häufigkeit der Werte.</translation>
     </message>
 </context>
 <context>
@@ -1862,6 +1888,25 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::KeepSession</name>
+    <message>
+        <source>Save Session</source>
+        <translation>Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Sessions (*.tansession)</source>
+        <translation>Sitzungen (*.tansession)</translation>
+    </message>
+    <message>
+        <source>TAn ended unexpectedly while %1 was open. How it was seen can be restored.</source>
+        <translation>TAn wurde unerwartet beendet, während %1 geöffnet war. Die Ansicht kann wiederhergestellt werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+</context>
+<context>
     <name>tetra::MainWindow</name>
     <message>
         <source>Picture</source>
@@ -2424,36 +2469,6 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
-    <name>ColourMapNames</name>
-    <message>
-        <source>&amp;Cool to warm</source>
-        <translation>&amp;Kalt bis warm</translation>
-    </message>
-    <message>
-        <source>&amp;Grey</source>
-        <translation>&amp;Grau</translation>
-    </message>
-</context>
-<context>
-    <name>tetra::KeepSession</name>
-    <message>
-        <source>Save Session</source>
-        <translation>Sitzung speichern</translation>
-    </message>
-    <message>
-        <source>Sessions (*.tansession)</source>
-        <translation>Sitzungen (*.tansession)</translation>
-    </message>
-    <message>
-        <source>TAn ended unexpectedly while %1 was open. How it was seen can be restored.</source>
-        <translation>TAn wurde unerwartet beendet, während %1 geöffnet war. Die Ansicht kann wiederhergestellt werden.</translation>
-    </message>
-    <message>
-        <source>&amp;Restore</source>
-        <translation>&amp;Wiederherstellen</translation>
-    </message>
-</context>
-<context>
     <name>tetra::ViewPanel</name>
     <message>
         <source>&amp;Load…</source>
@@ -2648,10 +2663,6 @@ Verwerfung %2</translation>
     <message>
         <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
         <translation>Kein Plugin zur Darstellung konnte geladen werden; so lässt sich kein Modell zeigen. %1</translation>
-    </message>
-    <message>
-        <source>It was read as %1.</source>
-        <translation>Gelesen wurde sie als %1.</translation>
     </message>
     <message>
         <source>Sessions (*.tansession)</source>

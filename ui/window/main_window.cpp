@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/main_window.h"
 
+#include "plugins/widgets/icons.h"
 #include "ui/panels/focus_panel.h"
 #include "ui/panels/rendering_panel.h"
 #include "ui/session/recent_files.h"
@@ -8,7 +9,6 @@
 #include "ui/viewport/region_tools.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
-#include "ui/widgets/icons.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/window/empty_page.h"
 #include "ui/window/import_dialog.h"

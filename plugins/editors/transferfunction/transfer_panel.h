@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/transfer/transfer_import.h"
-#include "ui/session/workbench.h"
+#include "plugins/api/editor.h"
 
 #include <QWidget>
 
@@ -22,7 +22,7 @@ class ValueBox;
 class TransferPanel : public QWidget {
     Q_OBJECT
 public:
-    explicit TransferPanel(Workbench& workbench, QWidget* parent = nullptr);
+    explicit TransferPanel(EditorHost& host, QWidget* parent = nullptr);
 
 private:
     void nameControls();
@@ -33,15 +33,14 @@ private:
     void connectControls();
     const TransferFunction& function() const;
     void addPoint();
-    void load(const QString& path);
+    Status load(const std::string& text);
     void offerChoice(std::vector<ImportedTransfer> imported);
-    void save(const QString& path);
-    void saveForParaview(const QString& path);
+    void save();
+    void saveForParaview();
     void showModel();
     void showFunction();
 
-    Workbench& workbench_;
-    Session& session_;
+    EditorHost& host_;
     TransferCanvas* canvas_;
     ValueBox* value_;
     ValueBox* opacity_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/panels/colour_map_icon.h"
+#include "plugins/editors/transferfunction/colour_map_icon.h"
 
 #include <QCoreApplication>
 #include <QImage>

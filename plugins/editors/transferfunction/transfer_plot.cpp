@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/panels/transfer_plot.h"
+#include "plugins/editors/transferfunction/transfer_plot.h"
 
 #include <algorithm>
 #include <cmath>

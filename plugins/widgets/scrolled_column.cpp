@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/widgets/scrolled_column.h"
+#include "plugins/widgets/scrolled_column.h"
 
 #include <QEvent>
 #include <QStyle>

@@ -1,25 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/panels/transfer_panel.h"
+#include "plugins/editors/transferfunction/transfer_panel.h"
 
 #include "core/transfer/colour_map.h"
 #include "core/transfer/default_transfer_functions.h"
 #include "core/transfer/transfer_import.h"
 #include "core/transfer/transfer_text.h"
-#include "ui/panels/colour_map_icon.h"
-#include "ui/panels/transfer_canvas.h"
-#include "ui/session/number_text.h"
-#include "ui/session/target_path.h"
-#include "ui/widgets/colour_button.h"
-#include "ui/widgets/file_dialogs.h"
-#include "ui/widgets/gesture_watcher.h"
-#include "ui/widgets/icons.h"
-#include "ui/widgets/scrolled_column.h"
-#include "ui/widgets/value_box.h"
+#include "plugins/editors/transferfunction/colour_map_icon.h"
+#include "plugins/editors/transferfunction/transfer_canvas.h"
+#include "plugins/widgets/colour_button.h"
+#include "plugins/widgets/gesture_watcher.h"
+#include "plugins/widgets/icons.h"
+#include "plugins/widgets/number_text.h"
+#include "plugins/widgets/scrolled_column.h"
+#include "plugins/widgets/value_box.h"
 
 #include <QCheckBox>
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QInputDialog>
+#include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -50,9 +48,9 @@ QAction* newAction(QMenu& menu, const char* name, const QString& text)
 
 } // namespace
 
-TransferPanel::TransferPanel(Workbench& workbench, QWidget* parent)
-    : QWidget(parent), workbench_(workbench), session_(workbench.session()), canvas_(new TransferCanvas(session_)),
-      value_(new ValueBox), opacity_(new ValueBox), colour_(new ColourButton), step_(new QCheckBox(tr("S&tep"))),
+TransferPanel::TransferPanel(EditorHost& host, QWidget* parent)
+    : QWidget(parent), host_(host), canvas_(new TransferCanvas(host)), value_(new ValueBox), opacity_(new ValueBox),
+      colour_(new ColourButton), step_(new QCheckBox(tr("S&tep"))),
       add_(new QPushButton(glyphIcon(Glyph::Add), tr("Ad&d"))),
       remove_(new QPushButton(glyphIcon(Glyph::Remove), tr("Remove"))), unitDistance_(new ValueBox),
       logarithmic_(new QCheckBox(tr("Lo&garithmic"))), presets_(new QToolButton), edits_(new QToolButton),
@@ -116,7 +114,7 @@ void TransferPanel::nameControls()
     save_->setToolTip(tr("Save the transfer function as a JSON file, which “tan render” takes, too"));
     for (ValueBox* box : {value_, opacity_, unitDistance_}) {
         box->setMinimumWidth(1); // as wide as the panel allows
-        new GestureWatcher(box, session_);
+        new GestureWatcher(box, host_);
     }
 }
 
@@ -171,8 +169,8 @@ void TransferPanel::fillPresets()
 {
     const auto add = [this](const char* name, const QString& text, auto make) {
         connect(newAction(*presets_->menu(), name, text), &QAction::triggered, this, [this, make] {
-            const ValueRange range = session_.range();
-            session_.setTransfer(make(range.minimum, range.maximum, function().unitDistance));
+            const ValueRange range = host_.range();
+            host_.setFunction(make(range.minimum, range.maximum, function().unitDistance));
         });
     };
     add("preset.sequential", tr("&Sequential: opaque where values are large"), &sequentialTransferFunction);
@@ -184,7 +182,7 @@ void TransferPanel::fillPresets()
         action->setIcon(colourMapIcon(map));
         action->setToolTip(QString::fromStdString(map.source));
         connect(action, &QAction::triggered, this, [this, &map] {
-            session_.setTransfer(withColourMap(function(), map, {session_.range().minimum, session_.range().maximum}));
+            host_.setFunction(withColourMap(function(), map, {host_.range().minimum, host_.range().maximum}));
         });
     }
     presets_->menu()->setToolTipsVisible(true);
@@ -194,9 +192,9 @@ void TransferPanel::fillEdits()
 {
     const auto add = [this](const char* name, const QString& text, auto change) {
         connect(newAction(*edits_->menu(), name, text), &QAction::triggered, this,
-                [this, change] { session_.setTransfer(change(function())); });
+                [this, change] { host_.setFunction(change(function())); });
     };
-    const auto range = [this] { return TransferLimits{session_.range().minimum, session_.range().maximum}; };
+    const auto range = [this] { return TransferLimits{host_.range().minimum, host_.range().maximum}; };
     add("change.denser", tr("&More opaque"),
         [](const TransferFunction& old) { return withScaledOpacity(old, opacityFactor); });
     add("change.thinner", tr("&Less opaque"),
@@ -208,14 +206,14 @@ void TransferPanel::fillEdits()
 
 const TransferFunction& TransferPanel::function() const
 {
-    return session_.view().look().transfer;
+    return host_.function();
 }
 
 void TransferPanel::connectControls()
 {
     const auto edited = [this](double value, double opacity) {
         if (const auto point = canvas_->selected())
-            session_.setTransfer(withMovedPoint(function(), *point, value, opacity, canvas_->plot().limits));
+            host_.setFunction(withMovedPoint(function(), *point, value, opacity, canvas_->plot().limits));
         showFunction();
     };
     connect(value_, &QDoubleSpinBox::valueChanged, this, [this, edited](double value) {
@@ -230,41 +228,41 @@ void TransferPanel::connectControls()
         const std::array<float, 3> channels{static_cast<float>(colour.redF()), static_cast<float>(colour.greenF()),
                                             static_cast<float>(colour.blueF())};
         if (const auto point = canvas_->selected())
-            session_.setTransfer(withColour(function(), *point, channels));
+            host_.setFunction(withColour(function(), *point, channels));
     });
     connect(step_, &QCheckBox::clicked, this, [this](bool on) {
         const auto point = canvas_->selected();
         if (!point)
             return;
         const EditedTransfer changed = on ? withStep(function(), *point) : withoutStep(function(), *point);
-        session_.setTransfer(changed.function);
+        host_.setFunction(changed.function);
         canvas_->select(changed.point);
     });
     connect(add_, &QPushButton::clicked, this, &TransferPanel::addPoint);
     connect(remove_, &QPushButton::clicked, this, [this] {
         if (const auto point = canvas_->selected())
-            session_.setTransfer(withoutPoint(function(), *point));
+            host_.setFunction(withoutPoint(function(), *point));
     });
     connect(unitDistance_, &QDoubleSpinBox::valueChanged, this,
-            [this](double distance) { session_.setTransfer(withUnitDistance(function(), distance)); });
+            [this](double distance) { host_.setFunction(withUnitDistance(function(), distance)); });
     connect(logarithmic_, &QCheckBox::toggled, canvas_, &TransferCanvas::setLogarithmic);
     connect(load_, &QToolButton::clicked, this, [this] {
-        askForTextFile(this, "transferDialog", tr("Load Transfer Function"), tr("Transfer functions (*.json *.xml)"),
-                       [this](const QString& path) { load(path); });
+        host_.loadText(this,
+                       {"transferDialog", tr("Load Transfer Function"), tr("Transfer functions (*.json *.xml)"), {}},
+                       [this](const std::string& text) { return load(text); });
     });
-    connect(save_, &QToolButton::clicked, this, [this] {
-        askForTextTarget(this, "transferSaveDialog", tr("Save Transfer Function"), tr("Transfer functions (*.json)"),
-                         workbench_.proposedPath("-transfer.json"), [this](const QString& path) { save(path); });
-    });
-    connect(newAction(*save_->menu(), "save.paraview", tr("Save for &ParaView…")), &QAction::triggered, this, [this] {
-        askForTextTarget(this, "transferParaviewDialog", tr("Save Transfer Function for ParaView"),
-                         tr("ParaView presets (*.json)"), workbench_.proposedPath("-paraview.json"),
-                         [this](const QString& path) { saveForParaview(path); });
-    });
+    connect(save_, &QToolButton::clicked, this, &TransferPanel::save);
+    connect(newAction(*save_->menu(), "save.paraview", tr("Save for &ParaView…")), &QAction::triggered, this,
+            &TransferPanel::saveForParaview);
     connect(canvas_, &TransferCanvas::selectionChanged, this, &TransferPanel::showFunction);
-    connect(&session_, &Session::modelChanged, this, &TransferPanel::showModel);
-    connect(&session_, &Session::shownChanged, canvas_, qOverload<>(&QWidget::update));
-    connect(&session_.view(), &ViewState::lookChanged, canvas_, &TransferCanvas::refresh);
+    host_.whenChanged(this, [this](EditorChange change) {
+        switch (change) {
+        case EditorChange::Model: return showModel();
+        case EditorChange::Function: return canvas_->refresh();
+        case EditorChange::Isovalues:
+        case EditorChange::Mesh: return canvas_->update();
+        }
+    });
 }
 
 /// Halfway to the next point, or in the middle of the values.
@@ -279,24 +277,22 @@ void TransferPanel::addPoint()
         value = (from + (next != points.end() ? next->value : largest)) / 2;
     }
     if (const auto added = withPoint(function(), value)) {
-        session_.setTransfer(added->function);
+        host_.setFunction(added->function);
         canvas_->select(added->point);
     }
 }
 
-void TransferPanel::load(const QString& path)
+Status TransferPanel::load(const std::string& text)
 {
-    workbench_.loadText(filePath(path), [this](const std::string& text) -> Status {
-        const ValueRange range = session_.range();
-        auto imported = importTransferFunctions(text, {function(), TransferLimits{range.minimum, range.maximum}});
-        if (!imported)
-            return imported.error();
-        if (imported->size() == 1)
-            session_.setTransfer(imported->front().function);
-        else
-            offerChoice(*std::move(imported));
-        return {};
-    });
+    const ValueRange range = host_.range();
+    auto imported = importTransferFunctions(text, {function(), TransferLimits{range.minimum, range.maximum}});
+    if (!imported)
+        return imported.error();
+    if (imported->size() == 1)
+        host_.setFunction(imported->front().function);
+    else
+        offerChoice(*std::move(imported));
+    return {};
 }
 
 /// Asks which of the presets that a file holds is meant, and lets the window work on.
@@ -315,28 +311,32 @@ void TransferPanel::offerChoice(std::vector<ImportedTransfer> imported)
     connect(choice, &QInputDialog::textValueSelected, this,
             [this, names, presets = std::move(imported)](const QString& name) {
                 if (const qsizetype index = names.indexOf(name); index >= 0)
-                    session_.setTransfer(presets[static_cast<std::size_t>(index)].function);
+                    host_.setFunction(presets[static_cast<std::size_t>(index)].function);
             });
     choice->open();
 }
 
-void TransferPanel::save(const QString& path)
+void TransferPanel::save()
 {
-    workbench_.saveText(filePath(path), transferFunctionToText(function()));
+    host_.saveText(
+        this, {"transferSaveDialog", tr("Save Transfer Function"), tr("Transfer functions (*.json)"), "-transfer.json"},
+        [this](const std::string&) { return transferFunctionToText(function()); });
 }
 
-void TransferPanel::saveForParaview(const QString& path)
+void TransferPanel::saveForParaview()
 {
-    workbench_.saveText(filePath(path),
-                        transferFunctionToParaview(function(), QFileInfo(path).completeBaseName().toStdString()));
+    host_.saveText(this,
+                   {"transferParaviewDialog", tr("Save Transfer Function for ParaView"),
+                    tr("ParaView presets (*.json)"), "-paraview.json"},
+                   [this](const std::string& name) { return transferFunctionToParaview(function(), name); });
 }
 
 void TransferPanel::showModel()
 {
-    setEnabled(session_.model() != nullptr);
+    setEnabled(host_.hasModel());
     canvas_->select(std::nullopt);
-    if (const auto& model = session_.model()) {
-        const double diagonal = model->diagonal() > 0 ? model->diagonal() : 1;
+    if (host_.hasModel()) {
+        const double diagonal = host_.diagonal() > 0 ? host_.diagonal() : 1;
         const QSignalBlocker blocker(unitDistance_);
         unitDistance_->setValueRange(leastUnit * diagonal, largestUnit * diagonal);
         unitDistance_->setDecimals(std::max(unitDistance_->decimals(), decimalsFor(leastUnit * diagonal)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/widgets/value_box.h"
+#include "plugins/widgets/value_box.h"
 
-#include "ui/session/number_text.h"
+#include "plugins/widgets/number_text.h"
 
 namespace tetra {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/transfer/value_histogram.h"
-#include "ui/panels/transfer_plot.h"
+#include "plugins/api/editor.h"
+#include "plugins/editors/transferfunction/transfer_plot.h"
 
 #include <QWidget>
 
@@ -10,15 +10,13 @@
 
 namespace tetra {
 
-class Session;
-
-/// The picture of the session's transfer function, with the values of the mesh behind it, and its points to be moved by
+/// The picture of the transfer function, with the values of the mesh behind it, and its points to be moved by
 /// mouse and keys (R18): double click adds one, Delete takes the selected one away, arrows move it (finer with Ctrl),
-/// Tab and Shift+Tab go from point to point. A drag and a held key are one step of the session's undo stack each.
+/// Tab and Shift+Tab go from point to point. A drag and a held key are one step of the window's undo stack each.
 class TransferCanvas : public QWidget {
     Q_OBJECT
 public:
-    explicit TransferCanvas(Session& session, QWidget* parent = nullptr);
+    explicit TransferCanvas(EditorHost& host, QWidget* parent = nullptr);
 
     /// The point that keys and number boxes are about; none if nothing is selected.
     std::optional<std::size_t> selected() const noexcept { return selected_; }
@@ -56,7 +54,7 @@ private:
     void paintColours(QPainter& painter) const;
     void paintPoints(QPainter& painter) const;
 
-    Session& session_;
+    EditorHost& host_;
     std::optional<std::size_t> selected_;
     bool logarithmic_ = true;
     bool dragging_ = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/number_text.h"
+#include "plugins/widgets/number_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>

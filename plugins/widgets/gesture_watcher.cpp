@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/widgets/gesture_watcher.h"
+#include "plugins/widgets/gesture_watcher.h"
 
 #include <QKeyEvent>
 #include <QWidget>
 
 namespace tetra {
 
-GestureWatcher::GestureWatcher(QWidget* watched, Session& session) : QObject(watched), session_(session)
+GestureWatcher::GestureWatcher(QWidget* watched, std::function<void()> begin, std::function<void()> end)
+    : QObject(watched), begin_(std::move(begin)), end_(std::move(end))
 {
     watched->installEventFilter(this);
 }
@@ -15,17 +16,17 @@ bool GestureWatcher::eventFilter(QObject* watched, QEvent* event)
 {
     const auto repeated = [event] { return static_cast<QKeyEvent*>(event)->isAutoRepeat(); };
     switch (event->type()) {
-    case QEvent::MouseButtonPress: session_.beginGesture(); break;
+    case QEvent::MouseButtonPress: begin_(); break;
     case QEvent::KeyPress:
         if (!repeated())
-            session_.beginGesture();
+            begin_();
         break;
     case QEvent::KeyRelease:
         if (!repeated())
-            session_.endGesture();
+            end_();
         break;
     case QEvent::MouseButtonRelease:
-    case QEvent::FocusOut: session_.endGesture(); break;
+    case QEvent::FocusOut: end_(); break;
     default: break;
     }
     return QObject::eventFilter(watched, event);

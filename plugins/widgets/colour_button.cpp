@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/widgets/colour_button.h"
+#include "plugins/widgets/colour_button.h"
 
 #include "core/graphics/palette.h"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/panels/transfer_canvas.h"
+#include "plugins/editors/transferfunction/transfer_canvas.h"
 
-#include "ui/session/number_text.h"
-#include "ui/session/session.h"
-#include "ui/widgets/gesture_watcher.h"
+#include "plugins/widgets/gesture_watcher.h"
+#include "plugins/widgets/number_text.h"
 
 #include <QKeyEvent>
 #include <QLocale>
@@ -40,7 +39,7 @@ QColor colourAt(const TransferFunction& function, double value)
 
 } // namespace
 
-TransferCanvas::TransferCanvas(Session& session, QWidget* parent) : QWidget(parent), session_(session)
+TransferCanvas::TransferCanvas(EditorHost& host, QWidget* parent) : QWidget(parent), host_(host)
 {
     setObjectName("transfer.canvas");
     setFocusPolicy(Qt::StrongFocus);
@@ -49,18 +48,18 @@ TransferCanvas::TransferCanvas(Session& session, QWidget* parent) : QWidget(pare
     setAccessibleName(tr("Transfer function"));
     setToolTip(tr("Opacity against value. Drag points, double click to add one, Delete removes it; arrow keys move it "
                   "(finer with Ctrl), Tab goes to the next. Behind: how often the values occur in the mesh."));
-    new GestureWatcher(this, session);
+    new GestureWatcher(this, host);
 }
 
 const TransferFunction& TransferCanvas::function() const
 {
-    return session_.view().look().transfer;
+    return host_.function();
 }
 
 /// The range of the data, and what of the function reaches beyond it: nothing acts unseen.
 TransferLimits TransferCanvas::limits() const
 {
-    TransferLimits limits{session_.range().minimum, session_.range().maximum};
+    TransferLimits limits{host_.range().minimum, host_.range().maximum};
     if (!function().points.empty()) {
         limits.least = std::min(limits.least, function().points.front().value);
         limits.largest = std::max(limits.largest, function().points.back().value);
@@ -120,7 +119,7 @@ void TransferCanvas::describeSelected()
 void TransferCanvas::move(double value, double opacity)
 {
     if (selected_)
-        session_.setTransfer(withMovedPoint(function(), *selected_, value, opacity, limits()));
+        host_.setFunction(withMovedPoint(function(), *selected_, value, opacity, limits()));
 }
 
 void TransferCanvas::mousePressEvent(QMouseEvent* event)
@@ -157,11 +156,11 @@ void TransferCanvas::mouseDoubleClickEvent(QMouseEvent* event)
     const TransferPlot there = plot();
     if (event->button() != Qt::LeftButton || there.pointAt(function(), event->position()))
         return;
-    session_.beginGesture();
+    host_.beginGesture();
     const auto added = withPoint(function(), there.valueAt(event->position().x()));
     if (!added)
         return;
-    session_.setTransfer(added->function);
+    host_.setFunction(added->function);
     select(added->point);
     move(function().points[added->point].value, there.opacityAt(event->position().y()));
     dragging_ = true;
@@ -179,7 +178,7 @@ void TransferCanvas::keyPressEvent(QKeyEvent* event)
     case Qt::Key_Delete:
     case Qt::Key_Backspace:
         if (selected_)
-            session_.setTransfer(withoutPoint(function(), *selected_));
+            host_.setFunction(withoutPoint(function(), *selected_));
         return;
     default: QWidget::keyPressEvent(event);
     }
@@ -217,7 +216,7 @@ void TransferCanvas::paintEvent(QPaintEvent* event)
     painter.fillRect(plot().area, palette().color(QPalette::Base));
     paintHistogram(painter);
     paintAxes(painter);
-    if (!session_.model())
+    if (!host_.hasModel())
         return;
     paintCurve(painter);
     paintColours(painter);
@@ -226,7 +225,7 @@ void TransferCanvas::paintEvent(QPaintEvent* event)
 
 void TransferCanvas::paintHistogram(QPainter& painter) const
 {
-    const auto histogram = session_.shown() ? session_.shown()->histogram : nullptr;
+    const auto histogram = host_.histogram();
     if (!histogram || histogram->counts.empty())
         return;
     const TransferPlot there = plot();
@@ -262,7 +261,7 @@ void TransferCanvas::paintAxes(QPainter& painter) const
     painter.setPen(QPen(faded(text, 0.5), 1));
     painter.drawLine(there.area.bottomLeft(), there.area.bottomRight());
     painter.drawLine(there.area.bottomLeft(), there.area.topLeft());
-    if (!session_.model())
+    if (!host_.hasModel())
         return;
     painter.setPen(text);
     const double middle = (there.limits.least + there.limits.largest) / 2;
