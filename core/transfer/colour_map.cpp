@@ -103,7 +103,7 @@ TransferFunction withColourMap(const TransferFunction& function, const ColourMap
         const double value = std::lerp(limits.least, limits.largest, node.share);
         if (std::ranges::find(function.points, value, &TransferPoint::value) != function.points.end())
             continue;
-        const double depth = evaluate(function, value).extinction * function.unitDistance;
+        const double depth = evaluateUnmasked(function, value).extinction * function.unitDistance;
         coloured.points.push_back({value, node.colour, static_cast<float>(-std::expm1(-depth))});
     }
     std::ranges::stable_sort(coloured.points, {}, &TransferPoint::value);

@@ -68,7 +68,7 @@ std::optional<EditedTransfer> withPoint(const TransferFunction& function, double
     const auto same = std::ranges::count(function.points, value, &TransferPoint::value);
     if (!std::isfinite(value) || same >= 2)
         return std::nullopt;
-    const TransferSample look = evaluate(function, value);
+    const TransferSample look = evaluateUnmasked(function, value);
     TransferPoint added{value, {}, 0};
     for (std::size_t channel = 0; channel < 3; ++channel)
         added.colour[channel] = std::clamp(static_cast<float>(look.colour[channel]), 0.0F, 1.0F);
@@ -164,7 +164,11 @@ TransferFunction mirrored(const TransferFunction& function, const TransferLimits
         point.value = limits.least + limits.largest - point.value;
     std::ranges::reverse(edited.points);
     leaveStepsOnly(edited.points);
-    return edited;
+    if (auto& mask = edited.mask) {
+        const double sum = limits.least + limits.largest;
+        mask = {sum - mask->largest, sum - mask->least};
+    }
+    return checkTransferFunction(edited) ? edited : function;
 }
 
 TransferFunction spreadOver(const TransferFunction& function, const TransferLimits& limits)
@@ -176,10 +180,13 @@ TransferFunction spreadOver(const TransferFunction& function, const TransferLimi
     const double extent = function.points.back().value - first;
     if (!(extent > 0) || !std::isfinite(extent))
         return edited;
+    const auto spread = [&](double value) { return std::lerp(limits.least, limits.largest, (value - first) / extent); };
     for (TransferPoint& point : edited.points)
-        point.value = std::lerp(limits.least, limits.largest, (point.value - first) / extent);
+        point.value = spread(point.value);
     leaveStepsOnly(edited.points);
-    return edited;
+    if (auto& mask = edited.mask)
+        mask = {spread(mask->least), spread(mask->largest)};
+    return checkTransferFunction(edited) ? edited : function;
 }
 
 } // namespace tetra

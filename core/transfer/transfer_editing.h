@@ -10,7 +10,7 @@ namespace tetra {
 
 /// What an editor does to a transfer function (R18), as values: each edit of a function that checkTransferFunction()
 /// accepts gives another one that it accepts. A point is named by its index; one that does not exist changes nothing.
-/// All O(points).
+/// Points keep their groups; the mask stays but where the whole function is mirrored or spread. All O(points).
 
 /// Values that points may be moved to.
 struct TransferLimits {

@@ -26,6 +26,13 @@ TransferSample sampleAt(const TransferFunction& function, const TransferPoint& p
 
 } // namespace
 
+Status checkMask(const TransferMask& mask)
+{
+    if (!std::isfinite(mask.least) || !std::isfinite(mask.largest) || !(mask.least <= mask.largest))
+        return Error{ErrorKind::BadInput, "The mask of a transfer function must be a range of finite values."};
+    return {};
+}
+
 Status checkTransferFunction(const TransferFunction& function)
 {
     if (!(function.unitDistance > 0) || !std::isfinite(function.unitDistance))
@@ -38,12 +45,14 @@ Status checkTransferFunction(const TransferFunction& function)
             return wrongPoint(i, "has a colour outside 0 to 1.");
         if (!inUnitRange(points[i].opacity))
             return wrongPoint(i, "has an opacity outside 0 to 1.");
+        if (points[i].group && (*points[i].group < 0 || *points[i].group > largestTransferGroup))
+            return wrongPoint(i, "is of a group that is none of 0 to 9.");
         if (i >= 1 && points[i].value < points[i - 1].value)
             return wrongPoint(i, "has a smaller value than the point before it. Put them in ascending order.");
         if (i >= 2 && points[i].value == points[i - 2].value)
             return wrongPoint(i, "is the third of its value. Two make a step; leave out those between.");
     }
-    return {};
+    return function.mask ? checkMask(*function.mask) : Status{};
 }
 
 double extinctionOf(double opacity, double unitDistance) noexcept
@@ -52,6 +61,13 @@ double extinctionOf(double opacity, double unitDistance) noexcept
 }
 
 TransferSample evaluate(const TransferFunction& function, double value)
+{
+    if (const auto& mask = function.mask; mask && !(value >= mask->least && value <= mask->largest))
+        return {};
+    return evaluateUnmasked(function, value);
+}
+
+TransferSample evaluateUnmasked(const TransferFunction& function, double value)
 {
     const auto& points = function.points;
     if (points.empty() || std::isnan(value))

@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace tetra {
@@ -13,8 +14,18 @@ struct TransferPoint {
     double value = 0;                     ///< of the field
     std::array<float, 3> colour{1, 1, 1}; ///< sRGB, each channel in [0, 1]
     float opacity = 0;                    ///< in [0, 1], of the unit distance
+    std::optional<int> group{};           ///< 0 to 9: a label for the editor, which changes nothing of the look
     bool operator==(const TransferPoint&) const = default;
 };
+
+/// The values that are shown, [least, largest]: both ends are.
+struct TransferMask {
+    double least = 0;
+    double largest = 0;
+    bool operator==(const TransferMask&) const = default;
+};
+
+inline constexpr int largestTransferGroup = 9;
 
 /// What a value of the field looks like (R18): colour and extinction, linear between the control points and constant
 /// beyond the first and the last. A value with value semantics.
@@ -26,8 +37,9 @@ struct TransferPoint {
 /// -ln(1 - opacity) / unitDistance. It is the extinction that is linear between the points, so that the optical depth
 /// of a slab is exact in closed form (S15). An opacity of 1 counts as `largestOpacity`.
 struct TransferFunction {
-    std::vector<TransferPoint> points; ///< none: everything is transparent
-    double unitDistance = 1;           ///< in the units of the dataset
+    std::vector<TransferPoint> points;  ///< none: everything is transparent
+    double unitDistance = 1;            ///< in the units of the dataset
+    std::optional<TransferMask> mask{}; ///< what lies outside of it is transparent, whatever the points say
     bool operator==(const TransferFunction&) const = default;
 };
 
@@ -40,12 +52,19 @@ struct TransferSample {
     double extinction = 0; ///< per unit of length of the dataset
 };
 
-/// An error if the points are not in order, more than two have one value, a number is not finite or out of its range.
+/// An error if the mask is no range.
+Status checkMask(const TransferMask& mask);
+
+/// An error if the points are not in order, more than two have one value, a number is not finite or out of its range,
+/// or the mask is no range.
 Status checkTransferFunction(const TransferFunction& function);
 
 double extinctionOf(double opacity, double unitDistance) noexcept;
 
 /// O(log points). NaN is transparent.
 TransferSample evaluate(const TransferFunction& function, double value);
+
+/// What the points say, whatever the mask: what an editor shows as the curve.
+TransferSample evaluateUnmasked(const TransferFunction& function, double value);
 
 } // namespace tetra

@@ -21,7 +21,7 @@ struct TransferSegment {
 };
 
 /// The segments between the knots of a function that checkTransferFunction() accepts, from minus to plus infinity; one
-/// transparent segment if it has no points. O(points).
+/// transparent segment if it has no points, and one each for what lies to the sides of its mask. O(points).
 std::vector<TransferSegment> transferSegments(const TransferFunction& function);
 
 } // namespace tetra

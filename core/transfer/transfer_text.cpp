@@ -57,13 +57,29 @@ Status readColour(const JsonValue& value, std::array<float, 3>& colour)
 
 Status readPoint(const JsonValue& value, TransferPoint& point)
 {
-    if (Status status = checkMembers(value, {"value", "colour", "opacity"}, {}, "a point"); !status)
+    if (Status status = checkMembers(value, {"value", "colour", "opacity"}, {"group"}, "a point"); !status)
         return status;
     if (Status status = readNumber(*value.find("value"), "\"value\"", point.value); !status)
         return status;
     if (Status status = readNumber(*value.find("opacity"), "\"opacity\"", point.opacity); !status)
         return status;
+    if (const JsonValue* group = value.find("group"))
+        if (Status status = readNumber(*group, "\"group\"", point.group.emplace()); !status)
+            return status;
     return readColour(*value.find("colour"), point.colour);
+}
+
+Status readMask(const JsonValue& value, TransferMask& mask)
+{
+    if (Status status = checkMembers(value, {"least", "largest"}, {}, "a mask"); !status)
+        return status;
+    if (Status status = readNumber(*value.find("least"), "\"least\"", mask.least); !status)
+        return status;
+    if (Status status = readNumber(*value.find("largest"), "\"largest\"", mask.largest); !status)
+        return status;
+    if (Status status = checkMask(mask); !status)
+        return wrong(value, status.error().text);
+    return {};
 }
 
 Status readFormat(const JsonValue& root)
@@ -79,20 +95,31 @@ Status readFormat(const JsonValue& root)
     return {};
 }
 
+std::string textOf(const TransferPoint& point)
+{
+    const auto& [red, green, blue] = point.colour;
+    return "{\"value\": " + formatNumber(point.value) + ", \"colour\": [" + formatNumber(red) + ", " +
+           formatNumber(green) + ", " + formatNumber(blue) + "], \"opacity\": " + formatNumber(point.opacity) +
+           (point.group ? ", \"group\": " + std::to_string(*point.group) : "") + "}";
+}
+
+std::string textOf(const TransferMask& mask)
+{
+    return "{\"least\": " + formatNumber(mask.least) + ", \"largest\": " + formatNumber(mask.largest) + "}";
+}
+
 } // namespace
 
 std::string transferFunctionToText(const TransferFunction& function)
 {
     std::string text = "{\n  \"format\": " + jsonString(formatName) +
                        ",\n  \"version\": " + std::to_string(formatVersion) +
-                       ",\n  \"unitDistance\": " + formatNumber(function.unitDistance) + ",\n  \"points\": [";
+                       ",\n  \"unitDistance\": " + formatNumber(function.unitDistance) +
+                       (function.mask ? ",\n  \"mask\": " + textOf(*function.mask) : "") + ",\n  \"points\": [";
     std::string_view separator = "\n";
     for (const TransferPoint& point : function.points) {
-        const auto& [red, green, blue] = point.colour;
         text += separator;
-        text += "    {\"value\": " + formatNumber(point.value) + ", \"colour\": [" + formatNumber(red) + ", " +
-                formatNumber(green) + ", " + formatNumber(blue) + "], \"opacity\": " + formatNumber(point.opacity) +
-                "}";
+        text += "    " + textOf(point);
         separator = ",\n";
     }
     return text + "\n  ]\n}\n";
@@ -104,7 +131,8 @@ Result<TransferFunction> transferFunctionFromText(std::string_view text)
     if (!parsed)
         return Error{ErrorKind::BadInput, "The transfer function cannot be read. " + parsed.error().text};
     const JsonValue& root = *parsed;
-    if (Status status = checkMembers(root, {"format", "version", "points"}, {"unitDistance"}, "the text"); !status)
+    if (Status status = checkMembers(root, {"format", "version", "points"}, {"unitDistance", "mask"}, "the text");
+        !status)
         return status.error();
     if (Status status = readFormat(root); !status)
         return status.error();
@@ -112,6 +140,9 @@ Result<TransferFunction> transferFunctionFromText(std::string_view text)
     TransferFunction function;
     if (const JsonValue* distance = root.find("unitDistance"))
         if (Status status = readNumber(*distance, "\"unitDistance\"", function.unitDistance); !status)
+            return status.error();
+    if (const JsonValue* mask = root.find("mask"))
+        if (Status status = readMask(*mask, function.mask.emplace()); !status)
             return status.error();
     const JsonArray* points = root.find("points")->array();
     if (points == nullptr)

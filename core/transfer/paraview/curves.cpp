@@ -2,6 +2,7 @@
 #include "core/transfer/paraview/curves.h"
 
 #include "core/transfer/paraview/adaptive_points.h"
+#include "core/transfer/paraview/mask_steps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +65,7 @@ double opacityAt(std::span<const OpacityNode> nodes, double value)
     return opacityBetween(from, to.opacity, shareOf(value, from.value, to.value, false));
 }
 
-/// What a value looks like, as files say it.
+/// What a value looks like, as files say it; masks are no part of it.
 struct Look {
     SrgbColour colour{};
     double opacity = 0;
@@ -72,7 +73,7 @@ struct Look {
 
 Look lookOf(const TransferFunction& function, double value)
 {
-    const TransferSample sample = evaluate(function, value);
+    const TransferSample sample = evaluateUnmasked(function, value);
     return {sample.colour, -std::expm1(-sample.extinction * function.unitDistance)};
 }
 
@@ -139,6 +140,8 @@ TransferFunction transferFunctionOf(const CurvePreset& preset, const TransferFun
 {
     TransferFunction function;
     function.unitDistance = present.unitDistance;
+    if (preset.opacities.empty())
+        function.mask = present.mask;
     const std::vector<double> values = valuesOfNodes(preset, present);
     const auto look = [&](double value) { return lookOf(preset, present, value); };
     const auto add = [&function](const TransferPoint& point) {
@@ -146,6 +149,8 @@ TransferFunction transferFunctionOf(const CurvePreset& preset, const TransferFun
             function.points.push_back(point);
     };
     constexpr double infinity = std::numeric_limits<double>::infinity();
+    // So near each other are the sides of a step, as ParaView has it.
+    const double narrow = values.empty() ? 0 : 2e-9 * (values.back() - values.front());
     if (!values.empty())
         add(pointOf(values.front(), look(std::nextafter(values.front(), -infinity))));
     for (std::size_t stretch = 0; stretch + 1 < values.size(); ++stretch) {
@@ -156,6 +161,11 @@ TransferFunction transferFunctionOf(const CurvePreset& preset, const TransferFun
             const double value = share <= 0 ? from : share >= 1 ? to : std::lerp(from, to, share);
             return pointOf(value, look(std::clamp(value, first, last)));
         };
+        if (to - from <= narrow) {
+            add(pointAt(0));
+            function.points.back().value = to;
+            continue;
+        }
         const auto matches = [&](double a, double b, double place) {
             const TransferFunction straight{{pointAt(a), pointAt(b)}, function.unitDistance};
             const double value = std::lerp(from, to, place);
@@ -169,12 +179,13 @@ TransferFunction transferFunctionOf(const CurvePreset& preset, const TransferFun
     return function;
 }
 
-CurvePreset curvesOf(const TransferFunction& function, const std::string& name)
+CurvePreset curvesOf(const TransferFunction& masked, const std::string& name)
 {
+    const TransferFunction function = withMaskAsSteps(masked);
     CurvePreset preset;
     preset.name = name;
     const std::vector<TransferPoint>& points = function.points;
-    const double apart = points.empty() ? 0 : (points.back().value - points.front().value) * 1e-9;
+    const double apart = leastApart(function);
     for (std::size_t point = 0; point < points.size(); ++point) {
         const bool endsBelow = point + 1 < points.size() && points[point + 1].value == points[point].value;
         const double value = points[point].value - (endsBelow ? apart : 0);

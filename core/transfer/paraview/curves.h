@@ -42,11 +42,12 @@ struct CurvePreset {
 Status checkCurves(const CurvePreset& preset);
 
 /// What the curves look like within 1/1000 in colour and opacity, with as many points as that takes. What a preset does
-/// not have, colours or opacities, is that of `present`, and so is the unit distance.
+/// not have, colours or opacities, is that of `present`, and so is the unit distance. The mask goes with the opacities.
 TransferFunction transferFunctionOf(const CurvePreset& preset, const TransferFunction& present);
 
 /// Curves that look like the function within 1/1000: ParaView's opacities are linear between points, ours are
-/// extinctions. A step becomes two points a billionth of the range apart, which ParaView keeps in order.
+/// extinctions. A step becomes two points a billionth of the range apart, which ParaView keeps in order, and so do the
+/// ends of a mask.
 CurvePreset curvesOf(const TransferFunction& function, const std::string& name);
 
 } // namespace tetra

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/transfer/editing/opacity_axis.h"
+#include "core/transfer/editing/selection.h"
+
+#include <cstdint>
+
+namespace tetra {
+
+/// What happens at points that are not selected and in the way.
+enum class NeighbourRule : std::uint8_t {
+    Stop, ///< the selection stops before them
+    Push, ///< they go ahead of it, as far as the limits allow
+    Pass  ///< the selection goes past them; points change places
+};
+
+/// By how much points move: in value, and in height on the axis of opacities, which is what a pointer moves by.
+struct SelectionMove {
+    double value = 0;
+    double height = 0;
+    OpacityAxis axis = OpacityAxis::Linear;
+};
+
+/// The selected points moved. In value all move by the same, as much of it as limits and neighbours allow; what lies
+/// outside of the limits may come in and go no farther out. In height each goes as far as the axis does. Both sides of
+/// a step move along in value, and each has an opacity of its own. Points keep a small distance from each other, so
+/// nothing is lost by coming near. Numbers that are not finite count as 0. O(points log points).
+///
+/// A drag is made of moves of the function as it was when the drag began, so that what stopped on the way does not add
+/// up.
+EditedSelection moveSelected(const TransferFunction& function, const TransferSelection& selection,
+                             const SelectionMove& move, NeighbourRule rule, const TransferLimits& limits);
+
+/// Moved so that the first selected point has this value, the others by as much.
+EditedSelection withValue(const TransferFunction& function, const TransferSelection& selection, double value,
+                          NeighbourRule rule, const TransferLimits& limits);
+
+} // namespace tetra

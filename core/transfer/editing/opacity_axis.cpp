@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/transfer/editing/opacity_axis.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetra {
+namespace {
+
+/// One over the opacity about which the logarithmic axis goes over to a straight one.
+constexpr double fineness = 1000;
+
+double cut(double number)
+{
+    return number > 0 ? std::min(number, 1.0) : 0;
+}
+
+} // namespace
+
+double heightOf(double opacity, OpacityAxis axis) noexcept
+{
+    if (axis == OpacityAxis::Linear)
+        return cut(opacity);
+    return cut(std::log1p(fineness * cut(opacity)) / std::log1p(fineness));
+}
+
+double opacityAtHeight(double height, OpacityAxis axis) noexcept
+{
+    if (axis == OpacityAxis::Linear)
+        return cut(height);
+    return cut(std::expm1(cut(height) * std::log1p(fineness)) / fineness);
+}
+
+std::span<const double> opacityTicks(OpacityAxis axis) noexcept
+{
+    static constexpr double linear[] = {0, 0.25, 0.5, 0.75, 1}, logarithmic[] = {0, 0.001, 0.01, 0.1, 1};
+    return axis == OpacityAxis::Linear ? linear : logarithmic;
+}
+
+} // namespace tetra

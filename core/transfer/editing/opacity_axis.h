@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace tetra {
+
+/// How an editor's axis of opacities goes from 0, at height 0, to 1, at height 1.
+enum class OpacityAxis : std::uint8_t {
+    Linear,
+    Logarithmic ///< finer near zero: log(1 + 1000 opacity), with a place for 0
+};
+
+/// In [0, 1]; opacities are cut to [0, 1], NaN counts as 0.
+double heightOf(double opacity, OpacityAxis axis) noexcept;
+/// The inverse; heights are cut to [0, 1].
+double opacityAtHeight(double height, OpacityAxis axis) noexcept;
+
+/// Opacities to be written beside the axis, ascending from 0 to 1.
+std::span<const double> opacityTicks(OpacityAxis axis) noexcept;
+
+} // namespace tetra
