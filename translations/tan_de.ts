@@ -277,17 +277,6 @@
     </message>
 </context>
 <context>
-    <name>ColourMapNames</name>
-    <message>
-        <source>&amp;Cool to warm</source>
-        <translation>&amp;Kalt bis warm</translation>
-    </message>
-    <message>
-        <source>&amp;Grey</source>
-        <translation>&amp;Grau</translation>
-    </message>
-</context>
-<context>
     <name>Desktop</name>
     <message>
         <source>Shows volume data at any accuracy.</source>
@@ -1270,10 +1259,47 @@
     </message>
 </context>
 <context>
+    <name>PointClipboard</name>
+    <message>
+        <source>The clipboard holds no points of a transfer function. Copy some here or in another window. %1</source>
+        <translation>Die Zwischenablage enthält keine Punkte einer Transferfunktion. Kopieren Sie welche hier oder in einem anderen Fenster. %1</translation>
+    </message>
+</context>
+<context>
+    <name>PresetNames</name>
+    <message>
+        <source>Cool to warm</source>
+        <translation>Kalt bis warm</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Sequential: opaque where values are large</source>
+        <translation>Sequentiell: deckend, wo die Werte groß sind</translation>
+    </message>
+    <message>
+        <source>Diverging: opaque at both ends</source>
+        <translation>Divergierend: deckend an beiden Enden</translation>
+    </message>
+</context>
+<context>
     <name>RemoveIsovalue</name>
     <message>
         <source>removal of isovalue</source>
         <translation>Entfernen des Isowerts</translation>
+    </message>
+</context>
+<context>
+    <name>ValueReadOut</name>
+    <message>
+        <source>%1: %2, %3</source>
+        <translation>%1: %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 vertices</source>
+        <translation>%1 Eckpunkte</translation>
     </message>
 </context>
 <context>
@@ -1544,6 +1570,141 @@ Verwerfung %2</translation>
     <message>
         <source>CPU</source>
         <translation>CPU</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::EditMenu</name>
+    <message>
+        <source>&amp;More opaque</source>
+        <translation>&amp;Deckender</translation>
+    </message>
+    <message>
+        <source>&amp;Less opaque</source>
+        <translation>Durch&amp;sichtiger</translation>
+    </message>
+    <message>
+        <source>Swap &amp;ends</source>
+        <translation>&amp;Enden vertauschen</translation>
+    </message>
+    <message>
+        <source>Spread over all &amp;values</source>
+        <translation>Über alle &amp;Werte spreizen</translation>
+    </message>
+    <message>
+        <source>Select &amp;all points</source>
+        <translation>&amp;Alle Punkte auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy points</source>
+        <translation>Punkte &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste points</source>
+        <translation>Punkte e&amp;infügen</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate points</source>
+        <translation>Punkte &amp;verdoppeln</translation>
+    </message>
+    <message>
+        <source>&amp;Remove points</source>
+        <translation>Punkte &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Distribute values evenly</source>
+        <translation>Werte &amp;gleichmäßig verteilen</translation>
+    </message>
+    <message>
+        <source>&amp;Flip left to right</source>
+        <translation>&amp;Links und rechts vertauschen</translation>
+    </message>
+    <message>
+        <source>&amp;Invert opacities</source>
+        <translation>Deckkraft &amp;umkehren</translation>
+    </message>
+    <message>
+        <source>Ramp from first to last</source>
+        <translation>Rampe vom ersten zum letzten</translation>
+    </message>
+    <message>
+        <source>&amp;Simplify: fewer points, same look</source>
+        <translation>Ver&amp;einfachen: weniger Punkte, gleiches Aussehen</translation>
+    </message>
+    <message>
+        <source>Add a pea&amp;k</source>
+        <translation>S&amp;pitze hinzufügen</translation>
+    </message>
+    <message>
+        <source>Ali&amp;gn</source>
+        <translation>A&amp;usrichten</translation>
+    </message>
+    <message>
+        <source>Opacities to the &amp;first</source>
+        <translation>Deckkraft wie beim &amp;ersten</translation>
+    </message>
+    <message>
+        <source>Opacities to the &amp;mean</source>
+        <translation>Deckkraft im &amp;Mittel</translation>
+    </message>
+    <message>
+        <source>Opacities to the &amp;least</source>
+        <translation>Deckkraft wie beim &amp;niedrigsten</translation>
+    </message>
+    <message>
+        <source>Opacities to the l&amp;argest</source>
+        <translation>Deckkraft wie beim &amp;höchsten</translation>
+    </message>
+    <message>
+        <source>&amp;Values of two neighbours: a step</source>
+        <translation>&amp;Werte zweier Nachbarn: eine Stufe</translation>
+    </message>
+    <message>
+        <source>Make a gr&amp;oup</source>
+        <translation>&amp;Gruppe bilden</translation>
+    </message>
+    <message>
+        <source>Select a group</source>
+        <translation>Gruppe auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;No group</source>
+        <translation>&amp;Keine Gruppe</translation>
+    </message>
+    <message>
+        <source>Poi&amp;nts in the way</source>
+        <translation>Punkte im &amp;Weg</translation>
+    </message>
+    <message>
+        <source>&amp;Stop what is moved</source>
+        <translation>&amp;Halten Bewegtes auf</translation>
+    </message>
+    <message>
+        <source>Are &amp;pushed along</source>
+        <translation>Werden mit&amp;geschoben</translation>
+    </message>
+    <message>
+        <source>Are passed &amp;by</source>
+        <translation>Werden &amp;überholt</translation>
+    </message>
+    <message>
+        <source>Mas&amp;k: show some values only</source>
+        <translation>&amp;Maske: nur einige Werte zeigen</translation>
+    </message>
+    <message>
+        <source>Add an iso&amp;value</source>
+        <translation>&amp;Isowert hinzufügen</translation>
+    </message>
+    <message>
+        <source>Group &amp;%1</source>
+        <translation>Gruppe &amp;%1</translation>
+    </message>
+    <message>
+        <source>&amp;Wider</source>
+        <translation>&amp;Breiter</translation>
+    </message>
+    <message>
+        <source>Na&amp;rrower</source>
+        <translation>S&amp;chmaler</translation>
     </message>
 </context>
 <context>
@@ -2013,6 +2174,158 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::PointNumbers</name>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Value of what is selected, in the units of the data; selected points move together</source>
+        <translation>Wert des Ausgewählten in den Einheiten der Daten; ausgewählte Punkte bewegen sich gemeinsam</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Opacity of the selected points, in percent of the light that a unit distance takes away</source>
+        <translation>Deckkraft der ausgewählten Punkte in Prozent des Lichts, das eine Einheitslänge wegnimmt</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Colour of what is selected</source>
+        <translation>Farbe des Ausgewählten</translation>
+    </message>
+    <message>
+        <source>Unit distance</source>
+        <translation>Einheitslänge</translation>
+    </message>
+    <message>
+        <source>The thickness, in the units of the data, that a layer must have for the opacities to hold: less makes everything denser</source>
+        <translation>Die Dicke, in den Einheiten der Daten, bei der eine Schicht die Deckkraft hat: weniger macht alles dichter</translation>
+    </message>
+    <message>
+        <source>Val&amp;ue</source>
+        <translation>&amp;Wert</translation>
+    </message>
+    <message>
+        <source>O&amp;pacity</source>
+        <translation>&amp;Deckkraft</translation>
+    </message>
+    <message>
+        <source>U&amp;nit distance</source>
+        <translation>Ein&amp;heitslänge</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::PointTable</name>
+    <message>
+        <source>Points of the transfer function</source>
+        <translation>Punkte der Transferfunktion</translation>
+    </message>
+    <message>
+        <source>Double click or F2 edits a cell; Del removes the selected points</source>
+        <translation>Doppelklick oder F2 bearbeitet eine Zelle; Entf entfernt die ausgewählten Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::PointTableModel</name>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Opacity, %</source>
+        <translation>Deckkraft, %</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>In the units of the data</source>
+        <translation>In den Einheiten der Daten</translation>
+    </message>
+    <message>
+        <source>Of the light that a unit distance takes away</source>
+        <translation>Des Lichts, das eine Einheitslänge wegnimmt</translation>
+    </message>
+    <message>
+        <source>As a name or as #rrggbb</source>
+        <translation>Als Name oder als #rrggbb</translation>
+    </message>
+    <message>
+        <source>0 to 9, or empty</source>
+        <translation>0 bis 9, oder leer</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::PresetPopup</name>
+    <message>
+        <source>&amp;Save as preset…</source>
+        <translation>Als Vorlage &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Search for a preset</source>
+        <translation>Nach einer Vorlage suchen</translation>
+    </message>
+    <message>
+        <source>What to take of a preset</source>
+        <translation>Was von einer Vorlage übernommen wird</translation>
+    </message>
+    <message>
+        <source>Colours and opacities</source>
+        <translation>Farben und Deckkraft</translation>
+    </message>
+    <message>
+        <source>Colours alone</source>
+        <translation>Nur die Farben</translation>
+    </message>
+    <message>
+        <source>Opacities alone</source>
+        <translation>Nur die Deckkraft</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>Keep the transfer function as it is now, for this and for other models</source>
+        <translation>Die Transferfunktion, wie sie jetzt ist, für dieses und andere Modelle behalten</translation>
+    </message>
+    <message>
+        <source>Delete the chosen preset, if it is one of your own</source>
+        <translation>Die gewählte Vorlage löschen, wenn es eine eigene ist</translation>
+    </message>
+    <message>
+        <source>One of your own</source>
+        <translation>Eine eigene</translation>
+    </message>
+    <message>
+        <source>Save as Preset</source>
+        <translation>Als Vorlage speichern</translation>
+    </message>
+    <message>
+        <source>Name of the preset:</source>
+        <translation>Name der Vorlage:</translation>
+    </message>
+</context>
+<context>
     <name>tetra::RegionActions</name>
     <message>
         <source>Focus: &amp;Sphere</source>
@@ -2285,16 +2598,40 @@ Verwerfung %2</translation>
         <translation>Transferfunktion</translation>
     </message>
     <message>
-        <source>Opacity against value. Drag points, double click to add one, Delete removes it; arrow keys move it (finer with Ctrl), Tab goes to the next. Behind: how often the values occur in the mesh.</source>
-        <translation>Deckkraft über dem Wert. Punkte ziehen, mit Doppelklick einen hinzufügen, Entf entfernt ihn; Pfeiltasten bewegen ihn (feiner mit Strg), Tab geht zum nächsten. Dahinter: wie oft die Werte im Netz vorkommen.</translation>
-    </message>
-    <message>
         <source>%1 points</source>
         <translation>%1 Punkte</translation>
     </message>
     <message>
         <source>Point %1 of %2: value %3, opacity %4</source>
         <translation>Punkt %1 von %2: Wert %3, Deckkraft %4</translation>
+    </message>
+    <message>
+        <source>Opacity against value. Drag points, click the curve or double click to add one, Delete removes; arrow keys move (finer with Ctrl, farther with Shift), Tab goes to the next. A frame or Ctrl+click selects several. The wheel zooms the values, with Ctrl the opacities; Home shows all. Ctrl+digit makes a group, the digit selects it. Behind: how often the values occur in the mesh.</source>
+        <translation>Deckkraft über dem Wert. Punkte ziehen, mit Klick auf die Kurve oder Doppelklick einen hinzufügen, Entf entfernt; Pfeiltasten bewegen (feiner mit Strg, weiter mit Umschalt), Tab geht zum nächsten. Ein Rahmen oder Strg+Klick wählt mehrere aus. Das Rad vergrößert die Werte, mit Strg die Deckkraft; Pos1 zeigt alles. Strg+Ziffer bildet eine Gruppe, die Ziffer wählt sie aus. Dahinter: wie oft die Werte im Netz vorkommen.</translation>
+    </message>
+    <message>
+        <source>%1 points are selected</source>
+        <translation>%1 Punkte sind ausgewählt</translation>
+    </message>
+    <message>
+        <source>Value %1, opacity %2</source>
+        <translation>Wert %1, Deckkraft %2</translation>
+    </message>
+    <message>
+        <source>group %1</source>
+        <translation>Gruppe %1</translation>
+    </message>
+    <message>
+        <source>Isovalue %1 of %2: %3</source>
+        <translation>Isowert %1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>Lower end of the mask: %1</source>
+        <translation>Unteres Ende der Maske: %1</translation>
+    </message>
+    <message>
+        <source>Upper end of the mask: %1</source>
+        <translation>Oberes Ende der Maske: %1</translation>
     </message>
 </context>
 <context>
@@ -2316,48 +2653,8 @@ Verwerfung %2</translation>
         <translation>Lo&amp;garithmisch</translation>
     </message>
     <message>
-        <source>Value of the point</source>
-        <translation>Wert des Punktes</translation>
-    </message>
-    <message>
-        <source>Value of the selected point, in the units of the data</source>
-        <translation>Wert des gewählten Punktes, in den Einheiten der Daten</translation>
-    </message>
-    <message>
-        <source>Opacity of the point</source>
-        <translation>Deckkraft des Punktes</translation>
-    </message>
-    <message>
-        <source>Opacity of the selected point, in percent of the light that a unit distance takes away</source>
-        <translation>Deckkraft des gewählten Punktes, in Prozent des Lichts, das eine Einheitslänge wegnimmt</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Colour of the selected point</source>
-        <translation>Farbe des gewählten Punktes</translation>
-    </message>
-    <message>
         <source>Give the point two sides: what lies below its value ends there, and what lies above begins</source>
         <translation>Dem Punkt zwei Seiten geben: was unter seinem Wert liegt, endet dort, und was darüber liegt, beginnt</translation>
-    </message>
-    <message>
-        <source>Add a point after the selected one, or double click in the plot</source>
-        <translation>Einen Punkt nach dem gewählten hinzufügen, oder Doppelklick ins Bild</translation>
-    </message>
-    <message>
-        <source>Remove the selected point (Del)</source>
-        <translation>Den gewählten Punkt entfernen (Entf)</translation>
-    </message>
-    <message>
-        <source>Unit distance</source>
-        <translation>Einheitslänge</translation>
-    </message>
-    <message>
-        <source>The thickness, in the units of the data, that a layer must have for the opacities to hold: less makes everything denser</source>
-        <translation>Die Dicke, in den Einheiten der Daten, bei der eine Schicht die Deckkraft hat: weniger macht alles dichter</translation>
     </message>
     <message>
         <source>Show how often values occur on a logarithmic scale, so that rare ones are seen</source>
@@ -2376,10 +2673,6 @@ Verwerfung %2</translation>
         <translation>Ändern</translation>
     </message>
     <message>
-        <source>Change all points</source>
-        <translation>Alle Punkte ändern</translation>
-    </message>
-    <message>
         <source>Load…</source>
         <translation>Laden …</translation>
     </message>
@@ -2390,10 +2683,6 @@ Verwerfung %2</translation>
     <message>
         <source>The file holds several presets:</source>
         <translation>Die Datei enthält mehrere Vorlagen:</translation>
-    </message>
-    <message>
-        <source>Colours alone</source>
-        <translation>Nur Farben</translation>
     </message>
     <message>
         <source>Save for &amp;ParaView…</source>
@@ -2420,42 +2709,6 @@ Verwerfung %2</translation>
         <translation>Die Transferfunktion als JSON-Datei speichern, die auch „tan render“ nimmt</translation>
     </message>
     <message>
-        <source>Val&amp;ue</source>
-        <translation>&amp;Wert</translation>
-    </message>
-    <message>
-        <source>O&amp;pacity</source>
-        <translation>&amp;Deckkraft</translation>
-    </message>
-    <message>
-        <source>U&amp;nit distance</source>
-        <translation>Ein&amp;heitslänge</translation>
-    </message>
-    <message>
-        <source>&amp;Sequential: opaque where values are large</source>
-        <translation>&amp;Ansteigend: deckend, wo Werte groß sind</translation>
-    </message>
-    <message>
-        <source>&amp;Diverging: opaque at both ends</source>
-        <translation>A&amp;useinander: deckend an beiden Enden</translation>
-    </message>
-    <message>
-        <source>&amp;More opaque</source>
-        <translation>&amp;Deckender</translation>
-    </message>
-    <message>
-        <source>&amp;Less opaque</source>
-        <translation>D&amp;urchsichtiger</translation>
-    </message>
-    <message>
-        <source>Swap &amp;ends</source>
-        <translation>&amp;Enden vertauschen</translation>
-    </message>
-    <message>
-        <source>Spread over all &amp;values</source>
-        <translation>Über alle &amp;Werte ausdehnen</translation>
-    </message>
-    <message>
         <source>Load Transfer Function</source>
         <translation>Transferfunktion laden</translation>
     </message>
@@ -2466,6 +2719,78 @@ Verwerfung %2</translation>
     <message>
         <source>Save Transfer Function</source>
         <translation>Transferfunktion speichern</translation>
+    </message>
+    <message>
+        <source>Axis of opacities</source>
+        <translation>Achse der Deckkraft</translation>
+    </message>
+    <message>
+        <source>&amp;Linear</source>
+        <translation>&amp;Linear</translation>
+    </message>
+    <message>
+        <source>S&amp;quare root</source>
+        <translation>&amp;Quadratwurzel</translation>
+    </message>
+    <message>
+        <source>L&amp;ogarithmic: fine near zero</source>
+        <translation>L&amp;ogarithmisch: fein nahe null</translation>
+    </message>
+    <message>
+        <source>Zoom to the &amp;selected points</source>
+        <translation>Auf die &amp;ausgewählten Punkte vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom to the &amp;values of the data</source>
+        <translation>Auf die &amp;Werte der Daten vergrößern</translation>
+    </message>
+    <message>
+        <source>Show &amp;all</source>
+        <translation>A&amp;lles zeigen</translation>
+    </message>
+    <message>
+        <source>Value, opacity, colour and how often it occurs, at the pointer</source>
+        <translation>Wert, Deckkraft, Farbe und Häufigkeit unter dem Mauszeiger</translation>
+    </message>
+    <message>
+        <source>Add a point after the selected one, or click on the curve, or double click in the plot</source>
+        <translation>Einen Punkt nach dem ausgewählten hinzufügen; oder auf die Kurve klicken, oder doppelt in das Diagramm</translation>
+    </message>
+    <message>
+        <source>Remove what is selected (Del)</source>
+        <translation>Das Ausgewählte entfernen (Entf)</translation>
+    </message>
+    <message>
+        <source>Change the selected points, or all</source>
+        <translation>Die ausgewählten Punkte ändern, oder alle</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>How the plot is shown</source>
+        <translation>Wie das Diagramm gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maske</translation>
+    </message>
+    <message>
+        <source>Show some values only: between two lines that can be dragged</source>
+        <translation>Nur einige Werte zeigen: zwischen zwei Linien, die sich ziehen lassen</translation>
+    </message>
+    <message>
+        <source>Points in numbers</source>
+        <translation>Punkte in Zahlen</translation>
+    </message>
+    <message>
+        <source>Show all points in a table to be edited</source>
+        <translation>Alle Punkte in einer Tabelle zum Bearbeiten zeigen</translation>
+    </message>
+    <message>
+        <source>Read-out</source>
+        <translation>Anzeige</translation>
     </message>
 </context>
 <context>

@@ -2,56 +2,68 @@
 #pragma once
 
 #include "core/transfer/transfer_import.h"
-#include "plugins/api/editor.h"
+#include "plugins/editors/transferfunction/editor_state.h"
 
 #include <QWidget>
 
+class QAction;
+class QBoxLayout;
 class QCheckBox;
-class QGridLayout;
+class QLabel;
 class QPushButton;
 class QToolButton;
 
 namespace tetra {
 
-class ColourButton;
+class EditMenu;
+class PointNumbers;
+class PointTable;
+class PresetPopup;
 class TransferCanvas;
-class ValueBox;
 
-/// The editor of the transfer function (R18): the plot, and in numbers the point that is selected in it. Holds nothing
-/// but the selection; every edit is a function of core/transfer.
+/// The editor of the transfer function (R18): the plot, in numbers what is selected in it, a table of all points, and
+/// menus. Every edit is a function of core/transfer.
 class TransferPanel : public QWidget {
     Q_OBJECT
 public:
+    /// `host` outlives it.
     explicit TransferPanel(EditorHost& host, QWidget* parent = nullptr);
 
 private:
     void nameControls();
-    void addNumbers(QGridLayout& grid);
-    QWidget* makeTools();
-    void fillPresets();
-    void fillEdits();
+    QBoxLayout* makeTools();
+    QBoxLayout* makePointTools();
+    void fillViewMenu();
     void connectControls();
-    const TransferFunction& function() const;
     void addPoint();
+    void setStep(bool on);
     Status load(const std::string& text);
     void offerChoice(std::vector<ImportedTransfer> imported);
     void save();
     void saveForParaview();
     void showModel();
     void showFunction();
+    void showSelection();
+    void showReadOut();
+    void openEditMenu(QPoint place);
 
     EditorHost& host_;
+    EditorState state_;
     TransferCanvas* canvas_;
-    ValueBox* value_;
-    ValueBox* opacity_;
-    ColourButton* colour_;
-    QCheckBox* step_;
+    QLabel* readOut_;
+    PointNumbers* numbers_;
+    EditMenu* editMenu_;
+    PresetPopup* presetPopup_;
+    PointTable* table_;
     QPushButton* add_;
     QPushButton* remove_;
-    ValueBox* unitDistance_;
+    QCheckBox* step_;
     QCheckBox* logarithmic_;
     QToolButton* presets_;
     QToolButton* edits_;
+    QToolButton* view_;
+    QToolButton* mask_;
+    QToolButton* showTable_;
     QToolButton* load_;
     QToolButton* save_;
 };

@@ -28,7 +28,8 @@ public:
     void undo() const { find<QAction>("action.undo").trigger(); }
     /// The plugin has the class's meta-object twice, so that qobject_cast knows only its own: the name tells.
     TransferCanvas& canvas() const { return static_cast<TransferCanvas&>(find<QWidget>("transfer.canvas")); }
-    QPoint placeOf(std::size_t point) const { return canvas().plot().place(function().points[point]).toPoint(); }
+    EditorState& state() const { return canvas().state(); }
+    QPoint placeOf(std::size_t point) const { return canvas().plot().place(function(), point).toPoint(); }
     /// With the left button down.
     void dragTo(QPoint place, Qt::KeyboardModifiers modifiers = {}) const
     {

@@ -72,7 +72,7 @@ void TransferEditorTest::pointsAreEditedByKeys()
     QVERIFY(editor_->canvas().accessibleDescription().contains("Point 2 of 9"));
     QTest::keyClick(&editor_->canvas(), Qt::Key_Delete);
     QCOMPARE(editor_->function().points.size(), count - 1);
-    editor_->canvas().select(editor_->function().points.size() - 1);
+    editor_->state().setCurrent(editor_->state().items().back());
     QTest::keyClick(&editor_->canvas(), Qt::Key_Tab); // on to the next control
     QVERIFY(!editor_->canvas().hasFocus());
 }
