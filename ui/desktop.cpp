@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/desktop.h"
 
-#include "ui/widgets/icons.h"
+#include "plugins/widgets/icons.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>

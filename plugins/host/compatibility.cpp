@@ -28,9 +28,6 @@ Status checkInterface(const PluginMetadata& plugin)
 {
     const std::string_view expected = pluginInterface(plugin.kind);
     const std::string kind(pluginKindName(plugin.kind));
-    if (expected.empty())
-        return refused("This version of TAn has no plugins of the kind \"" + kind +
-                       "\". Install a newer version of TAn.");
     if (plugin.interface != expected)
         return refused("Its metadata call it a " + kind + ", but it implements " + plugin.interface + " instead of " +
                        std::string(expected) + ". Ask the plugin's author for a mended one.");

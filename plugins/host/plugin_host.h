@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plugins/api/builder.h"
+#include "plugins/api/editor.h"
 #include "plugins/api/reader.h"
 #include "plugins/api/renderer.h"
 #include "plugins/host/compatibility.h"
@@ -76,6 +77,7 @@ public:
     /// One plugin; loads it. The error says why it cannot be had, or which ones there are.
     Result<Provided<Builder>> builder(const std::string& id) { return one<Builder>(PluginKind::Builder, id); }
     Result<Provided<Renderer>> renderer(const std::string& id) { return one<Renderer>(PluginKind::Renderer, id); }
+    Result<Provided<Editor>> editor(const std::string& id) { return one<Editor>(PluginKind::Editor, id); }
     Result<Provided<Reader>> reader(const std::string& id) { return one<Reader>(PluginKind::Reader, id); }
 
     /// Why plugins of this kind are missing, a line each; empty if none is.

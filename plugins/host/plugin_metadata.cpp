@@ -2,6 +2,7 @@
 #include "plugins/host/plugin_metadata.h"
 
 #include "plugins/api/builder.h"
+#include "plugins/api/editor.h"
 #include "plugins/api/reader.h"
 #include "plugins/api/renderer.h"
 
@@ -24,7 +25,7 @@ constexpr std::array<KindEntry, 5> kinds = {{{PluginKind::Builder, "builder", TA
                                              {PluginKind::Renderer, "renderer", TAN_RENDERER_INTERFACE},
                                              {PluginKind::Reader, "reader", TAN_READER_INTERFACE},
                                              {PluginKind::Writer, "writer", TAN_WRITER_INTERFACE},
-                                             {PluginKind::Editor, "editor", ""}}};
+                                             {PluginKind::Editor, "editor", TAN_EDITOR_INTERFACE}}};
 
 Error malformed(const std::string& what)
 {

@@ -17,7 +17,7 @@ enum class PluginKind { Builder, Renderer, Reader, Writer, Editor };
 /// "builder", "renderer", "reader", "writer", "editor".
 std::string_view pluginKindName(PluginKind kind) noexcept;
 
-/// The interface (IID) that a plugin of this kind implements; empty for a kind that this program has no interface for.
+/// The interface (IID) that a plugin of this kind implements.
 std::string_view pluginInterface(PluginKind kind) noexcept;
 
 /// What a plugin says of itself (plugins/api/metadata.h), and what its build wrote into it.

@@ -36,11 +36,12 @@ const std::vector<Room>& rooms()
         {"plugins/host", {"core", "plugins/api"}},
         {"plugins/builders", {"core", "plugins/api"}},
         {"plugins/renderers", {"core", "plugins/api"}},
-        {"plugins/editors", {"core", "plugins/api"}},
+        {"plugins/widgets", {"core"}},
+        {"plugins/editors", {"core", "plugins/api", "plugins/widgets"}},
         {"plugins/readers", {"core", "plugins/api"}},
         {"plugins/writers", {"core", "plugins/api"}},
-        {"ui", {"core", "plugins/api", "plugins/host"}},
-        {"app", {"core", "plugins/api", "plugins/host", "ui"}},
+        {"ui", {"core", "plugins/api", "plugins/host", "plugins/widgets"}},
+        {"app", {"core", "plugins/api", "plugins/host", "plugins/widgets", "ui"}},
         {"tests", {"core", "plugins", "ui", "app"}},
     };
     return all;

@@ -13,9 +13,9 @@ inline constexpr std::size_t lineLimit = 400;
 
 /// Reads every .h and .cpp under app, core, plugins, tests and ui of `root` and says, one sentence a breach and in the
 /// order of the paths, where they break the rules of the house:
-/// - who may include whom (core <- plugins/api <- plugins/*; core, plugins/api, plugins/host <- ui <- app; no plugin
-/// includes
-///   another; inside core base <- data, mesh, transfer <- model, and graphics <- base, mesh, transfer);
+/// - who may include whom (core <- plugins/api <- plugins/*; core, plugins/api, plugins/host <- ui <- app; core <-
+///   plugins/widgets <- plugins/editors, ui; no plugin includes another; inside core base <- data, mesh, transfer <-
+///   model, and graphics <- base, mesh, transfer);
 /// - own headers are included by their path from the root and exist;
 /// - core includes no Qt, and its headers neither OpenGL nor CGAL;
 /// - the first line is the licence's SPDX line, and headers have `#pragma once`;

@@ -24,11 +24,11 @@ void writeFile(const fs::path& path, const std::string& text)
 /// A small tree in which everything is as it should be, with one header in each room.
 void writeGoodTree(const fs::path& root)
 {
-    for (const char* path :
-         {"core/base/result.h", "core/data/lattice.h", "core/mesh/mesh.h", "core/transfer/function.h",
-          "core/model/model.h", "core/graphics/scene.h", "plugins/api/builder.h", "plugins/host/host.h",
-          "plugins/builders/refinement/builder.h", "plugins/builders/decimation/heap.h",
-          "plugins/readers/lattice/nrrd.h", "ui/window.h", "app/commands.h", "tests/ui/robot.h"})
+    for (const char* path : {"core/base/result.h", "core/data/lattice.h", "core/mesh/mesh.h",
+                             "core/transfer/function.h", "core/model/model.h", "core/graphics/scene.h",
+                             "plugins/api/builder.h", "plugins/host/host.h", "plugins/builders/refinement/builder.h",
+                             "plugins/builders/decimation/heap.h", "plugins/readers/lattice/nrrd.h",
+                             "plugins/widgets/value_box.h", "ui/window.h", "app/commands.h", "tests/ui/robot.h"})
         writeFile(root / path, header);
 }
 
@@ -85,6 +85,10 @@ void IncludeDirectionTest::acceptsWhatIsAllowed_data()
         << QByteArray("#include \"core/data/lattice.h\"\n#include \"plugins/api/builder.h\"\n#include <QFile>");
     QTest::newRow("moc's output") << "ui/window.cpp" << QByteArray("#include \"window.moc\"");
     QTest::newRow("ui uses the host") << "ui/window.cpp" << QByteArray("#include \"plugins/host/host.h\"");
+    QTest::newRow("ui uses shared widgets")
+        << "ui/window.cpp" << QByteArray("#include \"plugins/widgets/value_box.h\"");
+    QTest::newRow("editor uses shared widgets")
+        << "plugins/editors/curve/panel.cpp" << QByteArray("#include \"plugins/widgets/value_box.h\"");
     QTest::newRow("app uses ui") << "app/main.cpp" << QByteArray("#include \"ui/window.h\"");
     QTest::newRow("tests use all") << "tests/plugins/heap_test.cpp"
                                    << QByteArray("#include \"plugins/builders/decimation/heap.h\"");
@@ -126,6 +130,13 @@ void IncludeDirectionTest::findsTheBreach_data()
         "#include \"plugins/builders/decimation/heap.h\"", "may not include plugins/builders/decimation/heap.h");
     row("plugin sees ui", lattice, "#include \"ui/window.h\"", "may not include ui/window.h");
     row("plugin sees app", lattice, "#include \"app/commands.h\"", "may not include app/commands.h");
+    row("editor sees ui", "plugins/editors/curve/bad.h", "#include \"ui/window.h\"", "may not include ui/window.h");
+    row("editor sees host", "plugins/editors/curve/bad.h", "#include \"plugins/host/host.h\"",
+        "may not include plugins/host/host.h");
+    row("reader sees widgets", lattice, "#include \"plugins/widgets/value_box.h\"",
+        "may not include plugins/widgets/value_box.h");
+    row("widgets see api", "plugins/widgets/bad.h", "#include \"plugins/api/builder.h\"",
+        "may not include plugins/api/builder.h");
     row("ui sees plugin", "ui/bad.h", "#include \"plugins/readers/lattice/nrrd.h\"",
         "may not include plugins/readers/lattice/nrrd.h");
     row("ui sees app", "ui/bad.h", "#include \"app/commands.h\"", "may not include app/commands.h");

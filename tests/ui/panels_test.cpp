@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/data/analytic_fields.h"
 #include "plugins/host/dataset_saving.h"
+#include "plugins/widgets/colour_button.h"
+#include "plugins/widgets/value_box.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/panels/accuracy_curve.h"
-#include "ui/widgets/colour_button.h"
-#include "ui/widgets/value_box.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/widgets/colour_button.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/panels/transfer_canvas.h"
-#include "ui/widgets/colour_button.h"
 
 #include "core/graphics/camera_text.h"
 #include "core/transfer/default_transfer_functions.h"
@@ -19,7 +18,7 @@
 
 using namespace tetra;
 
-/// Rendering modes, the editor of the transfer function and the camera in numbers (R18, R27), by object names.
+/// Rendering modes and the camera in numbers (R27), by object names.
 class RenderingTest : public QObject {
     Q_OBJECT
 private slots:
@@ -31,12 +30,6 @@ private slots:
     void aDefaultThatIsConfirmedIsNoEdit();
     void aSettingOfAnotherTypeIsLeftOut();
     void theFrameRateIsKept();
-    void aDragIsOneStepAndThePictureFollows();
-    void pointsAreEditedByKeys();
-    void doubleClickAddsAPoint();
-    void pointsAreEditedInNumbers();
-    void aPointIsMadeAStep();
-    void allPointsAreChanged();
     void theCameraIsEditedInNumbers();
     void theCameraIsSavedAndLoaded();
     void theBackgroundIsChosen();
@@ -45,8 +38,6 @@ private slots:
 private:
     Session& session() const { return window_->workbench.session(); }
     const TransferFunction& function() const { return session().view().look().transfer; }
-    TransferCanvas& canvas() const { return window_->find<TransferCanvas>("transfer.canvas"); }
-    QPoint placeOf(std::size_t point) const { return canvas().plot().place(function().points[point]).toPoint(); }
     int undoSteps() const { return session().undoStack().index(); }
     void undo() const { window_->find<QAction>("action.undo").trigger(); }
     void showVolume() const;
@@ -181,116 +172,6 @@ void RenderingTest::theFrameRateIsKept()
     window_ = std::make_unique<WindowFixture>();
     QCOMPARE(window_->find<QSpinBox>("rendering.frameRate").value(), 24);
     window_->find<QSpinBox>("rendering.frameRate").setValue(0);
-}
-
-void RenderingTest::aDragIsOneStepAndThePictureFollows()
-{
-    showVolume();
-    const TransferFunction before = function();
-    const int steps = undoSteps();
-    const auto scene = window_->viewport().scene();
-    const QPoint from = placeOf(4);
-    QTest::mousePress(&canvas(), Qt::LeftButton, {}, from);
-    QCOMPARE(canvas().selected(), std::size_t{4});
-    for (int i = 1; i <= 6; ++i) {
-        const QPoint to = from + QPoint(i, -3 * i);
-        QMouseEvent move(QEvent::MouseMove, to, canvas().mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
-        QCoreApplication::sendEvent(&canvas(), &move);
-    }
-    QVERIFY(!window_->viewport().settled()); // quick pictures while it is dragged
-    QTRY_VERIFY(window_->viewport().scene() != scene);
-    QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, from + QPoint(6, -18));
-    QVERIFY(function().points[4].opacity > before.points[4].opacity);
-    QVERIFY(function().points[4].value > before.points[4].value);
-    QCOMPARE(undoSteps(), steps + 1);
-    QTRY_VERIFY(window_->settled());
-    undo();
-    QCOMPARE(function(), before);
-}
-
-void RenderingTest::pointsAreEditedByKeys()
-{
-    showVolume();
-    canvas().setFocus();
-    const std::size_t count = function().points.size();
-    QTest::keyClick(&canvas(), Qt::Key_Tab);
-    QTest::keyClick(&canvas(), Qt::Key_Tab);
-    QCOMPARE(canvas().selected(), std::size_t{1});
-    QTest::keyClick(&canvas(), Qt::Key_Backtab);
-    QCOMPARE(canvas().selected(), std::size_t{0});
-    QTest::keyClick(&canvas(), Qt::Key_Tab);
-    const TransferPoint before = function().points[1];
-    QTest::keyClick(&canvas(), Qt::Key_Right);
-    QTest::keyClick(&canvas(), Qt::Key_Up);
-    QVERIFY(function().points[1].value > before.value);
-    QVERIFY(function().points[1].opacity > before.opacity);
-    QVERIFY(canvas().accessibleDescription().contains("Point 2 of 9"));
-    QTest::keyClick(&canvas(), Qt::Key_Delete);
-    QCOMPARE(function().points.size(), count - 1);
-    canvas().select(function().points.size() - 1);
-    QTest::keyClick(&canvas(), Qt::Key_Tab); // on to the next control
-    QVERIFY(!canvas().hasFocus());
-}
-
-void RenderingTest::doubleClickAddsAPoint()
-{
-    showVolume();
-    const std::size_t count = function().points.size();
-    const int steps = undoSteps();
-    const QPoint place = canvas().plot().area.center().toPoint() + QPoint(13, -40);
-    QTest::mouseDClick(&canvas(), Qt::LeftButton, {}, place);
-    QCOMPARE(function().points.size(), count + 1);
-    QVERIFY(canvas().selected().has_value());
-    QVERIFY((placeOf(*canvas().selected()) - place).manhattanLength() <= 2);
-    QCOMPARE(undoSteps(), steps + 1);
-}
-
-void RenderingTest::pointsAreEditedInNumbers()
-{
-    showVolume();
-    QVERIFY(!window_->find<QDoubleSpinBox>("transfer.value").isEnabled());
-    QTest::mouseClick(&canvas(), Qt::LeftButton, {}, placeOf(4));
-    auto& value = window_->find<QDoubleSpinBox>("transfer.value");
-    value.setValue(value.value() + 3);
-    QCOMPARE(function().points[4].value, value.value());
-    window_->find<QDoubleSpinBox>("transfer.opacity").setValue(62.5);
-    QCOMPARE(function().points[4].opacity, 0.625F);
-    window_->find<QDoubleSpinBox>("transfer.unitDistance").setValue(2);
-    QCOMPARE(function().unitDistance, 2.0);
-    QTest::mouseClick(&window_->find<QPushButton>("transfer.add"), Qt::LeftButton);
-    QCOMPARE(canvas().selected(), std::size_t{5});
-    QTest::mouseClick(&window_->find<QPushButton>("transfer.remove"), Qt::LeftButton);
-    QCOMPARE(function().points.size(), std::size_t{9});
-}
-
-void RenderingTest::aPointIsMadeAStep()
-{
-    showVolume();
-    QTest::mouseClick(&canvas(), Qt::LeftButton, {}, placeOf(4));
-    auto& step = window_->find<QCheckBox>("transfer.step");
-    step.click();
-    QVERIFY(isOnStep(function(), 4));
-    window_->find<QDoubleSpinBox>("transfer.opacity").setValue(0);
-    QVERIFY(function().points[4].opacity != function().points[5].opacity);
-    QCOMPARE(function().points[4].value, function().points[5].value);
-    QTRY_VERIFY(window_->settled());
-    step.click();
-    QCOMPARE(function().points.size(), std::size_t{9});
-    QCOMPARE(function().points[4].opacity, 0.0F);
-}
-
-void RenderingTest::allPointsAreChanged()
-{
-    showVolume();
-    const TransferFunction before = function();
-    const ValueRange range = session().range();
-    window_->find<QAction>("transfer.preset.diverging").trigger();
-    QCOMPARE(function(), divergingTransferFunction(range.minimum, range.maximum, before.unitDistance));
-    undo();
-    window_->find<QAction>("transfer.change.mirror").trigger();
-    QCOMPARE(function().points.front().opacity, before.points.back().opacity);
-    window_->find<QAction>("transfer.change.thinner").trigger();
-    QVERIFY(function().points.front().opacity < before.points.back().opacity);
 }
 
 void RenderingTest::theCameraIsEditedInNumbers()

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/accuracy_panel.h"
 
+#include "plugins/widgets/gesture_watcher.h"
+#include "plugins/widgets/number_text.h"
+#include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/accuracy_curve.h"
 #include "ui/panels/accuracy_inputs.h"
 #include "ui/session/mesh_text.h"
-#include "ui/session/number_text.h"
 #include "ui/widgets/checked_button.h"
-#include "ui/widgets/gesture_watcher.h"
-#include "ui/widgets/scrolled_column.h"
 
 #include <QEvent>
 #include <QGridLayout>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/build_panel.h"
 
+#include "plugins/widgets/icons.h"
+#include "plugins/widgets/number_text.h"
 #include "ui/panels/parameter_form.h"
 #include "ui/session/import_texts.h"
-#include "ui/session/number_text.h"
 #include "ui/session/plugin_texts.h"
 #include "ui/session/target_path.h"
-#include "ui/widgets/icons.h"
 
 #include <QComboBox>
 #include <QFileDialog>

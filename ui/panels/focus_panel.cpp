@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/focus_panel.h"
 
+#include "plugins/widgets/gesture_watcher.h"
+#include "plugins/widgets/icons.h"
+#include "plugins/widgets/number_text.h"
+#include "plugins/widgets/scrolled_column.h"
+#include "plugins/widgets/value_box.h"
 #include "ui/panels/accuracy_inputs.h"
 #include "ui/session/accuracy_scale.h"
-#include "ui/session/number_text.h"
 #include "ui/widgets/checked_button.h"
-#include "ui/widgets/gesture_watcher.h"
-#include "ui/widgets/icons.h"
-#include "ui/widgets/scrolled_column.h"
-#include "ui/widgets/value_box.h"
 #include "ui/widgets/value_slider.h"
 #include "ui/widgets/vector_input.h"
 

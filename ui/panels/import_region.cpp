@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/import_region.h"
 
+#include "plugins/widgets/value_box.h"
 #include "ui/session/import_texts.h"
 #include "ui/widgets/check_label.h"
-#include "ui/widgets/value_box.h"
 
 #include <QCheckBox>
 #include <QGridLayout>

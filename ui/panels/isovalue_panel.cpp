@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/isovalue_panel.h"
 
+#include "plugins/widgets/icons.h"
 #include "ui/panels/isovalue_row.h"
-#include "ui/widgets/icons.h"
 
 #include <QLabel>
 #include <QPushButton>

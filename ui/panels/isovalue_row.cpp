@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/isovalue_row.h"
 
-#include "ui/widgets/colour_button.h"
-#include "ui/widgets/icons.h"
-#include "ui/widgets/value_box.h"
+#include "plugins/widgets/colour_button.h"
+#include "plugins/widgets/icons.h"
+#include "plugins/widgets/value_box.h"
 #include "ui/widgets/value_slider.h"
 
 #include <QCheckBox>

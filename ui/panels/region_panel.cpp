@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/region_panel.h"
 
-#include "ui/widgets/scrolled_column.h"
-#include "ui/widgets/value_box.h"
+#include "plugins/widgets/scrolled_column.h"
+#include "plugins/widgets/value_box.h"
 #include "ui/widgets/value_slider.h"
 #include "ui/widgets/vector_input.h"
 

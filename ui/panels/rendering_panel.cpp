@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/rendering_panel.h"
 
+#include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/parameter_form.h"
 #include "ui/session/plugin_texts.h"
 #include "ui/viewport/viewport.h"
-#include "ui/widgets/scrolled_column.h"
 
 #include <QComboBox>
 #include <QFormLayout>

@@ -2,13 +2,13 @@
 #include "ui/panels/view_panel.h"
 
 #include "core/graphics/camera_text.h"
-#include "ui/session/number_text.h"
+#include "plugins/widgets/colour_button.h"
+#include "plugins/widgets/number_text.h"
+#include "plugins/widgets/scrolled_column.h"
+#include "plugins/widgets/value_box.h"
 #include "ui/session/target_path.h"
 #include "ui/viewport/viewport.h"
-#include "ui/widgets/colour_button.h"
 #include "ui/widgets/file_dialogs.h"
-#include "ui/widgets/scrolled_column.h"
-#include "ui/widgets/value_box.h"
 #include "ui/widgets/vector_input.h"
 
 #include <QComboBox>

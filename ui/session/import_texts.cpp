@@ -2,7 +2,7 @@
 #include "ui/session/import_texts.h"
 
 #include "core/base/memory.h"
-#include "ui/session/number_text.h"
+#include "plugins/widgets/number_text.h"
 #include "ui/session/plugin_texts.h"
 
 #include <QCoreApplication>

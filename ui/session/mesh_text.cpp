@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/mesh_text.h"
 
-#include "ui/session/number_text.h"
+#include "plugins/widgets/number_text.h"
 
 #include <QCoreApplication>
 #include <QStringList>

@@ -171,6 +171,8 @@ constexpr std::array texts{
     QT_TRANSLATE_NOOP("Plugin", "Fluent (*.cas)"),
     QT_TRANSLATE_NOOP("Plugin", "OpenFOAM (*.foam controlDict)"),
     QT_TRANSLATE_NOOP("Plugin", "Tecplot text (*.tec *.tp)"),
+    QT_TRANSLATE_NOOP("Plugin", "Transfer function editor"),
+    QT_TRANSLATE_NOOP("Plugin", "Edits the colour and the opacity of each value, over how often the values occur."),
     QT_TRANSLATE_NOOP("Plugin", "builder"),
     QT_TRANSLATE_NOOP("Plugin", "renderer"),
     QT_TRANSLATE_NOOP("Plugin", "reader"),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/message_bar.h"
 
-#include "ui/widgets/icons.h"
+#include "plugins/widgets/icons.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

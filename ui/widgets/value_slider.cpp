@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/value_slider.h"
 
-#include "ui/widgets/gesture_watcher.h"
-#include "ui/widgets/value_box.h"
+#include "plugins/widgets/gesture_watcher.h"
+#include "plugins/widgets/value_box.h"
+#include "ui/session/session.h"
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/actions.h"
 
+#include "plugins/widgets/icons.h"
 #include "ui/viewport/camera_controls.h"
-#include "ui/widgets/icons.h"
 
 #include <QCoreApplication>
 #include <QMainWindow>

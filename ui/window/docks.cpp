@@ -3,11 +3,11 @@
 
 #include "ui/panels/accuracy_panel.h"
 #include "ui/panels/build_panel.h"
+#include "ui/panels/editor_page.h"
 #include "ui/panels/focus_panel.h"
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/region_panel.h"
 #include "ui/panels/rendering_panel.h"
-#include "ui/panels/transfer_panel.h"
 #include "ui/panels/view_panel.h"
 
 #include <QCoreApplication>
@@ -48,7 +48,7 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
     docks.rendering = add("rendering", Texts::tr("Rendering"), docks.renderingPanel);
     docks.view = add("view", Texts::tr("View"), new ViewPanel(workbench, viewport));
     docks.isovalues = add("isovalues", Texts::tr("Isovalues"), new IsovaluePanel(session));
-    docks.transfer = add("transfer", Texts::tr("Transfer"), new TransferPanel(workbench));
+    docks.transfer = add("transfer", Texts::tr("Transfer"), makeEditorPage(workbench, "transferfunction"));
     docks.focus = add("focus", Texts::tr("Focus"), docks.focusPanel);
     docks.region = add("region", Texts::tr("Region"), new RegionPanel(session));
     QObject::connect(docks.renderingPanel, &RenderingPanel::transferWanted, docks.transfer,

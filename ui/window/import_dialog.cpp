@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/import_dialog.h"
 
+#include "plugins/widgets/number_text.h"
+#include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/import_region.h"
 #include "ui/panels/slice_preview.h"
 #include "ui/session/import_texts.h"
-#include "ui/session/number_text.h"
 #include "ui/session/plugin_texts.h"
 #include "ui/session/target_path.h"
 #include "ui/widgets/check_label.h"
-#include "ui/widgets/scrolled_column.h"
 
 #include <QComboBox>
 #include <QFileInfo>

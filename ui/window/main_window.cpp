@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/main_window.h"
 
+#include "plugins/widgets/icons.h"
 #include "ui/panels/focus_panel.h"
 #include "ui/panels/rendering_panel.h"
 #include "ui/session/recent_files.h"
 #include "ui/session/target_path.h"
 #include "ui/viewport/region_tools.h"
+#include "ui/viewport/transfer_drag.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
-#include "ui/widgets/icons.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/window/empty_page.h"
 #include "ui/window/import_dialog.h"
@@ -83,7 +84,8 @@ QWidget* MainWindow::makeCentre()
 {
     viewport_->setObjectName("viewport");
     viewport_->setAccessibleName(tr("Picture"));
-    new RegionTools(workbench_.session(), *viewport_);
+    new TransferDrag(workbench_, *viewport_);
+    new RegionTools(workbench_.session(), *viewport_); // the last one comes first: its handles go before
     pages_->setObjectName("pages");
     pages_->addWidget(empty_);
     pages_->addWidget(viewport_);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/region_actions.h"
 
+#include "plugins/widgets/icons.h"
 #include "ui/viewport/viewport.h"
-#include "ui/widgets/icons.h"
 
 #include <QMenu>
 #include <QToolBar>

@@ -2,8 +2,8 @@
 #include "ui/window/status_line.h"
 
 #include "core/base/memory.h"
+#include "plugins/widgets/number_text.h"
 #include "ui/session/mesh_text.h"
-#include "ui/session/number_text.h"
 
 #include <QLabel>
 #include <QLocale>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/task_line.h"
 
-#include "ui/widgets/icons.h"
+#include "plugins/widgets/icons.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

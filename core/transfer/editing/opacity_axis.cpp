@@ -21,6 +21,8 @@ double heightOf(double opacity, OpacityAxis axis) noexcept
 {
     if (axis == OpacityAxis::Linear)
         return cut(opacity);
+    if (axis == OpacityAxis::SquareRoot)
+        return std::sqrt(cut(opacity));
     return cut(std::log1p(fineness * cut(opacity)) / std::log1p(fineness));
 }
 
@@ -28,13 +30,21 @@ double opacityAtHeight(double height, OpacityAxis axis) noexcept
 {
     if (axis == OpacityAxis::Linear)
         return cut(height);
+    if (axis == OpacityAxis::SquareRoot)
+        return cut(height) * cut(height);
     return cut(std::expm1(cut(height) * std::log1p(fineness)) / fineness);
 }
 
 std::span<const double> opacityTicks(OpacityAxis axis) noexcept
 {
-    static constexpr double linear[] = {0, 0.25, 0.5, 0.75, 1}, logarithmic[] = {0, 0.001, 0.01, 0.1, 1};
-    return axis == OpacityAxis::Linear ? linear : logarithmic;
+    static constexpr double linear[] = {0, 0.25, 0.5, 0.75, 1}, squareRoot[] = {0, 0.1, 0.25, 0.5, 1},
+                            logarithmic[] = {0, 0.001, 0.01, 0.1, 1};
+    switch (axis) {
+    case OpacityAxis::Linear: return linear;
+    case OpacityAxis::SquareRoot: return squareRoot;
+    case OpacityAxis::Logarithmic: return logarithmic;
+    }
+    return linear;
 }
 
 } // namespace tetra

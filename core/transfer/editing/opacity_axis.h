@@ -9,7 +9,8 @@ namespace tetra {
 /// How an editor's axis of opacities goes from 0, at height 0, to 1, at height 1.
 enum class OpacityAxis : std::uint8_t {
     Linear,
-    Logarithmic ///< finer near zero: log(1 + 1000 opacity), with a place for 0
+    SquareRoot, ///< finer near zero: most of what clouds are made of is seen through
+    Logarithmic ///< much finer near zero: log(1 + 1000 opacity), with a place for 0
 };
 
 /// In [0, 1]; opacities are cut to [0, 1], NaN counts as 0.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/api/editor.h"
 #include "plugins/api/reader.h"
+#include "plugins/api/renderer.h"
 #include "plugins/host/compatibility.h"
 #include "plugins/host/load_error.h"
 
@@ -129,13 +131,17 @@ private slots:
             QVERIFY2(status.error().text.find(error.toStdString()) != std::string::npos, status.error().text.c_str());
     }
 
-    void editorsHaveNoInterfaceYet()
+    void anEditorImplementsTheInterfaceOfEditors()
     {
         QJsonObject metadata = own();
         metadata["kind"] = "editor";
-        const auto parsed = parsePluginMetadata(whole(metadata));
+        QJsonObject json = whole(metadata);
+        json["IID"] = TAN_EDITOR_INTERFACE;
+        const auto parsed = parsePluginMetadata(json);
         QVERIFY(parsed);
-        QVERIFY(!checkCompatible(*parsed, host()));
+        QVERIFY(checkCompatible(*parsed, host()));
+        json["IID"] = TAN_RENDERER_INTERFACE;
+        QVERIFY(!checkCompatible(*parsePluginMetadata(json), host()));
     }
 
     void loadErrorsNameWhatIsMissing()

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/data/scalar_field.h"
+#include "core/graphics/isovalue.h"
+#include "core/transfer/transfer_function.h"
+#include "core/transfer/value_histogram.h"
+
+#include <QString>
+#include <QtPlugin>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+class QObject;
+class QWidget;
+
+namespace tetra {
+
+/// What of an editor's surroundings has changed.
+enum class EditorChange {
+    Model,     ///< another one is open, or none: all is new
+    Function,  ///< the transfer function, by whatever hand
+    Isovalues, ///< one or all of them
+    Mesh,      ///< and with it the histogram
+};
+
+/// Which file an editor wants to read or write.
+struct EditorFile {
+    QString dialog; ///< object name of the window's dialog
+    QString title;
+    QString filter; ///< "Transfer functions (*.json)"
+    QString ending; ///< of a file to write, behind the model's name: "-transfer.json"
+};
+
+/// The window, as an editor sees it (R18): what there is to edit, and who takes the edits. Each edit is one undo step
+/// of the window; edits between beginGesture() and endGesture() (a drag, a held key) are one together. An edit that is
+/// not valid changes nothing. Lives longer than the editor's widget; used in the GUI thread only.
+class EditorHost {
+public:
+    virtual ~EditorHost() = default;
+
+    virtual bool hasModel() const = 0;
+    /// Of the model's values; empty without a model.
+    virtual ValueRange range() const = 0;
+    /// Of the domain, in the units of the dataset; 0 without a model.
+    virtual double diagonal() const = 0;
+    /// How often values occur in the mesh of the picture; none before the first one.
+    virtual std::shared_ptr<const ValueHistogram> histogram() const = 0;
+    virtual const TransferFunction& function() const = 0;
+    virtual const std::vector<Isovalue>& isovalues() const = 0;
+    /// Calls `call` after every change, as long as `receiver` lives.
+    virtual void whenChanged(QObject* receiver, const std::function<void(EditorChange)>& call) = 0;
+
+    virtual void beginGesture() = 0;
+    virtual void endGesture() = 0;
+    virtual void setFunction(const TransferFunction& function) = 0;
+    /// In a colour that is not in use yet.
+    virtual void addIsovalue(double value) = 0;
+    virtual void setIsovalue(std::size_t index, const Isovalue& isovalue) = 0;
+    virtual void removeIsovalue(std::size_t index) = 0;
+
+    /// Lets the user choose a file and gives its text to `use`; what that says against it is told with the file's name.
+    virtual void loadText(QWidget* parent, const EditorFile& file,
+                          const std::function<Status(const std::string& text)>& use) = 0;
+    /// Lets the user choose where to, and writes what `make` makes of the file's name without its ending.
+    virtual void saveText(QWidget* parent, const EditorFile& file,
+                          const std::function<std::string(const std::string& name)>& make) = 0;
+    /// A message in the window: what went wrong, and what to do.
+    virtual void tell(const QString& message) = 0;
+};
+
+/// A widget over a value of the window.
+class Editor {
+public:
+    virtual ~Editor() = default;
+    /// The caller owns the widget, which shows what `host` has and holds no value of its own.
+    virtual QWidget* makeWidget(EditorHost& host) const = 0;
+};
+
+} // namespace tetra
+
+#define TAN_EDITOR_INTERFACE "org.tan.Editor/1"
+Q_DECLARE_INTERFACE(tetra::Editor, TAN_EDITOR_INTERFACE)

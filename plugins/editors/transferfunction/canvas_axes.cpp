@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The axes of the editor's plot, and what stands at its edges.
+#include "plugins/editors/transferfunction/canvas_painting.h"
+#include "plugins/editors/transferfunction/value_text.h"
+#include "plugins/widgets/number_text.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <array>
+
+namespace tetra {
+namespace {
+
+constexpr double halfHandle = 5;
+
+void paintOpacities(QPainter& painter, const CanvasScene& scene, const QColor& text)
+{
+    const TransferPlot& plot = scene.plot;
+    const int line = painter.fontMetrics().height();
+    double last = plot.area.bottom() + 2 * line;
+    for (const double opacity : opacityTicks(plot.axis)) {
+        const double y = plot.y(opacity);
+        if (y < plot.area.top() - 1 || y > plot.area.bottom() + 1)
+            continue;
+        painter.setPen(QPen(faded(text, 0.12), 1));
+        painter.drawLine(QPointF(plot.area.left(), y), QPointF(plot.area.right(), y));
+        if (last - y < line * 0.8) // else one would stand on the other
+            continue;
+        last = y;
+        painter.setPen(text);
+        painter.drawText(QRectF(0, y - line / 2.0, plot.area.left() - 5, line), Qt::AlignRight | Qt::AlignVCenter,
+                         percentText(100 * opacity));
+    }
+}
+
+void paintValues(QPainter& painter, const CanvasScene& scene, const QColor& text)
+{
+    const TransferPlot& plot = scene.plot;
+    painter.setPen(text);
+    const double middle = (plot.limits.least + plot.limits.largest) / 2;
+    const QRectF labels(plot.area.left(), plot.area.bottom() + stripHeight + 5, plot.area.width(),
+                        painter.fontMetrics().height());
+    painter.drawText(labels, Qt::AlignLeft, textOfValue(plot.limits.least, plot.limits));
+    painter.drawText(labels, Qt::AlignHCenter, textOfValue(middle, plot.limits));
+    painter.drawText(labels, Qt::AlignRight, textOfValue(plot.limits.largest, plot.limits));
+}
+
+/// An arrow at an edge of the plot, with how many things lie beyond.
+void paintOutside(QPainter& painter, const CanvasScene& scene, int count, int side)
+{
+    if (count == 0)
+        return;
+    const QRectF& area = scene.plot.area;
+    const double edge = side < 0 ? area.left() + 2 : area.right() - 2;
+    const double y = area.center().y();
+    const QString text = QString::number(count);
+    const double width = painter.fontMetrics().horizontalAdvance(text) + 18;
+    const double height = painter.fontMetrics().height() + 2;
+    const QRectF box(side < 0 ? edge : edge - width, y - height / 2, width, height);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(scene.palette.color(QPalette::Highlight));
+    painter.drawRoundedRect(box, 3, 3);
+    const double tip = side < 0 ? box.left() + 4 : box.right() - 4;
+    painter.setBrush(scene.palette.color(QPalette::HighlightedText));
+    painter.drawPolygon(QPolygonF({{tip, y}, {tip - side * 5, y - 4}, {tip - side * 5, y + 4}}));
+    painter.setPen(scene.palette.color(QPalette::HighlightedText));
+    painter.drawText(box.adjusted(side < 0 ? 12 : 4, 0, side < 0 ? -4 : -12, 0), Qt::AlignCenter, text);
+}
+
+void paintMarker(QPainter& painter, const CanvasScene& scene, const EditorItem& item, const QColor& colour)
+{
+    const QRectF& area = scene.plot.area;
+    const double x = scene.plot.x(*scene.state.valueOf(item));
+    if (x < area.left() - 0.5 || x > area.right() + 0.5)
+        return;
+    const bool isCurrent = scene.state.current() == item;
+    const QColor rim = scene.palette.color(isCurrent ? QPalette::Highlight : QPalette::WindowText);
+    const bool isHidden =
+        item.kind == EditorItem::Kind::Isovalue && !scene.state.host().isovalues()[item.index].visible;
+    painter.setPen(QPen(scene.palette.color(QPalette::Base), 3.5));
+    painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    painter.setPen(QPen(colour, isCurrent ? 2.5 : 1.5, isHidden ? Qt::DotLine : Qt::SolidLine));
+    painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    painter.setPen(QPen(rim, isCurrent ? 2 : 1));
+    painter.setBrush(isHidden ? scene.palette.color(QPalette::Base) : colour);
+    const double top = area.top() - handleHeight;
+    if (item.kind == EditorItem::Kind::Isovalue)
+        painter.drawPolygon(QPolygonF({{x - halfHandle, top}, {x + halfHandle, top}, {x, area.top()}}));
+    else // the straight side of the handle lies at the value
+        painter.drawRect(
+            QRectF(item.kind == EditorItem::Kind::MaskLeast ? x : x - halfHandle, top, halfHandle, handleHeight));
+}
+
+} // namespace
+
+void paintAxes(QPainter& painter, const CanvasScene& scene)
+{
+    const QColor text =
+        scene.palette.color(scene.isEnabled ? QPalette::Active : QPalette::Disabled, QPalette::WindowText);
+    paintOpacities(painter, scene, text);
+    painter.setPen(QPen(faded(text, 0.5), 1));
+    painter.drawLine(scene.plot.area.bottomLeft(), scene.plot.area.bottomRight());
+    painter.drawLine(scene.plot.area.bottomLeft(), scene.plot.area.topLeft());
+    if (scene.state.host().hasModel())
+        paintValues(painter, scene, text);
+}
+
+void paintMarkers(QPainter& painter, const CanvasScene& scene)
+{
+    for (const EditorItem& item : scene.state.items()) {
+        if (item.kind == EditorItem::Kind::Point)
+            continue;
+        QColor colour = scene.palette.color(QPalette::WindowText);
+        if (item.kind == EditorItem::Kind::Isovalue) {
+            const Isovalue& isovalue = scene.state.host().isovalues()[item.index];
+            colour = QColor::fromRgbF(isovalue.red, isovalue.green, isovalue.blue);
+        }
+        paintMarker(painter, scene, item, colour);
+    }
+}
+
+OutsideCounts countOutside(const EditorState& state)
+{
+    const TransferLimits seen = state.shown();
+    OutsideCounts counts;
+    for (const EditorItem& item : state.items()) {
+        counts.left += *state.valueOf(item) < seen.least;
+        counts.right += *state.valueOf(item) > seen.largest;
+    }
+    return counts;
+}
+
+void paintWhatIsOutside(QPainter& painter, const CanvasScene& scene)
+{
+    const OutsideCounts counts = countOutside(scene.state);
+    paintOutside(painter, scene, counts.left, -1);
+    paintOutside(painter, scene, counts.right, 1);
+}
+
+} // namespace tetra

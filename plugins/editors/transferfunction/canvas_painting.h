@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugins/editors/transferfunction/editor_state.h"
+#include "plugins/editors/transferfunction/transfer_plot.h"
+
+#include <QColor>
+#include <QPalette>
+
+class QFontMetrics;
+class QPainter;
+
+namespace tetra {
+
+/// What is painted of the editor's state, and where.
+struct CanvasScene {
+    const EditorState& state;
+    TransferPlot plot;
+    QPalette palette;
+    bool isEnabled = true;
+    bool hasFocus = false;
+    std::optional<QRectF> band{}; ///< the frame that is being drawn around points
+
+    const TransferFunction& function() const { return state.function(); }
+};
+
+/// The plot's area in a canvas of this size: room for the handles above it, the opacities on its left, and below it
+/// the colours and the values.
+QRectF plotArea(const QRectF& canvas, const QFontMetrics& font);
+
+void paintCanvas(QPainter& painter, const CanvasScene& scene, const QRectF& canvas);
+
+/// The parts of it; canvas_axes.cpp has the first.
+void paintAxes(QPainter& painter, const CanvasScene& scene);
+/// Where something of the function or an isovalue lies outside of what is seen, and how many.
+void paintWhatIsOutside(QPainter& painter, const CanvasScene& scene);
+/// The isovalues and the ends of the mask, with handles.
+void paintMarkers(QPainter& painter, const CanvasScene& scene);
+
+/// How many points, isovalues and ends of the mask lie to the left and to the right of what is seen.
+struct OutsideCounts {
+    int left = 0;
+    int right = 0;
+};
+OutsideCounts countOutside(const EditorState& state);
+
+/// The height of the strip of colours below the plot.
+inline constexpr double stripHeight = 10;
+/// Of the handles above the plot.
+inline constexpr double handleHeight = 9;
+
+QColor faded(const QColor& colour, double opacity);
+QColor colourAt(const TransferFunction& function, double value);
+
+} // namespace tetra

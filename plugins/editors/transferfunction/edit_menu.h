@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugins/editors/transferfunction/editor_state.h"
+
+#include <QMenu>
+
+#include <functional>
+
+namespace tetra {
+
+/// What can be done to the selected points and to all; each action is one undo step, and those that need a selection
+/// are there only with one.
+class EditMenu : public QMenu {
+    Q_OBJECT
+public:
+    /// `state` outlives it.
+    explicit EditMenu(EditorState& state, QWidget* parent = nullptr);
+    /// Where the next isovalue, peak or pasted point goes; none: the middle of what is seen.
+    void setPlace(std::optional<double> value) { place_ = value; }
+
+private:
+    using Change = std::function<EditedSelection(const TransferFunction&, const TransferSelection&)>;
+
+    QAction* add(QMenu& menu, const char* name, const QString& text, const std::function<void()>& run);
+    /// Greyed out with fewer selected points than `points`.
+    void addEdit(QMenu& menu, const char* name, const QString& text, std::size_t points, const Change& change);
+    void addWhole();
+    void addSelecting();
+    void addArranging();
+    void addAligning();
+    void addGroups();
+    void addRules();
+    void addMaskAndIsovalues();
+    double place() const;
+    void enableWhatIsPossible();
+
+    EditorState& state_;
+    std::optional<double> place_;
+    struct Needing {
+        QAction* action;
+        std::size_t points;
+    };
+    std::vector<Needing> needing_;
+    QAction* mask_ = nullptr;
+};
+
+/// A mask around the selected points, or if there are not two of them around most of what is seen; or none any more.
+void setMasked(EditorState& state, bool on);
+
+} // namespace tetra

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/editors/transferfunction/editor_state.h"
+
+#include "core/transfer/editing/whole_function.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetra {
+namespace {
+
+/// The least part of an axis that may fill the plot.
+constexpr double leastPart = 1e-6;
+
+/// Moved and cut so that it lies within `whole`.
+TransferLimits within(const TransferLimits& part, const TransferLimits& whole)
+{
+    const double extent = whole.largest - whole.least;
+    const double size = std::clamp(part.largest - part.least, leastPart * extent, extent);
+    const double least = std::clamp(part.least, whole.least, whole.largest - size);
+    return {least, std::min(least + size, whole.largest)};
+}
+
+} // namespace
+
+EditorState::EditorState(EditorHost& host, QObject* parent) : QObject(parent), host_(host) {}
+
+TransferLimits EditorState::range() const
+{
+    return {host_.range().minimum, host_.range().maximum};
+}
+
+TransferLimits EditorState::limits() const
+{
+    TransferLimits limits = range();
+    if (!function().points.empty()) {
+        limits.least = std::min(limits.least, function().points.front().value);
+        limits.largest = std::max(limits.largest, function().points.back().value);
+    }
+    return limits;
+}
+
+std::optional<std::size_t> EditorState::currentPoint() const
+{
+    return current_.kind == EditorItem::Kind::Point ? std::optional(current_.index) : std::nullopt;
+}
+
+std::vector<EditorItem> EditorState::items() const
+{
+    std::vector<EditorItem> items;
+    for (std::size_t i = 0; i < function().points.size(); ++i)
+        items.push_back({EditorItem::Kind::Point, i});
+    for (std::size_t i = 0; i < host_.isovalues().size(); ++i)
+        items.push_back({EditorItem::Kind::Isovalue, i});
+    if (function().mask) {
+        items.push_back({EditorItem::Kind::MaskLeast});
+        items.push_back({EditorItem::Kind::MaskLargest});
+    }
+    return items;
+}
+
+std::optional<double> EditorState::valueOf(const EditorItem& item) const
+{
+    switch (item.kind) {
+    case EditorItem::Kind::None: return std::nullopt;
+    case EditorItem::Kind::Point: return function().points[item.index].value;
+    case EditorItem::Kind::Isovalue: return host_.isovalues()[item.index].value;
+    case EditorItem::Kind::MaskLeast: return function().mask->least;
+    case EditorItem::Kind::MaskLargest: return function().mask->largest;
+    }
+    return std::nullopt;
+}
+
+void EditorState::select(TransferSelection selection)
+{
+    const auto point = currentPoint();
+    selection_ = selectionOf(function(), std::move(selection));
+    if (!point || std::ranges::find(selection_, *point) == selection_.end())
+        current_ = selection_.empty() ? EditorItem{} : EditorItem{EditorItem::Kind::Point, selection_.front()};
+    emit selectionChanged();
+}
+
+void EditorState::setCurrent(const EditorItem& item)
+{
+    current_ = item;
+    selection_.clear();
+    if (item.kind == EditorItem::Kind::Point)
+        selection_.push_back(item.index);
+    forgetWhatIsGone();
+}
+
+void EditorState::addToSelection(std::size_t point)
+{
+    current_ = {EditorItem::Kind::Point, point};
+    TransferSelection selection = selection_;
+    selection.push_back(point);
+    select(std::move(selection));
+}
+
+void EditorState::forgetWhatIsGone()
+{
+    selection_ = selectionOf(function(), std::move(selection_));
+    const auto all = items();
+    if (std::ranges::find(all, current_) == all.end())
+        current_ = selection_.empty() ? EditorItem{} : EditorItem{EditorItem::Kind::Point, selection_.front()};
+    emit selectionChanged();
+}
+
+void EditorState::apply(const EditedSelection& edited)
+{
+    host_.setFunction(edited.function);
+    select(edited.selection);
+}
+
+void EditorState::setCurrentValue(double value)
+{
+    const TransferMask mask = function().mask.value_or(TransferMask{});
+    switch (current_.kind) {
+    case EditorItem::Kind::None: return;
+    case EditorItem::Kind::Point: {
+        const double from = function().points[current_.index].value;
+        const double first = function().points[selection_.front()].value;
+        return apply(withValue(function(), selection_, first + value - from, rule_, limits()));
+    }
+    case EditorItem::Kind::Isovalue: {
+        Isovalue isovalue = host_.isovalues()[current_.index];
+        isovalue.value = value;
+        return host_.setIsovalue(current_.index, isovalue);
+    }
+    case EditorItem::Kind::MaskLeast:
+        return host_.setFunction(withMask(function(), {std::min(value, mask.largest), mask.largest}));
+    case EditorItem::Kind::MaskLargest:
+        return host_.setFunction(withMask(function(), {mask.least, std::max(value, mask.least)}));
+    }
+}
+
+void EditorState::removeCurrent()
+{
+    switch (current_.kind) {
+    case EditorItem::Kind::None: return;
+    case EditorItem::Kind::Point: return apply(withoutSelected(function(), selection_));
+    case EditorItem::Kind::Isovalue: return host_.removeIsovalue(current_.index);
+    case EditorItem::Kind::MaskLeast:
+    case EditorItem::Kind::MaskLargest: return host_.setFunction(withoutMask(function()));
+    }
+}
+
+void EditorState::setView(const EditorView& view)
+{
+    view_ = view;
+    view_.heights = within(view.heights, {0, 1});
+    if (view.values) {
+        const TransferLimits seen = within(*view.values, limits());
+        const bool isAll = seen.least <= limits().least && seen.largest >= limits().largest;
+        view_.values = isAll ? std::nullopt : std::optional(seen);
+    }
+    emit viewChanged();
+}
+
+void EditorState::setRule(NeighbourRule rule)
+{
+    rule_ = rule;
+}
+
+double opacityOf(const TransferFunction& function, double value)
+{
+    return -std::expm1(-evaluateUnmasked(function, value).extinction * function.unitDistance);
+}
+
+} // namespace tetra

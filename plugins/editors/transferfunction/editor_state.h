@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/transfer/editing/moving.h"
+#include "core/transfer/editing/opacity_axis.h"
+#include "core/transfer/editing/selection.h"
+#include "plugins/api/editor.h"
+
+#include <QObject>
+
+namespace tetra {
+
+/// What one key or number box is about: the point that was selected last, an isovalue, or an end of the mask.
+struct EditorItem {
+    enum class Kind { None, Point, Isovalue, MaskLeast, MaskLargest };
+    Kind kind = Kind::None;
+    std::size_t index = 0; ///< of points and isovalues
+    bool operator==(const EditorItem&) const = default;
+};
+
+/// How the plot is looked at.
+struct EditorView {
+    std::optional<TransferLimits> values{}; ///< that are seen; none: all
+    TransferLimits heights{};               ///< of the axis of opacities, in [0, 1]
+    OpacityAxis axis = OpacityAxis::SquareRoot;
+    bool logarithmicCounts = true; ///< rare values are to be seen, too
+};
+
+/// What the parts of the editor share besides the function, which is the window's: the selected points, how the plot is
+/// looked at, and what happens to neighbours. None of it is undone.
+class EditorState : public QObject {
+    Q_OBJECT
+public:
+    /// `host` outlives it.
+    explicit EditorState(EditorHost& host, QObject* parent = nullptr);
+
+    EditorHost& host() const noexcept { return host_; }
+    const TransferFunction& function() const { return host_.function(); }
+    /// Of the data.
+    TransferLimits range() const;
+    /// Of the data and of what of the function reaches beyond: nothing acts unseen.
+    TransferLimits limits() const;
+    /// The values at the left and the right edge of the plot.
+    TransferLimits shown() const { return view_.values.value_or(limits()); }
+
+    const TransferSelection& selection() const noexcept { return selection_; }
+    EditorItem current() const noexcept { return current_; }
+    std::optional<std::size_t> currentPoint() const;
+    /// All the items in the order in which Tab goes through them.
+    std::vector<EditorItem> items() const;
+    std::optional<double> valueOf(const EditorItem& item) const;
+
+    /// The points, and the first of them as the current one unless one of them is that.
+    void select(TransferSelection selection);
+    /// One point alone, or something that is no point.
+    void setCurrent(const EditorItem& item);
+    /// Leaves the selection, and makes the point current.
+    void addToSelection(std::size_t point);
+    /// Of indices that are gone; after the function or the isovalues have changed.
+    void forgetWhatIsGone();
+    /// One edit, which keeps or moves the selection.
+    void apply(const EditedSelection& edited);
+    /// The current item moved to a value; several selected points go along.
+    void setCurrentValue(double value);
+    /// Takes away the selected points, or the isovalue or the mask that is the current item.
+    void removeCurrent();
+
+    const EditorView& view() const noexcept { return view_; }
+    /// Cut to what there is to see.
+    void setView(const EditorView& view);
+    void setRule(NeighbourRule rule);
+    NeighbourRule rule() const noexcept { return rule_; }
+
+signals:
+    void selectionChanged();
+    void viewChanged();
+
+private:
+    EditorHost& host_;
+    TransferSelection selection_;
+    EditorItem current_;
+    EditorView view_;
+    NeighbourRule rule_ = NeighbourRule::Stop;
+};
+
+/// Of the function at a value, whatever the mask: in [0, 1] of the unit distance.
+double opacityOf(const TransferFunction& function, double value);
+
+} // namespace tetra

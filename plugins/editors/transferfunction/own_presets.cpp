@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/editors/transferfunction/own_presets.h"
+
+#include "core/transfer/transfer_text.h"
+
+#include <QDir>
+#include <QSaveFile>
+#include <QStandardPaths>
+#include <QUrl>
+
+#include <cmath>
+
+namespace tetra {
+namespace {
+
+constexpr qint64 largestFile = 1 << 20;
+constexpr const char* ending = ".json";
+
+QDir folder()
+{
+    return {QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + "/transfer-functions"};
+}
+
+/// Any name can be a file's: what cannot stand there is percent-encoded.
+QString fileOf(const QString& name)
+{
+    return folder().filePath(QUrl::toPercentEncoding(name, " ") + ending);
+}
+
+Error failed(const QString& path, const QString& why)
+{
+    return {ErrorKind::BadInput, "The preset '" + path.toStdString() + "' cannot be changed: " + why.toStdString() +
+                                     ". Check the rights of its folder, and that there is space."};
+}
+
+TransferFunction spread(TransferFunction function, const TransferLimits& range, double unitDistance)
+{
+    for (TransferPoint& point : function.points)
+        point.value = std::lerp(range.least, range.largest, point.value);
+    if (function.mask)
+        function.mask = TransferMask{std::lerp(range.least, range.largest, function.mask->least),
+                                     std::lerp(range.least, range.largest, function.mask->largest)};
+    function.unitDistance = unitDistance;
+    return function;
+}
+
+} // namespace
+
+std::vector<Preset> ownPresets()
+{
+    std::vector<Preset> presets;
+    for (const QFileInfo& found : folder().entryInfoList({QString("*") + ending}, QDir::Files, QDir::Name)) {
+        QFile file(found.filePath());
+        if (!file.open(QIODevice::ReadOnly))
+            continue;
+        const auto function = transferFunctionFromText(file.read(largestFile).toStdString());
+        if (!function)
+            continue;
+        Preset preset;
+        preset.name = QUrl::fromPercentEncoding(found.completeBaseName().toUtf8());
+        preset.id = "own." + preset.name;
+        preset.make = [function = *function](const TransferLimits& range, double unitDistance) {
+            return spread(function, range, unitDistance);
+        };
+        preset.isOwn = true;
+        preset.unitDistance = function->unitDistance;
+        presets.push_back(std::move(preset));
+    }
+    return presets;
+}
+
+Status saveOwnPreset(const QString& name, const TransferFunction& preset)
+{
+    const QString path = fileOf(name);
+    folder().mkpath(".");
+    QSaveFile file(path);
+    const QByteArray text = QByteArray::fromStdString(transferFunctionToText(preset));
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
+        return failed(path, file.errorString());
+    return {};
+}
+
+Status deleteOwnPreset(const QString& name)
+{
+    QFile file(fileOf(name));
+    if (!file.remove())
+        return failed(file.fileName(), file.errorString());
+    return {};
+}
+
+} // namespace tetra

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the buttons and menus of the editor's panel do.
+#include "core/transfer/transfer_import.h"
+#include "core/transfer/transfer_text.h"
+#include "plugins/editors/transferfunction/transfer_canvas.h"
+#include "plugins/editors/transferfunction/transfer_panel.h"
+
+#include <QActionGroup>
+#include <QInputDialog>
+#include <QMenu>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace tetra {
+
+void TransferPanel::fillViewMenu()
+{
+    QMenu& menu = *view_->menu();
+    menu.addSection(tr("Axis of opacities"));
+    auto* axes = new QActionGroup(&menu);
+    const auto axis = [&](const char* name, const QString& text, OpacityAxis kind) {
+        QAction* action = menu.addAction(text, this, [this, kind] {
+            EditorView view = state_.view();
+            view.axis = kind;
+            state_.setView(view);
+        });
+        action->setObjectName(QString("transfer.axis.") + name);
+        action->setCheckable(true);
+        action->setChecked(state_.view().axis == kind);
+        axes->addAction(action);
+    };
+    axis("linear", tr("&Linear"), OpacityAxis::Linear);
+    axis("squareRoot", tr("S&quare root"), OpacityAxis::SquareRoot);
+    axis("logarithmic", tr("L&ogarithmic: fine near zero"), OpacityAxis::Logarithmic);
+    menu.addSeparator();
+    const auto look = [&](const char* name, const QString& text, const std::function<void(EditorView&)>& change) {
+        QAction* action = menu.addAction(text, this, [this, change] {
+            EditorView view = state_.view();
+            change(view);
+            state_.setView(view);
+        });
+        action->setObjectName(QString("transfer.zoom.") + name);
+        return action;
+    };
+    look("selection", tr("Zoom to the &selected points"), [this](EditorView& view) {
+        const TransferSelection& selection = state_.selection();
+        if (selection.size() >= 2)
+            view.values = TransferLimits{state_.function().points[selection.front()].value,
+                                         state_.function().points[selection.back()].value};
+    });
+    look("data", tr("Zoom to the &values of the data"), [this](EditorView& view) { view.values = state_.range(); });
+    QAction* all = look("all", tr("Show &all"), [](EditorView& view) {
+        view.values.reset();
+        view.heights = {};
+    });
+    all->setShortcut(Qt::Key_Home); // the plot has the key; here it is only shown
+    all->setShortcutContext(Qt::WidgetShortcut);
+}
+
+/// Halfway to the next point, or in the middle of the values.
+void TransferPanel::addPoint()
+{
+    const auto [least, largest] = state_.shown();
+    const auto& points = state_.function().points;
+    double value = (least + largest) / 2;
+    if (const auto point = state_.currentPoint()) {
+        const double from = points[*point].value;
+        const auto next = std::ranges::upper_bound(points, from, {}, &TransferPoint::value);
+        value = (from + (next != points.end() ? next->value : largest)) / 2;
+    }
+    if (const auto added = withPoint(state_.function(), value))
+        state_.apply({added->function, {added->point}});
+}
+
+void TransferPanel::setStep(bool on)
+{
+    const auto point = state_.currentPoint();
+    if (!point)
+        return;
+    const EditedTransfer changed = on ? withStep(state_.function(), *point) : withoutStep(state_.function(), *point);
+    state_.apply({changed.function, {changed.point}});
+}
+
+Status TransferPanel::load(const std::string& text)
+{
+    auto imported = importTransferFunctions(text, {state_.function(), state_.range()});
+    if (!imported)
+        return imported.error();
+    if (imported->size() == 1)
+        host_.setFunction(imported->front().function);
+    else
+        offerChoice(*std::move(imported));
+    return {};
+}
+
+/// Asks which of the presets that a file holds is meant, and lets the window work on.
+void TransferPanel::offerChoice(std::vector<ImportedTransfer> imported)
+{
+    QStringList names;
+    for (std::size_t preset = 0; preset < imported.size(); ++preset)
+        names.append(QString("%1  %2").arg(preset + 1).arg(QString::fromStdString(imported[preset].name)));
+    auto* choice = new QInputDialog(this);
+    choice->setObjectName("transfer.choice");
+    choice->setAttribute(Qt::WA_DeleteOnClose);
+    choice->setWindowTitle(tr("Load Transfer Function"));
+    choice->setLabelText(tr("The file holds several presets:"));
+    choice->setOption(QInputDialog::UseListViewForComboBoxItems);
+    choice->setComboBoxItems(names);
+    connect(choice, &QInputDialog::textValueSelected, this,
+            [this, names, presets = std::move(imported)](const QString& name) {
+                if (const qsizetype index = names.indexOf(name); index >= 0)
+                    host_.setFunction(presets[static_cast<std::size_t>(index)].function);
+            });
+    choice->open();
+}
+
+void TransferPanel::save()
+{
+    host_.saveText(
+        this, {"transferSaveDialog", tr("Save Transfer Function"), tr("Transfer functions (*.json)"), "-transfer.json"},
+        [this](const std::string&) { return transferFunctionToText(state_.function()); });
+}
+
+void TransferPanel::saveForParaview()
+{
+    host_.saveText(this,
+                   {"transferParaviewDialog", tr("Save Transfer Function for ParaView"),
+                    tr("ParaView presets (*.json)"), "-paraview.json"},
+                   [this](const std::string& name) { return transferFunctionToParaview(state_.function(), name); });
+}
+
+} // namespace tetra

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/editors/transferfunction/preset.h"
+
+#include "core/transfer/colour_map.h"
+#include "core/transfer/default_transfer_functions.h"
+#include "plugins/editors/transferfunction/canvas_painting.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <QPixmap>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tetra {
+namespace {
+
+class PresetNames {
+    Q_DECLARE_TR_FUNCTIONS(PresetNames)
+};
+
+/// What the map is called in the user's language: names that are known everywhere stay.
+QString colourMapName(const std::string& id)
+{
+    if (id == "cool-warm")
+        return PresetNames::tr("Cool to warm");
+    if (id == "grey")
+        return PresetNames::tr("Grey");
+    return QString::fromStdString(id);
+}
+
+TransferFunction functionOf(const ColourMap& map, const TransferLimits& range, double unitDistance)
+{
+    TransferFunction function{{}, unitDistance};
+    for (const ColourMapNode& node : map.nodes)
+        function.points.push_back({std::lerp(range.least, range.largest, node.share), node.colour, 1});
+    return function;
+}
+
+/// The colours of a function whose first and last value differ.
+ColourMap mapOf(const TransferFunction& function)
+{
+    ColourMap map;
+    const double least = function.points.front().value;
+    const double extent = function.points.back().value - least;
+    for (const TransferPoint& point : function.points)
+        map.nodes.push_back({(point.value - least) / extent, point.colour});
+    return map;
+}
+
+/// The opacities of one function with the colours of another one.
+TransferFunction joined(const TransferFunction& opacities, const TransferFunction& colours)
+{
+    if (colours.points.empty())
+        return opacities;
+    const TransferLimits limits{colours.points.front().value, colours.points.back().value};
+    if (limits.least < limits.largest)
+        return withColourMap(opacities, mapOf(colours), limits);
+    TransferFunction result = opacities;
+    for (TransferPoint& point : result.points)
+        point.colour = colours.points.front().colour;
+    return result;
+}
+
+QPixmap previewOf(const TransferFunction& function, QSize size, qreal scale)
+{
+    QPixmap pixmap(size * scale);
+    pixmap.setDevicePixelRatio(scale);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    const double height = size.height();
+    const double width = size.width();
+    for (double x = 0; x < width; x += 1 / scale) {
+        const double value = (x + 0.5 / scale) / width;
+        const double opaque = std::sqrt(std::clamp(opacityOf(function, value), 0.0, 1.0)) * height;
+        painter.fillRect(QRectF(x, 0, 1 / scale, height), faded(colourAt(function, value), 0.35));
+        painter.fillRect(QRectF(x, height - opaque, 1 / scale, opaque), colourAt(function, value));
+    }
+    return pixmap;
+}
+
+} // namespace
+
+std::vector<Preset> suppliedPresets()
+{
+    std::vector<Preset> presets{{"preset.sequential",
+                                 PresetNames::tr("Sequential: opaque where values are large"),
+                                 {},
+                                 [](const TransferLimits& range, double unit) {
+                                     return sequentialTransferFunction(range.least, range.largest, unit);
+                                 }},
+                                {"preset.diverging",
+                                 PresetNames::tr("Diverging: opaque at both ends"),
+                                 {},
+                                 [](const TransferLimits& range, double unit) {
+                                     return divergingTransferFunction(range.least, range.largest, unit);
+                                 }}};
+    for (const ColourMap& map : colourMaps())
+        presets.push_back(
+            {QString::fromStdString("colours." + map.id), colourMapName(map.id), QString::fromStdString(map.source),
+             [&map](const TransferLimits& range, double unit) { return functionOf(map, range, unit); }, false});
+    return presets;
+}
+
+TransferFunction withPreset(const TransferFunction& function, const Preset& preset, PresetPart part,
+                            const TransferLimits& range, double diagonal)
+{
+    if (!(range.least < range.largest) || (part == PresetPart::Opacities && !preset.hasOpacities))
+        return function;
+    TransferFunction made = preset.make(range, function.unitDistance);
+    if (part == PresetPart::Colours || !preset.hasOpacities)
+        return joined(function, made);
+    if (preset.unitDistance && diagonal > 0)
+        made.unitDistance = *preset.unitDistance * diagonal;
+    return part == PresetPart::Both ? made : joined(made, function);
+}
+
+QIcon presetIcon(const Preset& preset, QSize size)
+{
+    QIcon icon;
+    for (const int scale : {1, 2, 3})
+        icon.addPixmap(previewOf(preset.make({0, 1}, 1), size, scale));
+    return icon;
+}
+
+TransferFunction presetOf(const TransferFunction& function, const TransferLimits& range, double diagonal)
+{
+    const auto share = [&range](double value) { return (value - range.least) / (range.largest - range.least); };
+    TransferFunction preset = function;
+    for (TransferPoint& point : preset.points)
+        point.value = share(point.value);
+    if (preset.mask)
+        preset.mask = TransferMask{share(preset.mask->least), share(preset.mask->largest)};
+    if (diagonal > 0)
+        preset.unitDistance /= diagonal;
+    return preset;
+}
+
+} // namespace tetra

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/editors/transferfunction/preset_popup.h"
+
+#include "plugins/editors/transferfunction/own_presets.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QInputDialog>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QScreen>
+
+#include <algorithm>
+
+namespace tetra {
+namespace {
+
+constexpr QSize previewSize(72, 18);
+constexpr QSize popupSize(340, 360);
+
+} // namespace
+
+PresetPopup::PresetPopup(EditorState& state, QWidget* parent)
+    : QFrame(parent, Qt::Popup), state_(state), search_(new QLineEdit), part_(new QComboBox), list_(new QListWidget),
+      save_(new QPushButton(tr("&Save as preset…"))), delete_(new QPushButton(tr("&Delete")))
+{
+    setObjectName("transfer.presetPopup");
+    setFrameStyle(QFrame::StyledPanel | QFrame::Raised);
+    search_->setObjectName("transfer.presetPopup.search");
+    search_->setPlaceholderText(tr("Search"));
+    search_->setAccessibleName(tr("Search for a preset"));
+    search_->setClearButtonEnabled(true);
+    search_->installEventFilter(this);
+    part_->setObjectName("transfer.presetPopup.part");
+    part_->setAccessibleName(tr("What to take of a preset"));
+    part_->setToolTip(part_->accessibleName());
+    part_->addItems({tr("Colours and opacities"), tr("Colours alone"), tr("Opacities alone")});
+    list_->setObjectName("transfer.presetPopup.list");
+    list_->setAccessibleName(tr("Presets"));
+    list_->setIconSize(previewSize);
+    list_->setUniformItemSizes(true);
+    save_->setObjectName("transfer.presetPopup.save");
+    save_->setToolTip(tr("Keep the transfer function as it is now, for this and for other models"));
+    delete_->setObjectName("transfer.presetPopup.delete");
+    delete_->setToolTip(tr("Delete the chosen preset, if it is one of your own"));
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(save_);
+    buttons->addStretch();
+    buttons->addWidget(delete_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(6, 6, 6, 6);
+    column->addWidget(search_);
+    column->addWidget(part_);
+    column->addWidget(list_);
+    column->addLayout(buttons);
+    connect(search_, &QLineEdit::textChanged, this, &PresetPopup::narrow);
+    connect(search_, &QLineEdit::returnPressed, this, [this] { take(list_->currentItem()); });
+    connect(part_, &QComboBox::currentIndexChanged, this, &PresetPopup::narrow);
+    connect(list_, &QListWidget::itemClicked, this, &PresetPopup::take);
+    connect(list_, &QListWidget::itemActivated, this, &PresetPopup::take);
+    connect(list_, &QListWidget::currentItemChanged, this, &PresetPopup::enableWhatIsPossible);
+    connect(save_, &QPushButton::clicked, this, &PresetPopup::askForName);
+    connect(delete_, &QPushButton::clicked, this, &PresetPopup::remove);
+    addActions();
+    fill();
+}
+
+/// The supplied presets as commands.
+void PresetPopup::addActions()
+{
+    for (const Preset& preset : suppliedPresets()) {
+        auto* action = new QAction(presetIcon(preset, previewSize), preset.name, this);
+        action->setObjectName("transfer." + preset.id);
+        connect(action, &QAction::triggered, this, [this, preset] { apply(preset, PresetPart::Both); });
+    }
+}
+
+void PresetPopup::fill()
+{
+    presets_ = ownPresets();
+    std::ranges::move(suppliedPresets(), std::back_inserter(presets_));
+    list_->clear();
+    for (const Preset& preset : presets_) {
+        auto* item = new QListWidgetItem(presetIcon(preset, previewSize), preset.name, list_);
+        item->setData(Qt::UserRole, preset.id);
+        item->setToolTip(preset.isOwn ? tr("One of your own") : preset.source);
+    }
+    narrow();
+}
+
+/// Shows what has the text in its name, and has what is to be taken.
+void PresetPopup::narrow()
+{
+    QListWidgetItem* first = nullptr;
+    for (int row = 0; row < list_->count(); ++row) {
+        QListWidgetItem* item = list_->item(row);
+        const bool fits = item->text().contains(search_->text(), Qt::CaseInsensitive) &&
+                          (part() != PresetPart::Opacities || presetOf(item)->hasOpacities);
+        item->setHidden(!fits);
+        if (fits && first == nullptr)
+            first = item;
+    }
+    list_->setCurrentItem(first);
+    enableWhatIsPossible();
+}
+
+void PresetPopup::showAt(const QWidget& button)
+{
+    search_->clear();
+    fill();
+    const QRect screen = button.screen()->availableGeometry();
+    const QSize size = popupSize.expandedTo(minimumSizeHint());
+    const QPoint below = button.mapToGlobal(QPoint(0, button.height()));
+    const QPoint above = button.mapToGlobal(QPoint(0, -size.height()));
+    QPoint place = below.y() + size.height() <= screen.bottom() ? below : above;
+    place.setX(std::clamp(place.x(), screen.left(), std::max(screen.left(), screen.right() - size.width())));
+    place.setY(std::clamp(place.y(), screen.top(), std::max(screen.top(), screen.bottom() - size.height())));
+    setGeometry({place, size});
+    show();
+    search_->setFocus();
+}
+
+/// From the search the arrow keys go through the list.
+bool PresetPopup::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == search_ && event->type() == QEvent::KeyPress) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->key() == Qt::Key_Down || key->key() == Qt::Key_Up) {
+            QCoreApplication::sendEvent(list_, event);
+            return true;
+        }
+    }
+    return QFrame::eventFilter(watched, event);
+}
+
+const Preset* PresetPopup::presetOf(const QListWidgetItem* item) const
+{
+    const int row = item != nullptr ? list_->row(item) : -1;
+    return row >= 0 ? &presets_[static_cast<std::size_t>(row)] : nullptr;
+}
+
+PresetPart PresetPopup::part() const
+{
+    return static_cast<PresetPart>(part_->currentIndex());
+}
+
+void PresetPopup::take(const QListWidgetItem* item)
+{
+    const Preset* preset = presetOf(item);
+    if (preset == nullptr || item->isHidden())
+        return;
+    hide();
+    apply(*preset, part());
+}
+
+void PresetPopup::apply(const Preset& preset, PresetPart part)
+{
+    state_.host().setFunction(withPreset(state_.function(), preset, part, state_.range(), state_.host().diagonal()));
+}
+
+void PresetPopup::askForName()
+{
+    auto* dialog = new QInputDialog(parentWidget());
+    dialog->setObjectName("transfer.presetName");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Save as Preset"));
+    dialog->setLabelText(tr("Name of the preset:"));
+    connect(dialog, &QInputDialog::textValueSelected, this, &PresetPopup::save);
+    hide();
+    dialog->open();
+}
+
+void PresetPopup::save(const QString& name)
+{
+    const TransferLimits range = state_.range();
+    if (name.trimmed().isEmpty() || !(range.least < range.largest))
+        return;
+    const Status saved =
+        saveOwnPreset(name.trimmed(), tetra::presetOf(state_.function(), range, state_.host().diagonal()));
+    if (!saved)
+        state_.host().tell(QString::fromStdString(saved.error().text));
+    fill();
+}
+
+void PresetPopup::remove()
+{
+    const Preset* preset = presetOf(list_->currentItem());
+    if (preset == nullptr || !preset->isOwn)
+        return;
+    if (const Status deleted = deleteOwnPreset(preset->name); !deleted)
+        state_.host().tell(QString::fromStdString(deleted.error().text));
+    fill();
+}
+
+void PresetPopup::enableWhatIsPossible()
+{
+    const Preset* preset = presetOf(list_->currentItem());
+    delete_->setEnabled(preset != nullptr && preset->isOwn);
+}
+
+} // namespace tetra

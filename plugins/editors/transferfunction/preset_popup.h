@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugins/editors/transferfunction/editor_state.h"
+#include "plugins/editors/transferfunction/preset.h"
+
+#include <QFrame>
+
+class QComboBox;
+class QLineEdit;
+class QListWidget;
+class QListWidgetItem;
+class QPushButton;
+
+namespace tetra {
+
+/// Transfer functions to begin with, with previews: narrowed down by typing, taken whole or only the colours or
+/// opacities of; the function as it is can be saved among them.
+class PresetPopup : public QFrame {
+    Q_OBJECT
+public:
+    /// `state` outlives it.
+    explicit PresetPopup(EditorState& state, QWidget* parent = nullptr);
+    /// Below a button, or above it where there is no room.
+    void showAt(const QWidget& button);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void addActions();
+    void fill();
+    void narrow();
+    void take(const QListWidgetItem* item);
+    void apply(const Preset& preset, PresetPart part);
+    void askForName();
+    void save(const QString& name);
+    void remove();
+    PresetPart part() const;
+    const Preset* presetOf(const QListWidgetItem* item) const;
+    void enableWhatIsPossible();
+
+    EditorState& state_;
+    std::vector<Preset> presets_;
+    QLineEdit* search_;
+    QComboBox* part_;
+    QListWidget* list_;
+    QPushButton* save_;
+    QPushButton* delete_;
+};
+
+} // namespace tetra

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/editors/transferfunction/transfer_panel.h"
+
+#include "plugins/editors/transferfunction/edit_menu.h"
+#include "plugins/editors/transferfunction/point_numbers.h"
+#include "plugins/editors/transferfunction/point_table.h"
+#include "plugins/editors/transferfunction/preset_popup.h"
+#include "plugins/editors/transferfunction/transfer_canvas.h"
+#include "plugins/editors/transferfunction/value_text.h"
+#include "plugins/widgets/icons.h"
+#include "plugins/widgets/scrolled_column.h"
+
+#include <QBoxLayout>
+#include <QCheckBox>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace tetra {
+
+TransferPanel::TransferPanel(EditorHost& host, QWidget* parent)
+    : QWidget(parent), host_(host), state_(host), canvas_(new TransferCanvas(state_)), readOut_(new QLabel),
+      numbers_(new PointNumbers(state_)), editMenu_(new EditMenu(state_, this)),
+      presetPopup_(new PresetPopup(state_, this)), table_(new PointTable(state_)),
+      add_(new QPushButton(glyphIcon(Glyph::Add), tr("Ad&d"))),
+      remove_(new QPushButton(glyphIcon(Glyph::Remove), tr("Remove"))), step_(new QCheckBox(tr("S&tep"))),
+      logarithmic_(new QCheckBox(tr("Lo&garithmic"))), presets_(new QToolButton), edits_(new QToolButton),
+      view_(new QToolButton), mask_(new QToolButton), showTable_(new QToolButton), load_(new QToolButton),
+      save_(new QToolButton)
+{
+    setObjectName("transfer");
+    nameControls();
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    column->setSpacing(5);
+    column->addWidget(canvas_, 1);
+    column->addWidget(readOut_);
+    column->addLayout(makePointTools());
+    column->addWidget(numbers_);
+    column->addLayout(makeTools());
+    column->addWidget(showTable_);
+    column->addWidget(table_);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins({});
+    outer->addWidget(new ScrolledColumn(content));
+    fillViewMenu();
+    connectControls();
+    showModel();
+}
+
+void TransferPanel::nameControls()
+{
+    const auto name = [](auto* control, const char* id, const QString& text, const QString& tip) {
+        control->setObjectName(QString("transfer.") + id);
+        if (!text.isEmpty())
+            control->setText(text);
+        control->setToolTip(tip);
+    };
+    name(readOut_, "readOut", {}, tr("Value, opacity, colour and how often it occurs, at the pointer"));
+    name(step_, "step", {},
+         tr("Give the point two sides: what lies below its value ends there, and what lies above begins"));
+    name(add_, "add", {}, tr("Add a point after the selected one, or click on the curve, or double click in the plot"));
+    name(remove_, "remove", {}, tr("Remove what is selected (Del)"));
+    name(logarithmic_, "logarithmic", {},
+         tr("Show how often values occur on a logarithmic scale, so that rare ones are seen"));
+    name(presets_, "presets", tr("Presets"), tr("Transfer functions to begin with"));
+    name(edits_, "edits", tr("Change"), tr("Change the selected points, or all"));
+    name(view_, "view", tr("View"), tr("How the plot is shown"));
+    name(mask_, "mask", tr("Mask"), tr("Show some values only: between two lines that can be dragged"));
+    name(showTable_, "table.show", tr("Points in numbers"), tr("Show all points in a table to be edited"));
+    name(load_, "load", tr("Load…"),
+         tr("Take a transfer function from a file: one of TAn or presets of ParaView (JSON or XML)"));
+    name(save_, "save", tr("Save…"), tr("Save the transfer function as a JSON file, which “tan render” takes, too"));
+    readOut_->setTextFormat(Qt::RichText);
+    readOut_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    mask_->setCheckable(true);
+    showTable_->setCheckable(true);
+    showTable_->setAutoRaise(true);
+    showTable_->setArrowType(Qt::RightArrow);
+    showTable_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    logarithmic_->setChecked(true);
+    table_->hide();
+}
+
+QBoxLayout* TransferPanel::makePointTools()
+{
+    auto* row = new QHBoxLayout;
+    row->addWidget(add_);
+    row->addWidget(remove_);
+    row->addWidget(step_);
+    row->addStretch();
+    row->addWidget(logarithmic_);
+    return row;
+}
+
+QBoxLayout* TransferPanel::makeTools()
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(3);
+    edits_->setPopupMode(QToolButton::InstantPopup);
+    edits_->setMenu(editMenu_);
+    view_->setPopupMode(QToolButton::InstantPopup);
+    view_->setMenu(new QMenu(view_));
+    save_->setPopupMode(QToolButton::MenuButtonPopup);
+    save_->setMenu(new QMenu(save_));
+    for (QToolButton* button : {presets_, edits_, view_, mask_})
+        row->addWidget(button);
+    row->addStretch();
+    row->addWidget(load_);
+    row->addWidget(save_);
+    return row;
+}
+
+void TransferPanel::connectControls()
+{
+    connect(add_, &QPushButton::clicked, this, &TransferPanel::addPoint);
+    connect(remove_, &QPushButton::clicked, this, [this] { state_.removeCurrent(); });
+    connect(step_, &QCheckBox::clicked, this, &TransferPanel::setStep);
+    connect(logarithmic_, &QCheckBox::toggled, this, [this](bool on) {
+        EditorView view = state_.view();
+        view.logarithmicCounts = on;
+        state_.setView(view);
+    });
+    connect(presets_, &QToolButton::clicked, this, [this] { presetPopup_->showAt(*presets_); });
+    connect(mask_, &QToolButton::clicked, this, [this](bool on) { setMasked(state_, on); });
+    connect(showTable_, &QToolButton::toggled, this, [this](bool on) {
+        table_->setVisible(on);
+        showTable_->setArrowType(on ? Qt::DownArrow : Qt::RightArrow);
+    });
+    connect(load_, &QToolButton::clicked, this, [this] {
+        host_.loadText(this,
+                       {"transferDialog", tr("Load Transfer Function"), tr("Transfer functions (*.json *.xml)"), {}},
+                       [this](const std::string& text) { return load(text); });
+    });
+    connect(save_, &QToolButton::clicked, this, &TransferPanel::save);
+    QAction* paraview = save_->menu()->addAction(tr("Save for &ParaView…"), this, &TransferPanel::saveForParaview);
+    paraview->setObjectName("transfer.save.paraview");
+    connect(canvas_, &QWidget::customContextMenuRequested, this, &TransferPanel::openEditMenu);
+    connect(canvas_, &TransferCanvas::pointedChanged, this, &TransferPanel::showReadOut);
+    connect(
+        edits_->menu(), &QMenu::aboutToHide, this, [this] { editMenu_->setPlace(std::nullopt); }, Qt::QueuedConnection);
+    connect(&state_, &EditorState::selectionChanged, this, &TransferPanel::showSelection);
+    host_.whenChanged(this, [this](EditorChange change) {
+        switch (change) {
+        case EditorChange::Model: return showModel();
+        case EditorChange::Function:
+        case EditorChange::Isovalues: return showFunction();
+        case EditorChange::Mesh: return canvas_->update();
+        }
+    });
+}
+
+void TransferPanel::showModel()
+{
+    setEnabled(host_.hasModel());
+    state_.setCurrent({});
+    state_.setView({{}, {}, state_.view().axis, state_.view().logarithmicCounts});
+    numbers_->showModel();
+    showFunction();
+}
+
+void TransferPanel::showFunction()
+{
+    state_.forgetWhatIsGone();
+    table_->refresh();
+    mask_->setChecked(state_.function().mask.has_value());
+    canvas_->update();
+}
+
+void TransferPanel::showSelection()
+{
+    const auto point = state_.currentPoint();
+    step_->setEnabled(point.has_value());
+    step_->setChecked(point && isOnStep(state_.function(), *point));
+    remove_->setEnabled(state_.current().kind != EditorItem::Kind::None);
+    numbers_->showSelection();
+    showReadOut();
+}
+
+/// At the pointer; else of what is selected, so that the keyboard has it, too.
+void TransferPanel::showReadOut()
+{
+    const auto value = canvas_->pointed() ? canvas_->pointed() : state_.valueOf(state_.current());
+    readOut_->setText(value && host_.hasModel() ? readOutOf(state_, *value) : QString("&nbsp;"));
+    readOut_->setAccessibleName(value && host_.hasModel() ? plainReadOutOf(state_, *value) : tr("Read-out"));
+}
+
+void TransferPanel::openEditMenu(QPoint place)
+{
+    const TransferPlot plot = canvas_->plot();
+    editMenu_->setPlace(plot.area.contains(place) ? std::optional(plot.valueAt(place.x())) : std::nullopt);
+    editMenu_->popup(canvas_->mapToGlobal(place));
+}
+
+} // namespace tetra

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/transfer/transfer_import.h"
+#include "plugins/editors/transferfunction/editor_state.h"
+
+#include <QWidget>
+
+class QAction;
+class QBoxLayout;
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace tetra {
+
+class EditMenu;
+class PointNumbers;
+class PointTable;
+class PresetPopup;
+class TransferCanvas;
+
+/// The editor of the transfer function (R18): the plot, in numbers what is selected in it, a table of all points, and
+/// menus. Every edit is a function of core/transfer.
+class TransferPanel : public QWidget {
+    Q_OBJECT
+public:
+    /// `host` outlives it.
+    explicit TransferPanel(EditorHost& host, QWidget* parent = nullptr);
+
+private:
+    void nameControls();
+    QBoxLayout* makeTools();
+    QBoxLayout* makePointTools();
+    void fillViewMenu();
+    void connectControls();
+    void addPoint();
+    void setStep(bool on);
+    Status load(const std::string& text);
+    void offerChoice(std::vector<ImportedTransfer> imported);
+    void save();
+    void saveForParaview();
+    void showModel();
+    void showFunction();
+    void showSelection();
+    void showReadOut();
+    void openEditMenu(QPoint place);
+
+    EditorHost& host_;
+    EditorState state_;
+    TransferCanvas* canvas_;
+    QLabel* readOut_;
+    PointNumbers* numbers_;
+    EditMenu* editMenu_;
+    PresetPopup* presetPopup_;
+    PointTable* table_;
+    QPushButton* add_;
+    QPushButton* remove_;
+    QCheckBox* step_;
+    QCheckBox* logarithmic_;
+    QToolButton* presets_;
+    QToolButton* edits_;
+    QToolButton* view_;
+    QToolButton* mask_;
+    QToolButton* showTable_;
+    QToolButton* load_;
+    QToolButton* save_;
+};
+
+} // namespace tetra

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/transfer/editing/opacity_axis.h"
+#include "core/transfer/transfer_editing.h"
+
+#include <QPointF>
+#include <QRectF>
+
+#include <optional>
+
+namespace tetra {
+
+/// Where values and opacities lie in the editor's plot: values from left to right, opacities from the bottom to the
+/// top. What lies outside of the seen part lies outside of the area.
+struct TransferPlot {
+    QRectF area;
+    TransferLimits limits; ///< the values at the left and the right edge
+    TransferLimits heights{};
+    OpacityAxis axis = OpacityAxis::SquareRoot;
+
+    double x(double value) const;
+    double y(double opacity) const;
+    double valueAt(double x) const;
+    /// On the axis of opacities, in [0, 1].
+    double heightAt(double y) const;
+    double opacityAt(double y) const;
+    /// The two sides of a step lie beside each other, so that both can be grabbed.
+    QPointF place(const TransferFunction& function, std::size_t point) const;
+    /// The point under the pointer; of several the nearest one.
+    std::optional<std::size_t> pointAt(const TransferFunction& function, QPointF place) const;
+    /// Whether the pointer is on the curve.
+    bool isOnCurve(const TransferFunction& function, QPointF place) const;
+    /// The points in a rectangle of the plot.
+    std::vector<std::size_t> pointsIn(const TransferFunction& function, const QRectF& rectangle) const;
+};
+
+/// -1 for the lower side of a step, 1 for the upper one, 0 for a point.
+int sideOf(const TransferFunction& function, std::size_t point);
+
+} // namespace tetra

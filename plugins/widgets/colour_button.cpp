@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/widgets/colour_button.h"
+
+#include "core/graphics/palette.h"
+
+#include <QColorDialog>
+#include <QCoreApplication>
+#include <QMenu>
+#include <QPainter>
+
+#include <array>
+
+namespace tetra {
+namespace {
+
+/// The names of distinctColour()'s colours, in its order.
+constexpr std::array paletteNames{
+    QT_TRANSLATE_NOOP("Palette", "Orange"),       QT_TRANSLATE_NOOP("Palette", "Sky blue"),
+    QT_TRANSLATE_NOOP("Palette", "Bluish green"), QT_TRANSLATE_NOOP("Palette", "Vermilion"),
+    QT_TRANSLATE_NOOP("Palette", "Blue"),         QT_TRANSLATE_NOOP("Palette", "Reddish purple"),
+    QT_TRANSLATE_NOOP("Palette", "Yellow"),
+};
+
+QIcon swatch(const QColor& colour, const QColor& rim, qreal ratio)
+{
+    constexpr int side = 16;
+    QPixmap pixmap(QSize(side, side) * ratio);
+    pixmap.setDevicePixelRatio(ratio);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(rim);
+    painter.setBrush(colour);
+    painter.drawRoundedRect(QRectF(0.5, 0.5, side - 1, side - 1), 3, 3);
+    return QIcon(pixmap);
+}
+
+} // namespace
+
+ColourButton::ColourButton(QWidget* parent) : QToolButton(parent)
+{
+    setPopupMode(QToolButton::InstantPopup);
+    setToolTip(tr("Colour"));
+    setAccessibleName(tr("Colour"));
+    setAutoRaise(true);
+    auto* menu = new QMenu(this);
+    setMenu(menu);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillMenu(menu); });
+}
+
+void ColourButton::setColour(const QColor& colour)
+{
+    colour_ = colour;
+    setIcon(swatch(colour, palette().color(QPalette::Mid), devicePixelRatioF()));
+}
+
+void ColourButton::fillMenu(QMenu* menu)
+{
+    menu->clear();
+    for (std::size_t index = 0; index < paletteNames.size(); ++index) {
+        const auto [red, green, blue] = distinctColour(index);
+        const QColor colour = QColor::fromRgbF(red, green, blue);
+        QAction* action = menu->addAction(swatch(colour, palette().color(QPalette::Mid), devicePixelRatioF()),
+                                          QCoreApplication::translate("Palette", paletteNames[index]));
+        action->setObjectName(QString("colour.%1").arg(index));
+        connect(action, &QAction::triggered, this, [this, colour] { emit colourChosen(colour); });
+    }
+    menu->addSeparator();
+    connect(menu->addAction(tr("Other Colour…")), &QAction::triggered, this, &ColourButton::chooseOther);
+}
+
+void ColourButton::chooseOther()
+{
+    auto* dialog = new QColorDialog(colour_, window());
+    dialog->setObjectName("colourDialog");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QColorDialog::colorSelected, this, &ColourButton::colourChosen);
+    dialog->open();
+}
+
+} // namespace tetra

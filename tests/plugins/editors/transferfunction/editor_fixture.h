@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/transfer/default_transfer_functions.h"
+#include "plugins/editors/transferfunction/transfer_canvas.h"
+#include "tests/ui/window_fixture.h"
+
+namespace tetra {
+
+/// The window with a small model as a volume, and the editor that it has loaded as a plugin.
+class EditorFixture : public WindowFixture {
+public:
+    explicit EditorFixture(const QString& model)
+    {
+        window.resize(1366, 768);
+        window.show();
+        window.open(model);
+        [&] { QTRY_VERIFY(session().model() && settled()); }();
+        session().setTransfer(
+            sequentialTransferFunction(session().range().minimum, session().range().maximum, function().unitDistance));
+        find<QAction>("action.mode.volume").trigger();
+        [&] { QTRY_VERIFY(settled() && viewport().scene()->volume); }();
+    }
+
+    Session& session() const { return workbench.session(); }
+    const TransferFunction& function() const { return session().view().look().transfer; }
+    int undoSteps() const { return session().undoStack().index(); }
+    void undo() const { find<QAction>("action.undo").trigger(); }
+    /// The plugin has the class's meta-object twice, so that qobject_cast knows only its own: the name tells.
+    TransferCanvas& canvas() const { return static_cast<TransferCanvas&>(find<QWidget>("transfer.canvas")); }
+    EditorState& state() const { return canvas().state(); }
+    QPoint placeOf(std::size_t point) const { return canvas().plot().place(function(), point).toPoint(); }
+    /// With the left button down.
+    void dragTo(QPoint place, Qt::KeyboardModifiers modifiers = {}) const
+    {
+        QMouseEvent move(QEvent::MouseMove, place, canvas().mapToGlobal(place), Qt::NoButton, Qt::LeftButton,
+                         modifiers);
+        QCoreApplication::sendEvent(&canvas(), &move);
+    }
+    void drag(QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = {}) const
+    {
+        QTest::mousePress(&canvas(), Qt::LeftButton, modifiers, from);
+        dragTo((from + to) / 2, modifiers);
+        dragTo(to, modifiers);
+        QTest::mouseRelease(&canvas(), Qt::LeftButton, modifiers, to);
+    }
+};
+
+/// The model that the fixture opens, in `folder`.
+inline QString editorModel(const QTemporaryDir& folder, const char* application)
+{
+    QCoreApplication::setOrganizationName("TAn");
+    QCoreApplication::setApplicationName(application);
+    QSettings().clear();
+    QLocale::setDefault(QLocale::c());
+    return QString::fromStdString(
+        buildSampleModel(*hostOfThisBuild(), sampleDataset(12), folder.path().toStdString()).string());
+}
+
+} // namespace tetra

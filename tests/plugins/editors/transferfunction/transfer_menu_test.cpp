@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/transfer/editing/arranging.h"
+#include "core/transfer/editing/copying.h"
+#include "core/transfer/editing/simplification.h"
+#include "tests/plugins/editors/transferfunction/editor_fixture.h"
+
+#include <QClipboard>
+#include <QMenu>
+
+#include <functional>
+
+using namespace tetra;
+
+/// What the editor's menu and keys do to selected points (R18): each one undo step, as the function of core says.
+class TransferMenuTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() { model_ = editorModel(folder_, "transfer-menu"); }
+    void init() { editor_ = std::make_unique<EditorFixture>(model_); }
+    void cleanup() { editor_.reset(); }
+    void everyActionIsOneStep_data();
+    void everyActionIsOneStep();
+    void actionsNeedASelection();
+    void pointsAreCopiedAndPasted();
+    void whatIsNoPointsIsTold();
+    void aPeakIsAdded();
+    void groupsAreMadeAndSelectedByKeys();
+    void theMenuOpensInThePlot();
+
+private:
+    using Change = std::function<EditedSelection(const TransferFunction&, const TransferSelection&, TransferLimits)>;
+
+    const TransferFunction& function() const { return editor_->function(); }
+    TransferSelection selection() const { return editor_->state().selection(); }
+    QAction& action(const QString& name) const { return editor_->find<QAction>("transfer.change." + name); }
+    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) const
+    {
+        editor_->canvas().setFocus();
+        QTest::keyClick(&editor_->canvas(), key, modifiers);
+    }
+
+    QTemporaryDir folder_;
+    QString model_;
+    std::unique_ptr<EditorFixture> editor_;
+};
+
+Q_DECLARE_METATYPE(std::function<tetra::EditedSelection(const tetra::TransferFunction&, const tetra::TransferSelection&,
+                                                        tetra::TransferLimits)>)
+
+void TransferMenuTest::everyActionIsOneStep_data()
+{
+    QTest::addColumn<TransferSelection>("selected");
+    QTest::addColumn<Change>("change");
+    const TransferSelection some{1, 2, 4, 6}, two{2, 3};
+    const auto row = [](const char* name, const TransferSelection& selected, const Change& change) {
+        QTest::newRow(name) << selected << change;
+    };
+    const auto align = [](Alignment kind) {
+        return [kind](const auto& f, const auto& s, auto) { return alignOpacities(f, s, kind); };
+    };
+    row("align.first", some, align(Alignment::First));
+    row("align.mean", some, align(Alignment::Mean));
+    row("align.least", some, align(Alignment::Least));
+    row("align.largest", some, align(Alignment::Largest));
+    row("align.values", two, [](const auto& f, const auto& s, auto) { return alignValues(f, s, Alignment::Mean); });
+    row("distribute", some, &distributeValues);
+    row("flip", some, &flipValues);
+    row("invert", some, [](const auto& f, const auto& s, auto) { return invertOpacities(f, s); });
+    row("ramp", some, [](const auto& f, const auto& s, auto) { return rampOpacities(f, s); });
+    row("delete", some, [](const auto& f, const auto& s, auto) { return withoutSelected(f, s); });
+    row("group.assign.3", some, [](const auto& f, const auto& s, auto) { return withGroup(f, s, 3); });
+    row("duplicate", some, [](const auto& f, const auto& s, TransferLimits limits) {
+        return duplicated(f, s, 0.05 * (limits.largest - limits.least), limits);
+    });
+}
+
+void TransferMenuTest::everyActionIsOneStep()
+{
+    QFETCH(TransferSelection, selected);
+    QFETCH(Change, change);
+    TransferFunction uneven = function(); // so that each edit has something to do
+    for (std::size_t i = 0; i < uneven.points.size(); ++i)
+        uneven.points[i].opacity = 0.1F + 0.07F * static_cast<float>((i * 5) % 9);
+    editor_->session().setTransfer(
+        withMovedPoint(uneven, 2, uneven.points[2].value + 0.01, 0.3, editor_->state().limits()));
+    editor_->state().select(selected);
+    const TransferFunction before = function();
+    const int steps = editor_->undoSteps();
+    const EditedSelection expected = change(before, selected, editor_->state().limits());
+    QVERIFY(expected.function != before);
+    action(QTest::currentDataTag()).trigger();
+    QCOMPARE(function(), expected.function);
+    QCOMPARE(selection(), expected.selection);
+    QCOMPARE(editor_->undoSteps(), steps + 1);
+    editor_->undo();
+    QCOMPARE(function(), before);
+}
+
+void TransferMenuTest::actionsNeedASelection()
+{
+    QVERIFY(!action("flip").isEnabled() && !action("invert").isEnabled() && !action("copy").isEnabled());
+    editor_->state().select({1});
+    QVERIFY(!action("flip").isEnabled() && action("invert").isEnabled());
+    editor_->state().select({1, 2});
+    QVERIFY(action("flip").isEnabled() && !action("distribute").isEnabled());
+    action("selectAll").trigger();
+    QCOMPARE(selection(), allPoints(function()));
+    action("simplify").trigger();
+    QVERIFY(function().points.size() <= 9);
+}
+
+void TransferMenuTest::pointsAreCopiedAndPasted()
+{
+    const TransferFunction before = function();
+    editor_->state().select({2, 3});
+    press(Qt::Key_C, Qt::ControlModifier);
+    const std::string text = QGuiApplication::clipboard()->text().toStdString();
+    QCOMPARE(text, copyOfSelected(before, {2, 3}));
+    press(Qt::Key_V, Qt::ControlModifier);
+    const auto expected = pasted(before, text, std::nullopt, editor_->state().limits());
+    QVERIFY(expected);
+    QCOMPARE(function(), expected->function);
+    QCOMPARE(selection(), expected->selection);
+    QCOMPARE(selection().size(), std::size_t{2});
+    editor_->undo();
+    QCOMPARE(function(), before);
+}
+
+void TransferMenuTest::whatIsNoPointsIsTold()
+{
+    const TransferFunction before = function();
+    QGuiApplication::clipboard()->setText("a shopping list");
+    action("paste").trigger();
+    QCOMPARE(function(), before);
+    QCOMPARE(editor_->messages().size(), 1);
+}
+
+void TransferMenuTest::aPeakIsAdded()
+{
+    const TransferFunction before = function();
+    const int steps = editor_->undoSteps();
+    action("peak").trigger();
+    QCOMPARE(selection().size(), std::size_t{3});
+    QVERIFY(function().points[selection()[1]].opacity >= 0.5F);
+    QCOMPARE(editor_->undoSteps(), steps + 1);
+    editor_->undo();
+    QCOMPARE(function(), before);
+}
+
+void TransferMenuTest::groupsAreMadeAndSelectedByKeys()
+{
+    const int steps = editor_->undoSteps();
+    editor_->state().select({1, 5});
+    press(Qt::Key_7, Qt::ControlModifier);
+    QCOMPARE(editor_->undoSteps(), steps + 1);
+    QCOMPARE(function().points[5].group, std::optional(7));
+    press(Qt::Key_Escape);
+    press(Qt::Key_7);
+    QCOMPARE(selection(), (TransferSelection{1, 5}));
+    action("group.none").trigger();
+    action("group.select.7").trigger();
+    QVERIFY(selection().empty());
+}
+
+void TransferMenuTest::theMenuOpensInThePlot()
+{
+    auto& menu = editor_->find<QMenu>("transfer.editMenu");
+    emit editor_->canvas().customContextMenuRequested(editor_->canvas().plot().area.center().toPoint());
+    QTRY_VERIFY(menu.isVisible());
+    menu.close();
+}
+
+QTEST_MAIN(TransferMenuTest)
+#include "transfer_menu_test.moc"

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/transfer/colour_map.h"
+#include "plugins/editors/transferfunction/own_presets.h"
+#include "tests/plugins/editors/transferfunction/editor_fixture.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QFile>
+#include <QFrame>
+#include <QInputDialog>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QStandardPaths>
+#include <QToolButton>
+
+#include <cmath>
+
+using namespace tetra;
+
+/// Presets of the transfer function (R18): searched for, taken whole or in part, saved and deleted.
+class TransferPresetsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase()
+    {
+        model_ = editorModel(folder_, "transfer-presets");
+        QDir(presetFolder()).removeRecursively();
+    }
+    void init() { editor_ = std::make_unique<EditorFixture>(model_); }
+    void cleanup()
+    {
+        editor_.reset();
+        QDir(presetFolder()).removeRecursively();
+    }
+    void theListIsSearched();
+    void coloursAreTakenAlone();
+    void opacitiesAreTakenAlone();
+    void anOwnPresetIsSavedTakenAndDeleted();
+    void anyNameCanBeAFile();
+    void filesThatAreNoPresetsArePassedOver();
+
+private:
+    static QString presetFolder()
+    {
+        return QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + "/transfer-functions";
+    }
+    const TransferFunction& function() const { return editor_->function(); }
+    QListWidget& list() const { return editor_->find<QListWidget>("transfer.presetPopup.list"); }
+    QStringList shownNames() const
+    {
+        QStringList names;
+        for (int row = 0; row < list().count(); ++row)
+            if (!list().item(row)->isHidden())
+                names.append(list().item(row)->text());
+        return names;
+    }
+    void open() const
+    {
+        QTest::mouseClick(&editor_->find<QToolButton>("transfer.presets"), Qt::LeftButton);
+        QTRY_VERIFY(editor_->find<QFrame>("transfer.presetPopup").isVisible());
+    }
+    /// As typed into the search, and taken by the Enter key.
+    void take(const QString& text, int part) const
+    {
+        open();
+        editor_->find<QComboBox>("transfer.presetPopup.part").setCurrentIndex(part);
+        auto& search = editor_->find<QLineEdit>("transfer.presetPopup.search");
+        QTest::keyClicks(&search, text);
+        QTest::keyClick(&search, Qt::Key_Return);
+        QVERIFY(!editor_->find<QFrame>("transfer.presetPopup").isVisible());
+    }
+    void save(const QString& name) const
+    {
+        open();
+        editor_->find<QPushButton>("transfer.presetPopup.save").click();
+        auto& dialog = editor_->find<QInputDialog>("transfer.presetName");
+        dialog.setTextValue(name);
+        dialog.accept();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+
+    QTemporaryDir folder_;
+    QString model_;
+    std::unique_ptr<EditorFixture> editor_;
+};
+
+void TransferPresetsTest::theListIsSearched()
+{
+    open();
+    QCOMPARE(shownNames().size(), 2 + static_cast<qsizetype>(colourMaps().size()));
+    auto& search = editor_->find<QLineEdit>("transfer.presetPopup.search");
+    QTest::keyClicks(&search, "VID");
+    QCOMPARE(shownNames(), QStringList{"cividis"});
+    QVERIFY(list().item(3)->toolTip().contains("CC0") && !list().item(3)->icon().isNull());
+    search.clear();
+    editor_->find<QComboBox>("transfer.presetPopup.part").setCurrentIndex(2);
+    QCOMPARE(shownNames().size(), 2); // maps have no opacities
+    QVERIFY(!editor_->find<QPushButton>("transfer.presetPopup.delete").isEnabled());
+}
+
+void TransferPresetsTest::coloursAreTakenAlone()
+{
+    const TransferFunction before = function();
+    const int steps = editor_->undoSteps();
+    take("diverging", 1);
+    const TransferFunction whole =
+        divergingTransferFunction(before.points.front().value, before.points.back().value, before.unitDistance);
+    for (int sample = 0; sample <= 64; ++sample) {
+        const double value =
+            std::lerp(editor_->session().range().minimum, editor_->session().range().maximum, sample / 64.0);
+        QVERIFY(std::abs(evaluate(function(), value).extinction - evaluate(before, value).extinction) < 1e-5);
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            QVERIFY(std::abs(evaluate(function(), value).colour[channel] - evaluate(whole, value).colour[channel]) <
+                    0.01);
+    }
+    QCOMPARE(editor_->undoSteps(), steps + 1);
+    editor_->undo();
+    QCOMPARE(function(), before);
+}
+
+void TransferPresetsTest::opacitiesAreTakenAlone()
+{
+    const TransferFunction before = function();
+    take("diverging", 2);
+    QVERIFY(std::abs(function().points.front().opacity - divergingTransferFunction(0, 1, 1).points.front().opacity) <
+            1e-6);
+    QCOMPARE(function().points.front().colour, before.points.front().colour);
+    QCOMPARE(function().points.back().colour, before.points.back().colour);
+}
+
+void TransferPresetsTest::anOwnPresetIsSavedTakenAndDeleted()
+{
+    editor_->session().setTransfer(
+        withMovedPoint(function(), 4, function().points[4].value + 0.5, 0.77, editor_->state().limits()));
+    const TransferFunction kept = function();
+    save("My & clouds/1");
+    editor_->find<QAction>("transfer.preset.diverging").trigger();
+    QVERIFY(function() != kept);
+    take("clouds", 0);
+    QCOMPARE(function().points.size(), kept.points.size());
+    for (std::size_t i = 0; i < kept.points.size(); ++i) {
+        QVERIFY(std::abs(function().points[i].value - kept.points[i].value) <
+                1e-9 * std::abs(kept.points.back().value));
+        QCOMPARE(function().points[i].opacity, kept.points[i].opacity);
+        QCOMPARE(function().points[i].colour, kept.points[i].colour);
+    }
+    QVERIFY(std::abs(function().unitDistance - kept.unitDistance) < 1e-9 * kept.unitDistance);
+    open();
+    list().setCurrentRow(0);
+    editor_->find<QPushButton>("transfer.presetPopup.delete").click();
+    QVERIFY(!shownNames().contains("My & clouds/1"));
+    QVERIFY(ownPresets().empty());
+}
+
+void TransferPresetsTest::anyNameCanBeAFile()
+{
+    for (const QString& name :
+         {QString("../up"), QString("a\\b:c*?"), QString::fromUtf8("Überblick 50 %"), QString(".")}) {
+        QVERIFY(saveOwnPreset(name, sequentialTransferFunction(0, 1, 0.1)));
+        QCOMPARE(ownPresets().size(), std::size_t{1});
+        QCOMPARE(ownPresets().front().name, name);
+        QVERIFY(deleteOwnPreset(name));
+    }
+    QVERIFY(!deleteOwnPreset("never saved"));
+}
+
+void TransferPresetsTest::filesThatAreNoPresetsArePassedOver()
+{
+    QVERIFY(QDir().mkpath(presetFolder()));
+    QFile file(presetFolder() + "/broken.json");
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("{\"points\": 3}") > 0);
+    file.close();
+    QVERIFY(ownPresets().empty());
+    open();
+    QCOMPARE(shownNames().size(), 2 + static_cast<qsizetype>(colourMaps().size()));
+}
+
+QTEST_MAIN(TransferPresetsTest)
+#include "transfer_presets_test.moc"

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/editor_page.h"
+
+#include "plugins/widgets/scrolled_column.h"
+#include "ui/panels/session_editor_host.h"
+
+#include <QCoreApplication>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace tetra {
+namespace {
+
+class EditorPage {
+    Q_DECLARE_TR_FUNCTIONS(EditorPage)
+};
+
+QWidget* makeReasonPage(const std::string& reason)
+{
+    auto* text = new QLabel(EditorPage::tr("The editor cannot be used. %1").arg(QString::fromStdString(reason)) +
+                            "\n\n" + EditorPage::tr("Help › Plugins lists all plugins and where they are looked for."));
+    text->setObjectName("transfer.missing");
+    text->setWordWrap(true);
+    text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    text->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    text->setMargin(9);
+    return new ScrolledColumn(text);
+}
+
+} // namespace
+
+QWidget* makeEditorPage(Workbench& workbench, const std::string& id)
+{
+    const auto editor = workbench.host().editor(id);
+    if (!editor)
+        return makeReasonPage(editor.error().text);
+    return editor->plugin->makeWidget(*new SessionEditorHost(workbench, &workbench));
+}
+
+} // namespace tetra

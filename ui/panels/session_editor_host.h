@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugins/api/editor.h"
+#include "ui/session/workbench.h"
+
+namespace tetra {
+
+/// The window as editor plugins see it: the workbench's session, whose undo stack takes the edits, and the window's
+/// file dialogs. Outlived by the workbench.
+class SessionEditorHost : public QObject, public EditorHost {
+    Q_OBJECT
+public:
+    explicit SessionEditorHost(Workbench& workbench, QObject* parent = nullptr);
+
+    bool hasModel() const override;
+    ValueRange range() const override;
+    double diagonal() const override;
+    std::shared_ptr<const ValueHistogram> histogram() const override;
+    const TransferFunction& function() const override;
+    const std::vector<Isovalue>& isovalues() const override;
+    void whenChanged(QObject* receiver, const std::function<void(EditorChange)>& call) override;
+    void beginGesture() override;
+    void endGesture() override;
+    void setFunction(const TransferFunction& function) override;
+    void addIsovalue(double value) override;
+    void setIsovalue(std::size_t index, const Isovalue& isovalue) override;
+    void removeIsovalue(std::size_t index) override;
+    void loadText(QWidget* parent, const EditorFile& file,
+                  const std::function<Status(const std::string& text)>& use) override;
+    void saveText(QWidget* parent, const EditorFile& file,
+                  const std::function<std::string(const std::string& name)>& make) override;
+    void tell(const QString& message) override;
+
+private:
+    Workbench& workbench_;
+    Session& session_;
+};
+
+} // namespace tetra
