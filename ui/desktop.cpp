@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/desktop.h"
 
+#include "ui/session/language.h"
 #include "ui/widgets/icons.h"
 #include "ui/window/main_window.h"
 
@@ -22,9 +23,10 @@ class Desktop {
 
 void loadTranslations(QApplication& application, QTranslator& ours, QTranslator& ofQt)
 {
-    if (ofQt.load(QLocale(), "qtbase", "_", QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+    const QLocale locale = textLocale();
+    if (ofQt.load(locale, "qtbase", "_", QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QCoreApplication::installTranslator(&ofQt);
-    if (ours.load(QLocale(), "tan", "_", ":/i18n"))
+    if (ours.load(locale, "tan", "_", ":/i18n"))
         application.installTranslator(&ours);
 }
 

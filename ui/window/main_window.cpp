@@ -6,11 +6,14 @@
 #include "ui/session/recent_files.h"
 #include "ui/session/target_path.h"
 #include "ui/viewport/region_tools.h"
+#include "ui/viewport/view_history.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/message_bar.h"
+#include "ui/widgets/mnemonics.h"
 #include "ui/window/empty_page.h"
+#include "ui/window/help_actions.h"
 #include "ui/window/import_dialog.h"
 #include "ui/window/keep_session.h"
 #include "ui/window/mode_actions.h"
@@ -71,6 +74,7 @@ MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
     connectRegions();
     connectWorkbench();
     connectFollowing();
+    connectHelp(*this, actions_, workbench_.session(), *messages_);
     status_->setBackend(viewport_->backendName());
     showModel();
     for (const QString& error : pluginErrors(workbench_.host()))
@@ -83,6 +87,7 @@ QWidget* MainWindow::makeCentre()
     viewport_->setObjectName("viewport");
     viewport_->setAccessibleName(tr("Picture"));
     new RegionTools(workbench_.session(), *viewport_);
+    new ViewHistory(*viewport_, workbench_.session().undoStack(), this);
     pages_->setObjectName("pages");
     pages_->addWidget(empty_);
     pages_->addWidget(viewport_);
@@ -257,6 +262,7 @@ void MainWindow::fillRecent()
     actions_.recent->addSeparator();
     QAction* forget = actions_.recent->addAction(tr("&Clear List"));
     forget->setEnabled(actions_.recent->actions().size() > 2);
+    giveMnemonics(*actions_.recent);
     connect(forget, &QAction::triggered, this, [] { forgetRecentFiles(); });
 }
 
@@ -284,8 +290,9 @@ void MainWindow::showModel()
                                actions_.namedViews)
         action->setEnabled(model != nullptr);
     viewport_->setScene(nullptr);
+    const Camera& camera = viewport_->camera();
+    viewport_->startFrom(model ? fitted(camera, model->description().bounds) : camera, std::nullopt);
     if (model) {
-        fit();
         pages_->setCurrentWidget(viewport_);
         viewport_->setFocus();
     } else {
