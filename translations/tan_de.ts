@@ -41,7 +41,7 @@
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation>&amp;Beenden</translation>
+        <translation>B&amp;eenden</translation>
     </message>
     <message>
         <source>Leave the program</source>
@@ -176,15 +176,15 @@
         <translation>Das gezeigte Netz speichern, für VTK, ParaView und andere</translation>
     </message>
     <message>
-        <source>Save Su&amp;rfaces…</source>
-        <translation>&amp;Flächen speichern …</translation>
+        <source>Save S&amp;urfaces…</source>
+        <translation>F&amp;lächen speichern …</translation>
     </message>
     <message>
         <source>Save the isosurfaces that are seen, for 3D printers, Blender, ParaView and others</source>
         <translation>Die gezeigten Isoflächen speichern, für 3D-Drucker, Blender, ParaView und andere</translation>
     </message>
     <message>
-        <source>Save S&amp;tatistics…</source>
+        <source>Save Stat&amp;istics…</source>
         <translation>S&amp;tatistik speichern …</translation>
     </message>
     <message>
@@ -222,6 +222,54 @@
     <message>
         <source>Open a part of a dataset, or say how its file is to be read</source>
         <translation>Einen Teil eines Datensatzes öffnen oder sagen, wie seine Datei zu lesen ist</translation>
+    </message>
+    <message>
+        <source>&amp;Find Command…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find whatever the program can do by a few letters of its name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reduced &amp;Motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the view at once instead of gliding to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Help on This Control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say what the control does that has the keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;What Is This?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click on a control to read what it does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a model first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing to undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing to redo</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -277,6 +325,28 @@
     </message>
 </context>
 <context>
+    <name>ChangeView</name>
+    <message>
+        <source>change of background</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of view</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ColourMapNames</name>
+    <message>
+        <source>&amp;Cool to warm</source>
+        <translation>&amp;Kalt bis warm</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>&amp;Grau</translation>
+    </message>
+</context>
+<context>
     <name>Desktop</name>
     <message>
         <source>Shows volume data at any accuracy.</source>
@@ -324,6 +394,46 @@
     <message>
         <source>Region</source>
         <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>A dataset is turned into a model once: a mesh of tetrahedra that can be had at any accuracy from then on. Choose a method and a file, and start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the mesh may deviate from the data, in percent of the range of values; or how many tetrahedra it may have. The curve shows what each error costs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In which way the mesh is drawn: surfaces, volume or both, and how finely.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From where the model is seen, in numbers. In the picture: drag to turn, Shift and drag to move, the wheel zooms.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What each accuracy costs in sites, tetrahedra, time and memory, and what is shown now in numbers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surfaces on which the field has one value each, in the units of the data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The transfer function gives each value a colour and an opacity for the volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A sphere or a box in which the mesh is more accurate than outside.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which part of the domain is shown at all: a box, and a range of values.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -407,6 +517,17 @@
     <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>HelpActions</name>
+    <message>
+        <source>The language changes when TAn starts the next time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;As the System</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -566,6 +687,29 @@
     <message>
         <source>Yellow</source>
         <translation>Gelb</translation>
+    </message>
+</context>
+<context>
+    <name>PaletteCommands</name>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not possible now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation type="unfinished">Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Open a model first</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -995,10 +1139,6 @@
         <translation>Liest VTK, Exodus, EnSight, NetCDF, CGNS, MetaImage, NIfTI, TIFF, DICOM und mehr, mit Hilfe von VTK.</translation>
     </message>
     <message>
-        <source>Component</source>
-        <translation>Komponente</translation>
-    </message>
-    <message>
         <source>Of arrays with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
         <translation>Bei Feldern mit mehreren Komponenten: die Nummer einer, ab 0, oder „magnitude“ für den Betrag.</translation>
     </message>
@@ -1242,12 +1382,131 @@
         <source>A tetrahedral mesh needs a cell: two points or more along each axis.</source>
         <translation>Ein Tetraedernetz braucht eine Zelle: zwei Punkte oder mehr entlang jeder Achse.</translation>
     </message>
+    <message>
+        <source>electron density of the C60 molecule, a hollow ball of smooth bumps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>probability density of the hydrogen atom&apos;s 3d electron: two lobes and a ring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the test signal of Marschner and Lobb: ripples that are hard to reproduce</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>white noise, the worst case: no sample tells of its neighbour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>flow in front of a half sphere: a curvilinear grid whose axis is collapsed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>flow around a cylinder: a curvilinear grid that closes on itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>flow through a bent duct: a curvilinear grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a layer at a wall: a rectilinear grid with spacings that grow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>random points in a ball, with waves that grow finer outwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stress in a plate with five holes and a closed cavity: an irregular mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RemoveIsovalue</name>
     <message>
         <source>removal of isovalue</source>
         <translation>Entfernen des Isowerts</translation>
+    </message>
+</context>
+<context>
+    <name>Statistics</name>
+    <message>
+        <source>Error</source>
+        <translation type="unfinished">Fehler</translation>
+    </message>
+    <message>
+        <source>± value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sites</source>
+        <translation type="unfinished">Stützpunkte</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation type="unfinished">Tetraeder</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation type="unfinished">Werte</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sites in all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 sites, %2 tetrahedra</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Extraction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preparation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A frame</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1419,7 +1678,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>&amp;Cancel</source>
-        <translation>&amp;Abbrechen</translation>
+        <translation>Abbre&amp;chen</translation>
     </message>
     <message>
         <source>Ends the build and throws away what it has made</source>
@@ -1427,7 +1686,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>Stop and &amp;Keep</source>
-        <translation>Anhalten und &amp;behalten</translation>
+        <translation>Anhalten und behal&amp;ten</translation>
     </message>
     <message>
         <source>Ends the build; what is finished becomes the model, with the accuracy that it has reached</source>
@@ -1443,11 +1702,11 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>&amp;Build and Replace</source>
-        <translation>&amp;Bauen und ersetzen</translation>
+        <translation>Bauen und &amp;ersetzen</translation>
     </message>
     <message>
         <source>&amp;Build</source>
-        <translation>&amp;Bauen</translation>
+        <translation>Ba&amp;uen</translation>
     </message>
     <message>
         <source>This file exists; it is replaced when the build is done.</source>
@@ -1491,7 +1750,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>Read &amp;Differently…</source>
-        <translation>&amp;Anders lesen …</translation>
+        <translation>A&amp;nders lesen …</translation>
     </message>
     <message>
         <source>Reads the file again in another way: other values, a part of it, every so many points</source>
@@ -1511,6 +1770,25 @@ Verwerfung %2</translation>
     <message>
         <source>Other Colour…</source>
         <translation>Andere Farbe …</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::CommandPalette</name>
+    <message>
+        <source>Type what you want to do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A few letters of a command are enough. Enter does it, Esc leaves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1537,6 +1815,18 @@ Verwerfung %2</translation>
     <message>
         <source>Drop a file here: a dataset (a volume, a grid, a mesh or points) to build a model of, a finished .tan model or a session.</source>
         <translation>Legen Sie hier eine Datei ab: einen Datensatz (ein Volumen, ein Gitter, ein Netz oder Punkte), aus dem ein Modell gebaut wird, ein fertiges .tan-Modell oder eine Sitzung.</translation>
+    </message>
+    <message>
+        <source>Open a dataset, a model or a session (Ctrl+O)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Or look at a sample, which is made now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making the sample</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1655,6 +1945,17 @@ Verwerfung %2</translation>
     <message>
         <source>OpenGL</source>
         <translation>OpenGL</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::HistogramView</name>
+    <message>
+        <source>Histogram</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How often the values of the mesh that is shown occur, on a logarithmic scale; from the least to the largest value, in the units of the data</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1862,6 +2163,25 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::KeepSession</name>
+    <message>
+        <source>Save Session</source>
+        <translation>Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Sessions (*.tansession)</source>
+        <translation>Sitzungen (*.tansession)</translation>
+    </message>
+    <message>
+        <source>TAn ended unexpectedly while %1 was open. How it was seen can be restored.</source>
+        <translation>TAn wurde unerwartet beendet, während %1 geöffnet war. Die Ansicht kann wiederhergestellt werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+</context>
+<context>
     <name>tetra::MainWindow</name>
     <message>
         <source>Picture</source>
@@ -1928,6 +2248,10 @@ Verwerfung %2</translation>
         <source>Show %1 (%2)</source>
         <translation>%1 zeigen (%2)</translation>
     </message>
+    <message>
+        <source>Open a model first</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tetra::ParameterForm</name>
@@ -1965,6 +2289,30 @@ Verwerfung %2</translation>
     <message>
         <source>The plugin %1 cannot be used. %2</source>
         <translation>Das Plugin %1 kann nicht benutzt werden. %2</translation>
+    </message>
+    <message>
+        <source>What was found, and why something is not used. Space switches a plugin on or off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was switched on or off counts when TAn starts the next time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cop&amp;y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy all of this as text, for a report of an error</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2004,6 +2352,14 @@ Verwerfung %2</translation>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Switch on a focus first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a model first</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2157,6 +2513,33 @@ Verwerfung %2</translation>
     <message>
         <source>%1 to the right, %2 up; black %3, white %4</source>
         <translation>%1 nach rechts, %2 nach oben; schwarz %3, weiß %4</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::StatisticsPanel</name>
+    <message>
+        <source>Mesh sizes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the mesh of each error costs: its error in percent of the range of values and in their units, its size, the time to extract it, as measured here, and the memory that it occupies. Choose a line to see that mesh.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cop&amp;y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy all of this as text, with tabs between the columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the table as CSV or JSON, in % and under no locale</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2424,36 +2807,6 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
-    <name>ColourMapNames</name>
-    <message>
-        <source>&amp;Cool to warm</source>
-        <translation>&amp;Kalt bis warm</translation>
-    </message>
-    <message>
-        <source>&amp;Grey</source>
-        <translation>&amp;Grau</translation>
-    </message>
-</context>
-<context>
-    <name>tetra::KeepSession</name>
-    <message>
-        <source>Save Session</source>
-        <translation>Sitzung speichern</translation>
-    </message>
-    <message>
-        <source>Sessions (*.tansession)</source>
-        <translation>Sitzungen (*.tansession)</translation>
-    </message>
-    <message>
-        <source>TAn ended unexpectedly while %1 was open. How it was seen can be restored.</source>
-        <translation>TAn wurde unerwartet beendet, während %1 geöffnet war. Die Ansicht kann wiederhergestellt werden.</translation>
-    </message>
-    <message>
-        <source>&amp;Restore</source>
-        <translation>&amp;Wiederherstellen</translation>
-    </message>
-</context>
-<context>
     <name>tetra::ViewPanel</name>
     <message>
         <source>&amp;Load…</source>
@@ -2648,10 +3001,6 @@ Verwerfung %2</translation>
     <message>
         <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
         <translation>Kein Plugin zur Darstellung konnte geladen werden; so lässt sich kein Modell zeigen. %1</translation>
-    </message>
-    <message>
-        <source>It was read as %1.</source>
-        <translation>Gelesen wurde sie als %1.</translation>
     </message>
     <message>
         <source>Sessions (*.tansession)</source>

@@ -12,7 +12,7 @@ namespace {
 constexpr int forLetter = 1;
 constexpr int forNeighbour = 4;  ///< a letter right after the one before
 constexpr int forWordStart = 6;  ///< a letter that begins a word of the text
-constexpr int forWholeWord = 20; ///< the word of the query as it is
+constexpr int forBeginning = 20; ///< a word of the text begins with that of the query
 constexpr int none = -1;
 
 /// Small letters without their accents.
@@ -28,6 +28,14 @@ QString folded(const QString& text)
 bool beginsWord(const QString& text, qsizetype index)
 {
     return text[index].isLetterOrNumber() && (index == 0 || !text[index - 1].isLetterOrNumber());
+}
+
+bool hasBeginning(const QString& word, const QString& text)
+{
+    for (qsizetype place = text.indexOf(word); place >= 0; place = text.indexOf(word, place + 1))
+        if (beginsWord(text, place))
+            return true;
+    return false;
 }
 
 /// The best way to find the word's letters in the text, in order: best[i] is that of those so far that ends at letter
@@ -55,7 +63,7 @@ std::optional<int> matchWord(const QString& word, const QString& text)
     const auto found = std::ranges::max_element(best);
     if (found == best.end() || *found == none)
         return std::nullopt;
-    return *found + (text.contains(word) ? forWholeWord : 0);
+    return *found + (hasBeginning(word, text) ? forBeginning : 0);
 }
 
 } // namespace

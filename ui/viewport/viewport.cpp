@@ -197,6 +197,8 @@ void Viewport::showGlide(double part)
 
 void Viewport::setBackground(const std::optional<Colour>& background)
 {
+    if (background == background_)
+        return;
     ++gesture_; // each choice is a step of its own
     background_ = background;
     followPalette();

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/mnemonics.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QKeySequence>
+#include <QLabel>
 #include <QMenu>
+#include <QMenuBar>
 #include <QRegularExpression>
 #include <QSet>
 
@@ -47,6 +50,30 @@ void giveMnemonics(QMenu& menu)
             action->setText(text.insert(*place, '&'));
         }
     }
+}
+
+void separateMnemonics(QWidget& panel, const QMenuBar& bar)
+{
+    QSet<QChar> taken;
+    for (const QAction* action : bar.actions())
+        taken.insert(keyOf(action->text()));
+    const auto separate = [&taken](auto& widget) {
+        const QChar key = keyOf(widget.text());
+        if (key.isNull())
+            return;
+        QString text = widget.text();
+        if (taken.contains(key)) {
+            text = withoutMnemonic(text);
+            const auto place = placeOfKey(text, taken);
+            widget.setText(place ? QString(text).insert(*place, '&') : text);
+        }
+        taken.insert(keyOf(widget.text()));
+    };
+    for (QLabel* label : panel.findChildren<QLabel*>())
+        if (label->buddy() != nullptr)
+            separate(*label);
+    for (QAbstractButton* button : panel.findChildren<QAbstractButton*>())
+        separate(*button);
 }
 
 QString withoutMnemonic(const QString& text)

@@ -59,9 +59,9 @@ void addFileMenu(QMainWindow& window, Actions& actions)
                            Texts::tr("Save the mesh that is seen, for VTK, ParaView and others"));
     actions.saveMesh->setIcon(glyphIcon(Glyph::Mesh));
     actions.saveSurfaces =
-        add(menu, "saveSurfaces", Texts::tr("Save Su&rfaces…"), QKeySequence("Ctrl+Shift+M"),
+        add(menu, "saveSurfaces", Texts::tr("Save S&urfaces…"), QKeySequence("Ctrl+Shift+M"),
             Texts::tr("Save the isosurfaces that are seen, for 3D printers, Blender, ParaView and others"));
-    actions.saveStatistics = add(menu, "saveStatistics", Texts::tr("Save S&tatistics…"), {},
+    actions.saveStatistics = add(menu, "saveStatistics", Texts::tr("Save Stat&istics…"), {},
                                  Texts::tr("Save how large the mesh of each accuracy is, as a table"));
     menu->addSeparator();
     actions.close = add(menu, "close", Texts::tr("&Close"), QKeySequence::Close, Texts::tr("Close the model"));

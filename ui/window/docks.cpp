@@ -7,6 +7,7 @@
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/region_panel.h"
 #include "ui/panels/rendering_panel.h"
+#include "ui/panels/statistics_panel.h"
 #include "ui/panels/transfer_panel.h"
 #include "ui/panels/view_panel.h"
 #include "ui/widgets/mnemonics.h"
@@ -15,6 +16,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
+#include <QMenuBar>
 
 namespace tetra {
 namespace {
@@ -60,6 +62,11 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
                      Texts::tr("From where the model is seen, in numbers. In the picture: drag to turn, Shift and drag "
                                "to move, the wheel zooms."),
                      new ViewPanel(workbench, viewport));
+    docks.statisticsPanel = new StatisticsPanel(workbench, viewport);
+    docks.statistics = add("statistics", Texts::tr("Statistics"),
+                           Texts::tr("What each accuracy costs in sites, tetrahedra, time and memory, and what is "
+                                     "shown now in numbers."),
+                           docks.statisticsPanel);
     docks.isovalues = add("isovalues", Texts::tr("Isovalues"),
                           Texts::tr("Surfaces on which the field has one value each, in the units of the data."),
                           new IsovaluePanel(session));
@@ -73,6 +80,8 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
                        Texts::tr("Which part of the domain is shown at all: a box, and a range of values."),
                        new RegionPanel(session));
     giveMnemonics(menu);
+    for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
+        separateMnemonics(*dock->widget(), *window.menuBar());
     QObject::connect(docks.renderingPanel, &RenderingPanel::transferWanted, docks.transfer,
                      [dock = docks.transfer] { raiseDock(*dock); });
     QObject::connect(docks.renderingPanel, &RenderingPanel::isovaluesWanted, docks.isovalues,
@@ -87,11 +96,12 @@ void layOutDocks(QMainWindow& window, const Docks& docks, bool showBuild)
     window.addDockWidget(Qt::RightDockWidgetArea, docks.isovalues);
     window.tabifyDockWidget(docks.accuracy, docks.rendering);
     window.tabifyDockWidget(docks.rendering, docks.view);
+    window.tabifyDockWidget(docks.view, docks.statistics);
     window.tabifyDockWidget(docks.isovalues, docks.transfer);
     window.tabifyDockWidget(docks.transfer, docks.focus);
     window.tabifyDockWidget(docks.focus, docks.region);
-    for (QDockWidget* dock : {docks.build, docks.accuracy, docks.rendering, docks.view, docks.isovalues, docks.transfer,
-                              docks.focus, docks.region}) {
+    for (QDockWidget* dock : {docks.build, docks.accuracy, docks.rendering, docks.view, docks.statistics, docks.isovalues,
+                              docks.transfer, docks.focus, docks.region}) {
         dock->setFloating(false);
         dock->show();
     }

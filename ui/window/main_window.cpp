@@ -3,6 +3,7 @@
 
 #include "ui/panels/focus_panel.h"
 #include "ui/panels/rendering_panel.h"
+#include "ui/panels/statistics_panel.h"
 #include "ui/session/recent_files.h"
 #include "ui/session/target_path.h"
 #include "ui/viewport/region_tools.h"
@@ -43,7 +44,7 @@ constexpr QSize frameOfWindows(8, 40); ///< what a window manager may add
 constexpr const char* geometryKey = "window/geometry";
 constexpr const char* layoutKey = "window/layout";
 /// Of what saveState() writes; layouts of other versions are not restored.
-constexpr int layoutVersion = 3;
+constexpr int layoutVersion = 4;
 constexpr int statusMessageTime = 5000; // milliseconds
 
 /// The local files of a drag.
@@ -60,7 +61,7 @@ QStringList filesOf(const QMimeData* data)
 
 MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
     : workbench_(workbench), actions_(makeActions(*this, workbench_.session().undoStack())), messages_(new MessageBar),
-      empty_(new EmptyPage), viewport_(new Viewport(backend)), pages_(new QStackedWidget),
+      empty_(new EmptyPage(workbench_.sampling())), viewport_(new Viewport(backend)), pages_(new QStackedWidget),
       status_(new StatusLine(statusBar())),
       regions_(new RegionActions(workbench_.session(), *viewport_, *actions_.region, *actions_.toolBar))
 {
@@ -126,10 +127,17 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
     if (!filesOf(event->mimeData()).isEmpty())
         event->acceptProposedAction();
+    empty_->setDropping(event->isAccepted());
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*)
+{
+    empty_->setDropping(false);
 }
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
+    empty_->setDropping(false);
     const QStringList files = filesOf(event->mimeData());
     event->acceptProposedAction();
     open(files.first());
@@ -154,6 +162,7 @@ void MainWindow::connectActions()
     connect(actions_.saveMesh, &QAction::triggered, this, &MainWindow::saveMesh);
     connect(actions_.saveSurfaces, &QAction::triggered, this, &MainWindow::saveSurfaces);
     connect(actions_.saveStatistics, &QAction::triggered, this, &MainWindow::saveStatistics);
+    connect(docks_.statisticsPanel, &StatisticsPanel::saveWanted, actions_.saveStatistics, &QAction::trigger);
     connect(actions_.close, &QAction::triggered, &workbench_, &Workbench::closeModel);
     connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
     connect(actions_.addIsovalue, &QAction::triggered, this, [this] { workbench_.session().addIsovalue(); });
@@ -178,6 +187,8 @@ void MainWindow::connectActions()
     connect(actions_.about, &QAction::triggered, this, &MainWindow::showAbout);
     connect(empty_, &EmptyPage::openClicked, actions_.open, &QAction::trigger);
     connect(empty_, &EmptyPage::recentClicked, this, &MainWindow::open);
+    connect(empty_, &EmptyPage::sampleClicked, &workbench_,
+            [this](const QString& name) { workbench_.openSample(name.toStdString()); });
 }
 
 void MainWindow::connectRegions()
