@@ -52,8 +52,9 @@ namespace {
 bool isInner(const QWidget* widget)
 {
     return widget->objectName().startsWith("qt_") || widget->focusProxy() != nullptr ||
-           widget->inherits("QLabel") /* its text is both */ || widget->inherits("QScrollArea") || widget->inherits("QComboBoxPrivateContainer") ||
-           widget->inherits("QComboBoxListView") || widget->inherits("QTabBar") || widget->inherits("QAbstractScrollArea");
+           widget->inherits("QLabel") /* its text is both */ || widget->inherits("QScrollArea") ||
+           widget->inherits("QComboBoxPrivateContainer") || widget->inherits("QComboBoxListView") ||
+           widget->inherits("QTabBar") || widget->inherits("QAbstractScrollArea");
 }
 
 QString nameOf(QWidget* widget)

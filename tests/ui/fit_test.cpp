@@ -46,9 +46,8 @@ QString cutOff(const QWidget& widget)
         if (label->text().isEmpty())
             return {};
         const QSize hint = label->wordWrap() ? QSize(0, label->heightForWidth(label->width())) : label->sizeHint();
-        return hint.width() > label->width() || hint.height() > label->height()
-                   ? plainSize(widget, label->text(), hint)
-                   : QString();
+        return hint.width() > label->width() || hint.height() > label->height() ? plainSize(widget, label->text(), hint)
+                                                                                : QString();
     }
     if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) {
         const QSize text = button->fontMetrics().size(Qt::TextShowMnemonic, button->text());

@@ -78,7 +78,8 @@ void ViewHistoryTest::drag(QPoint by) const
 void ViewHistoryTest::turnWheel(int angle) const
 {
     Viewport& viewport = window_->viewport();
-    QWheelEvent event({50, 50}, viewport.mapToGlobal(QPointF(50, 50)), {}, {0, angle}, {}, {}, Qt::NoScrollPhase, false);
+    QWheelEvent event({50, 50}, viewport.mapToGlobal(QPointF(50, 50)), {}, {0, angle}, {}, {}, Qt::NoScrollPhase,
+                      false);
     QCoreApplication::sendEvent(&viewport, &event);
 }
 
@@ -190,7 +191,9 @@ void ViewHistoryTest::manyStepsEndWhereTheyBegan()
     QRandomGenerator random(20);
     for (int step = 0; step < 1000; ++step) {
         switch (random.bounded(6)) {
-        case 0: viewport.setCamera(turned(viewport.camera(), random.bounded(90.0) - 45, random.bounded(40.0) - 20)); break;
+        case 0:
+            viewport.setCamera(turned(viewport.camera(), random.bounded(90.0) - 45, random.bounded(40.0) - 20));
+            break;
         case 1: viewport.seeFrom(static_cast<NamedView>(random.bounded(7))); break;
         case 2: turnWheel(random.bounded(2) == 0 ? 120 : -120); break;
         case 3: session.setError(random.bounded(10.0)); break;

@@ -61,12 +61,9 @@ QStringList levelColumns()
 
 QStringList levelTexts(const LevelStatistics& level)
 {
-    return {percentText(level.error),
-            QLocale().toString(level.inUnits, 'g', 3),
-            countText(level.sites),
-            countText(level.tetrahedra),
-            percentText(level.share),
-            level.seconds ? durationText(*level.seconds) : QString(QChar(0x2013)),
+    return {percentText(level.error), QLocale().toString(level.inUnits, 'g', 3),
+            countText(level.sites),   countText(level.tetrahedra),
+            percentText(level.share), level.seconds ? durationText(*level.seconds) : QString(QChar(0x2013)),
             bytesText(level.bytes)};
 }
 
@@ -74,8 +71,9 @@ std::vector<StatisticsFact> modelFacts(const Model& model)
 {
     const ValueRange range = model.description().range;
     return {{Statistics::tr("Model"), QFileInfo(pathText(model.path())).fileName()},
-            {Statistics::tr("Values"), Statistics::tr("%1 to %2").arg(valueText(range.minimum, range.extent()),
-                                                                      valueText(range.maximum, range.extent()))},
+            {Statistics::tr("Values"),
+             Statistics::tr("%1 to %2")
+                 .arg(valueText(range.minimum, range.extent()), valueText(range.maximum, range.extent()))},
             {Statistics::tr("Sites in all"), countText(model.siteCount())},
             {Statistics::tr("File"), bytesText(model.fileBytes().size())}};
 }

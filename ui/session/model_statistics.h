@@ -13,13 +13,13 @@ namespace tetra {
 
 /// What a mesh of one accuracy of the paper's tables costs (R26).
 struct LevelStatistics {
-    double error = 0;          ///< % of the value range
-    double inUnits = 0;        ///< the same in units of the data
+    double error = 0;   ///< % of the value range
+    double inUnits = 0; ///< the same in units of the data
     std::uint32_t sites = 0;
     std::uint64_t tetrahedra = 0;
-    double share = 0;          ///< of the finest mesh's tetrahedra, %
+    double share = 0;              ///< of the finest mesh's tetrahedra, %
     std::optional<double> seconds; ///< that extracting it is expected to take; nothing before anything was measured
-    std::uint64_t bytes = 0;   ///< that the extracted mesh occupies
+    std::uint64_t bytes = 0;       ///< that the extracted mesh occupies
 };
 
 /// One for each of `accuracyPresets`. `secondsPerTetrahedron` as measured here. O(levels * log sites).

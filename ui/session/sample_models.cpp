@@ -38,7 +38,7 @@ Status makeFolder(const std::filesystem::path& folder)
     std::filesystem::create_directories(folder, error);
     if (error)
         return Error{ErrorKind::CannotWrite, "The folder '" + folder.string() + "' for samples cannot be made: " +
-                                        error.message() + ". Make it writable, or free some space."};
+                                                 error.message() + ". Make it writable, or free some space."};
     return {};
 }
 

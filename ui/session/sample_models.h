@@ -15,8 +15,8 @@ namespace tetra {
 /// Where the models of samples are kept between starts: this user's cache, which may be emptied at any time.
 std::filesystem::path sampleFolder();
 
-/// The model of a sample (analytic_fields.h) in the folder; makes dataset and model there unless it is there already, in
-/// a size that takes a few seconds. Call from a worker thread. Errors: as of making, saving, reading and building.
+/// The model of a sample (analytic_fields.h) in the folder; makes dataset and model there unless it is there already,
+/// in a size that takes a few seconds. Call from a worker thread. Errors: as of making, saving, reading and building.
 Result<std::filesystem::path> sampleModel(PluginHost& host, const std::string& name,
                                           const std::filesystem::path& folder, const Progress& progress = {});
 

@@ -94,7 +94,7 @@ private:
     SceneLevel scene_;
     std::vector<SceneLevel> drafts_;
     std::vector<LineSet> outlines_;
-    View view_;                        ///< its scene has the outlines, too; its camera may be on the way
+    View view_; ///< its scene has the outlines, too; its camera may be on the way
     Camera camera_;
     Canvas* canvas_ = nullptr;         ///< a child widget
     std::optional<Colour> background_; ///< else that of the palette

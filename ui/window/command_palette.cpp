@@ -77,7 +77,8 @@ void CommandPalette::search(const QString& query)
     list_->clear();
     for (const auto& [match, index] : found) {
         const PaletteCommand& command = commands_[index];
-        auto* item = new QTreeWidgetItem(list_, {command.text, command.reason.isEmpty() ? command.keys : command.reason});
+        auto* item =
+            new QTreeWidgetItem(list_, {command.text, command.reason.isEmpty() ? command.keys : command.reason});
         item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
         item->setData(0, indexRole, static_cast<qulonglong>(index));
         item->setToolTip(0, command.text);

@@ -73,9 +73,9 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
     docks.transfer = add("transfer", Texts::tr("Transfer"),
                          Texts::tr("The transfer function gives each value a colour and an opacity for the volume."),
                          new TransferPanel(workbench));
-    docks.focus = add("focus", Texts::tr("Focus"),
-                      Texts::tr("A sphere or a box in which the mesh is more accurate than outside."),
-                      docks.focusPanel);
+    docks.focus =
+        add("focus", Texts::tr("Focus"),
+            Texts::tr("A sphere or a box in which the mesh is more accurate than outside."), docks.focusPanel);
     docks.region = add("region", Texts::tr("Region"),
                        Texts::tr("Which part of the domain is shown at all: a box, and a range of values."),
                        new RegionPanel(session));
@@ -100,8 +100,8 @@ void layOutDocks(QMainWindow& window, const Docks& docks, bool showBuild)
     window.tabifyDockWidget(docks.isovalues, docks.transfer);
     window.tabifyDockWidget(docks.transfer, docks.focus);
     window.tabifyDockWidget(docks.focus, docks.region);
-    for (QDockWidget* dock : {docks.build, docks.accuracy, docks.rendering, docks.view, docks.statistics, docks.isovalues,
-                              docks.transfer, docks.focus, docks.region}) {
+    for (QDockWidget* dock : {docks.build, docks.accuracy, docks.rendering, docks.view, docks.statistics,
+                              docks.isovalues, docks.transfer, docks.focus, docks.region}) {
         dock->setFloating(false);
         dock->show();
     }

@@ -47,8 +47,7 @@ QString reasonOf(const QAction& action)
 PaletteCommand commandOf(QAction& action, const QString& way)
 {
     return {action.objectName(), joined(way, plain(action.text())),
-            action.shortcut().toString(QKeySequence::NativeText), reasonOf(action),
-            [action = QPointer(&action)] {
+            action.shortcut().toString(QKeySequence::NativeText), reasonOf(action), [action = QPointer(&action)] {
                 if (action)
                     action->trigger();
             }};
@@ -71,7 +70,10 @@ void addMenu(std::vector<PaletteCommand>& commands, QMenu& menu, const QString& 
 void addPanel(std::vector<PaletteCommand>& commands, QDockWidget& dock)
 {
     const QAction& toggle = *dock.toggleViewAction();
-    commands.push_back({toggle.objectName(), joined(Texts::tr("Panel"), dock.windowTitle()), {}, reasonOf(toggle),
+    commands.push_back({toggle.objectName(),
+                        joined(Texts::tr("Panel"), dock.windowTitle()),
+                        {},
+                        reasonOf(toggle),
                         [dock = QPointer(&dock)] {
                             if (!dock)
                                 return;

@@ -15,10 +15,10 @@ class Session;
 
 /// Something that can be done now, or why not.
 struct PaletteCommand {
-    QString name;       ///< object name of what it comes from
-    QString text;       ///< with the menus that lead to it: "View: Look From: Front"
-    QString keys;       ///< its shortcut, for reading
-    QString reason;     ///< why it cannot be done now; empty if it can
+    QString name;   ///< object name of what it comes from
+    QString text;   ///< with the menus that lead to it: "View: Look From: Front"
+    QString keys;   ///< its shortcut, for reading
+    QString reason; ///< why it cannot be done now; empty if it can
     std::function<void()> run;
 };
 

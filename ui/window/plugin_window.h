@@ -11,8 +11,8 @@ class QTreeWidgetItem;
 
 namespace tetra {
 
-/// Lists the plugins that were found, with their state and, for those that cannot be used, the reason and the remedy. They
-/// can be switched on and off there.
+/// Lists the plugins that were found, with their state and, for those that cannot be used, the reason and the remedy.
+/// They can be switched on and off there.
 class PluginWindow : public QDialog {
     Q_OBJECT
 public:
