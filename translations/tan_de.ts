@@ -231,6 +231,62 @@
             <source>Read how everything works, in the web browser</source>
             <translation>Im Webbrowser nachlesen, wie alles geht</translation>
         </message>
+        <message>
+            <source>Save S&amp;urfaces…</source>
+            <translation>F&amp;lächen speichern …</translation>
+        </message>
+        <message>
+            <source>Save Stat&amp;istics…</source>
+            <translation>S&amp;tatistik speichern …</translation>
+        </message>
+        <message>
+            <source>&amp;Find Command…</source>
+            <translation>Be&amp;fehl suchen …</translation>
+        </message>
+        <message>
+            <source>Find whatever the program can do by a few letters of its name</source>
+            <translation>Findet alles, was das Programm kann, an ein paar Buchstaben seines Namens</translation>
+        </message>
+        <message>
+            <source>Reduced &amp;Motion</source>
+            <translation>&amp;Weniger Bewegung</translation>
+        </message>
+        <message>
+            <source>Change the view at once instead of gliding to it</source>
+            <translation>Wechselt die Ansicht sofort, statt zu ihr zu gleiten</translation>
+        </message>
+        <message>
+            <source>Lan&amp;guage</source>
+            <translation>&amp;Sprache</translation>
+        </message>
+        <message>
+            <source>&amp;Help on This Control</source>
+            <translation>&amp;Hilfe zu diesem Feld</translation>
+        </message>
+        <message>
+            <source>Say what the control does that has the keys</source>
+            <translation>Sagt, was das Bedienfeld tut, das die Tasten hat</translation>
+        </message>
+        <message>
+            <source>&amp;What Is This?</source>
+            <translation>&amp;Was ist das?</translation>
+        </message>
+        <message>
+            <source>Click on a control to read what it does</source>
+            <translation>Auf ein Bedienfeld klicken, um zu lesen, was es tut</translation>
+        </message>
+        <message>
+            <source>Open a model first</source>
+            <translation>Erst ein Modell öffnen</translation>
+        </message>
+        <message>
+            <source>There is nothing to undo</source>
+            <translation>Es gibt nichts rückgängig zu machen</translation>
+        </message>
+        <message>
+            <source>There is nothing to redo</source>
+            <translation>Es gibt nichts zu wiederholen</translation>
+        </message>
     </context>
     <context>
         <name>AddIsovalue</name>
@@ -343,6 +399,46 @@
         <message>
             <source>Region</source>
             <translation>Bereich</translation>
+        </message>
+        <message>
+            <source>A dataset is turned into a model once: a mesh of tetrahedra that can be had at any accuracy from then on. Choose a method and a file, and start.</source>
+            <translation>Aus einem Datensatz wird einmal ein Modell: ein Netz aus Tetraedern, das es von da an in jeder Genauigkeit gibt. Ein Verfahren und eine Datei wählen und beginnen.</translation>
+        </message>
+        <message>
+            <source>How far the mesh may deviate from the data, in percent of the range of values; or how many tetrahedra it may have. The curve shows what each error costs.</source>
+            <translation>Wie weit das Netz von den Daten abweichen darf, in Prozent des Wertebereichs, oder wie viele Tetraeder es haben darf. Die Kurve zeigt, was jeder Fehler kostet.</translation>
+        </message>
+        <message>
+            <source>In which way the mesh is drawn: surfaces, volume or both, and how finely.</source>
+            <translation>Auf welche Art das Netz gezeichnet wird: Flächen, Volumen oder beides, und wie fein.</translation>
+        </message>
+        <message>
+            <source>From where the model is seen, in numbers. In the picture: drag to turn, Shift and drag to move, the wheel zooms.</source>
+            <translation>Von wo das Modell zu sehen ist, in Zahlen. Im Bild: Ziehen dreht, Ziehen mit Umschalt verschiebt, das Rad zoomt.</translation>
+        </message>
+        <message>
+            <source>Statistics</source>
+            <translation>Statistik</translation>
+        </message>
+        <message>
+            <source>What each accuracy costs in sites, tetrahedra, time and memory, and what is shown now in numbers.</source>
+            <translation>Was jede Genauigkeit an Punkten, Tetraedern, Zeit und Speicher kostet, und was gerade gezeigt wird, in Zahlen.</translation>
+        </message>
+        <message>
+            <source>Surfaces on which the field has one value each, in the units of the data.</source>
+            <translation>Flächen, auf denen das Feld je einen Wert hat, in den Einheiten der Daten.</translation>
+        </message>
+        <message>
+            <source>The transfer function gives each value a colour and an opacity for the volume.</source>
+            <translation>Die Transferfunktion gibt jedem Wert eine Farbe und eine Deckkraft für das Volumen.</translation>
+        </message>
+        <message>
+            <source>A sphere or a box in which the mesh is more accurate than outside.</source>
+            <translation>Eine Kugel oder ein Quader, in dem das Netz genauer ist als außerhalb.</translation>
+        </message>
+        <message>
+            <source>Which part of the domain is shown at all: a box, and a range of values.</source>
+            <translation>Welcher Teil des Gebiets überhaupt gezeigt wird: ein Quader und ein Bereich von Werten.</translation>
         </message>
     </context>
     <context>
@@ -1276,6 +1372,46 @@
             <source>Edits the colour and the opacity of each value, over how often the values occur.</source>
             <translation>Bearbeitet Farbe und Deckkraft jedes Wertes über der Häufigkeit der Werte.</translation>
         </message>
+        <message>
+            <source>electron density of the C60 molecule, a hollow ball of smooth bumps</source>
+            <translation>Elektronendichte des C60-Moleküls, eine hohle Kugel aus glatten Hügeln</translation>
+        </message>
+        <message>
+            <source>probability density of the hydrogen atom's 3d electron: two lobes and a ring</source>
+            <translation>Wahrscheinlichkeitsdichte des 3d-Elektrons im Wasserstoffatom: zwei Keulen und ein Ring</translation>
+        </message>
+        <message>
+            <source>the test signal of Marschner and Lobb: ripples that are hard to reproduce</source>
+            <translation>das Testsignal von Marschner und Lobb: Wellen, die schwer wiederzugeben sind</translation>
+        </message>
+        <message>
+            <source>white noise, the worst case: no sample tells of its neighbour</source>
+            <translation>weißes Rauschen, der schlimmste Fall: Kein Wert sagt etwas über seinen Nachbarn</translation>
+        </message>
+        <message>
+            <source>flow in front of a half sphere: a curvilinear grid whose axis is collapsed</source>
+            <translation>Strömung vor einer Halbkugel: ein krummliniges Gitter mit zusammengefallener Achse</translation>
+        </message>
+        <message>
+            <source>flow around a cylinder: a curvilinear grid that closes on itself</source>
+            <translation>Strömung um einen Zylinder: ein krummliniges Gitter, das sich in sich schließt</translation>
+        </message>
+        <message>
+            <source>flow through a bent duct: a curvilinear grid</source>
+            <translation>Strömung durch einen gebogenen Kanal: ein krummliniges Gitter</translation>
+        </message>
+        <message>
+            <source>a layer at a wall: a rectilinear grid with spacings that grow</source>
+            <translation>eine Schicht an einer Wand: ein rechtwinkliges Gitter mit wachsenden Abständen</translation>
+        </message>
+        <message>
+            <source>random points in a ball, with waves that grow finer outwards</source>
+            <translation>zufällige Punkte in einer Kugel, mit Wellen, die nach außen feiner werden</translation>
+        </message>
+        <message>
+            <source>stress in a plate with five holes and a closed cavity: an irregular mesh</source>
+            <translation>Spannung in einer Platte mit fünf Löchern und einem geschlossenen Hohlraum: ein unregelmäßiges Netz</translation>
+        </message>
     </context>
     <context>
         <name>RemoveIsovalue</name>
@@ -1571,6 +1707,18 @@ Verwerfung %2</translation>
         <message>
             <source>Drop a file here: a dataset (a volume, a grid, a mesh or points) to build a model of, a finished .tan model or a session.</source>
             <translation>Legen Sie hier eine Datei ab: einen Datensatz (ein Volumen, ein Gitter, ein Netz oder Punkte), aus dem ein Modell gebaut wird, ein fertiges .tan-Modell oder eine Sitzung.</translation>
+        </message>
+        <message>
+            <source>Open a dataset, a model or a session (Ctrl+O)</source>
+            <translation>Einen Datensatz, ein Modell oder eine Sitzung öffnen (Strg+O)</translation>
+        </message>
+        <message>
+            <source>Or look at a sample, which is made now</source>
+            <translation>Oder ein Beispiel ansehen, das jetzt gemacht wird</translation>
+        </message>
+        <message>
+            <source>Making the sample</source>
+            <translation>Das Beispiel wird gemacht</translation>
         </message>
     </context>
     <context>
@@ -1981,6 +2129,10 @@ Verwerfung %2</translation>
             <source>Show %1 (%2)</source>
             <translation>%1 zeigen (%2)</translation>
         </message>
+        <message>
+            <source>Open a model first</source>
+            <translation>Erst ein Modell öffnen</translation>
+        </message>
     </context>
     <context>
         <name>tetra::ParameterForm</name>
@@ -2018,6 +2170,30 @@ Verwerfung %2</translation>
         <message>
             <source>The plugin %1 cannot be used. %2</source>
             <translation>Das Plugin %1 kann nicht benutzt werden. %2</translation>
+        </message>
+        <message>
+            <source>What was found, and why something is not used. Space switches a plugin on or off.</source>
+            <translation>Was gefunden wurde, und warum etwas nicht benutzt wird. Die Leertaste schaltet ein Plugin ein oder aus.</translation>
+        </message>
+        <message>
+            <source>Version</source>
+            <translation>Version</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>Datei</translation>
+        </message>
+        <message>
+            <source>What was switched on or off counts when TAn starts the next time.</source>
+            <translation>Was ein- oder ausgeschaltet wurde, gilt, wenn TAn das nächste Mal startet.</translation>
+        </message>
+        <message>
+            <source>Cop&amp;y</source>
+            <translation>&amp;Kopieren</translation>
+        </message>
+        <message>
+            <source>Copy all of this as text, for a report of an error</source>
+            <translation>Kopiert all das als Text, für einen Fehlerbericht</translation>
         </message>
     </context>
     <context>
@@ -2057,6 +2233,14 @@ Verwerfung %2</translation>
         <message>
             <source>%1 (%2)</source>
             <translation>%1 (%2)</translation>
+        </message>
+        <message>
+            <source>Switch on a focus first</source>
+            <translation>Erst einen Fokus einschalten</translation>
+        </message>
+        <message>
+            <source>Open a model first</source>
+            <translation>Erst ein Modell öffnen</translation>
         </message>
     </context>
     <context>
@@ -3114,6 +3298,187 @@ Verwerfung %2</translation>
         <message>
             <source>Name of the preset:</source>
             <translation>Name der Vorlage:</translation>
+        </message>
+    </context>
+    <context>
+        <name>ChangeView</name>
+        <message>
+            <source>change of background</source>
+            <translation>Änderung des Hintergrunds</translation>
+        </message>
+        <message>
+            <source>change of view</source>
+            <translation>Änderung der Ansicht</translation>
+        </message>
+    </context>
+    <context>
+        <name>HelpActions</name>
+        <message>
+            <source>The language changes when TAn starts the next time.</source>
+            <translation>Die Sprache wechselt, wenn TAn das nächste Mal startet.</translation>
+        </message>
+        <message>
+            <source>&amp;As the System</source>
+            <translation>&amp;Wie das System</translation>
+        </message>
+    </context>
+    <context>
+        <name>PaletteCommands</name>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Not possible now</source>
+            <translation>Jetzt nicht möglich</translation>
+        </message>
+        <message>
+            <source>Panel</source>
+            <translation>Feld</translation>
+        </message>
+        <message>
+            <source>Accuracy</source>
+            <translation>Genauigkeit</translation>
+        </message>
+        <message>
+            <source>Open a model first</source>
+            <translation>Erst ein Modell öffnen</translation>
+        </message>
+    </context>
+    <context>
+        <name>Statistics</name>
+        <message>
+            <source>Error</source>
+            <translation>Fehler</translation>
+        </message>
+        <message>
+            <source>± value</source>
+            <translation>± Wert</translation>
+        </message>
+        <message>
+            <source>Sites</source>
+            <translation>Punkte</translation>
+        </message>
+        <message>
+            <source>Tetrahedra</source>
+            <translation>Tetraeder</translation>
+        </message>
+        <message>
+            <source>Share</source>
+            <translation>Anteil</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>Zeit</translation>
+        </message>
+        <message>
+            <source>Memory</source>
+            <translation>Speicher</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>Modell</translation>
+        </message>
+        <message>
+            <source>Values</source>
+            <translation>Werte</translation>
+        </message>
+        <message>
+            <source>%1 to %2</source>
+            <translation>%1 bis %2</translation>
+        </message>
+        <message>
+            <source>Sites in all</source>
+            <translation>Punkte insgesamt</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>Datei</translation>
+        </message>
+        <message>
+            <source>Shown</source>
+            <translation>Gezeigt</translation>
+        </message>
+        <message>
+            <source>%1 sites, %2 tetrahedra</source>
+            <translation>%1 Punkte, %2 Tetraeder</translation>
+        </message>
+        <message>
+            <source>Kept</source>
+            <translation>Eingehalten</translation>
+        </message>
+        <message>
+            <source>Triangles</source>
+            <translation>Dreiecke</translation>
+        </message>
+        <message>
+            <source>Extraction</source>
+            <translation>Extraktion</translation>
+        </message>
+        <message>
+            <source>Preparation</source>
+            <translation>Vorbereitung</translation>
+        </message>
+        <message>
+            <source>A frame</source>
+            <translation>Ein Bild</translation>
+        </message>
+    </context>
+    <context>
+        <name>tetra::CommandPalette</name>
+        <message>
+            <source>Type what you want to do</source>
+            <translation>Eingeben, was zu tun ist</translation>
+        </message>
+        <message>
+            <source>Command</source>
+            <translation>Befehl</translation>
+        </message>
+        <message>
+            <source>A few letters of a command are enough. Enter does it, Esc leaves.</source>
+            <translation>Ein paar Buchstaben eines Befehls genügen. Enter führt ihn aus, Esc schließt.</translation>
+        </message>
+        <message>
+            <source>Commands</source>
+            <translation>Befehle</translation>
+        </message>
+    </context>
+    <context>
+        <name>tetra::HistogramView</name>
+        <message>
+            <source>Histogram</source>
+            <translation>Histogramm</translation>
+        </message>
+        <message>
+            <source>How often the values of the mesh that is shown occur, on a logarithmic scale; from the least to the largest value, in the units of the data</source>
+            <translation>Wie oft die Werte des gezeigten Netzes vorkommen, logarithmisch, vom kleinsten bis zum größten Wert, in den Einheiten der Daten</translation>
+        </message>
+    </context>
+    <context>
+        <name>tetra::StatisticsPanel</name>
+        <message>
+            <source>Mesh sizes</source>
+            <translation>Netzgrößen</translation>
+        </message>
+        <message>
+            <source>What the mesh of each error costs: its error in percent of the range of values and in their units, its size, the time to extract it, as measured here, and the memory that it occupies. Choose a line to see that mesh.</source>
+            <translation>Was das Netz jedes Fehlers kostet: der Fehler in Prozent des Wertebereichs und in den Einheiten der Werte, die Größe, die Zeit für die Extraktion, wie hier gemessen, und der Speicher, den es belegt. Eine Zeile wählen, um dieses Netz zu sehen.</translation>
+        </message>
+        <message>
+            <source>Cop&amp;y</source>
+            <translation>&amp;Kopieren</translation>
+        </message>
+        <message>
+            <source>&amp;Save…</source>
+            <translation>&amp;Speichern …</translation>
+        </message>
+        <message>
+            <source>Copy all of this as text, with tabs between the columns</source>
+            <translation>Kopiert all das als Text, mit Tabulatoren zwischen den Spalten</translation>
+        </message>
+        <message>
+            <source>Save the table as CSV or JSON, in % and under no locale</source>
+            <translation>Speichert die Tabelle als CSV oder JSON, in % und ohne Spracheinstellung</translation>
         </message>
     </context>
 </TS>

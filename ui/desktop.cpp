@@ -2,7 +2,10 @@
 #include "ui/desktop.h"
 
 #include "plugins/widgets/icons.h"
+#include "ui/session/language.h"
+#include "ui/session/plugin_choice.h"
 #include "ui/window/main_window.h"
+#include "ui/window/screenshots.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -22,9 +25,10 @@ class Desktop {
 
 void loadTranslations(QApplication& application, QTranslator& ours, QTranslator& ofQt)
 {
-    if (ofQt.load(QLocale(), "qtbase", "_", QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+    const QLocale locale = textLocale();
+    if (ofQt.load(locale, "qtbase", "_", QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QCoreApplication::installTranslator(&ofQt);
-    if (ours.load(QLocale(), "tan", "_", ":/i18n"))
+    if (ours.load(locale, "tan", "_", ":/i18n"))
         application.installTranslator(&ours);
 }
 
@@ -57,6 +61,9 @@ int runDesktop(int argc, char** argv)
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addOption({"backend", Desktop::tr("What draws the picture: auto, cpu or gl."), "name", "auto"});
+    QCommandLineOption screenshots("screenshots", "Makes pictures of all panels and dialogs in a folder.", "folder");
+    screenshots.setFlags(QCommandLineOption::HiddenFromHelp); // for those who write the manual
+    parser.addOption(screenshots);
     parser.addPositionalArgument("file", Desktop::tr("A dataset or a .tan model to open."), "[file]");
     parser.process(application);
     const auto backend = backendNamed(parser.value("backend"));
@@ -65,7 +72,9 @@ int runDesktop(int argc, char** argv)
         return 2;
     }
 
-    const std::unique_ptr<PluginHost> host = PluginHost::standard();
+    const std::unique_ptr<PluginHost> host = wantedPlugins();
+    if (parser.isSet(screenshots))
+        return makeScreenshots(*host, parser.value(screenshots));
     Workbench workbench(*host);
     MainWindow window(workbench, *backend);
     window.show();

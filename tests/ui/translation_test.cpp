@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/languages.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/session/plugin_texts.h"
 
@@ -7,7 +8,6 @@
 #include <QMenuBar>
 #include <QProcess>
 #include <QStandardPaths>
-#include <QTranslator>
 #include <QXmlStreamReader>
 
 #include <algorithm>
@@ -15,19 +15,29 @@
 
 using namespace tetra;
 
-/// Every text has a German translation, those of our plugins too, and the window speaks German.
+/// Every text has a translation into each language, those of our plugins too, and the window speaks them.
 class TranslationTest : public QObject {
     Q_OBJECT
 private slots:
+    void everyTextOfTheSourcesIsInTheFile_data() { addTranslations(); }
     void everyTextOfTheSourcesIsInTheFile();
+    void everyTextIsTranslated_data() { addTranslations(); }
     void everyTextIsTranslated();
     void everyTextOfAPluginIsKnown();
     void theWindowSpeaksGerman();
+    void theWindowSpeaksItalian();
+    void theUserChoosesTheLanguage();
+
+private:
+    static void addTranslations();
 };
 
 namespace {
 
-constexpr const char* tsFile = TAN_SOURCE_DIR "/translations/tan_de.ts";
+QString tsFile(const QString& language)
+{
+    return QString(TAN_SOURCE_DIR "/translations/tan_%1.ts").arg(language);
+}
 
 struct Message {
     QString context;
@@ -96,8 +106,18 @@ std::set<std::string> textsOf(PluginHost& host)
 
 } // namespace
 
+/// Texts in the sources are English.
+void TranslationTest::addTranslations()
+{
+    QTest::addColumn<QString>("language");
+    for (const Language& language : languages())
+        if (QString(language.code) != "en")
+            QTest::newRow(language.code) << QString(language.code);
+}
+
 void TranslationTest::everyTextOfTheSourcesIsInTheFile()
 {
+    QFETCH(QString, language);
     const QString lupdate = QStandardPaths::findExecutable("lupdate", {"/usr/lib/qt6/bin"});
     if (lupdate.isEmpty())
         QSKIP("skipped: no lupdate");
@@ -108,16 +128,17 @@ void TranslationTest::everyTextOfTheSourcesIsInTheFile()
                                 TAN_SOURCE_DIR "/plugins/editors", TAN_SOURCE_DIR "/plugins/widgets", "-ts", fresh}),
              0);
     std::set<std::pair<QString, QString>> known;
-    for (const Message& message : messagesOf(tsFile))
+    for (const Message& message : messagesOf(tsFile(language)))
         known.insert({message.context, message.source});
     for (const Message& message : messagesOf(fresh))
         QVERIFY2(known.contains({message.context, message.source}),
-                 qPrintable("not in tan_de.ts: " + message.context + ": " + message.source));
+                 qPrintable("not in " + tsFile(language) + ": " + message.context + ": " + message.source));
 }
 
 void TranslationTest::everyTextIsTranslated()
 {
-    for (const Message& message : messagesOf(tsFile)) {
+    QFETCH(QString, language);
+    for (const Message& message : messagesOf(tsFile(language))) {
         QVERIFY2(!message.unfinished && !message.translation.isEmpty(), qPrintable(message.source));
         QVERIFY2(placeholders(message.source) == placeholders(message.translation), qPrintable(message.source));
     }
@@ -132,13 +153,36 @@ void TranslationTest::everyTextOfAPluginIsKnown()
 
 void TranslationTest::theWindowSpeaksGerman()
 {
-    QTranslator translator;
-    QVERIFY(translator.load(QLocale(QLocale::German), "tan", "_", ":/i18n"));
-    QCoreApplication::installTranslator(&translator);
+    const Speaking german("de");
     const WindowFixture window;
     QCOMPARE(window.find<QMenu>("menu.file").title(), QString("&Datei"));
     QCOMPARE(window.find<QWidget>("dock.accuracy").windowTitle(), QString("Genauigkeit"));
     QCOMPARE(pluginText("Delaunay refinement"), QString("Delaunay-Verfeinerung"));
+}
+
+void TranslationTest::theWindowSpeaksItalian()
+{
+    const Speaking italian("it");
+    const WindowFixture window;
+    QCOMPARE(window.find<QMenu>("menu.edit").title(), QString("&Modifica"));
+    QCOMPARE(window.find<QWidget>("dock.accuracy").windowTitle(), QString("Accuratezza"));
+    QCOMPARE(pluginText("Delaunay refinement"), QString("Raffinamento di Delaunay"));
+}
+
+void TranslationTest::theUserChoosesTheLanguage()
+{
+    QCoreApplication::setOrganizationName("TAn");
+    QCoreApplication::setApplicationName("translation");
+    QSettings().clear();
+    const WindowFixture window;
+    QVERIFY(window.find<QAction>("action.language.system").isChecked());
+    window.find<QAction>("action.language.it").trigger();
+    QCOMPARE(textLocale().language(), QLocale::Italian);
+    QCOMPARE(window.messages().size(), 1);
+    const WindowFixture next;
+    QVERIFY(next.find<QAction>("action.language.it").isChecked());
+    next.find<QAction>("action.language.system").trigger();
+    QCOMPARE(textLocale(), QLocale());
 }
 
 QTEST_MAIN(TranslationTest)

@@ -204,10 +204,10 @@ void ViewPanel::connectControls()
     connect(projection_, &QComboBox::activated, this,
             [this](int index) { edit([index](Camera& camera) { camera.perspective = index == 0; }); });
     connect(background_, &ColourButton::colourChosen, this, [this](const QColor& colour) {
-        setBackground(Colour{static_cast<float>(colour.redF()), static_cast<float>(colour.greenF()),
-                             static_cast<float>(colour.blueF())});
+        viewport_.setBackground(Colour{static_cast<float>(colour.redF()), static_cast<float>(colour.greenF()),
+                                       static_cast<float>(colour.blueF())});
     });
-    connect(usualBackground_, &QToolButton::clicked, this, [this] { setBackground(std::nullopt); });
+    connect(usualBackground_, &QToolButton::clicked, this, [this] { viewport_.setBackground(std::nullopt); });
     connect(load_, &QPushButton::clicked, this, [this] {
         askForTextFile(this, "cameraDialog", tr("Load Camera"), tr("Cameras (*.json)"),
                        [this](const QString& path) { load(path); });
@@ -223,12 +223,6 @@ void ViewPanel::connectControls()
     connect(&workbench_.session(), &Session::modelChanged, this, &ViewPanel::showModel);
 }
 
-void ViewPanel::setBackground(const std::optional<Colour>& colour)
-{
-    usualBackground_->setEnabled(colour.has_value());
-    viewport_.setBackground(colour);
-}
-
 void ViewPanel::load(const QString& path)
 {
     workbench_.loadText(filePath(path), [this](const std::string& text) -> Status {
@@ -238,7 +232,7 @@ void ViewPanel::load(const QString& path)
         const auto camera = cameraFromText(text, model->description().bounds);
         if (!camera)
             return camera.error();
-        viewport_.setCamera(*camera);
+        viewport_.glideTo(*camera);
         return {};
     });
 }
@@ -256,8 +250,6 @@ void ViewPanel::showModel()
         distance_->setSingleStep(diagonal / 20);
         target_->setRange(bounds.center() - room, bounds.center() + room);
     }
-    usualBackground_->setEnabled(false);
-    viewport_.setBackground(std::nullopt);
     showCamera();
 }
 
@@ -271,6 +263,7 @@ void ViewPanel::showCamera()
     target_->setValue(camera.target);
     projection_->setCurrentIndex(camera.perspective ? 0 : 1);
     background_->setColour(qtColour(viewport_.background()));
+    usualBackground_->setEnabled(viewport_.chosenBackground().has_value());
 }
 
 } // namespace tetra

@@ -33,7 +33,6 @@ private:
     template <class Change> void edit(Change change);
     void showModel();
     void showCamera();
-    void setBackground(const std::optional<Colour>& colour);
     void load(const QString& path);
 
     Workbench& workbench_;

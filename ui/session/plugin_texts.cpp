@@ -182,6 +182,16 @@ constexpr std::array texts{
     QT_TRANSLATE_NOOP("Plugin", "loaded"),
     QT_TRANSLATE_NOOP("Plugin", "disabled"),
     QT_TRANSLATE_NOOP("Plugin", "refused"),
+    QT_TRANSLATE_NOOP("Plugin", "electron density of the C60 molecule, a hollow ball of smooth bumps"),
+    QT_TRANSLATE_NOOP("Plugin", "probability density of the hydrogen atom's 3d electron: two lobes and a ring"),
+    QT_TRANSLATE_NOOP("Plugin", "the test signal of Marschner and Lobb: ripples that are hard to reproduce"),
+    QT_TRANSLATE_NOOP("Plugin", "white noise, the worst case: no sample tells of its neighbour"),
+    QT_TRANSLATE_NOOP("Plugin", "flow in front of a half sphere: a curvilinear grid whose axis is collapsed"),
+    QT_TRANSLATE_NOOP("Plugin", "flow around a cylinder: a curvilinear grid that closes on itself"),
+    QT_TRANSLATE_NOOP("Plugin", "flow through a bent duct: a curvilinear grid"),
+    QT_TRANSLATE_NOOP("Plugin", "a layer at a wall: a rectilinear grid with spacings that grow"),
+    QT_TRANSLATE_NOOP("Plugin", "random points in a ball, with waves that grow finer outwards"),
+    QT_TRANSLATE_NOOP("Plugin", "stress in a plate with five holes and a closed cavity: an irregular mesh"),
     // clang-format on
 };
 

@@ -53,8 +53,16 @@ void Session::grow(std::shared_ptr<const Model> model)
     model_ = std::move(model);
     shown_.reset();
     emit modelGrown();
-    if (undoStack_.count() == 0)
+    if (!edited())
         view_.setQuery(startingQuery(*model_, startingError(*model_)));
+}
+
+bool Session::edited() const
+{
+    for (int index = 0; index < undoStack_.count(); ++index)
+        if (undoStack_.command(index)->id() != static_cast<int>(CommandId::ChangeView))
+            return true;
+    return false;
 }
 
 void Session::close()

@@ -80,6 +80,8 @@ signals:
 
 private:
     bool hasIsovalue(int index) const;
+    /// Whether the stack has steps that change more than from where it is looked.
+    bool edited() const;
     void setLook(const Look& look);
 
     std::shared_ptr<const Model> model_;

@@ -9,7 +9,7 @@
 namespace tetra {
 
 /// The ids by which the undo stack merges commands; zero is "never".
-enum class CommandId { ChangeQuery = 1, ChangeIsovalue, ChangeLook };
+enum class CommandId { ChangeQuery = 1, ChangeIsovalue, ChangeLook, ChangeView };
 
 /// The number of a gesture (one drag): commands of one gesture merge into one step. Zero is no gesture.
 using Gesture = std::uint64_t;

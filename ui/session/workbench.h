@@ -43,6 +43,7 @@ public:
     PluginHost& host() noexcept { return host_; }
     Session& session() noexcept { return session_; }
     LongTask& reading() noexcept { return reading_; }
+    LongTask& sampling() noexcept { return sampling_; }
     LongTask& building() noexcept { return building_; }
     SceneBuilder& sceneBuilder() noexcept { return sceneBuilder_; }
     DraftBuilder& draftBuilder() noexcept { return draftBuilder_; }
@@ -72,6 +73,8 @@ public:
     void saveSession(const std::filesystem::path& target, const SessionDocument& document);
     /// Asks by choicesNeeded() how a dataset is to be read, whether it must be known or not.
     void openWithOptions(const QString& path);
+    /// Makes the sample of that name (sampleKinds()) unless it is there from before, and opens its model.
+    void openSample(const std::string& name);
     /// The same for the file of the dataset that is open.
     void readDifferently();
     /// Opens a dataset so; ends with datasetOpened() or importFailed().
@@ -149,6 +152,7 @@ private:
     SceneBuilder sceneBuilder_;
     DraftBuilder draftBuilder_;
     LongTask reading_;
+    LongTask sampling_;
     LongTask building_;
     LongTask savingPicture_;
     LongTask savingMesh_;

@@ -58,6 +58,25 @@ Camera zoomedByWheel(const Camera& camera, double angle)
     return zoomed(camera, std::pow(zoomPerNotch, -angle / 120));
 }
 
+Camera zoomedByPinch(const Camera& camera, double factor)
+{
+    return zoomed(camera, 1 / std::clamp(factor, 0.1, 10.0));
+}
+
+Camera between(const Camera& from, const Camera& to, double part)
+{
+    if (part >= 1)
+        return to;
+    const auto mixed = [part](double first, double second) { return first + part * (second - first); };
+    Camera result = to;
+    result.target = from.target + part * (to.target - from.target);
+    result.distance = from.distance * std::pow(to.distance / from.distance, part);
+    result.azimuth = from.azimuth + part * std::remainder(to.azimuth - from.azimuth, 360.0);
+    result.elevation = mixed(from.elevation, to.elevation);
+    result.fieldOfView = mixed(from.fieldOfView, to.fieldOfView);
+    return result;
+}
+
 std::optional<Camera> movedByKey(const Camera& camera, const QKeyEvent& event)
 {
     const double step = event.modifiers().testFlag(Qt::ControlModifier) ? finePart : 1;

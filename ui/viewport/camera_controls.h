@@ -24,6 +24,12 @@ Camera pannedByDrag(const Camera& camera, QPointF pixels, QSizeF size);
 /// `angle` as QWheelEvent gives it, in eighths of a degree: one notch is 120.
 Camera zoomedByWheel(const Camera& camera, double angle);
 
+/// `factor` as QNativeGestureEvent and QPinchGesture give it: above 1 where the fingers part.
+Camera zoomedByPinch(const Camera& camera, double factor);
+
+/// The camera on its way from one to the other, by the shorter turn; `part` in [0, 1].
+Camera between(const Camera& from, const Camera& to, double part);
+
 /// What a key does: arrows turn (finer with Ctrl, pan with Shift), + and - zoom. Nothing for other keys.
 std::optional<Camera> movedByKey(const Camera& camera, const QKeyEvent& event);
 

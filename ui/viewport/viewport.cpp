@@ -2,10 +2,15 @@
 #include "ui/viewport/viewport.h"
 
 #include "ui/viewport/make_canvas.h"
+#include "ui/widgets/motion.h"
 
 #include <QEvent>
+#include <QGestureEvent>
+#include <QGuiApplication>
+#include <QInputDevice>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QNativeGestureEvent>
 #include <QVBoxLayout>
 #include <QWheelEvent>
 
@@ -18,8 +23,34 @@ namespace {
 /// The camera rests when it has not moved for this long.
 constexpr auto restAfter = std::chrono::milliseconds(150);
 
+/// Wheel turns and keys that follow each other within this are one series.
+constexpr auto seriesPause = std::chrono::milliseconds(700);
+constexpr int glideTime = 220; // milliseconds
+
 constexpr Colour lightBackground{0.957F, 0.961F, 0.969F};
 constexpr Colour darkBackground{0.118F, 0.125F, 0.137F};
+
+/// Two fingers on a trackpad move the picture; with Ctrl, or on a wheel, they zoom.
+bool isPan(const QWheelEvent& event)
+{
+    const bool byFingers = event.device() != nullptr && event.device()->type() == QInputDevice::DeviceType::TouchPad;
+    return byFingers && !event.pixelDelta().isNull() && !event.modifiers().testFlag(Qt::ControlModifier);
+}
+
+/// By which factor fingers have parted since the last event of a touchpad or touch screen; nothing for other events.
+std::optional<double> pinchFactor(const QEvent& event)
+{
+    if (event.type() == QEvent::NativeGesture) {
+        const auto& native = static_cast<const QNativeGestureEvent&>(event);
+        if (native.gestureType() == Qt::ZoomNativeGesture)
+            return 1 + native.value();
+    } else if (event.type() == QEvent::Gesture) {
+        const auto& gestures = static_cast<const QGestureEvent&>(event);
+        if (const auto* pinch = static_cast<QPinchGesture*>(gestures.gesture(Qt::PinchGesture)))
+            return pinch->scaleFactor();
+    }
+    return std::nullopt;
+}
 
 } // namespace
 
@@ -31,6 +62,19 @@ Viewport::Viewport(BackendChoice choice, QWidget* parent) : QWidget(parent)
     resting_.setSingleShot(true);
     resting_.setInterval(restAfter);
     connect(&resting_, &QTimer::timeout, this, &Viewport::rest);
+    pausing_.setSingleShot(true);
+    pausing_.setInterval(seriesPause);
+    connect(&pausing_, &QTimer::timeout, this, [this] {
+        if (QGuiApplication::mouseButtons() == Qt::NoButton)
+            ++gesture_;
+    });
+    glide_.setStartValue(0.0);
+    glide_.setEndValue(1.0);
+    glide_.setDuration(glideTime);
+    glide_.setEasingCurve(QEasingCurve::OutCubic);
+    connect(&glide_, &QVariantAnimation::valueChanged, this,
+            [this](const QVariant& part) { showGlide(part.toDouble()); });
+    grabGesture(Qt::PinchGesture);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins({});
     useCanvas(makeCanvas(choice));
@@ -111,12 +155,51 @@ void Viewport::show()
 
 void Viewport::setCamera(const Camera& camera)
 {
-    if (camera != view_.camera)
+    if (camera != camera_)
         moveCamera(camera);
+}
+
+void Viewport::startFrom(const Camera& camera, const std::optional<Colour>& background)
+{
+    ++gesture_;
+    glide_.stop();
+    camera_ = camera;
+    view_.camera = camera;
+    background_ = background;
+    emit started();
+    followPalette();
+    emit cameraChanged();
+}
+
+void Viewport::glideTo(const Camera& camera)
+{
+    if (camera == camera_)
+        return;
+    ++gesture_;
+    glide_.stop();
+    glideFrom_ = view_.camera;
+    camera_ = camera;
+    if (mayGlide(*this) && isVisible())
+        glide_.start(); // shows its first step, and tells
+    else
+        showGlide(1);
+    ++gesture_;
+}
+
+void Viewport::showGlide(double part)
+{
+    view_.camera = between(glideFrom_, camera_, part);
+    view_.moving = true;
+    resting_.start();
+    canvas_->show(view_);
+    emit cameraChanged();
 }
 
 void Viewport::setBackground(const std::optional<Colour>& background)
 {
+    if (background == background_)
+        return;
+    ++gesture_; // each choice is a step of its own
     background_ = background;
     followPalette();
 }
@@ -138,23 +221,19 @@ void Viewport::setFrameRate(std::optional<double> perSecond)
 
 void Viewport::fit(const Eigen::AlignedBox3d& bounds)
 {
-    view_.camera = fitted(view_.camera, bounds);
-    canvas_->show(view_);
-    emit cameraChanged();
+    glideTo(fitted(camera_, bounds));
 }
 
 void Viewport::seeFrom(NamedView view)
 {
-    view_.camera = seenFrom(view_.camera, view);
-    canvas_->show(view_);
-    emit cameraChanged();
+    glideTo(seenFrom(camera_, view));
 }
 
 void Viewport::setPerspective(bool perspective)
 {
-    view_.camera.perspective = perspective;
-    canvas_->show(view_);
-    emit cameraChanged();
+    Camera camera = camera_;
+    camera.perspective = perspective;
+    glideTo(camera);
 }
 
 QString Viewport::backendName() const
@@ -164,7 +243,7 @@ QString Viewport::backendName() const
 
 bool Viewport::settled() const
 {
-    return !view_.moving && canvas_->settled();
+    return !view_.moving && glide_.state() != QAbstractAnimation::Running && canvas_->settled();
 }
 
 QImage Viewport::picture() const
@@ -174,9 +253,12 @@ QImage Viewport::picture() const
 
 void Viewport::moveCamera(const Camera& camera)
 {
+    glide_.stop();
+    camera_ = camera;
     view_.camera = camera;
     view_.moving = true;
     resting_.start();
+    pausing_.start();
     canvas_->show(view_);
     emit cameraChanged();
 }
@@ -190,6 +272,13 @@ void Viewport::rest()
 void Viewport::mousePressEvent(QMouseEvent* event)
 {
     lastPosition_ = event->position();
+    ++gesture_;
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event)
+{
+    QWidget::mouseReleaseEvent(event);
+    ++gesture_;
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event)
@@ -206,7 +295,10 @@ void Viewport::mouseMoveEvent(QMouseEvent* event)
 
 void Viewport::wheelEvent(QWheelEvent* event)
 {
-    moveCamera(zoomedByWheel(view_.camera, event->angleDelta().y()));
+    if (isPan(*event))
+        moveCamera(pannedByDrag(view_.camera, event->pixelDelta(), size()));
+    else
+        moveCamera(zoomedByWheel(view_.camera, event->angleDelta().y()));
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event)
@@ -215,6 +307,16 @@ void Viewport::keyPressEvent(QKeyEvent* event)
         moveCamera(*moved);
     else
         QWidget::keyPressEvent(event);
+}
+
+bool Viewport::event(QEvent* event)
+{
+    const auto factor = pinchFactor(*event);
+    if (!factor)
+        return QWidget::event(event);
+    moveCamera(zoomedByPinch(view_.camera, *factor));
+    event->accept();
+    return true;
 }
 
 void Viewport::changeEvent(QEvent* event)

@@ -7,6 +7,7 @@
 #include "ui/viewport/picture_projection.h"
 
 #include <QTimer>
+#include <QVariantAnimation>
 #include <QWidget>
 
 #include <optional>
@@ -28,14 +29,23 @@ public:
     const std::shared_ptr<const Scene>& scene() const noexcept { return scene_.scene; }
     /// Lines that belong to a tool, not to what is looked at: drawn with the scene, and not saved with a picture.
     void setOutlines(std::vector<LineSet> outlines);
-    const Camera& camera() const noexcept { return view_.camera; }
+    /// The one that was asked for; the picture may still be on its way there.
+    const Camera& camera() const noexcept { return camera_; }
     const Colour& background() const noexcept { return view_.background; }
     /// Nothing: the one that fits the palette is used.
     const std::optional<Colour>& chosenBackground() const noexcept { return background_; }
     /// From places to this widget's coordinates.
     PictureProjection projection() const { return {view_.camera, size()}; }
 
+    /// Which gesture of the user the present camera belongs to: a drag, a series of wheel turns or keys without a
+    /// longer pause, or one jump. Changes when the next one begins.
+    std::uint64_t gesture() const noexcept { return gesture_; }
+
+    /// The view of something newly opened, at once: no choice of the user's. Told by started() first.
+    void startFrom(const Camera& camera, const std::optional<Colour>& background);
     void setCamera(const Camera& camera);
+    /// The same, by a short glide unless motion is reduced: camera() is the new one at once. A gesture of its own.
+    void glideTo(const Camera& camera);
     /// Nothing: the colour that fits the palette.
     void setBackground(const std::optional<Colour>& background);
     /// What is seen is being dragged, by whatever control: pictures that follow count more than fine ones.
@@ -55,6 +65,9 @@ public:
     QImage picture() const;
 
 signals:
+    /// A view that no choice of the user led to.
+    void started();
+    /// Also while a picture glides to it.
     void cameraChanged();
     void backgroundChanged();
     void framePainted(const tetra::FrameReport& report);
@@ -63,14 +76,17 @@ signals:
 protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void changeEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
     void useCanvas(Canvas* canvas);
     void followPalette();
     void moveCamera(const Camera& camera);
+    void showGlide(double part);
     SceneLevel withOutlines(const SceneLevel& level) const;
     void show();
     void rest();
@@ -78,13 +94,18 @@ private:
     SceneLevel scene_;
     std::vector<SceneLevel> drafts_;
     std::vector<LineSet> outlines_;
-    View view_;                        ///< its scene has the outlines, too
+    View view_; ///< its scene has the outlines, too; its camera may be on the way
+    Camera camera_;
     Canvas* canvas_ = nullptr;         ///< a child widget
     std::optional<Colour> background_; ///< else that of the palette
     std::optional<double> frameRate_;  ///< else the usual one of the back end
     bool following_ = false;
     QPointF lastPosition_;
     QTimer resting_;
+    QTimer pausing_; ///< from the last move until a series of moves has ended
+    std::uint64_t gesture_ = 1;
+    Camera glideFrom_;
+    QVariantAnimation glide_;
 };
 
 } // namespace tetra

@@ -3,6 +3,7 @@
 
 #include "plugins/widgets/icons.h"
 #include "ui/viewport/camera_controls.h"
+#include "ui/window/palette_commands.h"
 
 #include <QCoreApplication>
 #include <QMainWindow>
@@ -58,9 +59,9 @@ void addFileMenu(QMainWindow& window, Actions& actions)
                            Texts::tr("Save the mesh that is seen, for VTK, ParaView and others"));
     actions.saveMesh->setIcon(glyphIcon(Glyph::Mesh));
     actions.saveSurfaces =
-        add(menu, "saveSurfaces", Texts::tr("Save Su&rfaces…"), QKeySequence("Ctrl+Shift+M"),
+        add(menu, "saveSurfaces", Texts::tr("Save S&urfaces…"), QKeySequence("Ctrl+Shift+M"),
             Texts::tr("Save the isosurfaces that are seen, for 3D printers, Blender, ParaView and others"));
-    actions.saveStatistics = add(menu, "saveStatistics", Texts::tr("Save S&tatistics…"), {},
+    actions.saveStatistics = add(menu, "saveStatistics", Texts::tr("Save Stat&istics…"), {},
                                  Texts::tr("Save how large the mesh of each accuracy is, as a table"));
     menu->addSeparator();
     actions.close = add(menu, "close", Texts::tr("&Close"), QKeySequence::Close, Texts::tr("Close the model"));
@@ -84,6 +85,9 @@ void addEditMenu(QMainWindow& window, QUndoStack& undoStack, Actions& actions)
     actions.addIsovalue = add(menu, "addIsovalue", Texts::tr("&Add Isovalue"), QKeySequence("Ctrl+I"),
                               Texts::tr("Add an isosurface at another value"));
     actions.addIsovalue->setIcon(glyphIcon(Glyph::Add));
+    menu->addSeparator();
+    actions.palette = add(menu, "palette", Texts::tr("&Find Command…"), QKeySequence("Ctrl+Shift+P"),
+                          Texts::tr("Find whatever the program can do by a few letters of its name"));
 }
 
 void addNamedViews(QMenu* menu, Actions& actions)
@@ -111,7 +115,9 @@ void addViewMenu(QMainWindow& window, Actions& actions)
     QMenu* menu = addMenu(window, "view", Texts::tr("&View"));
     actions.fit = add(menu, "fit", Texts::tr("&Fit"), QKeySequence(Qt::Key_Home), Texts::tr("Show the whole domain"));
     actions.fit->setIcon(glyphIcon(Glyph::Fit));
-    addNamedViews(menu->addMenu(Texts::tr("&Look From")), actions);
+    QMenu* namedViews = menu->addMenu(Texts::tr("&Look From"));
+    namedViews->setObjectName("menu.namedViews");
+    addNamedViews(namedViews, actions);
     actions.perspective = add(menu, "perspective", Texts::tr("&Perspective"), QKeySequence("Ctrl+P"),
                               Texts::tr("Perspective, or parallel projection"));
     actions.perspective->setCheckable(true);
@@ -120,11 +126,18 @@ void addViewMenu(QMainWindow& window, Actions& actions)
     actions.modes->setObjectName("menu.modes");
     menu->addSeparator();
     actions.panels = menu->addMenu(Texts::tr("Pa&nels"));
+    actions.panels->setObjectName("menu.panels");
     actions.resetLayout = add(menu, "resetLayout", Texts::tr("Reset La&yout"), {},
                               Texts::tr("Put all panels back to where they were at first"));
     actions.fullScreen = add(menu, "fullScreen", Texts::tr("F&ull Screen"), QKeySequence(Qt::Key_F11),
                              Texts::tr("Use the whole screen"));
     actions.fullScreen->setCheckable(true);
+    menu->addSeparator();
+    actions.reducedMotion = add(menu, "reducedMotion", Texts::tr("Reduced &Motion"), {},
+                                Texts::tr("Change the view at once instead of gliding to it"));
+    actions.reducedMotion->setCheckable(true);
+    actions.languages = menu->addMenu(Texts::tr("Lan&guage"));
+    actions.languages->setObjectName("menu.languages");
 }
 
 void addHelpMenu(QMainWindow& window, Actions& actions)
@@ -132,6 +145,11 @@ void addHelpMenu(QMainWindow& window, Actions& actions)
     QMenu* menu = addMenu(window, "help", Texts::tr("&Help"));
     actions.manual =
         add(menu, "manual", Texts::tr("&Manual"), {}, Texts::tr("Read how everything works, in the web browser"));
+    actions.help = add(menu, "help", Texts::tr("&Help on This Control"), QKeySequence(Qt::Key_F1),
+                       Texts::tr("Say what the control does that has the keys"));
+    actions.whatsThis = add(menu, "whatsThis", Texts::tr("&What Is This?"), QKeySequence("Shift+F1"),
+                            Texts::tr("Click on a control to read what it does"));
+    menu->addSeparator();
     actions.plugins = add(menu, "plugins", Texts::tr("&Plugins…"), {}, Texts::tr("The plugins that were found"));
     actions.about = add(menu, "about", Texts::tr("&About TAn"), {}, Texts::tr("Version and licence"));
 }
@@ -156,6 +174,17 @@ void addToolBar(QMainWindow& window, Actions& actions)
     actions.toolBar = bar;
 }
 
+void addNeeds(const Actions& actions)
+{
+    for (QAction* action : QList<QAction*>{actions.saveSession, actions.saveSessionAs, actions.savePicture,
+                                           actions.saveMesh, actions.saveSurfaces, actions.saveStatistics,
+                                           actions.close, actions.addIsovalue, actions.fit} +
+                               actions.namedViews)
+        setNeed(*action, Texts::tr("Open a model first"));
+    setNeed(*actions.undo, Texts::tr("There is nothing to undo"));
+    setNeed(*actions.redo, Texts::tr("There is nothing to redo"));
+}
+
 } // namespace
 
 Actions makeActions(QMainWindow& window, QUndoStack& undoStack)
@@ -167,6 +196,7 @@ Actions makeActions(QMainWindow& window, QUndoStack& undoStack)
     actions.region = addMenu(window, "region", Texts::tr("&Region"));
     addHelpMenu(window, actions);
     addToolBar(window, actions);
+    addNeeds(actions);
     return actions;
 }
 

@@ -25,15 +25,20 @@ struct Actions {
     QAction* undo = nullptr;
     QAction* redo = nullptr;
     QAction* addIsovalue = nullptr;
+    QAction* palette = nullptr;
     QAction* fit = nullptr;
     QAction* perspective = nullptr;
     QList<QAction*> namedViews; ///< in the order of NamedView
     QAction* fullScreen = nullptr;
     QAction* resetLayout = nullptr;
     QAction* manual = nullptr;
+    QAction* reducedMotion = nullptr;
+    QAction* help = nullptr;
+    QAction* whatsThis = nullptr;
     QAction* plugins = nullptr;
     QAction* about = nullptr;
     QMenu* recent = nullptr;
+    QMenu* languages = nullptr;
     QMenu* panels = nullptr; ///< for the docks' own actions
     QMenu* modes = nullptr;  ///< for those of ModeActions
     QMenu* region = nullptr; ///< for those of RegionActions

@@ -8,12 +8,15 @@
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/region_panel.h"
 #include "ui/panels/rendering_panel.h"
+#include "ui/panels/statistics_panel.h"
 #include "ui/panels/view_panel.h"
+#include "ui/widgets/mnemonics.h"
 
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
+#include <QMenuBar>
 
 namespace tetra {
 namespace {
@@ -30,9 +33,10 @@ constexpr int lowerHeight = 360;
 
 Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport& viewport)
 {
-    const auto add = [&](const char* name, const QString& title, QWidget* content) {
+    const auto add = [&](const char* name, const QString& title, const QString& help, QWidget* content) {
         auto* dock = new QDockWidget(title);
         dock->setObjectName(QString("dock.") + name);
+        dock->setWhatsThis(help);
         dock->setWidget(content);
         window.addDockWidget(Qt::RightDockWidgetArea, dock);
         dock->toggleViewAction()->setObjectName(QString("action.dock.") + name);
@@ -43,14 +47,41 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
     Docks docks;
     docks.focusPanel = new FocusPanel(session);
     docks.renderingPanel = new RenderingPanel(workbench, viewport);
-    docks.build = add("build", Texts::tr("Build"), new BuildPanel(workbench));
-    docks.accuracy = add("accuracy", Texts::tr("Accuracy"), new AccuracyPanel(session));
-    docks.rendering = add("rendering", Texts::tr("Rendering"), docks.renderingPanel);
-    docks.view = add("view", Texts::tr("View"), new ViewPanel(workbench, viewport));
-    docks.isovalues = add("isovalues", Texts::tr("Isovalues"), new IsovaluePanel(session));
-    docks.transfer = add("transfer", Texts::tr("Transfer"), makeEditorPage(workbench, "transferfunction"));
-    docks.focus = add("focus", Texts::tr("Focus"), docks.focusPanel);
-    docks.region = add("region", Texts::tr("Region"), new RegionPanel(session));
+    docks.build = add("build", Texts::tr("Build"),
+                      Texts::tr("A dataset is turned into a model once: a mesh of tetrahedra that can be had at any "
+                                "accuracy from then on. Choose a method and a file, and start."),
+                      new BuildPanel(workbench));
+    docks.accuracy = add("accuracy", Texts::tr("Accuracy"),
+                         Texts::tr("How far the mesh may deviate from the data, in percent of the range of values; or "
+                                   "how many tetrahedra it may have. The curve shows what each error costs."),
+                         new AccuracyPanel(session));
+    docks.rendering = add("rendering", Texts::tr("Rendering"),
+                          Texts::tr("In which way the mesh is drawn: surfaces, volume or both, and how finely."),
+                          docks.renderingPanel);
+    docks.view = add("view", Texts::tr("View"),
+                     Texts::tr("From where the model is seen, in numbers. In the picture: drag to turn, Shift and drag "
+                               "to move, the wheel zooms."),
+                     new ViewPanel(workbench, viewport));
+    docks.statisticsPanel = new StatisticsPanel(workbench, viewport);
+    docks.statistics = add("statistics", Texts::tr("Statistics"),
+                           Texts::tr("What each accuracy costs in sites, tetrahedra, time and memory, and what is "
+                                     "shown now in numbers."),
+                           docks.statisticsPanel);
+    docks.isovalues = add("isovalues", Texts::tr("Isovalues"),
+                          Texts::tr("Surfaces on which the field has one value each, in the units of the data."),
+                          new IsovaluePanel(session));
+    docks.transfer = add("transfer", Texts::tr("Transfer"),
+                         Texts::tr("The transfer function gives each value a colour and an opacity for the volume."),
+                         makeEditorPage(workbench, "transferfunction"));
+    docks.focus =
+        add("focus", Texts::tr("Focus"),
+            Texts::tr("A sphere or a box in which the mesh is more accurate than outside."), docks.focusPanel);
+    docks.region = add("region", Texts::tr("Region"),
+                       Texts::tr("Which part of the domain is shown at all: a box, and a range of values."),
+                       new RegionPanel(session));
+    giveMnemonics(menu);
+    for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
+        separateMnemonics(*dock->widget(), *window.menuBar());
     QObject::connect(docks.renderingPanel, &RenderingPanel::transferWanted, docks.transfer,
                      [dock = docks.transfer] { raiseDock(*dock); });
     QObject::connect(docks.renderingPanel, &RenderingPanel::isovaluesWanted, docks.isovalues,
@@ -65,11 +96,12 @@ void layOutDocks(QMainWindow& window, const Docks& docks, bool showBuild)
     window.addDockWidget(Qt::RightDockWidgetArea, docks.isovalues);
     window.tabifyDockWidget(docks.accuracy, docks.rendering);
     window.tabifyDockWidget(docks.rendering, docks.view);
+    window.tabifyDockWidget(docks.view, docks.statistics);
     window.tabifyDockWidget(docks.isovalues, docks.transfer);
     window.tabifyDockWidget(docks.transfer, docks.focus);
     window.tabifyDockWidget(docks.focus, docks.region);
-    for (QDockWidget* dock : {docks.build, docks.accuracy, docks.rendering, docks.view, docks.isovalues, docks.transfer,
-                              docks.focus, docks.region}) {
+    for (QDockWidget* dock : {docks.build, docks.accuracy, docks.rendering, docks.view, docks.statistics,
+                              docks.isovalues, docks.transfer, docks.focus, docks.region}) {
         dock->setFloating(false);
         dock->show();
     }

@@ -11,6 +11,7 @@ namespace tetra {
 
 class FocusPanel;
 class RenderingPanel;
+class StatisticsPanel;
 class Viewport;
 
 /// The window's panels in docks, named dock.NAME; the actions that show and hide them are action.dock.NAME. Owned by
@@ -20,12 +21,14 @@ struct Docks {
     QDockWidget* accuracy = nullptr;
     QDockWidget* rendering = nullptr;
     QDockWidget* view = nullptr;
+    QDockWidget* statistics = nullptr;
     QDockWidget* isovalues = nullptr;
     QDockWidget* transfer = nullptr;
     QDockWidget* focus = nullptr;
     QDockWidget* region = nullptr;
     FocusPanel* focusPanel = nullptr;
     RenderingPanel* renderingPanel = nullptr;
+    StatisticsPanel* statisticsPanel = nullptr;
 };
 
 /// Makes them and puts their actions into `menu`. Workbench and viewport outlive the window's widgets.

@@ -77,9 +77,7 @@ void KeepSession::end()
 
 void KeepSession::restore(const SessionDocument& document)
 {
-    if (document.camera)
-        viewport_.setCamera(*document.camera);
-    viewport_.setBackground(document.background);
+    viewport_.startFrom(document.camera.value_or(viewport_.camera()), document.background);
 }
 
 void KeepSession::offerLost()

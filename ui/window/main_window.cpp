@@ -4,14 +4,18 @@
 #include "plugins/widgets/icons.h"
 #include "ui/panels/focus_panel.h"
 #include "ui/panels/rendering_panel.h"
+#include "ui/panels/statistics_panel.h"
 #include "ui/session/recent_files.h"
 #include "ui/session/target_path.h"
 #include "ui/viewport/region_tools.h"
 #include "ui/viewport/transfer_drag.h"
+#include "ui/viewport/view_history.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/message_bar.h"
+#include "ui/widgets/mnemonics.h"
 #include "ui/window/empty_page.h"
+#include "ui/window/help_actions.h"
 #include "ui/window/import_dialog.h"
 #include "ui/window/keep_session.h"
 #include "ui/window/manual.h"
@@ -42,7 +46,7 @@ constexpr QSize frameOfWindows(8, 40); ///< what a window manager may add
 constexpr const char* geometryKey = "window/geometry";
 constexpr const char* layoutKey = "window/layout";
 /// Of what saveState() writes; layouts of other versions are not restored.
-constexpr int layoutVersion = 3;
+constexpr int layoutVersion = 4;
 constexpr int statusMessageTime = 5000; // milliseconds
 
 /// The local files of a drag.
@@ -59,7 +63,7 @@ QStringList filesOf(const QMimeData* data)
 
 MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
     : workbench_(workbench), actions_(makeActions(*this, workbench_.session().undoStack())), messages_(new MessageBar),
-      empty_(new EmptyPage), viewport_(new Viewport(backend)), pages_(new QStackedWidget),
+      empty_(new EmptyPage(workbench_.sampling())), viewport_(new Viewport(backend)), pages_(new QStackedWidget),
       status_(new StatusLine(statusBar())),
       regions_(new RegionActions(workbench_.session(), *viewport_, *actions_.region, *actions_.toolBar))
 {
@@ -73,6 +77,7 @@ MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
     connectRegions();
     connectWorkbench();
     connectFollowing();
+    connectHelp(*this, actions_, workbench_.session(), *messages_);
     status_->setBackend(viewport_->backendName());
     showModel();
     for (const QString& error : pluginErrors(workbench_.host()))
@@ -86,6 +91,7 @@ QWidget* MainWindow::makeCentre()
     viewport_->setAccessibleName(tr("Picture"));
     new TransferDrag(workbench_, *viewport_);
     new RegionTools(workbench_.session(), *viewport_); // the last one comes first: its handles go before
+    new ViewHistory(*viewport_, workbench_.session().undoStack(), this);
     pages_->setObjectName("pages");
     pages_->addWidget(empty_);
     pages_->addWidget(viewport_);
@@ -124,10 +130,17 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
     if (!filesOf(event->mimeData()).isEmpty())
         event->acceptProposedAction();
+    empty_->setDropping(event->isAccepted());
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*)
+{
+    empty_->setDropping(false);
 }
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
+    empty_->setDropping(false);
     const QStringList files = filesOf(event->mimeData());
     event->acceptProposedAction();
     open(files.first());
@@ -152,6 +165,7 @@ void MainWindow::connectActions()
     connect(actions_.saveMesh, &QAction::triggered, this, &MainWindow::saveMesh);
     connect(actions_.saveSurfaces, &QAction::triggered, this, &MainWindow::saveSurfaces);
     connect(actions_.saveStatistics, &QAction::triggered, this, &MainWindow::saveStatistics);
+    connect(docks_.statisticsPanel, &StatisticsPanel::saveWanted, actions_.saveStatistics, &QAction::trigger);
     connect(actions_.close, &QAction::triggered, &workbench_, &Workbench::closeModel);
     connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
     connect(actions_.addIsovalue, &QAction::triggered, this, [this] { workbench_.session().addIsovalue(); });
@@ -180,6 +194,8 @@ void MainWindow::connectActions()
     connect(actions_.about, &QAction::triggered, this, &MainWindow::showAbout);
     connect(empty_, &EmptyPage::openClicked, actions_.open, &QAction::trigger);
     connect(empty_, &EmptyPage::recentClicked, this, &MainWindow::open);
+    connect(empty_, &EmptyPage::sampleClicked, &workbench_,
+            [this](const QString& name) { workbench_.openSample(name.toStdString()); });
 }
 
 void MainWindow::connectRegions()
@@ -264,6 +280,7 @@ void MainWindow::fillRecent()
     actions_.recent->addSeparator();
     QAction* forget = actions_.recent->addAction(tr("&Clear List"));
     forget->setEnabled(actions_.recent->actions().size() > 2);
+    giveMnemonics(*actions_.recent);
     connect(forget, &QAction::triggered, this, [] { forgetRecentFiles(); });
 }
 
@@ -291,8 +308,9 @@ void MainWindow::showModel()
                                actions_.namedViews)
         action->setEnabled(model != nullptr);
     viewport_->setScene(nullptr);
+    const Camera& camera = viewport_->camera();
+    viewport_->startFrom(model ? fitted(camera, model->description().bounds) : camera, std::nullopt);
     if (model) {
-        fit();
         pages_->setCurrentWidget(viewport_);
         viewport_->setFocus();
     } else {

@@ -2,6 +2,8 @@
 #include "ui/window/mode_actions.h"
 
 #include "ui/session/plugin_texts.h"
+#include "ui/widgets/mnemonics.h"
+#include "ui/window/palette_commands.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -33,9 +35,11 @@ void ModeActions::fill()
             if (key <= 9)
                 action->setShortcut(QKeySequence(QString("Alt+%1").arg(key++)));
             action->setToolTip(tr("Show %1 (%2)").arg(action->text(), action->shortcut().toString()));
+            setNeed(*action, tr("Open a model first"));
             menu_.addAction(action);
             toolBar_.addAction(action);
         }
+        giveMnemonics(menu_);
     }
     menu_.setEnabled(isOpen);
     group_->setEnabled(isOpen);

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/plugin_window.h"
 
+#include "ui/session/plugin_choice.h"
 #include "ui/session/plugin_texts.h"
 #include "ui/session/target_path.h"
 
+#include <QClipboard>
 #include <QDialogButtonBox>
+#include <QGuiApplication>
 #include <QHeaderView>
 #include <QLabel>
+#include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace tetra {
 namespace {
@@ -18,46 +24,79 @@ QString text(std::string_view utf8)
     return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
 }
 
-QTreeWidgetItem* itemFor(const PluginStatus& plugin)
+constexpr int idRole = Qt::UserRole;
+
+/// Those of other reasons come back by themselves once the reason is gone.
+bool canBeChosen(const PluginStatus& plugin)
 {
-    const QString name = plugin.hasMetadata ? pluginText(plugin.metadata.name) : text(plugin.metadata.id);
-    const QString kind = plugin.hasMetadata ? pluginText(std::string(pluginKindName(plugin.metadata.kind))) : QString();
+    return plugin.hasMetadata && plugin.state != PluginState::Refused;
+}
+
+QTreeWidgetItem* itemFor(const PluginStatus& plugin, const std::vector<std::string>& unwanted)
+{
+    const PluginMetadata& data = plugin.metadata;
+    const QString name = plugin.hasMetadata ? pluginText(data.name) : text(data.id);
+    const QString kind = plugin.hasMetadata ? pluginText(std::string(pluginKindName(data.kind))) : QString();
+    const QString version = plugin.hasMetadata ? text(toText(data.version)) : QString();
     const QString state = pluginText(std::string(pluginStateName(plugin.state)));
-    auto* item = new QTreeWidgetItem({name, kind, state, text(plugin.error)});
-    const QString description = pluginText(plugin.metadata.description);
-    item->setToolTip(0, description.isEmpty() ? pathText(plugin.path) : description + "\n" + pathText(plugin.path));
-    item->setToolTip(3, text(plugin.error));
+    auto* item = new QTreeWidgetItem({name, kind, version, state, text(plugin.error), pathText(plugin.path)});
+    item->setData(0, idRole, text(data.id));
+    if (canBeChosen(plugin))
+        item->setCheckState(0, std::ranges::count(unwanted, data.id) > 0 ? Qt::Unchecked : Qt::Checked);
+    item->setToolTip(0, pluginText(data.description));
+    item->setToolTip(4, text(plugin.error));
+    item->setToolTip(5, pathText(plugin.path));
     return item;
 }
 
 } // namespace
 
-PluginWindow::PluginWindow(const PluginHost& host, QWidget* parent) : QDialog(parent)
+PluginWindow::PluginWindow(const PluginHost& host, QWidget* parent)
+    : QDialog(parent), list_(new QTreeWidget), atNextStart_(new QLabel)
 {
     setObjectName("pluginWindow");
     setWindowTitle(tr("Plugins"));
-    resize(640, 320);
-    auto* list = new QTreeWidget;
-    list->setObjectName("plugins.list");
-    list->setRootIsDecorated(false);
-    list->setAlternatingRowColors(true);
-    list->setHeaderLabels({tr("Plugin"), tr("Kind"), tr("State"), tr("Reason")});
+    resize(820, 420);
+    list_->setObjectName("plugins.list");
+    list_->setAccessibleName(tr("Plugins"));
+    list_->setToolTip(tr("What was found, and why something is not used. Space switches a plugin on or off."));
+    list_->setRootIsDecorated(false);
+    list_->setAlternatingRowColors(true);
+    list_->setHeaderLabels({tr("Plugin"), tr("Kind"), tr("Version"), tr("State"), tr("Reason"), tr("File")});
+    const std::vector<std::string> unwanted = unwantedPlugins();
     for (const PluginStatus& plugin : host.plugins())
-        list->addTopLevelItem(itemFor(plugin));
-    for (int column = 0; column < 3; ++column)
-        list->resizeColumnToContents(column);
+        list_->addTopLevelItem(itemFor(plugin, unwanted));
+    for (int column = 0; column < 4; ++column)
+        list_->resizeColumnToContents(column);
+    connect(list_, &QTreeWidget::itemChanged, this, &PluginWindow::choose);
     QStringList folders;
     for (const auto& folder : host.folders())
         folders.append(pathText(folder));
     auto* where = new QLabel(tr("Looked for in: %1").arg(folders.join(", ")));
     where->setWordWrap(true);
     where->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    atNextStart_->setObjectName("plugins.atNextStart");
+    atNextStart_->setText(tr("What was switched on or off counts when TAn starts the next time."));
+    atNextStart_->setWordWrap(true);
+    atNextStart_->hide();
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    QPushButton* copy = buttons->addButton(tr("Cop&y"), QDialogButtonBox::ActionRole);
+    copy->setObjectName("plugins.copy");
+    copy->setToolTip(tr("Copy all of this as text, for a report of an error"));
+    connect(copy, &QPushButton::clicked, this,
+            [report = pluginReport(host)] { QGuiApplication::clipboard()->setText(report); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);
-    layout->addWidget(list);
+    layout->addWidget(list_);
+    layout->addWidget(atNextStart_);
     layout->addWidget(where);
     layout->addWidget(buttons);
+}
+
+void PluginWindow::choose(QTreeWidgetItem* item)
+{
+    setPluginWanted(item->data(0, idRole).toString().toStdString(), item->checkState(0) == Qt::Checked);
+    atNextStart_->show();
 }
 
 QStringList pluginErrors(const PluginHost& host)

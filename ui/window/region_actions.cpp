@@ -3,6 +3,7 @@
 
 #include "plugins/widgets/icons.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/palette_commands.h"
 
 #include <QMenu>
 #include <QToolBar>
@@ -21,7 +22,9 @@ RegionActions::RegionActions(Session& session, Viewport& viewport, QMenu& menu, 
     sphere_->setIcon(glyphIcon(Glyph::Sphere));
     box_->setIcon(glyphIcon(Glyph::Box));
     window_->setIcon(glyphIcon(Glyph::Window));
+    setNeed(*toView_, tr("Switch on a focus first"));
     for (QAction* action : {sphere_, box_, window_}) {
+        setNeed(*action, tr("Open a model first"));
         action->setCheckable(true);
         toolBar.addAction(action);
     }

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/window_fixture.h"
+#include "ui/window/palette_commands.h"
+
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QMenu>
+#include <QTreeWidget>
+
+#include <algorithm>
+
+using namespace tetra;
+
+/// The command palette, by keys alone.
+class PaletteTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void everyActionOfTheMenusIsThere();
+    void whatCannotBeDoneSaysWhy();
+    void aCommandIsFoundAndDone();
+    void panelsAndAccuraciesAreFound();
+    void escapeGivesTheKeysBack();
+
+private:
+    void openPalette() const;
+    QTreeWidget& list() const { return window_->find<QTreeWidget>("palette.list"); }
+    QLineEdit& search() const { return window_->find<QLineEdit>("palette.search"); }
+    void openSample() const;
+
+    std::unique_ptr<WindowFixture> window_;
+};
+
+void PaletteTest::initTestCase()
+{
+    QCoreApplication::setOrganizationName("TAn");
+    QCoreApplication::setApplicationName("palette");
+    QLocale::setDefault(QLocale::c());
+}
+
+void PaletteTest::init()
+{
+    QSettings().clear();
+    window_ = std::make_unique<WindowFixture>();
+    window_->window.show();
+    window_->window.activateWindow();
+}
+
+void PaletteTest::cleanup()
+{
+    window_.reset();
+}
+
+void PaletteTest::openPalette() const
+{
+    QTest::keyClick(&window_->window, Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+    if (!window_->find<QWidget>("palette").isVisible()) // without a window manager no window may have the keys
+        window_->find<QAction>("action.palette").trigger();
+    QVERIFY(window_->find<QWidget>("palette").isVisible());
+}
+
+void PaletteTest::openSample() const
+{
+    const auto path = buildSampleModel(*window_->host, sampleDataset(10), window_->folderPath());
+    window_->window.open(QString::fromStdString(path));
+    QTRY_VERIFY(window_->workbench.session().model() && window_->settled());
+}
+
+void PaletteTest::everyActionOfTheMenusIsThere()
+{
+    openSample();
+    const auto commands = paletteCommands(window_->window, window_->workbench.session());
+    const auto has = [&commands](const QString& name) {
+        return std::ranges::any_of(commands, [&name](const PaletteCommand& command) { return command.name == name; });
+    };
+    int actions = 0;
+    for (const QAction* action : window_->window.findChildren<QAction*>())
+        if (action->objectName().startsWith("action.") && action->menu() == nullptr) {
+            QVERIFY2(has(action->objectName()), qPrintable(action->objectName()));
+            ++actions;
+        }
+    QVERIFY(actions > 40);
+    for (const PaletteCommand& command : commands)
+        QVERIFY2(!command.text.isEmpty() && !command.text.contains('&'), qPrintable(command.text));
+}
+
+void PaletteTest::whatCannotBeDoneSaysWhy()
+{
+    openPalette();
+    search().setText("save mesh");
+    QVERIFY(list().topLevelItemCount() > 0);
+    QVERIFY(list().topLevelItem(0)->isDisabled());
+    QCOMPARE(list().topLevelItem(0)->text(1), QString("Open a model first"));
+    search().setText("undo");
+    QCOMPARE(list().topLevelItem(0)->text(1), QString("There is nothing to undo"));
+    QTest::keyClick(&search(), Qt::Key_Return); // nothing happens
+    QVERIFY(search().isVisible());
+}
+
+void PaletteTest::aCommandIsFoundAndDone()
+{
+    openSample();
+    openPalette();
+    QTest::keyClicks(&search(), "look top");
+    QCOMPARE(list().currentItem()->text(1), QString("Ctrl+5"));
+    QTest::keyClick(&search(), Qt::Key_Return);
+    QCOMPARE(window_->viewport().camera().elevation, 90.0);
+    QVERIFY(!window_->find<QWidget>("palette").isVisible());
+
+    openPalette();
+    QVERIFY(search().text().isEmpty());
+    const auto* first = list().currentItem();
+    QTest::keyClick(&search(), Qt::Key_Down);
+    QVERIFY(list().currentItem() != first);
+    QTest::keyClick(&search(), Qt::Key_Up);
+    QVERIFY(list().currentItem() == first);
+    search().setText("zzzz");
+    QCOMPARE(list().topLevelItemCount(), 0);
+    QTest::keyClick(&search(), Qt::Key_Return);
+}
+
+void PaletteTest::panelsAndAccuraciesAreFound()
+{
+    openSample();
+    openPalette();
+    search().setText("panel transfer");
+    QTest::keyClick(&search(), Qt::Key_Return);
+    auto& dock = window_->find<QDockWidget>("dock.transfer");
+    QVERIFY(!dock.visibleRegion().isEmpty());
+    QVERIFY(dock.isAncestorOf(QApplication::focusWidget()) || QApplication::focusWidget() == nullptr);
+    openPalette();
+    search().setText("accuracy 0.2 %");
+    QTest::keyClick(&search(), Qt::Key_Return);
+    QCOMPARE(window_->workbench.session().view().error(), 0.2);
+}
+
+void PaletteTest::escapeGivesTheKeysBack()
+{
+    openSample();
+    window_->viewport().setFocus();
+    openPalette();
+    QTest::keyClick(&search(), Qt::Key_Escape);
+    QVERIFY(!window_->find<QWidget>("palette").isVisible());
+    QVERIFY(window_->window.focusWidget() == &window_->viewport());
+}
+
+QTEST_MAIN(PaletteTest)
+#include "palette_test.moc"

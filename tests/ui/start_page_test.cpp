@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/data/analytic_fields.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/session/plugin_choice.h"
+#include "ui/session/recent_files.h"
+#include "ui/session/sample_models.h"
+
+#include <QClipboard>
+#include <QCommandLinkButton>
+#include <QLabel>
+#include <QStandardPaths>
+#include <QToolButton>
+#include <QTreeWidget>
+
+using namespace tetra;
+
+/// What is seen before anything is open: recent files, samples; and the page of the plugins.
+class StartPageTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void everySampleIsMade_data();
+    void everySampleIsMade();
+    void aSampleIsOpenedByItsButton();
+    void makingASampleIsCancelled();
+    void anUnknownSampleIsRefused();
+    void recentFilesSayWhereTheyLie();
+    void pluginsAreSwitchedOffAndOn();
+    void thePluginsAreCopied();
+
+private:
+    std::unique_ptr<WindowFixture> window_;
+};
+
+void StartPageTest::initTestCase()
+{
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setOrganizationName("TAn");
+    QCoreApplication::setApplicationName("startPage");
+    QLocale::setDefault(QLocale::c());
+}
+
+void StartPageTest::init()
+{
+    QSettings().clear();
+    std::filesystem::remove_all(sampleFolder());
+    window_ = std::make_unique<WindowFixture>();
+    window_->window.show();
+}
+
+void StartPageTest::cleanup()
+{
+    window_.reset();
+    std::filesystem::remove_all(sampleFolder());
+}
+
+void StartPageTest::everySampleIsMade_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const SampleKind& kind : sampleKinds())
+        QTest::newRow(std::string(kind.name).c_str()) << QString::fromStdString(std::string(kind.name));
+}
+
+void StartPageTest::everySampleIsMade()
+{
+    QFETCH(QString, name);
+    const std::filesystem::path folder = window_->folderPath();
+    const auto model = sampleModel(*window_->host, name.toStdString(), folder);
+    QVERIFY2(model, model ? "" : model.error().text.c_str());
+    QVERIFY(Model::open(*model));
+    const auto written = std::filesystem::last_write_time(*model);
+    QVERIFY(sampleModel(*window_->host, name.toStdString(), folder));
+    QVERIFY(std::filesystem::last_write_time(*model) == written); // not made again
+}
+
+void StartPageTest::aSampleIsOpenedByItsButton()
+{
+    auto& button = window_->find<QPushButton>("empty.sample.part");
+    QVERIFY(button.isVisible() && button.focusPolicy() != Qt::NoFocus && !button.toolTip().isEmpty());
+    button.setFocus();
+    QTest::keyClick(&button, Qt::Key_Space);
+    QVERIFY(!button.isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(window_->workbench.session().model() && window_->settled(), 60'000);
+    QVERIFY(!window_->find<QWidget>("empty").isVisible());
+    QVERIFY(window_->messages().isEmpty());
+}
+
+void StartPageTest::makingASampleIsCancelled()
+{
+    window_->workbench.openSample("hydrogen");
+    QTRY_VERIFY_WITH_TIMEOUT(window_->find<QWidget>("empty.sampling").isVisible(), 20'000);
+    window_->find<QToolButton>("empty.sampling.cancel").click();
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.sampling().running(), 20'000);
+    QTRY_VERIFY(window_->find<QPushButton>("empty.sample.hydrogen").isEnabled());
+    QVERIFY(!window_->workbench.session().model());
+    QVERIFY(window_->messages().isEmpty());
+    QVERIFY(!std::filesystem::exists(sampleFolder() / "hydrogen.tan"));
+}
+
+void StartPageTest::anUnknownSampleIsRefused()
+{
+    window_->workbench.openSample("nothing");
+    QTRY_COMPARE(window_->messages().size(), 1);
+}
+
+void StartPageTest::recentFilesSayWhereTheyLie()
+{
+    const auto path = writeNrrd(sampleDataset(4), window_->folderPath());
+    addRecentFile(QString::fromStdString(path.string()));
+    window_.reset(); // its folder goes, and the file with it
+    window_ = std::make_unique<WindowFixture>();
+    QVERIFY(window_->window.findChild<QCommandLinkButton*>("empty.recent") == nullptr);
+    addRecentFile(QString::fromStdString(writeNrrd(sampleDataset(4), window_->folderPath()).string()));
+    const QString folder = window_->folder.path();
+    const WindowFixture next;
+    auto& button = next.find<QCommandLinkButton>("empty.recent");
+    QCOMPARE(button.text(), QString("c60.nrrd"));
+    QVERIFY(folder.endsWith(button.description().section('/', -1)));
+    QVERIFY(button.focusPolicy() != Qt::NoFocus);
+}
+
+void StartPageTest::pluginsAreSwitchedOffAndOn()
+{
+    window_->find<QAction>("action.plugins").trigger();
+    auto& list = window_->find<QTreeWidget>("plugins.list");
+    QVERIFY(list.topLevelItemCount() > 5);
+    QTreeWidgetItem* item = list.topLevelItem(0);
+    QVERIFY(item->checkState(0) == Qt::Checked);
+    QVERIFY(!item->text(2).isEmpty() && QFile::exists(item->text(5)));
+    item->setCheckState(0, Qt::Unchecked);
+    QVERIFY(window_->find<QLabel>("plugins.atNextStart").isVisible());
+    QCOMPARE(unwantedPlugins().size(), std::size_t(1));
+    PluginHostOptions options{.folders = window_->host->folders(), .disabled = unwantedPlugins()};
+    const PluginHost next(options);
+    int disabled = 0;
+    for (const PluginStatus& plugin : next.plugins())
+        disabled += plugin.state == PluginState::Disabled ? 1 : 0;
+    QVERIFY(disabled >= 1);
+    item->setCheckState(0, Qt::Checked);
+    QVERIFY(unwantedPlugins().empty());
+}
+
+void StartPageTest::thePluginsAreCopied()
+{
+    window_->find<QAction>("action.plugins").trigger();
+    window_->find<QPushButton>("plugins.copy").click();
+    const QString text = QGuiApplication::clipboard()->text();
+    for (const PluginStatus& plugin : window_->host->plugins())
+        QVERIFY2(text.contains('\t' + QString::fromStdString(plugin.metadata.id) + '\t'), plugin.metadata.id.c_str());
+    QVERIFY(text.contains(QString::fromStdString(window_->host->folders().front().string())));
+}
+
+QTEST_MAIN(StartPageTest)
+#include "start_page_test.moc"

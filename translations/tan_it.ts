@@ -1,0 +1,3014 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="it">
+<context>
+    <name>Actions</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;File</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Apri…</translation>
+    </message>
+    <message>
+        <source>Open a dataset or a model</source>
+        <translation>Apre un insieme di dati o un modello</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>Apri &amp;recente</translation>
+    </message>
+    <message>
+        <source>Save &amp;Picture…</source>
+        <translation>Salva &amp;immagine…</translation>
+    </message>
+    <message>
+        <source>Save what is seen as a PNG picture</source>
+        <translation>Salva ciò che si vede come immagine PNG</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>C&amp;hiudi</translation>
+    </message>
+    <message>
+        <source>Close the model</source>
+        <translation>Chiude il modello</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Esci</translation>
+    </message>
+    <message>
+        <source>Leave the program</source>
+        <translation>Esce dal programma</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Modifica</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annulla</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Ripeti</translation>
+    </message>
+    <message>
+        <source>&amp;Add Isovalue</source>
+        <translation>A&amp;ggiungi isovalore</translation>
+    </message>
+    <message>
+        <source>Add an isosurface at another value</source>
+        <translation>Aggiunge un&apos;isosuperficie a un altro valore</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Fronte</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Retro</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Sinistra</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Destra</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Alto</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom</source>
+        <translation>&amp;Basso</translation>
+    </message>
+    <message>
+        <source>&amp;Corner</source>
+        <translation>Angol&amp;o</translation>
+    </message>
+    <message>
+        <source>Look from this side</source>
+        <translation>Guarda da questo lato</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Vista</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Adatta</translation>
+    </message>
+    <message>
+        <source>Show the whole domain</source>
+        <translation>Mostra l&apos;intero dominio</translation>
+    </message>
+    <message>
+        <source>&amp;Look From</source>
+        <translation>&amp;Guarda da</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>&amp;Prospettiva</translation>
+    </message>
+    <message>
+        <source>Perspective, or parallel projection</source>
+        <translation>Proiezione prospettica o parallela</translation>
+    </message>
+    <message>
+        <source>Pa&amp;nels</source>
+        <translation>Pa&amp;nnelli</translation>
+    </message>
+    <message>
+        <source>Reset La&amp;yout</source>
+        <translation>&amp;Ripristina disposizione</translation>
+    </message>
+    <message>
+        <source>Put all panels back to where they were at first</source>
+        <translation>Rimette tutti i pannelli dove stavano all&apos;inizio</translation>
+    </message>
+    <message>
+        <source>F&amp;ull Screen</source>
+        <translation>Schermo &amp;intero</translation>
+    </message>
+    <message>
+        <source>Use the whole screen</source>
+        <translation>Usa l&apos;intero schermo</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Aiuto</translation>
+    </message>
+    <message>
+        <source>&amp;Plugins…</source>
+        <translation>&amp;Plugin…</translation>
+    </message>
+    <message>
+        <source>The plugins that were found</source>
+        <translation>I plugin trovati</translation>
+    </message>
+    <message>
+        <source>&amp;About TAn</source>
+        <translation>&amp;Informazioni su TAn</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>Versione e licenza</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Strumenti</translation>
+    </message>
+    <message>
+        <source>Save &amp;Mesh…</source>
+        <translation>Salva &amp;mesh…</translation>
+    </message>
+    <message>
+        <source>Save the mesh that is seen, for VTK, ParaView and others</source>
+        <translation>Salva la mesh visibile, per VTK, ParaView e altri</translation>
+    </message>
+    <message>
+        <source>Save S&amp;urfaces…</source>
+        <translation>Salva su&amp;perfici…</translation>
+    </message>
+    <message>
+        <source>Save the isosurfaces that are seen, for 3D printers, Blender, ParaView and others</source>
+        <translation>Salva le isosuperfici visibili, per stampanti 3D, Blender, ParaView e altri</translation>
+    </message>
+    <message>
+        <source>Save Stat&amp;istics…</source>
+        <translation>Salva s&amp;tatistiche…</translation>
+    </message>
+    <message>
+        <source>Save how large the mesh of each accuracy is, as a table</source>
+        <translation>Salva in una tabella quanto è grande la mesh di ogni accuratezza</translation>
+    </message>
+    <message>
+        <source>&amp;Region</source>
+        <translation>&amp;Regione</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Mostra</translation>
+    </message>
+    <message>
+        <source>&amp;Save Session</source>
+        <translation>&amp;Salva sessione</translation>
+    </message>
+    <message>
+        <source>Save what is open and how it is seen, to go on with later</source>
+        <translation>Salva ciò che è aperto e come lo si vede, per continuare in seguito</translation>
+    </message>
+    <message>
+        <source>Save Session &amp;As…</source>
+        <translation>Salva sessione &amp;con nome…</translation>
+    </message>
+    <message>
+        <source>Save the session in another file</source>
+        <translation>Salva la sessione in un altro file</translation>
+    </message>
+    <message>
+        <source>Import with Op&amp;tions…</source>
+        <translation>Importa con &amp;opzioni…</translation>
+    </message>
+    <message>
+        <source>Open a part of a dataset, or say how its file is to be read</source>
+        <translation>Apre una parte di un insieme di dati, o dice come va letto il suo file</translation>
+    </message>
+    <message>
+        <source>&amp;Find Command…</source>
+        <translation>&amp;Trova comando…</translation>
+    </message>
+    <message>
+        <source>Find whatever the program can do by a few letters of its name</source>
+        <translation>Trova tutto ciò che il programma sa fare con poche lettere del nome</translation>
+    </message>
+    <message>
+        <source>Reduced &amp;Motion</source>
+        <translation>Movimento ri&amp;dotto</translation>
+    </message>
+    <message>
+        <source>Change the view at once instead of gliding to it</source>
+        <translation>Cambia la vista subito, senza scivolarvi</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Lingua</translation>
+    </message>
+    <message>
+        <source>&amp;Help on This Control</source>
+        <translation>&amp;Guida a questo controllo</translation>
+    </message>
+    <message>
+        <source>Say what the control does that has the keys</source>
+        <translation>Dice che cosa fa il controllo che riceve i tasti</translation>
+    </message>
+    <message>
+        <source>&amp;What Is This?</source>
+        <translation>&amp;Che cos&apos;è?</translation>
+    </message>
+    <message>
+        <source>Click on a control to read what it does</source>
+        <translation>Fare clic su un controllo per leggere che cosa fa</translation>
+    </message>
+    <message>
+        <source>Open a model first</source>
+        <translation>Aprire prima un modello</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo</source>
+        <translation>Non c&apos;è nulla da annullare</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo</source>
+        <translation>Non c&apos;è nulla da ripetere</translation>
+    </message>
+</context>
+<context>
+    <name>AddIsovalue</name>
+    <message>
+        <source>new isovalue</source>
+        <translation>nuovo isovalore</translation>
+    </message>
+</context>
+<context>
+    <name>ChangeIsovalue</name>
+    <message>
+        <source>change of isovalue</source>
+        <translation>modifica dell&apos;isovalore</translation>
+    </message>
+</context>
+<context>
+    <name>ChangeLook</name>
+    <message>
+        <source>change of rendering mode</source>
+        <translation>cambio della modalità di resa</translation>
+    </message>
+    <message>
+        <source>change of transfer function</source>
+        <translation>modifica della funzione di trasferimento</translation>
+    </message>
+    <message>
+        <source>change of rendering</source>
+        <translation>modifica della resa</translation>
+    </message>
+</context>
+<context>
+    <name>ChangeQuery</name>
+    <message>
+        <source>change of focus</source>
+        <translation>modifica del fuoco</translation>
+    </message>
+    <message>
+        <source>change of window</source>
+        <translation>modifica della finestra</translation>
+    </message>
+    <message>
+        <source>change of values</source>
+        <translation>modifica dei valori</translation>
+    </message>
+    <message>
+        <source>change of budget</source>
+        <translation>modifica del limite</translation>
+    </message>
+    <message>
+        <source>change of accuracy</source>
+        <translation>modifica dell&apos;accuratezza</translation>
+    </message>
+</context>
+<context>
+    <name>ChangeView</name>
+    <message>
+        <source>change of background</source>
+        <translation>modifica dello sfondo</translation>
+    </message>
+    <message>
+        <source>change of view</source>
+        <translation>modifica della vista</translation>
+    </message>
+</context>
+<context>
+    <name>ColourMapNames</name>
+    <message>
+        <source>&amp;Cool to warm</source>
+        <translation>Da fre&amp;ddo a caldo</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>&amp;Grigio</translation>
+    </message>
+</context>
+<context>
+    <name>Desktop</name>
+    <message>
+        <source>Shows volume data at any accuracy.</source>
+        <translation>Mostra dati di volume con qualsiasi accuratezza.</translation>
+    </message>
+    <message>
+        <source>What draws the picture: auto, cpu or gl.</source>
+        <translation>Che cosa disegna l&apos;immagine: auto, cpu o gl.</translation>
+    </message>
+    <message>
+        <source>A dataset or a .tan model to open.</source>
+        <translation>Un insieme di dati o un modello .tan da aprire.</translation>
+    </message>
+</context>
+<context>
+    <name>Docks</name>
+    <message>
+        <source>Build</source>
+        <translation>Costruzione</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Accuratezza</translation>
+    </message>
+    <message>
+        <source>Rendering</source>
+        <translation>Resa</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>Isovalues</source>
+        <translation>Isovalori</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>Trasferimento</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Fuoco</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Regione</translation>
+    </message>
+    <message>
+        <source>A dataset is turned into a model once: a mesh of tetrahedra that can be had at any accuracy from then on. Choose a method and a file, and start.</source>
+        <translation>Un insieme di dati diventa una volta sola un modello: una mesh di tetraedri disponibile da allora con qualsiasi accuratezza. Scegliere un metodo e un file, e cominciare.</translation>
+    </message>
+    <message>
+        <source>How far the mesh may deviate from the data, in percent of the range of values; or how many tetrahedra it may have. The curve shows what each error costs.</source>
+        <translation>Di quanto la mesh può scostarsi dai dati, in percento dell&apos;intervallo dei valori, oppure quanti tetraedri può avere. La curva mostra quanto costa ogni errore.</translation>
+    </message>
+    <message>
+        <source>In which way the mesh is drawn: surfaces, volume or both, and how finely.</source>
+        <translation>In che modo si disegna la mesh: superfici, volume o entrambi, e con quale finezza.</translation>
+    </message>
+    <message>
+        <source>From where the model is seen, in numbers. In the picture: drag to turn, Shift and drag to move, the wheel zooms.</source>
+        <translation>Da dove si vede il modello, in numeri. Nell&apos;immagine: trascinare per ruotare, Maiusc e trascinare per spostare, la rotella ingrandisce.</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>Statistiche</translation>
+    </message>
+    <message>
+        <source>What each accuracy costs in sites, tetrahedra, time and memory, and what is shown now in numbers.</source>
+        <translation>Quanto costa ogni accuratezza in siti, tetraedri, tempo e memoria, e che cosa si vede ora, in numeri.</translation>
+    </message>
+    <message>
+        <source>Surfaces on which the field has one value each, in the units of the data.</source>
+        <translation>Superfici su ciascuna delle quali il campo ha un solo valore, nelle unità dei dati.</translation>
+    </message>
+    <message>
+        <source>The transfer function gives each value a colour and an opacity for the volume.</source>
+        <translation>La funzione di trasferimento dà a ogni valore un colore e un&apos;opacità per il volume.</translation>
+    </message>
+    <message>
+        <source>A sphere or a box in which the mesh is more accurate than outside.</source>
+        <translation>Una sfera o un parallelepipedo in cui la mesh è più accurata che all&apos;esterno.</translation>
+    </message>
+    <message>
+        <source>Which part of the domain is shown at all: a box, and a range of values.</source>
+        <translation>Quale parte del dominio si mostra: un parallelepipedo e un intervallo di valori.</translation>
+    </message>
+</context>
+<context>
+    <name>FileDialogs</name>
+    <message>
+        <source>Open a Dataset or a Model</source>
+        <translation>Apri un insieme di dati o un modello</translation>
+    </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>Salva immagine</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>Immagini PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Save Mesh</source>
+        <translation>Salva mesh</translation>
+    </message>
+    <message>
+        <source>VTK XML unstructured grids (*.vtu)</source>
+        <translation>Griglie non strutturate VTK XML (*.vtu)</translation>
+    </message>
+    <message>
+        <source>Boundary as VTK XML polydata (*.vtp)</source>
+        <translation>Contorno come VTK XML polydata (*.vtp)</translation>
+    </message>
+    <message>
+        <source>Boundary as STL (*.stl)</source>
+        <translation>Contorno come STL (*.stl)</translation>
+    </message>
+    <message>
+        <source>Boundary as Wavefront OBJ (*.obj)</source>
+        <translation>Contorno come Wavefront OBJ (*.obj)</translation>
+    </message>
+    <message>
+        <source>Boundary as binary glTF (*.glb)</source>
+        <translation>Contorno come glTF binario (*.glb)</translation>
+    </message>
+    <message>
+        <source>Save Surfaces</source>
+        <translation>Salva superfici</translation>
+    </message>
+    <message>
+        <source>STL files (*.stl)</source>
+        <translation>File STL (*.stl)</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ files (*.obj)</source>
+        <translation>File Wavefront OBJ (*.obj)</translation>
+    </message>
+    <message>
+        <source>Binary glTF files (*.glb)</source>
+        <translation>File glTF binari (*.glb)</translation>
+    </message>
+    <message>
+        <source>VTK XML polydata (*.vtp)</source>
+        <translation>VTK XML polydata (*.vtp)</translation>
+    </message>
+    <message>
+        <source>Save Statistics</source>
+        <translation>Salva statistiche</translation>
+    </message>
+    <message>
+        <source>Tables of comma-separated values (*.csv)</source>
+        <translation>Tabelle di valori separati da virgole (*.csv)</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>VTK legacy files (*.vtk)</source>
+        <translation>File VTK legacy (*.vtk)</translation>
+    </message>
+    <message>
+        <source>PLY files (*.ply)</source>
+        <translation>File PLY (*.ply)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tutti i file (*)</translation>
+    </message>
+</context>
+<context>
+    <name>HelpActions</name>
+    <message>
+        <source>The language changes when TAn starts the next time.</source>
+        <translation>La lingua cambia al prossimo avvio di TAn.</translation>
+    </message>
+    <message>
+        <source>&amp;As the System</source>
+        <translation>&amp;Come il sistema</translation>
+    </message>
+</context>
+<context>
+    <name>ImportForm</name>
+    <message>
+        <source>%1 (of the cells)</source>
+        <translation>%1 (delle celle)</translation>
+    </message>
+    <message>
+        <source>Magnitude</source>
+        <translation>Modulo</translation>
+    </message>
+    <message>
+        <source>%1: t = %2</source>
+        <translation>%1: t = %2</translation>
+    </message>
+    <message>
+        <source>All that fit together</source>
+        <translation>Tutti quelli compatibili fra loro</translation>
+    </message>
+    <message>
+        <source>%1, %2 components</source>
+        <translation>%1, %2 componenti</translation>
+    </message>
+</context>
+<context>
+    <name>ImportTexts</name>
+    <message>
+        <source>%1 = %2 bytes: the file has exactly that.</source>
+        <translation>%1 = %2 byte: il file ne ha esattamente tanti.</translation>
+    </message>
+    <message>
+        <source>%1 = %2 bytes; the file has %3, %4 too few.</source>
+        <translation>%1 = %2 byte; il file ne ha %3, %4 di meno.</translation>
+    </message>
+    <message>
+        <source>%1 = %2 bytes; the file has %3, %4 too many.</source>
+        <translation>%1 = %2 byte; il file ne ha %3, %4 di troppo.</translation>
+    </message>
+    <message>
+        <source>All %1 = %2 points.</source>
+        <translation>Tutti i %1 = %2 punti.</translation>
+    </message>
+    <message>
+        <source>%1 = %2 of %3 points.</source>
+        <translation>%1 = %2 di %3 punti.</translation>
+    </message>
+    <message>
+        <source>Building to an error of 0 takes about %1 of memory, %2 of disk and %3.</source>
+        <translation>La costruzione fino a un errore di 0 richiede circa %1 di memoria, %2 di disco e %3.</translation>
+    </message>
+    <message>
+        <source>Building to an error of 0 takes up to %1 of memory, %2 of disk and %3.</source>
+        <translation>La costruzione fino a un errore di 0 richiede al più %1 di memoria, %2 di disco e %3.</translation>
+    </message>
+    <message>
+        <source>This machine has %1 of memory.</source>
+        <translation>Questo computer ha %1 di memoria.</translation>
+    </message>
+    <message>
+        <source>A volume needs at least two points along each axis. Take a larger region or a smaller stride.</source>
+        <translation>Un volume richiede almeno due punti lungo ogni asse. Prendere una regione più grande o un passo più piccolo.</translation>
+    </message>
+    <message>
+        <source>%1 MiB</source>
+        <translation>%1 MiB</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>MeshText</name>
+    <message>
+        <source>More would take more than %1 tetrahedra.</source>
+        <translation>Di più richiederebbe oltre %1 tetraedri.</translation>
+    </message>
+    <message>
+        <source>This is all that the model has.</source>
+        <translation>È tutto ciò che il modello contiene.</translation>
+    </message>
+    <message>
+        <source>The model has nothing finer.</source>
+        <translation>Il modello non ha nulla di più fine.</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 tetrahedra are shown.</source>
+        <translation>Si mostrano %1 dei suoi %2 tetraedri.</translation>
+    </message>
+    <message>
+        <source>error %1 in the focus, %2 outside</source>
+        <translation>errore %1 nel fuoco, %2 all&apos;esterno</translation>
+    </message>
+    <message>
+        <source>error %1</source>
+        <translation>errore %1</translation>
+    </message>
+    <message>
+        <source>Shown: %1; the warping likewise.</source>
+        <translation>Mostrato: %1; lo stesso per la deformazione.</translation>
+    </message>
+    <message>
+        <source>Shown: %1.</source>
+        <translation>Mostrato: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>NumberText</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+</context>
+<context>
+    <name>Palette</name>
+    <message>
+        <source>Orange</source>
+        <translation>Arancione</translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation>Celeste</translation>
+    </message>
+    <message>
+        <source>Bluish green</source>
+        <translation>Verde bluastro</translation>
+    </message>
+    <message>
+        <source>Vermilion</source>
+        <translation>Vermiglio</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blu</translation>
+    </message>
+    <message>
+        <source>Reddish purple</source>
+        <translation>Porpora rossastro</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Giallo</translation>
+    </message>
+</context>
+<context>
+    <name>PaletteCommands</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Not possible now</source>
+        <translation>Ora non è possibile</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Pannello</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Accuratezza</translation>
+    </message>
+    <message>
+        <source>Open a model first</source>
+        <translation>Aprire prima un modello</translation>
+    </message>
+</context>
+<context>
+    <name>Plugin</name>
+    <message>
+        <source>Delaunay refinement</source>
+        <translation>Raffinamento di Delaunay</translation>
+    </message>
+    <message>
+        <source>Starts from the corners and inserts the point of the largest error until the error is small enough.</source>
+        <translation>Parte dai vertici del dominio e inserisce il punto di massimo errore finché l&apos;errore è abbastanza piccolo.</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Errore</translation>
+    </message>
+    <message>
+        <source>The error at which to stop; 0 keeps everything, so that any accuracy can be looked at later.</source>
+        <translation>L&apos;errore a cui fermarsi; 0 conserva tutto, così in seguito si può guardare con qualsiasi accuratezza.</translation>
+    </message>
+    <message>
+        <source>% of the value range</source>
+        <translation>% dell&apos;intervallo dei valori</translation>
+    </message>
+    <message>
+        <source>Tables of points</source>
+        <translation>Tabelle di punti</translation>
+    </message>
+    <message>
+        <source>Reads scattered points with a value each from CSV, TSV and blank-separated text.</source>
+        <translation>Legge punti sparsi con un valore ciascuno da CSV, TSV e testo separato da spazi.</translation>
+    </message>
+    <message>
+        <source>CSV writer</source>
+        <translation>Scrittura CSV</translation>
+    </message>
+    <message>
+        <source>Writes the points of any dataset as a table: x, y, z and value.</source>
+        <translation>Scrive i punti di qualsiasi insieme di dati come tabella: x, y, z e valore.</translation>
+    </message>
+    <message>
+        <source>Table of points (*.csv *.tsv *.xyz *.pts *.txt *.asc)</source>
+        <translation>Tabella di punti (*.csv *.tsv *.xyz *.pts *.txt *.asc)</translation>
+    </message>
+    <message>
+        <source>Table of points (*.csv)</source>
+        <translation>Tabella di punti (*.csv)</translation>
+    </message>
+    <message>
+        <source>Meshes of cells</source>
+        <translation>Mesh di celle</translation>
+    </message>
+    <message>
+        <source>Reads meshes of tetrahedra, hexahedra, prisms and pyramids from VTK XML (.vtu) and AVS UCD (.inp).</source>
+        <translation>Legge mesh di tetraedri, esaedri, prismi e piramidi da VTK XML (.vtu) e AVS UCD (.inp).</translation>
+    </message>
+    <message>
+        <source>VTU writer</source>
+        <translation>Scrittura VTU</translation>
+    </message>
+    <message>
+        <source>Writes meshes of tetrahedra as VTK XML unstructured grids.</source>
+        <translation>Scrive mesh di tetraedri come griglie non strutturate VTK XML.</translation>
+    </message>
+    <message>
+        <source>VTK unstructured grid (*.vtu)</source>
+        <translation>Griglia non strutturata VTK (*.vtu)</translation>
+    </message>
+    <message>
+        <source>AVS UCD mesh (*.inp)</source>
+        <translation>Mesh AVS UCD (*.inp)</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Vettore</translation>
+    </message>
+    <message>
+        <source>The array whose values to take, of points or of cells; nothing takes the one the file calls active, else the first.</source>
+        <translation>Il vettore di cui prendere i valori, di punti o di celle; se vuoto quello che il file dice attivo, altrimenti il primo.</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <translation>Componente</translation>
+    </message>
+    <message>
+        <source>Of arrays with several components: magnitude, or a number from 0.</source>
+        <translation>Di vettori con più componenti: il modulo, o un numero da 0.</translation>
+    </message>
+    <message>
+        <source>Cutting the cells</source>
+        <translation>Suddivisione delle celle</translation>
+    </message>
+    <message>
+        <source>Checking the mesh</source>
+        <translation>Controllo della mesh</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Posizioni</translation>
+    </message>
+    <message>
+        <source>Tables of points: the columns of x, y and z, by name or number, as in lon,lat,depth or 1,2,3; &apos;automatic&apos; takes those called x, y and z, else the first three.</source>
+        <translation>Tabelle di punti: le colonne di x, y e z, per nome o numero, come in lon,lat,depth o 1,2,3; &apos;automatic&apos; prende quelle chiamate x, y e z, altrimenti le prime tre.</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valori</translation>
+    </message>
+    <message>
+        <source>The values to take, by name or number; &apos;automatic&apos; takes the first there are.</source>
+        <translation>I valori da prendere, per nome o numero; &apos;automatic&apos; prende i primi che ci sono.</translation>
+    </message>
+    <message>
+        <source>Skip incomplete rows</source>
+        <translation>Salta le righe incomplete</translation>
+    </message>
+    <message>
+        <source>Tables of points: leave out rows that lack a number, instead of refusing the file.</source>
+        <translation>Tabelle di punti: tralascia le righe a cui manca un numero, invece di rifiutare il file.</translation>
+    </message>
+    <message>
+        <source>Scattered points: refinement fills their convex hull.</source>
+        <translation>Punti sparsi: il raffinamento riempie il loro inviluppo convesso.</translation>
+    </message>
+    <message>
+        <source>Finding the convex hull</source>
+        <translation>Ricerca dell&apos;inviluppo convesso</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Pesi</translation>
+    </message>
+    <message>
+        <source>Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, several separated by &apos;;&apos;. Errors there count in full, falling linearly to a tenth (or to &apos;,floor&apos; at the end) at the distance &apos;reach&apos;; the largest weight holds. Examples: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</source>
+        <translation>Dove conta l&apos;accuratezza: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach o value:q,reach, più di uno separati da &apos;;&apos;. Lì gli errori contano per intero e calano linearmente a un decimo (o a &apos;,floor&apos; alla fine) alla distanza &apos;reach&apos;; vale il peso maggiore. Esempi: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</translation>
+    </message>
+    <message>
+        <source>An irregular mesh: decimation keeps its shape and its cavities.</source>
+        <translation>Una mesh irregolare: la decimazione ne conserva la forma e le cavità.</translation>
+    </message>
+    <message>
+        <source>A curvilinear grid: decimation takes fewer points for the same accuracy, but more time and memory.</source>
+        <translation>Una griglia curvilinea: la decimazione richiede meno punti a pari accuratezza, ma più tempo e memoria.</translation>
+    </message>
+    <message>
+        <source>A regular lattice: decimation takes fewer points for the same accuracy, but more time and memory.</source>
+        <translation>Un reticolo regolare: la decimazione richiede meno punti a pari accuratezza, ma più tempo e memoria.</translation>
+    </message>
+    <message>
+        <source>A regular lattice: refinement keeps the exact domain and needs the least time.</source>
+        <translation>Un reticolo regolare: il raffinamento conserva esattamente il dominio e richiede il tempo minore.</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Blocco</translation>
+    </message>
+    <message>
+        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where the dataset is large.</source>
+        <translation>Le celle lungo uno spigolo dei blocchi raffinati indipendentemente, con memoria per pochi di essi; &apos;none&apos; raffina l&apos;insieme di dati come un tutto; &apos;automatic&apos; usa blocchi dove i dati sono molti.</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>celle</translation>
+    </message>
+    <message>
+        <source>Warping</source>
+        <translation>Deformazione</translation>
+    </message>
+    <message>
+        <source>For curvilinear data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values, 1 : 1 if either is 0; 0 keeps everything.</source>
+        <translation>Per dati curvilinei: la deformazione a cui fermarsi. Il suo rapporto con l&apos;errore dice quanto conta la forma rispetto ai valori, 1 : 1 se uno dei due è 0; 0 conserva tutto.</translation>
+    </message>
+    <message>
+        <source>% of the diagonal</source>
+        <translation>% della diagonale</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Scelta</translation>
+    </message>
+    <message>
+        <source>For curvilinear data: &apos;normalised&apos; takes the point that is farthest off in error or warping and keeps cells from turning over; &apos;paper&apos; compares the two in the units of the data and does not look at cells that turn over, as the paper did, to compare with it.</source>
+        <translation>Per dati curvilinei: &apos;normalised&apos; prende il punto più lontano per errore o deformazione ed evita che le celle si rovescino; &apos;paper&apos; confronta i due nelle unità dei dati e non bada alle celle che si rovesciano, come faceva l&apos;articolo, per confrontarsi con esso.</translation>
+    </message>
+    <message>
+        <source>normalised</source>
+        <translation>normalizzata</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>articolo</translation>
+    </message>
+    <message>
+        <source>A curvilinear grid: refinement in computational space bounds both error and warping.</source>
+        <translation>Una griglia curvilinea: il raffinamento nello spazio computazionale limita sia l&apos;errore sia la deformazione.</translation>
+    </message>
+    <message>
+        <source>Distributing the points</source>
+        <translation>Distribuzione dei punti</translation>
+    </message>
+    <message>
+        <source>Refining</source>
+        <translation>Raffinamento</translation>
+    </message>
+    <message>
+        <source>Isosurfaces</source>
+        <translation>Isosuperfici</translation>
+    </message>
+    <message>
+        <source>Shows the surfaces on which the field has the chosen values, each with a colour and an opacity.</source>
+        <translation>Mostra le superfici su cui il campo ha i valori scelti, ciascuna con un colore e un&apos;opacità.</translation>
+    </message>
+    <message>
+        <source>Isovalues</source>
+        <translation>Isovalori</translation>
+    </message>
+    <message>
+        <source>The values whose surfaces are shown, each with its colour and opacity.</source>
+        <translation>I valori di cui si mostrano le superfici, ciascuno con colore e opacità.</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Contorno</translation>
+    </message>
+    <message>
+        <source>Shows the edges of the box that the data fill.</source>
+        <translation>Mostra gli spigoli del parallelepipedo che i dati riempiono.</translation>
+    </message>
+    <message>
+        <source>Volumes on regular lattices</source>
+        <translation>Volumi su reticoli regolari</translation>
+    </message>
+    <message>
+        <source>Reads NRRD files with attached or detached data, raw, gzip or text, and raw files that are described.</source>
+        <translation>Legge file NRRD con dati interni o esterni, raw, gzip o testo, e file raw di cui si dà la descrizione.</translation>
+    </message>
+    <message>
+        <source>NRRD writer</source>
+        <translation>Scrittura NRRD</translation>
+    </message>
+    <message>
+        <source>Writes volumes on regular lattices as NRRD files, raw or gzip.</source>
+        <translation>Scrive volumi su reticoli regolari come file NRRD, raw o gzip.</translation>
+    </message>
+    <message>
+        <source>NRRD volume (*.nrrd *.nhdr)</source>
+        <translation>Volume NRRD (*.nrrd *.nhdr)</translation>
+    </message>
+    <message>
+        <source>Raw volume (*.raw *.bin *.binary *.dat *.img *.vol)</source>
+        <translation>Volume raw (*.raw *.bin *.binary *.dat *.img *.vol)</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lettura</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Dimensione</translation>
+    </message>
+    <message>
+        <source>Raw files: the number of points along x (which runs fastest), y and z, as in 256x256x128.</source>
+        <translation>File raw: il numero di punti lungo x (che varia più in fretta), y e z, come in 256x256x128.</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>punti</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Raw files: the type of a sample.</source>
+        <translation>File raw: il tipo di un campione.</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Ordine dei byte</translation>
+    </message>
+    <message>
+        <source>Raw files: little (PC) or big endian, for types of more than one byte.</source>
+        <translation>File raw: little (PC) o big endian, per tipi di più di un byte.</translation>
+    </message>
+    <message>
+        <source>little</source>
+        <translation>little</translation>
+    </message>
+    <message>
+        <source>big</source>
+        <translation>big</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Salta</translation>
+    </message>
+    <message>
+        <source>Raw files: the length of a header before the samples.</source>
+        <translation>File raw: la lunghezza di un&apos;intestazione prima dei campioni.</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>byte</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Spaziatura</translation>
+    </message>
+    <message>
+        <source>Raw files: the distance of neighbouring points along x, y and z, as in 1x1x2.5.</source>
+        <translation>File raw: la distanza fra punti vicini lungo x, y e z, come in 1x1x2.5.</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>Raw files: the position of the first point, as in 0,0,0.</source>
+        <translation>File raw: la posizione del primo punto, come in 0,0,0.</translation>
+    </message>
+    <message>
+        <source>uint8</source>
+        <translation>uint8</translation>
+    </message>
+    <message>
+        <source>int8</source>
+        <translation>int8</translation>
+    </message>
+    <message>
+        <source>uint16</source>
+        <translation>uint16</translation>
+    </message>
+    <message>
+        <source>int16</source>
+        <translation>int16</translation>
+    </message>
+    <message>
+        <source>uint32</source>
+        <translation>uint32</translation>
+    </message>
+    <message>
+        <source>int32</source>
+        <translation>int32</translation>
+    </message>
+    <message>
+        <source>float</source>
+        <translation>float</translation>
+    </message>
+    <message>
+        <source>double</source>
+        <translation>double</translation>
+    </message>
+    <message>
+        <source>builder</source>
+        <translation>costruzione</translation>
+    </message>
+    <message>
+        <source>renderer</source>
+        <translation>resa</translation>
+    </message>
+    <message>
+        <source>reader</source>
+        <translation>lettura</translation>
+    </message>
+    <message>
+        <source>writer</source>
+        <translation>scrittura</translation>
+    </message>
+    <message>
+        <source>editor</source>
+        <translation>editor</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>trovato</translation>
+    </message>
+    <message>
+        <source>loaded</source>
+        <translation>caricato</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>disattivato</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>rifiutato</translation>
+    </message>
+    <message>
+        <source>PLOT3D grids</source>
+        <translation>Griglie PLOT3D</translation>
+    </message>
+    <message>
+        <source>Reads curvilinear grids with a scalar of their solution from binary PLOT3D files of any byte order and precision.</source>
+        <translation>Legge griglie curvilinee con uno scalare della soluzione da file PLOT3D binari di qualsiasi ordine dei byte e precisione.</translation>
+    </message>
+    <message>
+        <source>PLOT3D writer</source>
+        <translation>Scrittura PLOT3D</translation>
+    </message>
+    <message>
+        <source>Writes datasets on grids as a PLOT3D grid file and a solution file beside it.</source>
+        <translation>Scrive insiemi di dati su griglie come file di griglia PLOT3D con accanto un file di soluzione.</translation>
+    </message>
+    <message>
+        <source>PLOT3D grid and solution (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)</source>
+        <translation>Griglia e soluzione PLOT3D (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)</translation>
+    </message>
+    <message>
+        <source>Which scalar of the solution: automatic takes the density, or if that is the same everywhere the first that varies.</source>
+        <translation>Quale scalare della soluzione: automatico prende la densità o, se questa è ovunque uguale, il primo che varia.</translation>
+    </message>
+    <message>
+        <source>Solution file</source>
+        <translation>File di soluzione</translation>
+    </message>
+    <message>
+        <source>The PLOT3D solution of the grid; without it the one beside it with a fitting name.</source>
+        <translation>La soluzione PLOT3D della griglia; se vuoto quella accanto con un nome adatto.</translation>
+    </message>
+    <message>
+        <source>VTK readers</source>
+        <translation>Letture VTK</translation>
+    </message>
+    <message>
+        <source>Reads VTK, Exodus, EnSight, NetCDF, CGNS, MetaImage, NIfTI, TIFF, DICOM and more, by means of VTK.</source>
+        <translation>Legge VTK, Exodus, EnSight, NetCDF, CGNS, MetaImage, NIfTI, TIFF, DICOM e altri, per mezzo di VTK.</translation>
+    </message>
+    <message>
+        <source>Of arrays with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
+        <translation>Di vettori con più componenti: il numero di una, da 0, o &apos;magnitude&apos;.</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Passo temporale</translation>
+    </message>
+    <message>
+        <source>Of files with several time steps: which one, from 1.</source>
+        <translation>Di file con più passi temporali: quale, da 1.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Parte</translation>
+    </message>
+    <message>
+        <source>Of files with several blocks or parts: one, by name or number from 1; without it all irregular meshes that have the values, or the first grid.</source>
+        <translation>Di file con più blocchi o parti: una, per nome o numero da 1; se vuoto tutte le mesh irregolari che hanno i valori, o la prima griglia.</translation>
+    </message>
+    <message>
+        <source>VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</source>
+        <translation>VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</translation>
+    </message>
+    <message>
+        <source>VTK legacy (*.vtk)</source>
+        <translation>VTK legacy (*.vtk)</translation>
+    </message>
+    <message>
+        <source>VTK HDF (*.vtkhdf *.hdf)</source>
+        <translation>VTK HDF (*.vtkhdf *.hdf)</translation>
+    </message>
+    <message>
+        <source>Exodus II (*.ex2 *.exo *.exii *.e *.g)</source>
+        <translation>Exodus II (*.ex2 *.exo *.exii *.e *.g)</translation>
+    </message>
+    <message>
+        <source>EnSight (*.case *.encas)</source>
+        <translation>EnSight (*.case *.encas)</translation>
+    </message>
+    <message>
+        <source>NetCDF, CF conventions (*.nc *.cdf)</source>
+        <translation>NetCDF, convenzioni CF (*.nc *.cdf)</translation>
+    </message>
+    <message>
+        <source>CGNS (*.cgns)</source>
+        <translation>CGNS (*.cgns)</translation>
+    </message>
+    <message>
+        <source>MetaImage (*.mhd *.mha)</source>
+        <translation>MetaImage (*.mhd *.mha)</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii *.nii.gz)</source>
+        <translation>NIfTI (*.nii *.nii.gz)</translation>
+    </message>
+    <message>
+        <source>MRC electron microscopy (*.mrc *.ccp4)</source>
+        <translation>Microscopia elettronica MRC (*.mrc *.ccp4)</translation>
+    </message>
+    <message>
+        <source>TIFF stack (*.tif *.tiff)</source>
+        <translation>Serie TIFF (*.tif *.tiff)</translation>
+    </message>
+    <message>
+        <source>DICOM series (*.dcm *.dicom)</source>
+        <translation>Serie DICOM (*.dcm *.dicom)</translation>
+    </message>
+    <message>
+        <source>PLOT3D, also text (*.xyz *.x *.g *.p3d *.q)</source>
+        <translation>PLOT3D, anche testo (*.xyz *.x *.g *.p3d *.q)</translation>
+    </message>
+    <message>
+        <source>GAMBIT (*.neu)</source>
+        <translation>GAMBIT (*.neu)</translation>
+    </message>
+    <message>
+        <source>Fluent (*.cas)</source>
+        <translation>Fluent (*.cas)</translation>
+    </message>
+    <message>
+        <source>OpenFOAM (*.foam controlDict)</source>
+        <translation>OpenFOAM (*.foam controlDict)</translation>
+    </message>
+    <message>
+        <source>Tecplot text (*.tec *.tp)</source>
+        <translation>Testo Tecplot (*.tec *.tp)</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Griglia</translation>
+    </message>
+    <message>
+        <source>Which grid of a PLOT3D file that holds several, from 1; 0 takes the only one.</source>
+        <translation>Quale griglia di un file PLOT3D che ne contiene più d&apos;una, da 1; 0 prende l&apos;unica.</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatico</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>densità</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>pressione</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>energia</translation>
+    </message>
+    <message>
+        <source>velocity_magnitude</source>
+        <translation>modulo della velocità</translation>
+    </message>
+    <message>
+        <source>momentum_magnitude</source>
+        <translation>modulo della quantità di moto</translation>
+    </message>
+    <message>
+        <source>momentum_x</source>
+        <translation>quantità di moto x</translation>
+    </message>
+    <message>
+        <source>momentum_y</source>
+        <translation>quantità di moto y</translation>
+    </message>
+    <message>
+        <source>momentum_z</source>
+        <translation>quantità di moto z</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>temperatura</translation>
+    </message>
+    <message>
+        <source>mach</source>
+        <translation>Mach</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>Shows the field as a translucent cloud: a transfer function gives each value its colour and opacity.</source>
+        <translation>Mostra il campo come una nube traslucida: una funzione di trasferimento dà a ogni valore colore e opacità.</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Fuoco</translation>
+    </message>
+    <message>
+        <source>Shows the field as a volume that is finer inside the focus than outside, blended at its border.</source>
+        <translation>Mostra il campo come un volume più fine dentro il fuoco che fuori, sfumato al bordo.</translation>
+    </message>
+    <message>
+        <source>Volume with isosurfaces</source>
+        <translation>Volume con isosuperfici</translation>
+    </message>
+    <message>
+        <source>Shows the field as a translucent cloud with surfaces of chosen values in it.</source>
+        <translation>Mostra il campo come una nube traslucida con dentro superfici di valori scelti.</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Funzione di trasferimento</translation>
+    </message>
+    <message>
+        <source>The colour and the opacity of each value.</source>
+        <translation>Il colore e l&apos;opacità di ogni valore.</translation>
+    </message>
+    <message>
+        <source>Shaded</source>
+        <translation>Ombreggiato</translation>
+    </message>
+    <message>
+        <source>Lights the volume, as if a surface lay across the direction in which its values change most.</source>
+        <translation>Illumina il volume, come se una superficie stesse di traverso alla direzione in cui i valori cambiano di più.</translation>
+    </message>
+    <message>
+        <source>Clip planes</source>
+        <translation>Piani di taglio</translation>
+    </message>
+    <message>
+        <source>Cuts away what lies before a plane: nx,ny,nz,offset shows the points with nx x + ny y + nz z &gt;= offset.</source>
+        <translation>Taglia via ciò che sta davanti a un piano: nx,ny,nz,offset mostra i punti con nx x + ny y + nz z &gt;= offset.</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordine</translation>
+    </message>
+    <message>
+        <source>How surfaces and volume are put in order: &apos;exact&apos;, or as the paper did &apos;with-cell&apos;, where the part of a surface in a cell is drawn before the cell.</source>
+        <translation>Come si ordinano superfici e volume: &apos;exact&apos;, oppure come faceva l&apos;articolo &apos;with-cell&apos;, dove la parte di superficie in una cella si disegna prima della cella.</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>esatto</translation>
+    </message>
+    <message>
+        <source>with-cell</source>
+        <translation>con la cella</translation>
+    </message>
+    <message>
+        <source>Decimation by edge collapse</source>
+        <translation>Decimazione per contrazione di spigoli</translation>
+    </message>
+    <message>
+        <source>Starts from the whole mesh and takes away the points that matter least; takes meshes of any shape and keeps their cavities.</source>
+        <translation>Parte dall&apos;intera mesh e toglie i punti che contano meno; accetta mesh di qualsiasi forma e ne conserva le cavità.</translation>
+    </message>
+    <message>
+        <source>The error at which to stop; 0 goes on to the coarsest mesh.</source>
+        <translation>L&apos;errore a cui fermarsi; 0 prosegue fino alla mesh più grossolana.</translation>
+    </message>
+    <message>
+        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values, 1 : 1 if either is 0, and then the other holds for both; two of 0 go on to the coarsest mesh.</source>
+        <translation>Per dati curvilinei e irregolari: la deformazione a cui fermarsi. Il suo rapporto con l&apos;errore dice quanto conta la forma rispetto ai valori, 1 : 1 se uno dei due è 0, e allora l&apos;altro vale per entrambi; due 0 proseguono fino alla mesh più grossolana.</translation>
+    </message>
+    <message>
+        <source>Which point goes next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points at a time that do not touch, so that a focus region needs the least besides.</source>
+        <translation>Quale punto togliere per primo: &apos;exact&apos; quello la cui perdita fa meno danno, per il minor numero di punti; &apos;paper&apos; lo stima con gradienti e piani, come faceva l&apos;articolo; &apos;rounds&apos; toglie molti punti per volta che non si toccano, così che una regione di fuoco richieda meno all&apos;intorno.</translation>
+    </message>
+    <message>
+        <source>rounds</source>
+        <translation>a turni</translation>
+    </message>
+    <message>
+        <source>Judging the vertices</source>
+        <translation>Valutazione dei vertici</translation>
+    </message>
+    <message>
+        <source>Collapsing</source>
+        <translation>Contrazione</translation>
+    </message>
+    <message>
+        <source>Scattered points have no tetrahedra that decimation could begin with. Refine them instead.</source>
+        <translation>I punti sparsi non hanno tetraedri da cui la decimazione possa partire. Usare il raffinamento.</translation>
+    </message>
+    <message>
+        <source>A tetrahedral mesh needs a cell: two points or more along each axis.</source>
+        <translation>Una mesh di tetraedri richiede una cella: due o più punti lungo ogni asse.</translation>
+    </message>
+    <message>
+        <source>electron density of the C60 molecule, a hollow ball of smooth bumps</source>
+        <translation>densità elettronica della molecola C60, una sfera cava di gobbe lisce</translation>
+    </message>
+    <message>
+        <source>probability density of the hydrogen atom&apos;s 3d electron: two lobes and a ring</source>
+        <translation>densità di probabilità dell&apos;elettrone 3d dell&apos;atomo di idrogeno: due lobi e un anello</translation>
+    </message>
+    <message>
+        <source>the test signal of Marschner and Lobb: ripples that are hard to reproduce</source>
+        <translation>il segnale di prova di Marschner e Lobb: increspature difficili da riprodurre</translation>
+    </message>
+    <message>
+        <source>white noise, the worst case: no sample tells of its neighbour</source>
+        <translation>rumore bianco, il caso peggiore: nessun campione dice nulla del vicino</translation>
+    </message>
+    <message>
+        <source>flow in front of a half sphere: a curvilinear grid whose axis is collapsed</source>
+        <translation>flusso davanti a una semisfera: una griglia curvilinea con l&apos;asse collassato</translation>
+    </message>
+    <message>
+        <source>flow around a cylinder: a curvilinear grid that closes on itself</source>
+        <translation>flusso attorno a un cilindro: una griglia curvilinea che si chiude su sé stessa</translation>
+    </message>
+    <message>
+        <source>flow through a bent duct: a curvilinear grid</source>
+        <translation>flusso in un condotto curvo: una griglia curvilinea</translation>
+    </message>
+    <message>
+        <source>a layer at a wall: a rectilinear grid with spacings that grow</source>
+        <translation>uno strato presso una parete: una griglia rettilinea con spaziature crescenti</translation>
+    </message>
+    <message>
+        <source>random points in a ball, with waves that grow finer outwards</source>
+        <translation>punti casuali in una sfera, con onde più fini verso l&apos;esterno</translation>
+    </message>
+    <message>
+        <source>stress in a plate with five holes and a closed cavity: an irregular mesh</source>
+        <translation>tensione in una piastra con cinque fori e una cavità chiusa: una mesh irregolare</translation>
+    </message>
+</context>
+<context>
+    <name>RemoveIsovalue</name>
+    <message>
+        <source>removal of isovalue</source>
+        <translation>rimozione dell&apos;isovalore</translation>
+    </message>
+</context>
+<context>
+    <name>Statistics</name>
+    <message>
+        <source>Error</source>
+        <translation>Errore</translation>
+    </message>
+    <message>
+        <source>± value</source>
+        <translation>± valore</translation>
+    </message>
+    <message>
+        <source>Sites</source>
+        <translation>Siti</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>Tetraedri</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Quota</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>Memoria</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modello</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valori</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>da %1 a %2</translation>
+    </message>
+    <message>
+        <source>Sites in all</source>
+        <translation>Siti in tutto</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>File</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Mostrato</translation>
+    </message>
+    <message>
+        <source>%1 sites, %2 tetrahedra</source>
+        <translation>%1 siti, %2 tetraedri</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Garantito</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Triangoli</translation>
+    </message>
+    <message>
+        <source>Extraction</source>
+        <translation>Estrazione</translation>
+    </message>
+    <message>
+        <source>Preparation</source>
+        <translation>Preparazione</translation>
+    </message>
+    <message>
+        <source>A frame</source>
+        <translation>Un&apos;immagine</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::AccuracyBox</name>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Error in percent of the value range</source>
+        <translation>Errore in percento dell&apos;intervallo dei valori</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::AccuracyCurve</name>
+    <message>
+        <source>%1G</source>
+        <translation>%1G</translation>
+    </message>
+    <message>
+        <source>%1M</source>
+        <translation>%1M</translation>
+    </message>
+    <message>
+        <source>%1k</source>
+        <translation>%1k</translation>
+    </message>
+    <message>
+        <source>Error, % of the value range</source>
+        <translation>Errore, % dell&apos;intervallo dei valori</translation>
+    </message>
+    <message>
+        <source>Tetrahedra against error</source>
+        <translation>Tetraedri rispetto all&apos;errore</translation>
+    </message>
+    <message>
+        <source>Number of tetrahedra needed for each error. Click, drag or use the arrow keys to choose the accuracy.</source>
+        <translation>Numero di tetraedri necessari per ogni errore. Fare clic, trascinare o usare i tasti freccia per scegliere l&apos;accuratezza.</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra at an error of %2</source>
+        <translation>%1 tetraedri con un errore di %2</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>Tetraedri</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::AccuracyPanel</name>
+    <message>
+        <source>%1 of all</source>
+        <translation>%1 del totale</translation>
+    </message>
+    <message>
+        <source>Error of %1 of the value range</source>
+        <translation>Errore di %1 dell&apos;intervallo dei valori</translation>
+    </message>
+    <message>
+        <source>Every sample exact</source>
+        <translation>Ogni campione esatto</translation>
+    </message>
+    <message>
+        <source>Sites</source>
+        <translation>Siti</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>Tetraedri</translation>
+    </message>
+    <message>
+        <source>This model was built down to an error of %1; it has nothing finer.</source>
+        <translation>Questo modello è stato costruito fino a un errore di %1; non ha nulla di più fine.</translation>
+    </message>
+    <message>
+        <source>of the range, ± %1</source>
+        <translation>dell&apos;intervallo, ± %1</translation>
+    </message>
+    <message>
+        <source>What the percentage means in units of the data. Of curvilinear data it holds for the error and for the warping: the distance of the mesh from the grid, in percent of the diagonal of the box around it.</source>
+        <translation>Che cosa significa la percentuale nelle unità dei dati. Per dati curvilinei vale per l&apos;errore e per la deformazione: la distanza della mesh dalla griglia, in percento della diagonale del parallelepipedo che la contiene.</translation>
+    </message>
+    <message>
+        <source>Bu&amp;dget</source>
+        <translation>&amp;Limite</translation>
+    </message>
+    <message>
+        <source>The smallest mesh with this error</source>
+        <translation>La mesh più piccola con questo errore</translation>
+    </message>
+    <message>
+        <source>The best mesh with so many tetrahedra. A focus keeps its proportion to the rest.</source>
+        <translation>La mesh migliore con tanti tetraedri. Un fuoco conserva la sua proporzione col resto.</translation>
+    </message>
+    <message>
+        <source>tetrahedra</source>
+        <translation>tetraedri</translation>
+    </message>
+    <message>
+        <source>Err&amp;or</source>
+        <translation>Err&amp;ore</translation>
+    </message>
+    <message>
+        <source>± %1 in value
+warping %2</source>
+        <translation>± %1 nel valore
+deformazione %2</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::AccuracySlider</name>
+    <message>
+        <source>Error in percent of the value range</source>
+        <translation>Errore in percento dell&apos;intervallo dei valori</translation>
+    </message>
+    <message>
+        <source>Error in percent of the value range: coarse on the left, every sample exact on the right</source>
+        <translation>Errore in percento dell&apos;intervallo dei valori: grossolano a sinistra, ogni campione esatto a destra</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::BudgetBox</name>
+    <message>
+        <source>Most tetrahedra</source>
+        <translation>Massimo di tetraedri</translation>
+    </message>
+    <message>
+        <source>The mesh is as good as so many tetrahedra allow</source>
+        <translation>La mesh è buona quanto lo permettono tanti tetraedri</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::BuildPanel</name>
+    <message>
+        <source>Open a dataset to build a model of it.</source>
+        <translation>Aprire un insieme di dati per costruirne il modello.</translation>
+    </message>
+    <message>
+        <source>Builder</source>
+        <translation>Metodo</translation>
+    </message>
+    <message>
+        <source>How the model is built</source>
+        <translation>Come si costruisce il modello</translation>
+    </message>
+    <message>
+        <source>B&amp;uilder</source>
+        <translation>Met&amp;odo</translation>
+    </message>
+    <message>
+        <source>Model file</source>
+        <translation>File del modello</translation>
+    </message>
+    <message>
+        <source>The file that the model is written to</source>
+        <translation>Il file in cui si scrive il modello</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Sfoglia…</translation>
+    </message>
+    <message>
+        <source>&amp;Model file</source>
+        <translation>Fi&amp;le del modello</translation>
+    </message>
+    <message>
+        <source>Progress of the build</source>
+        <translation>Avanzamento della costruzione</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;nnulla</translation>
+    </message>
+    <message>
+        <source>Ends the build and throws away what it has made</source>
+        <translation>Termina la costruzione e getta via ciò che ha fatto</translation>
+    </message>
+    <message>
+        <source>Stop and &amp;Keep</source>
+        <translation>F&amp;erma e conserva</translation>
+    </message>
+    <message>
+        <source>Ends the build; what is finished becomes the model, with the accuracy that it has reached</source>
+        <translation>Termina la costruzione; ciò che è pronto diventa il modello, con l&apos;accuratezza raggiunta</translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Annullamento…</translation>
+    </message>
+    <message>
+        <source>Keeping what is finished…</source>
+        <translation>Si conserva ciò che è pronto…</translation>
+    </message>
+    <message>
+        <source>&amp;Build and Replace</source>
+        <translation>Costruisci e &amp;sostituisci</translation>
+    </message>
+    <message>
+        <source>&amp;Build</source>
+        <translation>&amp;Costruisci</translation>
+    </message>
+    <message>
+        <source>This file exists; it is replaced when the build is done.</source>
+        <translation>Questo file esiste; viene sostituito a costruzione finita.</translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation>Avvio…</translation>
+    </message>
+    <message>
+        <source>%1, %2 left</source>
+        <translation>%1, ancora %2</translation>
+    </message>
+    <message>
+        <source>Model File</source>
+        <translation>File del modello</translation>
+    </message>
+    <message>
+        <source>Models (*.tan)</source>
+        <translation>Modelli (*.tan)</translation>
+    </message>
+    <message>
+        <source>%1 scattered points</source>
+        <translation>%1 punti sparsi</translation>
+    </message>
+    <message>
+        <source>irregular mesh of %1 points, %2 tetrahedra</source>
+        <translation>mesh irregolare di %1 punti, %2 tetraedri</translation>
+    </message>
+    <message>
+        <source>curvilinear grid of %1 points, %2 cells</source>
+        <translation>griglia curvilinea di %1 punti, %2 celle</translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation>%1 campioni</translation>
+    </message>
+    <message>
+        <source>%1, %2, values %3 to %4</source>
+        <translation>%1, %2, valori da %3 a %4</translation>
+    </message>
+    <message>
+        <source>Read &amp;Differently…</source>
+        <translation>Leggi &amp;diversamente…</translation>
+    </message>
+    <message>
+        <source>Reads the file again in another way: other values, a part of it, every so many points</source>
+        <translation>Rilegge il file in altro modo: altri valori, una sua parte, un punto ogni tanti</translation>
+    </message>
+    <message>
+        <source>Measured on other data; a larger error takes less. Half or twice as much is possible.</source>
+        <translation>Misurato su altri dati; un errore maggiore richiede meno. È possibile la metà o il doppio.</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ColourButton</name>
+    <message>
+        <source>Colour</source>
+        <translation>Colore</translation>
+    </message>
+    <message>
+        <source>Other Colour…</source>
+        <translation>Altro colore…</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::CommandPalette</name>
+    <message>
+        <source>Type what you want to do</source>
+        <translation>Scrivere che cosa si vuole fare</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Comando</translation>
+    </message>
+    <message>
+        <source>A few letters of a command are enough. Enter does it, Esc leaves.</source>
+        <translation>Bastano poche lettere di un comando. Invio lo esegue, Esc chiude.</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Comandi</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::CpuCanvas</name>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::EmptyPage</name>
+    <message>
+        <source>Open…</source>
+        <translation>Apri…</translation>
+    </message>
+    <message>
+        <source>Opened last</source>
+        <translation>Aperti di recente</translation>
+    </message>
+    <message>
+        <source>Open a dataset or a model</source>
+        <translation>Apre un insieme di dati o un modello</translation>
+    </message>
+    <message>
+        <source>Drop a file here: a dataset (a volume, a grid, a mesh or points) to build a model of, a finished .tan model or a session.</source>
+        <translation>Trascinare qui un file: un insieme di dati (un volume, una griglia, una mesh o punti) di cui costruire un modello, un modello .tan finito o una sessione.</translation>
+    </message>
+    <message>
+        <source>Open a dataset, a model or a session (Ctrl+O)</source>
+        <translation>Apre un insieme di dati, un modello o una sessione (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>Or look at a sample, which is made now</source>
+        <translation>O guardare un esempio, creato al momento</translation>
+    </message>
+    <message>
+        <source>Making the sample</source>
+        <translation>Creazione dell&apos;esempio</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::FocusPanel</name>
+    <message>
+        <source>A part of the domain with an error of its own. Choose a shape, then drag its handles in the picture; a double click on a surface brings the focus there.</source>
+        <translation>Una parte del dominio con un errore proprio. Scegliere una forma, poi trascinarne le maniglie nell&apos;immagine; un doppio clic su una superficie vi porta il fuoco.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Nessuno</translation>
+    </message>
+    <message>
+        <source>The same error everywhere</source>
+        <translation>Lo stesso errore ovunque</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Box</translation>
+    </message>
+    <message>
+        <source>A box with an error of its own (B)</source>
+        <translation>Un parallelepipedo con un errore proprio (B)</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Sfera</translation>
+    </message>
+    <message>
+        <source>A sphere with an error of its own (F)</source>
+        <translation>Una sfera con un errore proprio (F)</translation>
+    </message>
+    <message>
+        <source>&amp;Centre</source>
+        <translation>&amp;Centro</translation>
+    </message>
+    <message>
+        <source>Centre of the focus, in the coordinates of the data</source>
+        <translation>Centro del fuoco, nelle coordinate dei dati</translation>
+    </message>
+    <message>
+        <source>&amp;Size</source>
+        <translation>&amp;Lati</translation>
+    </message>
+    <message>
+        <source>Edges of the box, in the lengths of the data</source>
+        <translation>Lati del parallelepipedo, nelle lunghezze dei dati</translation>
+    </message>
+    <message>
+        <source>Radius of the sphere</source>
+        <translation>Raggio della sfera</translation>
+    </message>
+    <message>
+        <source>Radius of the sphere, in the lengths of the data</source>
+        <translation>Raggio della sfera, nelle lunghezze dei dati</translation>
+    </message>
+    <message>
+        <source>Fall-off</source>
+        <translation>Transizione</translation>
+    </message>
+    <message>
+        <source>The length over which the error grows from that in the focus to that outside, in the lengths of the data; 0 is a sharp border</source>
+        <translation>La lunghezza su cui l&apos;errore cresce da quello nel fuoco a quello esterno, nelle lunghezze dei dati; 0 è un bordo netto</translation>
+    </message>
+    <message>
+        <source>Error in the focus</source>
+        <translation>Errore nel fuoco</translation>
+    </message>
+    <message>
+        <source>Error in the focus, in percent of the value range</source>
+        <translation>Errore nel fuoco, in percento dell&apos;intervallo dei valori</translation>
+    </message>
+    <message>
+        <source>Move the focus to what the camera looks at (C)</source>
+        <translation>Porta il fuoco dove guarda la camera (C)</translation>
+    </message>
+    <message>
+        <source>Place, size, error and fall-off as they were at first</source>
+        <translation>Posizione, dimensione, errore e transizione com&apos;erano all&apos;inizio</translation>
+    </message>
+    <message>
+        <source>Outside %1, as chosen under Accuracy.</source>
+        <translation>All&apos;esterno %1, come scelto in Accuratezza.</translation>
+    </message>
+    <message>
+        <source>Between %1 and %2 tetrahedra.</source>
+        <translation>Fra %1 e %2 tetraedri.</translation>
+    </message>
+    <message>
+        <source>Rad&amp;ius</source>
+        <translation>Ragg&amp;io</translation>
+    </message>
+    <message>
+        <source>Error i&amp;nside</source>
+        <translation>Errore i&amp;nterno</translation>
+    </message>
+    <message>
+        <source>Fa&amp;ll-off</source>
+        <translation>Trans&amp;izione</translation>
+    </message>
+    <message>
+        <source>&amp;To Centre of View</source>
+        <translation>Al centro della vis&amp;ta</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Ripristina</translation>
+    </message>
+    <message>
+        <source>With the budget the error outside is %1 times this one.</source>
+        <translation>Con il limite l&apos;errore esterno è %1 volte questo.</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::GlCanvas</name>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::HistogramView</name>
+    <message>
+        <source>Histogram</source>
+        <translation>Istogramma</translation>
+    </message>
+    <message>
+        <source>How often the values of the mesh that is shown occur, on a logarithmic scale; from the least to the largest value, in the units of the data</source>
+        <translation>Quanto spesso si presentano i valori della mesh mostrata, in scala logaritmica, dal valore minimo al massimo, nelle unità dei dati</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ImportDialog</name>
+    <message>
+        <source>&amp;Read</source>
+        <translation>&amp;Leggi</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Reader</source>
+        <translation>Lettura</translation>
+    </message>
+    <message>
+        <source>Who reads the file</source>
+        <translation>Chi legge il file</translation>
+    </message>
+    <message>
+        <source>R&amp;eader</source>
+        <translation>L&amp;ettura</translation>
+    </message>
+    <message>
+        <source>How it is read</source>
+        <translation>Come si legge</translation>
+    </message>
+    <message>
+        <source>Which part of it</source>
+        <translation>Quale sua parte</translation>
+    </message>
+    <message>
+        <source>Layouts that fit</source>
+        <translation>Formati adatti</translation>
+    </message>
+    <message>
+        <source>Sizes and types that would fill the file exactly, the likeliest first</source>
+        <translation>Dimensioni e tipi che riempirebbero esattamente il file, i più probabili per primi</translation>
+    </message>
+    <message>
+        <source>Measured on other data; a larger error takes less. Half or twice as much is possible.</source>
+        <translation>Misurato su altri dati; un errore maggiore richiede meno. È possibile la metà o il doppio.</translation>
+    </message>
+    <message>
+        <source>Progress of reading</source>
+        <translation>Avanzamento della lettura</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>Importa %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 bytes</source>
+        <translation>%1, %2 byte</translation>
+    </message>
+    <message>
+        <source>None is known</source>
+        <translation>Nessuno noto</translation>
+    </message>
+    <message>
+        <source>Give the number of points along x, y and z, as in 64x64x32.</source>
+        <translation>Dare il numero di punti lungo x, y e z, come in 64x64x32.</translation>
+    </message>
+    <message>
+        <source>Whether that fits</source>
+        <translation>Se è adatto</translation>
+    </message>
+    <message>
+        <source>&amp;Suggestion</source>
+        <translation>&amp;Proposta</translation>
+    </message>
+    <message>
+        <source>Opens the dataset so</source>
+        <translation>Apre così l&apos;insieme di dati</translation>
+    </message>
+    <message>
+        <source>Stops reading, or closes this window</source>
+        <translation>Ferma la lettura, o chiude questa finestra</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ImportRegion</name>
+    <message>
+        <source>&amp;All Points</source>
+        <translation>Tutti i pu&amp;nti</translation>
+    </message>
+    <message>
+        <source>Only a &amp;box in space</source>
+        <translation>Solo un &amp;box nello spazio</translation>
+    </message>
+    <message>
+        <source>Takes every point of the whole dataset</source>
+        <translation>Prende ogni punto dell&apos;intero insieme di dati</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>Primo</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Ultimo</translation>
+    </message>
+    <message>
+        <source>Stride</source>
+        <translation>Passo</translation>
+    </message>
+    <message>
+        <source>First point along %1</source>
+        <translation>Primo punto lungo %1</translation>
+    </message>
+    <message>
+        <source>The first point that is taken, counted from 0</source>
+        <translation>Il primo punto preso, contando da 0</translation>
+    </message>
+    <message>
+        <source>Last point along %1</source>
+        <translation>Ultimo punto lungo %1</translation>
+    </message>
+    <message>
+        <source>The last point that is taken, counted from 0</source>
+        <translation>L&apos;ultimo punto preso, contando da 0</translation>
+    </message>
+    <message>
+        <source>Stride along %1</source>
+        <translation>Passo lungo %1</translation>
+    </message>
+    <message>
+        <source>Takes every so many points: 2 takes every second one</source>
+        <translation>Prende un punto ogni tanti: 2 ne prende uno su due</translation>
+    </message>
+    <message>
+        <source>Takes only what lies in a box; of irregular meshes whole tetrahedra</source>
+        <translation>Prende solo ciò che sta in un parallelepipedo; di mesh irregolari tetraedri interi</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Da</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>From %1</source>
+        <translation>Da %1</translation>
+    </message>
+    <message>
+        <source>To %1</source>
+        <translation>A %1</translation>
+    </message>
+    <message>
+        <source>A corner of the box, in the coordinates of the data</source>
+        <translation>Un vertice del parallelepipedo, nelle coordinate dei dati</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::IsovaluePanel</name>
+    <message>
+        <source>&amp;Add Isovalue</source>
+        <translation>A&amp;ggiungi isovalore</translation>
+    </message>
+    <message>
+        <source>No isovalue: there is nothing to draw but the outline.</source>
+        <translation>Nessun isovalore: non c&apos;è nulla da disegnare tranne il contorno.</translation>
+    </message>
+    <message>
+        <source>Add an isosurface at another value (Ctrl+I)</source>
+        <translation>Aggiunge un&apos;isosuperficie a un altro valore (Ctrl+I)</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::IsovalueRow</name>
+    <message>
+        <source>Isovalue</source>
+        <translation>Isovalore</translation>
+    </message>
+    <message>
+        <source>Isovalue, in the units of the data: %1 to %2</source>
+        <translation>Isovalore, nelle unità dei dati: da %1 a %2</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacità</translation>
+    </message>
+    <message>
+        <source>Opacity in percent; below 100 % what lies behind shows through</source>
+        <translation>Opacità in percento; sotto il 100 % traspare ciò che sta dietro</translation>
+    </message>
+    <message>
+        <source>Show this isosurface</source>
+        <translation>Mostra questa isosuperficie</translation>
+    </message>
+    <message>
+        <source>Remove this isovalue (Del)</source>
+        <translation>Rimuove questo isovalore (Canc)</translation>
+    </message>
+    <message>
+        <source>Remove this isovalue</source>
+        <translation>Rimuove questo isovalore</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::KeepSession</name>
+    <message>
+        <source>Save Session</source>
+        <translation>Salva sessione</translation>
+    </message>
+    <message>
+        <source>Sessions (*.tansession)</source>
+        <translation>Sessioni (*.tansession)</translation>
+    </message>
+    <message>
+        <source>TAn ended unexpectedly while %1 was open. How it was seen can be restored.</source>
+        <translation>TAn è terminato inaspettatamente mentre %1 era aperto. Si può ripristinare come lo si vedeva.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Ripristina</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::MainWindow</name>
+    <message>
+        <source>Picture</source>
+        <translation>Immagine</translation>
+    </message>
+    <message>
+        <source>One file can be open at a time; of those dropped, %1 was opened.</source>
+        <translation>Si può aprire un solo file per volta; di quelli trascinati si è aperto %1.</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Salvato %1</translation>
+    </message>
+    <message>
+        <source>&amp;Clear List</source>
+        <translation>&amp;Svuota elenco</translation>
+    </message>
+    <message>
+        <source>%1 – TAn</source>
+        <translation>%1 – TAn</translation>
+    </message>
+    <message>
+        <source>TAn</source>
+        <translation>TAn</translation>
+    </message>
+    <message>
+        <source>The dataset is open. Build its model to look at it: the panel on the left has the options.</source>
+        <translation>L&apos;insieme di dati è aperto. Costruirne il modello per guardarlo: il pannello a sinistra ha le opzioni.</translation>
+    </message>
+    <message>
+        <source>About TAn</source>
+        <translation>Informazioni su TAn</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;TAn %1&lt;/h3&gt;&lt;p&gt;Tetrahedra Analyzer: multiresolution volume data with a known error.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;TAn %1&lt;/h3&gt;&lt;p&gt;Tetrahedra Analyzer: dati di volume a multirisoluzione con errore noto.&lt;/p&gt;&lt;p&gt;Software libero sotto la GNU General Public License, versione 3 o successiva.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Saving</source>
+        <translation>Salvataggio</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::MessageBar</name>
+    <message>
+        <source>%1 more</source>
+        <translation>altri %1</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::MessageRow</name>
+    <message>
+        <source>Dismiss this message</source>
+        <translation>Rimuovi questo messaggio</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1 volte</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ModeActions</name>
+    <message>
+        <source>Show %1 (%2)</source>
+        <translation>Mostra %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Open a model first</source>
+        <translation>Aprire prima un modello</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ParameterForm</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::PluginWindow</name>
+    <message>
+        <source>Plugins</source>
+        <translation>Plugin</translation>
+    </message>
+    <message>
+        <source>Plugin</source>
+        <translation>Plugin</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Genere</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stato</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Motivo</translation>
+    </message>
+    <message>
+        <source>Looked for in: %1</source>
+        <translation>Cercati in: %1</translation>
+    </message>
+    <message>
+        <source>The plugin %1 cannot be used. %2</source>
+        <translation>Il plugin %1 non può essere usato. %2</translation>
+    </message>
+    <message>
+        <source>What was found, and why something is not used. Space switches a plugin on or off.</source>
+        <translation>Che cosa si è trovato, e perché qualcosa non si usa. La barra spaziatrice attiva o disattiva un plugin.</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Versione</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>File</translation>
+    </message>
+    <message>
+        <source>What was switched on or off counts when TAn starts the next time.</source>
+        <translation>Ciò che si è attivato o disattivato vale dal prossimo avvio di TAn.</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y</source>
+        <translation>Co&amp;pia</translation>
+    </message>
+    <message>
+        <source>Copy all of this as text, for a report of an error</source>
+        <translation>Copia tutto come testo, per segnalare un errore</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::RegionActions</name>
+    <message>
+        <source>Focus: &amp;Sphere</source>
+        <translation>Fuoco: &amp;sfera</translation>
+    </message>
+    <message>
+        <source>More accurate in a sphere</source>
+        <translation>Più accurato in una sfera</translation>
+    </message>
+    <message>
+        <source>Focus: &amp;Box</source>
+        <translation>Fuoco: &amp;box</translation>
+    </message>
+    <message>
+        <source>More accurate in a box</source>
+        <translation>Più accurato in un parallelepipedo</translation>
+    </message>
+    <message>
+        <source>Focus to &amp;Centre of View</source>
+        <translation>Fuoco al &amp;centro della vista</translation>
+    </message>
+    <message>
+        <source>Move the focus to what the camera looks at</source>
+        <translation>Porta il fuoco dove guarda la camera</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Finestra</translation>
+    </message>
+    <message>
+        <source>Show the part of the domain in a box only</source>
+        <translation>Mostra solo la parte del dominio in un parallelepipedo</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Switch on a focus first</source>
+        <translation>Attivare prima un fuoco</translation>
+    </message>
+    <message>
+        <source>Open a model first</source>
+        <translation>Aprire prima un modello</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::RegionPanel</name>
+    <message>
+        <source>Only a &amp;window</source>
+        <translation>Solo una fin&amp;estra</translation>
+    </message>
+    <message>
+        <source>Show the part of the domain in a box only (W)</source>
+        <translation>Mostra solo la parte del dominio in un parallelepipedo (W)</translation>
+    </message>
+    <message>
+        <source>Where the window ends, in the coordinates of the data</source>
+        <translation>Dove finisce la finestra, nelle coordinate dei dati</translation>
+    </message>
+    <message>
+        <source>&amp;To</source>
+        <translation>&amp;A</translation>
+    </message>
+    <message>
+        <source>Cut off</source>
+        <translation>Tagliati</translation>
+    </message>
+    <message>
+        <source>All that touch the window</source>
+        <translation>Tutti quelli che toccano la finestra</translation>
+    </message>
+    <message>
+        <source>Only those inside</source>
+        <translation>Solo quelli all&apos;interno</translation>
+    </message>
+    <message>
+        <source>Tetrahedra at the border</source>
+        <translation>Tetraedri al bordo</translation>
+    </message>
+    <message>
+        <source>What becomes of the tetrahedra at the border of the window: cut off, it ends exactly there; whole, it is ragged</source>
+        <translation>Che cosa accade ai tetraedri al bordo della finestra: tagliati, finisce esattamente lì; interi, è frastagliato</translation>
+    </message>
+    <message>
+        <source>&amp;Border</source>
+        <translation>&amp;Bordo</translation>
+    </message>
+    <message>
+        <source>Make the window as large as the domain</source>
+        <translation>Rende la finestra grande quanto il dominio</translation>
+    </message>
+    <message>
+        <source>In the units of the data: %1 to %2</source>
+        <translation>Nelle unità dei dati: da %1 a %2</translation>
+    </message>
+    <message>
+        <source>Smallest value</source>
+        <translation>Valore minimo</translation>
+    </message>
+    <message>
+        <source>Largest value</source>
+        <translation>Valore massimo</translation>
+    </message>
+    <message>
+        <source>Onl&amp;y some values</source>
+        <translation>Solo &amp;certi valori</translation>
+    </message>
+    <message>
+        <source>Fro&amp;m</source>
+        <translation>&amp;Da</translation>
+    </message>
+    <message>
+        <source>Whole Domai&amp;n</source>
+        <translation>Intero domi&amp;nio</translation>
+    </message>
+    <message>
+        <source>&amp;Smallest</source>
+        <translation>Mi&amp;nimo</translation>
+    </message>
+    <message>
+        <source>&amp;Largest</source>
+        <translation>Ma&amp;ssimo</translation>
+    </message>
+    <message>
+        <source>Show only tetrahedra that can contain a value of a range. Isosurfaces of other values are not seen, or only in part.</source>
+        <translation>Mostra solo i tetraedri che possono contenere un valore di un intervallo. Isosuperfici di altri valori non si vedono, o solo in parte.</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::RenderingPanel</name>
+    <message>
+        <source>What is shown of the data</source>
+        <translation>Che cosa si mostra dei dati</translation>
+    </message>
+    <message>
+        <source>Rendering mode</source>
+        <translation>Modalità di resa</translation>
+    </message>
+    <message>
+        <source>Automatic (%1 frames/s)</source>
+        <translation>Automatica (%1 immagini/s)</translation>
+    </message>
+    <message>
+        <source> frames/s</source>
+        <translation> immagini/s</translation>
+    </message>
+    <message>
+        <source>Pictures a second while something moves. If there is not time enough they are drawn smaller and of fewer tetrahedra; the picture at rest is always the full one.</source>
+        <translation>Immagini al secondo mentre qualcosa si muove. Se il tempo non basta si disegnano più piccole e con meno tetraedri; l&apos;immagine ferma è sempre quella completa.</translation>
+    </message>
+    <message>
+        <source>Frame rate while moving</source>
+        <translation>Frequenza durante il movimento</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>M&amp;ostra</translation>
+    </message>
+    <message>
+        <source>While movin&amp;g</source>
+        <translation>In mo&amp;vimento</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::SlicePreview</name>
+    <message>
+        <source>Preview of a layer</source>
+        <translation>Anteprima di uno strato</translation>
+    </message>
+    <message>
+        <source>Axis of the layers</source>
+        <translation>Asse degli strati</translation>
+    </message>
+    <message>
+        <source>The axis across which the layer lies</source>
+        <translation>L&apos;asse di traverso al quale giace lo strato</translation>
+    </message>
+    <message>
+        <source>Across %1</source>
+        <translation>Di traverso a %1</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Strato</translation>
+    </message>
+    <message>
+        <source>The layer that is shown, counted from 0</source>
+        <translation>Lo strato mostrato, contando da 0</translation>
+    </message>
+    <message>
+        <source>No layout that could be shown</source>
+        <translation>Nessun formato che si possa mostrare</translation>
+    </message>
+    <message>
+        <source>%1 to the right, %2 up; black %3, white %4</source>
+        <translation>%1 verso destra, %2 in alto; nero %3, bianco %4</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::StatisticsPanel</name>
+    <message>
+        <source>Mesh sizes</source>
+        <translation>Dimensioni delle mesh</translation>
+    </message>
+    <message>
+        <source>What the mesh of each error costs: its error in percent of the range of values and in their units, its size, the time to extract it, as measured here, and the memory that it occupies. Choose a line to see that mesh.</source>
+        <translation>Quanto costa la mesh di ogni errore: l&apos;errore in percento dell&apos;intervallo dei valori e nelle loro unità, la dimensione, il tempo per estrarla, come misurato qui, e la memoria che occupa. Scegliere una riga per vedere quella mesh.</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y</source>
+        <translation>Co&amp;pia</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Salva…</translation>
+    </message>
+    <message>
+        <source>Copy all of this as text, with tabs between the columns</source>
+        <translation>Copia tutto come testo, con tabulazioni fra le colonne</translation>
+    </message>
+    <message>
+        <source>Save the table as CSV or JSON, in % and under no locale</source>
+        <translation>Salva la tabella come CSV o JSON, in % e senza convenzioni locali</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::StatusLine</name>
+    <message>
+        <source>The picture at the chosen accuracy is being made</source>
+        <translation>Si sta creando l&apos;immagine con l&apos;accuratezza scelta</translation>
+    </message>
+    <message>
+        <source>Data points in the mesh that is shown</source>
+        <translation>Punti dei dati nella mesh mostrata</translation>
+    </message>
+    <message>
+        <source>Tetrahedra in the mesh that is shown</source>
+        <translation>Tetraedri nella mesh mostrata</translation>
+    </message>
+    <message>
+        <source>Triangles of all isosurfaces that are shown</source>
+        <translation>Triangoli di tutte le isosuperfici mostrate</translation>
+    </message>
+    <message>
+        <source>Time for taking the mesh out of the model</source>
+        <translation>Tempo per estrarre la mesh dal modello</translation>
+    </message>
+    <message>
+        <source>Memory that the program occupies, mapped files included</source>
+        <translation>Memoria occupata dal programma, compresi i file mappati</translation>
+    </message>
+    <message>
+        <source>What draws the picture: OpenGL or the processor</source>
+        <translation>Che cosa disegna l&apos;immagine: OpenGL o il processore</translation>
+    </message>
+    <message>
+        <source>%1 sites</source>
+        <translation>%1 siti</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra</source>
+        <translation>%1 tetraedri</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 triangoli</translation>
+    </message>
+    <message>
+        <source>extracted in %1</source>
+        <translation>estratta in %1</translation>
+    </message>
+    <message>
+        <source>%1 a frame</source>
+        <translation>%1 a immagine</translation>
+    </message>
+    <message>
+        <source>Time for drawing the last picture; while it moves the frames a second, and how much smaller and of how many tetrahedra they are</source>
+        <translation>Tempo per disegnare l&apos;ultima immagine; in movimento le immagini al secondo, e quanto sono più piccole e di quanti tetraedri</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 immagini/s</translation>
+    </message>
+    <message>
+        <source>size 1/%1</source>
+        <translation>dimensione 1/%1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+</context>
+<context>
+    <name>tetra::TaskLine</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::TransferCanvas</name>
+    <message>
+        <source>Transfer function</source>
+        <translation>Funzione di trasferimento</translation>
+    </message>
+    <message>
+        <source>Opacity against value. Drag points, double click to add one, Delete removes it; arrow keys move it (finer with Ctrl), Tab goes to the next. Behind: how often the values occur in the mesh.</source>
+        <translation>Opacità rispetto al valore. Trascinare i punti, doppio clic per aggiungerne uno, Canc lo rimuove; i tasti freccia lo spostano (più finemente con Ctrl), Tab va al successivo. Dietro: quanto spesso i valori si presentano nella mesh.</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 punti</translation>
+    </message>
+    <message>
+        <source>Point %1 of %2: value %3, opacity %4</source>
+        <translation>Punto %1 di %2: valore %3, opacità %4</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::TransferPanel</name>
+    <message>
+        <source>S&amp;tep</source>
+        <translation>&amp;Gradino</translation>
+    </message>
+    <message>
+        <source>Ad&amp;d</source>
+        <translation>Aggiun&amp;gi</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Rimuovi</translation>
+    </message>
+    <message>
+        <source>Lo&amp;garithmic</source>
+        <translation>Lo&amp;garitmico</translation>
+    </message>
+    <message>
+        <source>Value of the point</source>
+        <translation>Valore del punto</translation>
+    </message>
+    <message>
+        <source>Value of the selected point, in the units of the data</source>
+        <translation>Valore del punto selezionato, nelle unità dei dati</translation>
+    </message>
+    <message>
+        <source>Opacity of the point</source>
+        <translation>Opacità del punto</translation>
+    </message>
+    <message>
+        <source>Opacity of the selected point, in percent of the light that a unit distance takes away</source>
+        <translation>Opacità del punto selezionato, in percento della luce che una distanza unitaria toglie</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Colour of the selected point</source>
+        <translation>Colore del punto selezionato</translation>
+    </message>
+    <message>
+        <source>Give the point two sides: what lies below its value ends there, and what lies above begins</source>
+        <translation>Dà al punto due lati: ciò che sta sotto il suo valore finisce lì, e ciò che sta sopra vi comincia</translation>
+    </message>
+    <message>
+        <source>Add a point after the selected one, or double click in the plot</source>
+        <translation>Aggiunge un punto dopo quello selezionato, o doppio clic nel grafico</translation>
+    </message>
+    <message>
+        <source>Remove the selected point (Del)</source>
+        <translation>Rimuove il punto selezionato (Canc)</translation>
+    </message>
+    <message>
+        <source>Unit distance</source>
+        <translation>Distanza unitaria</translation>
+    </message>
+    <message>
+        <source>The thickness, in the units of the data, that a layer must have for the opacities to hold: less makes everything denser</source>
+        <translation>Lo spessore, nelle unità dei dati, che uno strato deve avere perché valgano le opacità: meno rende tutto più denso</translation>
+    </message>
+    <message>
+        <source>Show how often values occur on a logarithmic scale, so that rare ones are seen</source>
+        <translation>Mostra in scala logaritmica quanto spesso si presentano i valori, così che si vedano quelli rari</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Preimpostate</translation>
+    </message>
+    <message>
+        <source>Transfer functions to begin with</source>
+        <translation>Funzioni di trasferimento da cui cominciare</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Cambia</translation>
+    </message>
+    <message>
+        <source>Change all points</source>
+        <translation>Cambia tutti i punti</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Carica…</translation>
+    </message>
+    <message>
+        <source>Take a transfer function from a file: one of TAn or presets of ParaView (JSON or XML)</source>
+        <translation>Prende una funzione di trasferimento da un file: una di TAn o preimpostazioni di ParaView (JSON o XML)</translation>
+    </message>
+    <message>
+        <source>The file holds several presets:</source>
+        <translation>Il file contiene più preimpostazioni:</translation>
+    </message>
+    <message>
+        <source>Colours alone</source>
+        <translation>Solo i colori</translation>
+    </message>
+    <message>
+        <source>Save for &amp;ParaView…</source>
+        <translation>Salva per &amp;ParaView…</translation>
+    </message>
+    <message>
+        <source>Save Transfer Function for ParaView</source>
+        <translation>Salva funzione di trasferimento per ParaView</translation>
+    </message>
+    <message>
+        <source>ParaView presets (*.json)</source>
+        <translation>Preimpostazioni di ParaView (*.json)</translation>
+    </message>
+    <message>
+        <source>Transfer functions (*.json *.xml)</source>
+        <translation>Funzioni di trasferimento (*.json *.xml)</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Salva…</translation>
+    </message>
+    <message>
+        <source>Save the transfer function as a JSON file, which “tan render” takes, too</source>
+        <translation>Salva la funzione di trasferimento come file JSON, accettato anche da “tan render”</translation>
+    </message>
+    <message>
+        <source>Val&amp;ue</source>
+        <translation>Val&amp;ore</translation>
+    </message>
+    <message>
+        <source>O&amp;pacity</source>
+        <translation>O&amp;pacità</translation>
+    </message>
+    <message>
+        <source>U&amp;nit distance</source>
+        <translation>Dista&amp;nza unitaria</translation>
+    </message>
+    <message>
+        <source>&amp;Sequential: opaque where values are large</source>
+        <translation>&amp;Sequenziale: opaca dove i valori sono grandi</translation>
+    </message>
+    <message>
+        <source>&amp;Diverging: opaque at both ends</source>
+        <translation>&amp;Divergente: opaca ai due estremi</translation>
+    </message>
+    <message>
+        <source>&amp;More opaque</source>
+        <translation>&amp;Più opaca</translation>
+    </message>
+    <message>
+        <source>&amp;Less opaque</source>
+        <translation>&amp;Meno opaca</translation>
+    </message>
+    <message>
+        <source>Swap &amp;ends</source>
+        <translation>Scambia gli &amp;estremi</translation>
+    </message>
+    <message>
+        <source>Spread over all &amp;values</source>
+        <translation>Estendi a tutti i &amp;valori</translation>
+    </message>
+    <message>
+        <source>Load Transfer Function</source>
+        <translation>Carica funzione di trasferimento</translation>
+    </message>
+    <message>
+        <source>Transfer functions (*.json)</source>
+        <translation>Funzioni di trasferimento (*.json)</translation>
+    </message>
+    <message>
+        <source>Save Transfer Function</source>
+        <translation>Salva funzione di trasferimento</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ViewPanel</name>
+    <message>
+        <source>&amp;Load…</source>
+        <translation>&amp;Carica…</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve…</source>
+        <translation>&amp;Salva…</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Azimuth</source>
+        <translation>Azimut</translation>
+    </message>
+    <message>
+        <source>Direction around the z axis, in degrees; 0 looks along y</source>
+        <translation>Direzione attorno all&apos;asse z, in gradi; 0 guarda lungo y</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Elevazione</translation>
+    </message>
+    <message>
+        <source>Height above the xy plane, in degrees</source>
+        <translation>Altezza sopra il piano xy, in gradi</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distanza</translation>
+    </message>
+    <message>
+        <source>From the eye to the target, in the units of the data</source>
+        <translation>Dall&apos;occhio al bersaglio, nelle unità dei dati</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Campo visivo</translation>
+    </message>
+    <message>
+        <source>Angle that the shorter side of the picture spans, in degrees</source>
+        <translation>Angolo che il lato più corto dell&apos;immagine abbraccia, in gradi</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Prospettica</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>Parallela</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>Proiezione</translation>
+    </message>
+    <message>
+        <source>Whether what is farther away looks smaller (Ctrl+P)</source>
+        <translation>Se ciò che è più lontano appare più piccolo (Ctrl+P)</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Bersaglio</translation>
+    </message>
+    <message>
+        <source>The point that is looked at, in the units of the data</source>
+        <translation>Il punto che si guarda, nelle unità dei dati</translation>
+    </message>
+    <message>
+        <source>A&amp;zimuth</source>
+        <translation>A&amp;zimut</translation>
+    </message>
+    <message>
+        <source>E&amp;levation</source>
+        <translation>E&amp;levazione</translation>
+    </message>
+    <message>
+        <source>D&amp;istance</source>
+        <translation>D&amp;istanza</translation>
+    </message>
+    <message>
+        <source>&amp;Angle</source>
+        <translation>An&amp;golo</translation>
+    </message>
+    <message>
+        <source>Pro&amp;jection</source>
+        <translation>&amp;Proiezione</translation>
+    </message>
+    <message>
+        <source>Look from this side</source>
+        <translation>Guarda da questo lato</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Adatta</translation>
+    </message>
+    <message>
+        <source>Show the whole domain (Home)</source>
+        <translation>Mostra l&apos;intero dominio (Home)</translation>
+    </message>
+    <message>
+        <source>Colour behind what is shown, also in saved pictures</source>
+        <translation>Colore dietro a ciò che si mostra, anche nelle immagini salvate</translation>
+    </message>
+    <message>
+        <source>Background colour</source>
+        <translation>Colore di sfondo</translation>
+    </message>
+    <message>
+        <source>Usual</source>
+        <translation>Solito</translation>
+    </message>
+    <message>
+        <source>The colour that fits the window, light or dark</source>
+        <translation>Il colore adatto alla finestra, chiaro o scuro</translation>
+    </message>
+    <message>
+        <source>Take the camera from a JSON file</source>
+        <translation>Prende la camera da un file JSON</translation>
+    </message>
+    <message>
+        <source>Save the camera as a JSON file, which “tan render --camera” takes, too</source>
+        <translation>Salva la camera come file JSON, accettato anche da “tan render --camera”</translation>
+    </message>
+    <message>
+        <source>Bac&amp;kground</source>
+        <translation>Sfon&amp;do</translation>
+    </message>
+    <message>
+        <source>Load Camera</source>
+        <translation>Carica camera</translation>
+    </message>
+    <message>
+        <source>Cameras (*.json)</source>
+        <translation>Camere (*.json)</translation>
+    </message>
+    <message>
+        <source>Save Camera</source>
+        <translation>Salva camera</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Fronte</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Sinistra</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Alto</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Angolo</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retro</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Destra</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Basso</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::Viewport</name>
+    <message>
+        <source>OpenGL cannot be used, the picture is drawn by the processor instead. %1</source>
+        <translation>OpenGL non si può usare, l&apos;immagine è disegnata dal processore. %1</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::Workbench</name>
+    <message>
+        <source>Models (*.tan)</source>
+        <translation>Modelli (*.tan)</translation>
+    </message>
+    <message>
+        <source>All that can be opened (%1)</source>
+        <translation>Tutto ciò che si può aprire (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
+        <translation>Nessun plugin di resa ha potuto essere caricato, perciò non c&apos;è modo di mostrare un modello. %1</translation>
+    </message>
+    <message>
+        <source>Sessions (*.tansession)</source>
+        <translation>Sessioni (*.tansession)</translation>
+    </message>
+    <message>
+        <source>The model %1 is another one than when the session was saved: it was built anew, or replaced. It is shown as the session says, as far as that fits.</source>
+        <translation>Il modello %1 non è lo stesso di quando la sessione fu salvata: è stato ricostruito o sostituito. Lo si mostra come dice la sessione, per quanto possibile.</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/statistics_panel.h"
+
+#include "plugins/widgets/gesture_watcher.h"
+#include "plugins/widgets/scrolled_column.h"
+#include "ui/panels/accuracy_curve.h"
+#include "ui/panels/histogram_view.h"
+#include "ui/viewport/viewport.h"
+
+#include <QClipboard>
+#include <QGridLayout>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTreeWidget>
+
+namespace tetra {
+namespace {
+
+constexpr int errorRole = Qt::UserRole;
+
+QTreeWidget* makeTable()
+{
+    auto* table = new QTreeWidget;
+    table->setObjectName("statistics.table");
+    table->setAccessibleName(StatisticsPanel::tr("Mesh sizes"));
+    table->setToolTip(StatisticsPanel::tr("What the mesh of each error costs: its error in percent of the range of "
+                                          "values and in their units, its size, the time to extract it, as measured "
+                                          "here, and the memory that it occupies. Choose a line to see that mesh."));
+    table->setRootIsDecorated(false);
+    table->setUniformRowHeights(true);
+    table->setAlternatingRowColors(true);
+    table->setHeaderLabels(levelColumns());
+    table->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table->header()->setStretchLastSection(false);
+    table->header()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    return table;
+}
+
+/// All lines without scrolling, and the bar below them.
+void fitHeight(QTreeWidget& table)
+{
+    const int line = table.sizeHintForRow(0);
+    const int bar = table.style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    table.setFixedHeight(table.header()->sizeHint().height() + table.topLevelItemCount() * line + bar +
+                         2 * table.frameWidth() + 2);
+}
+
+} // namespace
+
+StatisticsPanel::StatisticsPanel(Workbench& workbench, Viewport& viewport, QWidget* parent)
+    : QWidget(parent), session_(workbench.session()), scenes_(workbench.sceneBuilder()), curve_(new AccuracyCurve),
+      table_(makeTable()), factGrid_(new QGridLayout), histogram_(new HistogramView),
+      copy_(new QPushButton(tr("Cop&y"))), save_(new QPushButton(tr("&Save…")))
+{
+    setObjectName("statistics");
+    curve_->setObjectName("statistics.curve");
+    factGrid_->setColumnStretch(1, 1);
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    column->addWidget(table_);
+    column->addWidget(curve_, 1);
+    column->addLayout(factGrid_);
+    column->addWidget(histogram_);
+    column->addLayout(makeButtons());
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins({});
+    outer->addWidget(new ScrolledColumn(content));
+    connectSources(viewport);
+    showModel();
+}
+
+QLayout* StatisticsPanel::makeButtons()
+{
+    copy_->setObjectName("statistics.copy");
+    copy_->setToolTip(tr("Copy all of this as text, with tabs between the columns"));
+    save_->setObjectName("statistics.save");
+    save_->setToolTip(tr("Save the table as CSV or JSON, in % and under no locale"));
+    auto* row = new QHBoxLayout;
+    row->addStretch();
+    row->addWidget(copy_);
+    row->addWidget(save_);
+    connect(copy_, &QPushButton::clicked, this, &StatisticsPanel::copy);
+    connect(save_, &QPushButton::clicked, this, &StatisticsPanel::saveWanted);
+    return row;
+}
+
+void StatisticsPanel::connectSources(Viewport& viewport)
+{
+    connect(table_, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
+        if (item != nullptr)
+            session_.setError(item->data(0, errorRole).toDouble());
+    });
+    connect(curve_, &AccuracyCurve::chosen, this, [this](double percent) { session_.setError(percent); });
+    connect(curve_, &AccuracyCurve::budgetChosen, this, [this](quint64 budget) { session_.setBudget(budget); });
+    new GestureWatcher(curve_, session_);
+    new GestureWatcher(table_, session_);
+    connect(&session_, &Session::modelChanged, this, &StatisticsPanel::showModel);
+    connect(&session_, &Session::modelGrown, this, &StatisticsPanel::showLevels);
+    connect(&session_.view(), &ViewState::queryChanged, this, &StatisticsPanel::showQuery);
+    connect(&scenes_, &SceneBuilder::sceneReady, this, &StatisticsPanel::showScene);
+    connect(&viewport, &Viewport::framePainted, this, [this](const FrameReport& report) {
+        if (report.moving || report.seconds == frameSeconds_)
+            return;
+        frameSeconds_ = report.seconds;
+        showFacts();
+    });
+}
+
+void StatisticsPanel::showModel()
+{
+    setEnabled(session_.model() != nullptr);
+    scene_.reset();
+    frameSeconds_ = 0;
+    histogram_->setHistogram(nullptr);
+    showLevels();
+    showFacts();
+}
+
+void StatisticsPanel::showLevels()
+{
+    const QSignalBlocker blocker(table_);
+    const auto& model = session_.model();
+    levels_ = model ? levelStatistics(*model, pace_) : std::vector<LevelStatistics>();
+    curve_->setCurve(model ? sizeAgainstError(*model) : std::vector<CurvePoint>());
+    table_->clear();
+    for (const LevelStatistics& level : levels_) {
+        auto* item = new QTreeWidgetItem(table_, levelTexts(level));
+        item->setData(0, errorRole, level.error);
+        for (int index = 0; index < table_->columnCount(); ++index)
+            item->setTextAlignment(index, Qt::AlignRight | Qt::AlignVCenter);
+    }
+    if (!levels_.empty())
+        fitHeight(*table_);
+    showQuery();
+}
+
+/// The line of the accuracy that is asked for, if it has one.
+void StatisticsPanel::showQuery()
+{
+    const QueryState& query = session_.view().query();
+    const QSignalBlocker blocker(table_);
+    table_->setCurrentItem(nullptr);
+    for (int index = 0; index < table_->topLevelItemCount(); ++index)
+        if (!query.byBudget && table_->topLevelItem(index)->data(0, errorRole).toDouble() == query.error)
+            table_->setCurrentItem(table_->topLevelItem(index));
+    curve_->setBudget(query.byBudget ? std::optional(query.budget) : std::nullopt);
+    if (session_.model()) {
+        const MeshSize size = session_.meshSize();
+        curve_->setMarked({query.byBudget ? size.error : query.error, size.sites, size.tetrahedra});
+    }
+}
+
+void StatisticsPanel::showScene(const BuiltScene& scene)
+{
+    scene_ = scene;
+    scene_->scene.reset(); // only its numbers are of interest here
+    histogram_->setHistogram(scene.mesh.histogram);
+    if (const auto pace = secondsPerTetrahedron(scene)) {
+        const bool isFirst = !pace_;
+        pace_ = pace;
+        if (isFirst)
+            showLevels(); // later ones change the estimates little
+    }
+    showFacts();
+}
+
+void StatisticsPanel::showFacts()
+{
+    while (QLayoutItem* item = factGrid_->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    facts_ = session_.model() ? modelFacts(*session_.model()) : std::vector<StatisticsFact>();
+    if (scene_)
+        for (const StatisticsFact& fact : sceneFacts(*scene_, frameSeconds_))
+            facts_.push_back(fact);
+    int row = 0;
+    for (const auto& [name, value] : facts_) {
+        auto* text = new QLabel(value);
+        text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        text->setWordWrap(true);
+        factGrid_->addWidget(new QLabel(name), row, 0, Qt::AlignTop);
+        factGrid_->addWidget(text, row++, 1);
+    }
+}
+
+void StatisticsPanel::copy() const
+{
+    QGuiApplication::clipboard()->setText(statisticsText(facts_, levels_));
+}
+
+} // namespace tetra

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/language.h"
+
+#include <QSettings>
+
+#include <array>
+
+namespace tetra {
+namespace {
+
+constexpr const char* key = "language";
+constexpr std::array known{Language{"en", "English"}, Language{"de", "Deutsch"}, Language{"it", "Italiano"}};
+
+} // namespace
+
+std::span<const Language> languages()
+{
+    return known;
+}
+
+QString chosenLanguage()
+{
+    return QSettings().value(key).toString();
+}
+
+void chooseLanguage(const QString& code)
+{
+    QSettings().setValue(key, code);
+}
+
+QLocale textLocale()
+{
+    const QString code = chosenLanguage();
+    return code.isEmpty() ? QLocale() : QLocale(code);
+}
+
+} // namespace tetra

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/command_palette.h"
+
+#include "ui/session/fuzzy_match.h"
+
+#include <QApplication>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QMainWindow>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace tetra {
+namespace {
+
+constexpr QSize largest(620, 420);
+constexpr int fromEdge = 48; ///< of the window
+constexpr int indexRole = Qt::UserRole;
+
+} // namespace
+
+CommandPalette::CommandPalette(QMainWindow& window, Session& session)
+    : QFrame(&window), window_(window), session_(session), search_(new QLineEdit), list_(new QTreeWidget)
+{
+    setObjectName("palette");
+    setFrameShape(QFrame::StyledPanel);
+    setAutoFillBackground(true);
+    search_->setObjectName("palette.search");
+    search_->setPlaceholderText(tr("Type what you want to do"));
+    search_->setAccessibleName(tr("Command"));
+    search_->setToolTip(tr("A few letters of a command are enough. Enter does it, Esc leaves."));
+    search_->setClearButtonEnabled(true);
+    search_->installEventFilter(this);
+    list_->setObjectName("palette.list");
+    list_->setAccessibleName(tr("Commands"));
+    list_->setColumnCount(2);
+    list_->setHeaderHidden(true);
+    list_->setRootIsDecorated(false);
+    list_->setUniformRowHeights(true);
+    list_->setFocusPolicy(Qt::NoFocus); // the keys stay with the text
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list_->header()->setStretchLastSection(false);
+    list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(search_);
+    layout->addWidget(list_);
+    connect(search_, &QLineEdit::textChanged, this, &CommandPalette::search);
+    connect(list_, &QTreeWidget::itemClicked, this, &CommandPalette::run);
+    hide();
+}
+
+void CommandPalette::open()
+{
+    before_ = QApplication::focusWidget();
+    commands_ = paletteCommands(window_, session_);
+    const QSize room = window_.size() - QSize(2 * fromEdge, 2 * fromEdge);
+    resize(largest.boundedTo(room));
+    move((window_.width() - width()) / 2, fromEdge);
+    search_->clear();
+    search({});
+    show();
+    raise();
+    search_->setFocus();
+}
+
+void CommandPalette::search(const QString& query)
+{
+    std::vector<std::pair<int, std::size_t>> found; // what is equally good stays in order
+    for (std::size_t index = 0; index < commands_.size(); ++index)
+        if (const auto match = fuzzyMatch(query, commands_[index].text))
+            found.emplace_back(-*match, index);
+    std::ranges::sort(found);
+    list_->clear();
+    for (const auto& [match, index] : found) {
+        const PaletteCommand& command = commands_[index];
+        auto* item =
+            new QTreeWidgetItem(list_, {command.text, command.reason.isEmpty() ? command.keys : command.reason});
+        item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+        item->setData(0, indexRole, static_cast<qulonglong>(index));
+        item->setToolTip(0, command.text);
+        item->setDisabled(!command.reason.isEmpty());
+        if (list_->currentItem() == nullptr && !item->isDisabled())
+            list_->setCurrentItem(item);
+    }
+}
+
+void CommandPalette::run()
+{
+    const QTreeWidgetItem* item = list_->currentItem();
+    if (item == nullptr || item->isDisabled())
+        return;
+    const std::function<void()> chosen = commands_[item->data(0, indexRole).toULongLong()].run;
+    leave();
+    chosen();
+}
+
+/// Whoever had the keys gets them back.
+void CommandPalette::leave()
+{
+    hide();
+    if (before_ != nullptr)
+        before_->setFocus();
+}
+
+bool CommandPalette::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::KeyPress && keyPress(*static_cast<QKeyEvent*>(event)))
+        return true;
+    if (event->type() == QEvent::FocusOut && isVisible() &&
+        static_cast<QFocusEvent*>(event)->reason() != Qt::PopupFocusReason)
+        hide();
+    return QFrame::eventFilter(watched, event);
+}
+
+bool CommandPalette::keyPress(QKeyEvent& event)
+{
+    switch (event.key()) {
+    case Qt::Key_Escape: leave(); return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter: run(); return true;
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+    case Qt::Key_PageUp:
+    case Qt::Key_PageDown: QCoreApplication::sendEvent(list_, &event); return true;
+    default: return false;
+    }
+}
+
+} // namespace tetra

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/window/palette_commands.h"
+
+#include <QFrame>
+
+class QLineEdit;
+class QMainWindow;
+class QTreeWidget;
+
+namespace tetra {
+
+/// Finds whatever the program can do by a few letters of its name, and does it: keys alone are enough. Lies over the
+/// window, and goes when it loses the keys. What cannot be done now is grey and says why.
+class CommandPalette : public QFrame {
+    Q_OBJECT
+public:
+    /// A child of the window.
+    CommandPalette(QMainWindow& window, Session& session);
+
+    /// Shows all commands, to be searched.
+    void open();
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void search(const QString& query);
+    void run();
+    void leave();
+    bool keyPress(QKeyEvent& event);
+
+    QMainWindow& window_;
+    Session& session_;
+    QLineEdit* search_;
+    QTreeWidget* list_;
+    std::vector<PaletteCommand> commands_;
+    QWidget* before_ = nullptr; ///< what had the keys
+};
+
+} // namespace tetra

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/help_actions.h"
+
+#include "ui/session/language.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/widgets/mnemonics.h"
+#include "ui/widgets/motion.h"
+#include "ui/window/actions.h"
+#include "ui/window/command_palette.h"
+#include "ui/window/help_texts.h"
+
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QMainWindow>
+#include <QMenu>
+#include <QWhatsThis>
+
+namespace tetra {
+namespace {
+
+class Texts {
+    Q_DECLARE_TR_FUNCTIONS(HelpActions)
+};
+
+void fillLanguages(QMenu& menu, MessageBar& messages)
+{
+    auto* group = new QActionGroup(&menu);
+    const auto add = [&](const QString& text, const QString& code) {
+        QAction* action = menu.addAction(text);
+        action->setObjectName("action.language." + (code.isEmpty() ? "system" : code));
+        action->setCheckable(true);
+        action->setChecked(chosenLanguage() == code);
+        group->addAction(action);
+        QObject::connect(action, &QAction::triggered, &messages, [&messages, code] {
+            chooseLanguage(code);
+            messages.add(Texts::tr("The language changes when TAn starts the next time."));
+        });
+    };
+    add(Texts::tr("&As the System"), {});
+    for (const Language& language : languages())
+        add(QString::fromUtf8(language.name), language.code);
+    giveMnemonics(menu);
+}
+
+} // namespace
+
+void connectHelp(QMainWindow& window, const Actions& actions, Session& session, MessageBar& messages)
+{
+    auto* palette = new CommandPalette(window, session);
+    QObject::connect(actions.palette, &QAction::triggered, palette, &CommandPalette::open);
+    new HelpTexts(&window);
+    QObject::connect(actions.help, &QAction::triggered, &window, [] { HelpTexts::showForFocus(); });
+    QObject::connect(actions.whatsThis, &QAction::triggered, &window, [] { QWhatsThis::enterWhatsThisMode(); });
+    actions.reducedMotion->setChecked(motionReduced());
+    QObject::connect(actions.reducedMotion, &QAction::toggled, &window, &setMotionReduced);
+    fillLanguages(*actions.languages, messages);
+}
+
+} // namespace tetra

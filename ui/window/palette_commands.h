@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <functional>
+#include <vector>
+
+class QAction;
+class QMainWindow;
+
+namespace tetra {
+
+class Session;
+
+/// Something that can be done now, or why not.
+struct PaletteCommand {
+    QString name;   ///< object name of what it comes from
+    QString text;   ///< with the menus that lead to it: "View: Look From: Front"
+    QString keys;   ///< its shortcut, for reading
+    QString reason; ///< why it cannot be done now; empty if it can
+    std::function<void()> run;
+};
+
+/// All that the window's menus, panels and presets can do, in the order of the menus.
+std::vector<PaletteCommand> paletteCommands(QMainWindow& window, Session& session);
+
+/// Says what is to be done before the action can be used, for the time when it cannot.
+void setNeed(QAction& action, const QString& need);
+
+} // namespace tetra
