@@ -31,6 +31,7 @@ public:
     const Four& vertices(std::uint32_t slot) const noexcept { return vertices_[slot]; }
     void prefetch(std::uint32_t slot) const { __builtin_prefetch(&vertices_[slot]); }
     void prefetchStar(std::uint32_t vertex) const { __builtin_prefetch(star(vertex).data()); }
+    void prefetchStarsPlace(std::uint32_t vertex) const { __builtin_prefetch(&stars_[vertex]); }
     /// Slots or boundary triangles, each opposite to the vertex.
     const Four& neighbours(std::uint32_t slot) const noexcept { return neighbours_[slot]; }
     /// The tetrahedra around a vertex; none if it was removed.

@@ -123,6 +123,32 @@ float DecimatedMesh::keyOf(float error, float warping) const
     return std::max(error, roundedUp(options_.warpingWeight * static_cast<double>(warping)));
 }
 
+void DecimatedMesh::fetchAhead(std::uint32_t vertex, int step) const
+{
+    if (step == 0)
+        return mesh_.prefetchStarsPlace(vertex);
+    if (step == 1)
+        return mesh_.prefetchStar(vertex);
+    for (const std::uint32_t slot : mesh_.star(vertex)) {
+        if (step == 2) {
+            mesh_.prefetch(slot);
+            __builtin_prefetch(&states_[slot]);
+            continue;
+        }
+        const auto inside = pool_[states_[slot].inside];
+        if (step == 3) {
+            __builtin_prefetch(inside.data());
+            for (const std::uint32_t corner : mesh_.vertices(slot))
+                __builtin_prefetch(&input_.positions[corner]);
+            continue;
+        }
+        for (const std::uint32_t point : inside) {
+            __builtin_prefetch(&input_.positions[point]);
+            __builtin_prefetch(&input_.values[point]);
+        }
+    }
+}
+
 void DecimatedMesh::setStar(std::uint32_t vertex)
 {
     for (const std::uint32_t slot : mesh_.star(vertex))

@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/decimation/collapse_orders.h"
 
-#include <queue>
-#include <tuple>
+#include "core/mesh/decimation/collapse_queue.h"
+
 #include <vector>
 
 namespace tetra {
 
 namespace {
 
-/// The best collapse of a vertex, when it was looked at.
-struct Entry {
-    float key;
-    std::uint32_t vertex;
-    std::uint32_t target;
-    std::uint32_t version;
-    bool operator<(const Entry& other) const { return std::tie(other.key, other.vertex) < std::tie(key, vertex); }
-};
-
 /// How much larger the key at hand is when vertices are looked at again that could not go.
 constexpr float patience = 1.02F;
+
+using Entry = CollapseQueue::Entry; // the best collapse of a vertex, when it was looked at
 
 class ExactOrder {
 public:
@@ -36,11 +29,12 @@ private:
 
     void evaluate(std::uint32_t vertex, DecimatedMesh::Legality legality);
     void collapse(const Entry& entry);
+    void fetchAhead() const;
 
     DecimatedMesh& mesh_;
     double stopKey_;
     std::vector<VertexState> states_;
-    std::priority_queue<Entry> queue_;
+    CollapseQueue queue_;
 };
 
 void ExactOrder::evaluate(std::uint32_t vertex, DecimatedMesh::Legality legality)
@@ -72,6 +66,19 @@ void ExactOrder::collapse(const Entry& entry)
     }
 }
 
+/// What the entries to come need, each time what the last time's told where to find.
+void ExactOrder::fetchAhead() const
+{
+    const auto at = [this](std::size_t distance) { return queue_.vertexAhead(distance, DecimatedMesh::none); };
+    if (const std::uint32_t vertex = at(7); vertex != DecimatedMesh::none)
+        __builtin_prefetch(&states_[vertex]);
+    for (int step = 0; step < DecimatedMesh::fetchSteps; ++step) {
+        const std::uint32_t vertex = at(static_cast<std::size_t>(DecimatedMesh::fetchSteps - step));
+        if (vertex != DecimatedMesh::none && states_[vertex].queued)
+            mesh_.fetchAhead(vertex, step);
+    }
+}
+
 Status ExactOrder::run(const Progress& progress)
 {
     constexpr std::uint32_t workBetweenReports = 1024;
@@ -91,10 +98,8 @@ Status ExactOrder::run(const Progress& progress)
                 return cancelledError("The decimation");
             progress.report(.2 + .8 * mesh_.log().collapseCount() / vertices, "Collapsing");
         }
-        const Entry entry = queue_.top();
-        queue_.pop();
-        if (!queue_.empty())
-            mesh_.tetrahedra().prefetchStar(queue_.top().vertex);
+        const Entry entry = queue_.pop();
+        fetchAhead();
         const VertexState& state = states_[entry.vertex];
         if (state.version != entry.version || !state.queued)
             continue;
