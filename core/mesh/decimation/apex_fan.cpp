@@ -96,15 +96,17 @@ double withoutRounding(double measured, double least)
 
 } // namespace
 
-void LinkSamples::set(const VertexStar& star, std::span<const double> values, std::span<const Eigen::Vector3d> lifted)
+void LinkSamples::set(const VertexStar& star, std::span<const Eigen::Vector3d> lifted)
 {
     lifted_ = !lifted.empty();
     columnLength_ = star.paddedFaceCount();
     ofLink_.clear();
-    for (const std::uint32_t vertex : star.link()) {
-        ofLink_.push_back(values[vertex]);
-        if (lifted_)
-            ofLink_.insert(ofLink_.end(), lifted[vertex].begin(), lifted[vertex].end());
+    for (std::uint32_t place = 0; place < star.link().size(); ++place) {
+        ofLink_.push_back(star.value(place));
+        if (lifted_) {
+            const Eigen::Vector3d& at = lifted[star.link()[place]];
+            ofLink_.insert(ofLink_.end(), at.begin(), at.end());
+        }
     }
     ofCorners_.resize(3 * numberCount() * columnLength_);
     for (std::size_t face = 0; face < star.faces().size(); ++face)

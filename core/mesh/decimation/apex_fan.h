@@ -17,7 +17,7 @@ namespace tetra {
 /// coordinates.
 class LinkSamples {
 public:
-    void set(const VertexStar& star, std::span<const double> values, std::span<const Eigen::Vector3d> lifted);
+    void set(const VertexStar& star, std::span<const Eigen::Vector3d> lifted);
 
     bool lifted() const noexcept { return lifted_; }
     double at(std::uint32_t linkPlace, std::size_t number) const { return ofLink_[numberCount() * linkPlace + number]; }

@@ -29,10 +29,10 @@ bool DecimatedMesh::inverts(std::uint32_t linkPlace) const
 /// Whether what is quickly looked at allows a collapse.
 bool DecimatedMesh::opens(std::uint32_t linkPlace) const
 {
-    const std::uint32_t target = star_.link()[linkPlace];
-    if (movesOnBoundary(star_.vertex()) ? !linkCondition_.isOnRim(target) : !mayMove(star_.vertex(), target))
+    if (!star_.opensOnto(linkPlace))
         return false;
-    return star_.opensOnto(linkPlace);
+    const std::uint32_t target = star_.link()[linkPlace];
+    return movesOnBoundary(star_.vertex()) ? linkCondition_.isOnRim(target) : mayMove(star_.vertex(), target);
 }
 
 double DecimatedMesh::evaluate(std::uint32_t linkPlace, double bound)

@@ -11,6 +11,7 @@
 #include "core/mesh/decimation/index_pool.h"
 #include "core/mesh/decimation/key_tournament.h"
 #include "core/mesh/decimation/link_condition.h"
+#include "core/mesh/decimation/placed_value.h"
 #include "core/mesh/decimation/star_points.h"
 #include "core/mesh/decimation/vertex_star.h"
 
@@ -112,6 +113,7 @@ private:
     float keyOf(float error, float warping) const;
 
     const DecimationMesh input_;
+    const std::vector<PlacedValue> placedValues_;
     const DecimationOptions options_;
     FanMeasure measure_;
     CollapsibleMesh mesh_;
