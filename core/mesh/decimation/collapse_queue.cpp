@@ -33,20 +33,30 @@ void CollapseQueue::push(const Entry& entry)
     std::ranges::push_heap(late_, comesAfter);
 }
 
+float CollapseQueue::leastKey()
+{
+    if (sorted_.empty() && late_.empty())
+        openNextClass();
+    return lateIsFirst() ? late_.front().key : sorted_.back().key;
+}
+
 CollapseQueue::Entry CollapseQueue::pop()
 {
     if (sorted_.empty() && late_.empty())
         openNextClass();
     --size_;
-    if (late_.empty() || (!sorted_.empty() && late_.front().comesAfter(sorted_.back()))) {
-        const Entry first = sorted_.back();
-        sorted_.pop_back();
-        return first;
-    }
-    std::ranges::pop_heap(late_, comesAfter);
-    const Entry first = late_.back();
-    late_.pop_back();
+    std::vector<Entry>& from = lateIsFirst() ? late_ : sorted_;
+    if (&from == &late_)
+        std::ranges::pop_heap(late_, comesAfter);
+    const Entry first = from.back();
+    from.pop_back();
     return first;
+}
+
+/// One of the two is not empty.
+bool CollapseQueue::lateIsFirst() const
+{
+    return sorted_.empty() || (!late_.empty() && sorted_.back().comesAfter(late_.front()));
 }
 
 void CollapseQueue::openNextClass()

@@ -28,6 +28,8 @@ public:
     /// Any key, also one below what was taken last. May throw std::bad_alloc.
     void push(const Entry& entry);
     bool empty() const noexcept { return size_ == 0; }
+    /// The key of the first. The queue is not empty.
+    float leastKey();
     /// Takes the first. The queue is not empty.
     Entry pop();
     /// The vertex of the entry `distance` after the first, but for those pushed lately; `otherwise` if it is not known.
@@ -42,6 +44,7 @@ private:
 
     static std::size_t classOf(float key);
     void openNextClass();
+    bool lateIsFirst() const;
 
     std::vector<std::vector<Entry>> classes_; ///< by key; empty up to the open one
     std::size_t open_ = 0;                    ///< the class whose entries are sorted, or were pushed since

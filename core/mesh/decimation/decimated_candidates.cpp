@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 namespace tetra {
 
@@ -88,6 +89,15 @@ bool DecimatedMesh::confirms(std::uint32_t linkPlace, Legality legality)
     return !inverts(linkPlace);
 }
 
+/// Of targets of equal keys that comes first which leaves the fewest tetrahedra.
+bool DecimatedMesh::precedes(std::uint32_t linkPlace, std::uint32_t other) const
+{
+    const auto rank = [this](std::uint32_t place) {
+        return std::tuple(-static_cast<std::int64_t>(star_.faceCountOf(place)), star_.link()[place]);
+    };
+    return rank(linkPlace) < rank(other);
+}
+
 DecimatedMesh::Candidate DecimatedMesh::bestOfCandidates(Legality legality)
 {
     const auto link = star_.link();
@@ -99,7 +109,7 @@ DecimatedMesh::Candidate DecimatedMesh::bestOfCandidates(Legality legality)
             const std::uint32_t place = candidates_[i];
             leastKeys_[i] = std::numeric_limits<double>::quiet_NaN();
             const double key = evaluate(place, least);
-            if (best != none && (key > least || (key == least && link[place] > link[best])))
+            if (best != none && (key > least || (key == least && !precedes(place, best))))
                 continue;
             least = key;
             best = place;

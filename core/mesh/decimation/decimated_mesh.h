@@ -46,7 +46,8 @@ public:
     void fetchAhead(std::uint32_t vertex, int step) const;
     static constexpr int fetchSteps = 3;
 
-    /// The legal collapse of a vertex that has the smallest key; among equals the target of the smallest number.
+    /// The legal collapse of a vertex that has the smallest key; among equals the one that leaves the fewest tetrahedra,
+    /// then the target of the smallest number.
     Candidate best(std::uint32_t vertex, Legality legality = Legality::Whole);
     /// The collapse of a vertex onto a neighbour, if it is legal.
     Candidate judge(std::uint32_t vertex, std::uint32_t target);
@@ -94,6 +95,7 @@ private:
     bool opens(std::uint32_t linkPlace) const;
     double evaluate(std::uint32_t linkPlace, double bound);
     Candidate bestOfCandidates(Legality legality);
+    bool precedes(std::uint32_t linkPlace, std::uint32_t other) const;
     bool confirms(std::uint32_t linkPlace, Legality legality);
     bool boundaryAllows(std::uint32_t linkPlace);
     void setBoundaryChange(std::uint32_t linkPlace);

@@ -12,6 +12,8 @@ namespace {
 /// How much larger the key at hand is when vertices are looked at again that could not go.
 constexpr float patience = 1.02F;
 
+constexpr std::uint32_t workBetweenReports = 1024;
+
 using Entry = CollapseQueue::Entry; // the best collapse of a vertex, when it was looked at
 
 class ExactOrder {
@@ -23,13 +25,16 @@ public:
 private:
     struct VertexState {
         std::uint32_t version = 0; ///< of the vertex's newest entry
-        bool queued = false;       ///< whether that is in the queue
+        bool queued = true;        ///< whether that is in the queue, or the first look is still to come
         bool changed = false;      ///< whether something around the vertex has changed since it was made
     };
 
-    void evaluate(std::uint32_t vertex, DecimatedMesh::Legality legality);
+    Entry evaluated(std::uint32_t vertex, DecimatedMesh::Legality legality);
     void collapse(const Entry& entry);
     void fetchAhead() const;
+
+    void look(std::uint32_t vertex);
+    Status lookAtAll(const Progress& progress);
 
     DecimatedMesh& mesh_;
     double stopKey_;
@@ -37,21 +42,23 @@ private:
     CollapseQueue queue_;
 };
 
-void ExactOrder::evaluate(std::uint32_t vertex, DecimatedMesh::Legality legality)
+/// The vertex is queued then if it can go; the entry is still to be pushed.
+Entry ExactOrder::evaluated(std::uint32_t vertex, DecimatedMesh::Legality legality)
 {
     const DecimatedMesh::Candidate candidate = mesh_.best(vertex, legality);
     VertexState& state = states_[vertex];
     ++state.version;
     state.changed = false;
     state.queued = candidate.exists() && static_cast<double>(candidate.key) <= stopKey_;
-    if (state.queued)
-        queue_.push({candidate.key, vertex, candidate.target, state.version});
+    return {candidate.key, vertex, candidate.target, state.version};
 }
 
 void ExactOrder::collapse(const Entry& entry)
 {
     if (!mesh_.collapse(entry.vertex, entry.target)) {
-        evaluate(entry.vertex, DecimatedMesh::Legality::Whole);
+        const Entry other = evaluated(entry.vertex, DecimatedMesh::Legality::Whole);
+        if (states_[entry.vertex].queued)
+            queue_.push(other);
         return;
     }
     states_[entry.vertex].queued = false;
@@ -79,9 +86,21 @@ void ExactOrder::fetchAhead() const
     }
 }
 
-Status ExactOrder::run(const Progress& progress)
+/// Looks at a vertex whose entry has come to the head, and does what it may if nothing else should come first.
+void ExactOrder::look(std::uint32_t vertex)
 {
-    constexpr std::uint32_t workBetweenReports = 1024;
+    const Entry entry = evaluated(vertex, DecimatedMesh::Legality::OfStar);
+    if (!states_[vertex].queued)
+        return;
+    if (queue_.empty() || entry.key <= queue_.leastKey())
+        collapse(entry);
+    else
+        queue_.push(entry);
+}
+
+/// What does no harm goes at once: then what is around it is looked at once.
+Status ExactOrder::lookAtAll(const Progress& progress)
+{
     const std::uint32_t vertices = mesh_.vertexCount();
     for (std::uint32_t vertex = 0; vertex < vertices; ++vertex) {
         if (vertex % workBetweenReports == 0) {
@@ -89,8 +108,22 @@ Status ExactOrder::run(const Progress& progress)
                 return cancelledError("The decimation");
             progress.report(.2 * vertex / vertices, "Judging the vertices");
         }
-        evaluate(vertex, DecimatedMesh::Legality::OfStar);
+        const Entry entry = evaluated(vertex, DecimatedMesh::Legality::OfStar);
+        if (!states_[vertex].queued)
+            continue;
+        if (entry.key == 0)
+            collapse(entry);
+        else
+            queue_.push(entry);
     }
+    return {};
+}
+
+Status ExactOrder::run(const Progress& progress)
+{
+    if (Status status = lookAtAll(progress); !status)
+        return status;
+    const std::uint32_t vertices = mesh_.vertexCount();
     std::uint32_t work = 0;
     while (!queue_.empty()) {
         if (++work % workBetweenReports == 0) {
@@ -104,7 +137,7 @@ Status ExactOrder::run(const Progress& progress)
         if (state.version != entry.version || !state.queued)
             continue;
         if (state.changed)
-            evaluate(entry.vertex, DecimatedMesh::Legality::OfStar);
+            look(entry.vertex);
         else
             collapse(entry);
     }

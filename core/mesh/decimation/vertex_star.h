@@ -46,6 +46,8 @@ public:
     /// Whether all tetrahedra that a collapse onto a vertex of the link makes have a volume that is positive beyond
     /// doubt, and there are any.
     bool opensOnto(std::uint32_t linkPlace) const;
+    /// How many faces have a vertex of the link: tetrahedra that a collapse onto it would take away.
+    std::uint32_t faceCountOf(std::uint32_t linkPlace) const noexcept { return facesOfLink_[linkPlace]; }
     /// The corners of the faces side by side, for arithmetic on eight faces at once: nine columns of paddedFaceCount()
     /// numbers, the x of all first corners first; zeros beyond the last face.
     std::span<const double> corners() const noexcept { return corners_; }
