@@ -52,8 +52,8 @@ public:
     std::span<const std::uint32_t> faces() const noexcept { return faces_; }
 
     /// Twelve columns of columnLength() numbers, by face: three times three rows whose products with a place are the
-    /// weights of the face's corners, and the differences of their values to the apex's. Of no meaning for faces
-    /// without a tetrahedron.
+    /// weights of the face's corners, and one whose product is how far the value is from the apex's. Of no meaning
+    /// for faces without a tetrahedron.
     std::span<const double> columns() const noexcept { return columns_; }
     std::size_t columnLength() const noexcept { return columnLength_; }
     /// The weights of the corners of a face at a place from the apex.

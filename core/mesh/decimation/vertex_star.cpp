@@ -154,8 +154,10 @@ bool VertexStar::rimIsOneCycle() const
 void VertexStar::measure()
 {
     const std::size_t room = paddedFaceCount();
-    corners_.assign(9 * room, 0);
+    corners_.resize(9 * room);
     planes_.resize(8 * room);
+    for (std::size_t column = 0; column < 9; ++column)
+        std::fill(corners_.begin() + column * room + faces_.size(), corners_.begin() + (column + 1) * room, 0);
     for (std::size_t face = 0; face < faces_.size(); ++face)
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const std::array<double, 3>& place = ofLink_[faces_[face][corner]].place;
