@@ -89,11 +89,13 @@ bool DecimatedMesh::confirms(std::uint32_t linkPlace, Legality legality)
     return !inverts(linkPlace);
 }
 
-/// Of targets of equal keys that comes first which leaves the fewest tetrahedra.
+/// Of targets of equal keys that comes first which leaves the fewest tetrahedra, then the nearest.
 bool DecimatedMesh::precedes(std::uint32_t linkPlace, std::uint32_t other) const
 {
     const auto rank = [this](std::uint32_t place) {
-        return std::tuple(-static_cast<std::int64_t>(star_.faceCountOf(place)), star_.link()[place]);
+        const auto& [x, y, z] = star_.place(place);
+        return std::tuple(-static_cast<std::int64_t>(star_.faceCountOf(place)), x * x + y * y + z * z,
+                          star_.link()[place]);
     };
     return rank(linkPlace) < rank(other);
 }

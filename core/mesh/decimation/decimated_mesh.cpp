@@ -55,8 +55,9 @@ std::vector<PlacedValue> placedValuesOf(const DecimationMesh& mesh)
 } // namespace
 
 DecimatedMesh::DecimatedMesh(const DecimationMesh& mesh, const DecimationOptions& options)
-    : input_(mesh), placedValues_(placedValuesOf(mesh)), options_(options), mesh_(vertexCount(), mesh.tetrahedra, !mesh.box), states_(mesh_.slotCount()),
-      keys_(mesh_.slotCount()), boundaryPoints_(mesh_.triangleCount()), live_(mesh_.slotCount()),
+    : input_(mesh), placedValues_(placedValuesOf(mesh)), options_(options),
+      mesh_(vertexCount(), mesh.tetrahedra, !mesh.box), states_(mesh_.slotCount()), keys_(mesh_.slotCount()),
+      boundaryPoints_(mesh_.triangleCount()), live_(mesh_.slotCount()),
       star_(placedValues_, exactVolumes(mesh.positions)), boundaryJudge_(input_, measure_)
 {
     double largestValue = 0;

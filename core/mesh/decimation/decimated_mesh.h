@@ -46,8 +46,8 @@ public:
     void fetchAhead(std::uint32_t vertex, int step) const;
     static constexpr int fetchSteps = 3;
 
-    /// The legal collapse of a vertex that has the smallest key; among equals the one that leaves the fewest tetrahedra,
-    /// then the target of the smallest number.
+    /// The legal collapse of a vertex that has the smallest key; among equals the one that leaves the fewest
+    /// tetrahedra, then the one onto the nearest target.
     Candidate best(std::uint32_t vertex, Legality legality = Legality::Whole);
     /// The collapse of a vertex onto a neighbour, if it is legal.
     Candidate judge(std::uint32_t vertex, std::uint32_t target);

@@ -10,8 +10,8 @@ namespace tetra {
 /// Finds out which numbers there are in short lists.
 class DistinctNumbers {
 public:
-    /// Each of `numbers` once, in order of appearance, into `distinct`, and where it is there into `places`, which is as
-    /// long as `numbers`. None of them is 2^32 - 1.
+    /// Each of `numbers` once, in order of appearance, into `distinct`, and where it is there into `places`, which is
+    /// as long as `numbers`. None of them is 2^32 - 1.
     void find(std::span<const std::uint32_t> numbers, std::vector<std::uint32_t>& distinct,
               std::span<std::uint32_t> places);
 

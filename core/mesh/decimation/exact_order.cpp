@@ -3,6 +3,7 @@
 
 #include "core/mesh/decimation/collapse_queue.h"
 
+#include <limits>
 #include <vector>
 
 namespace tetra {
@@ -34,12 +35,15 @@ private:
     void fetchAhead() const;
 
     void look(std::uint32_t vertex);
+    void takeFirst();
+    float leastKey();
     Status lookAtAll(const Progress& progress);
 
     DecimatedMesh& mesh_;
     double stopKey_;
     std::vector<VertexState> states_;
     CollapseQueue queue_;
+    bool allLookedAt_ = false;
 };
 
 /// The vertex is queued then if it can go; the entry is still to be pushed.
@@ -86,13 +90,21 @@ void ExactOrder::fetchAhead() const
     }
 }
 
+/// No collapse that is known has a smaller key. While some were not looked at, they may have any.
+float ExactOrder::leastKey()
+{
+    if (!allLookedAt_)
+        return 0;
+    return queue_.empty() ? std::numeric_limits<float>::infinity() : queue_.leastKey();
+}
+
 /// Looks at a vertex whose entry has come to the head, and does what it may if nothing else should come first.
 void ExactOrder::look(std::uint32_t vertex)
 {
     const Entry entry = evaluated(vertex, DecimatedMesh::Legality::OfStar);
     if (!states_[vertex].queued)
         return;
-    if (queue_.empty() || entry.key <= queue_.leastKey())
+    if (entry.key <= leastKey())
         collapse(entry);
     else
         queue_.push(entry);
@@ -115,8 +127,25 @@ Status ExactOrder::lookAtAll(const Progress& progress)
             collapse(entry);
         else
             queue_.push(entry);
+        while (!queue_.empty() && queue_.leastKey() == 0)
+            takeFirst();
     }
+    allLookedAt_ = true;
     return {};
+}
+
+/// Does what the first entry asks for, if it still holds.
+void ExactOrder::takeFirst()
+{
+    const Entry entry = queue_.pop();
+    fetchAhead();
+    const VertexState& state = states_[entry.vertex];
+    if (state.version != entry.version || !state.queued)
+        return;
+    if (state.changed)
+        look(entry.vertex);
+    else
+        collapse(entry);
 }
 
 Status ExactOrder::run(const Progress& progress)
@@ -131,15 +160,7 @@ Status ExactOrder::run(const Progress& progress)
                 return cancelledError("The decimation");
             progress.report(.2 + .8 * mesh_.log().collapseCount() / vertices, "Collapsing");
         }
-        const Entry entry = queue_.pop();
-        fetchAhead();
-        const VertexState& state = states_[entry.vertex];
-        if (state.version != entry.version || !state.queued)
-            continue;
-        if (state.changed)
-            look(entry.vertex);
-        else
-            collapse(entry);
+        takeFirst();
     }
     return {};
 }

@@ -82,9 +82,7 @@ TETRA_SIMD_CLONES void countSurelyPositive(const double* planes, std::size_t cou
 
 } // namespace
 
-VertexStar::VertexStar(std::span<const PlacedValue> points, bool exact) : points_(points), doubt_(exact ? 0 : 1e-13)
-{
-}
+VertexStar::VertexStar(std::span<const PlacedValue> points, bool exact) : points_(points), doubt_(exact ? 0 : 1e-13) {}
 
 void VertexStar::set(const CollapsibleMesh& mesh, std::uint32_t vertex, bool withRim)
 {

@@ -69,14 +69,14 @@ private:
     std::vector<std::uint32_t> link_;
     std::vector<std::array<std::uint32_t, 3>> faces_;
     std::vector<RimTriangle> rim_;
-    std::vector<PlacedValue> ofLink_; ///< from the vertex
+    std::vector<PlacedValue> ofLink_;        ///< from the vertex
     std::vector<std::uint32_t> facesOfLink_; ///< how many faces each vertex of the link has
     std::vector<double> corners_;
     /// Columns as of corners(): the normal of each face, its offset, and how large the terms of these four are. The
     /// volume of the tetrahedron with an apex p is offset - normal . p.
     std::vector<double> planes_;
-    std::vector<double> apexes_;   ///< the places of link() side by side: three columns, padded
-    std::vector<double> positive_; ///< by place in link(): with how many faces it has a positive volume
+    std::vector<double> apexes_;                ///< the places of link() side by side: three columns, padded
+    std::vector<double> positive_;              ///< by place in link(): with how many faces it has a positive volume
     std::vector<std::uint32_t> cornersOfFaces_; ///< the vertices of faces()
     DistinctNumbers distinct_;
 };
