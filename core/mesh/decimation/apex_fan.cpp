@@ -86,6 +86,24 @@ TETRA_SIMD_INLINE void locateEight(const Tetrahedra& tetrahedra, const Double8& 
     }
 }
 
+/// The depths of a place in eight tetrahedra that lie side by side in the columns: their smallest weights.
+TETRA_SIMD_CLONES void depthsInEight(const double* columns, std::size_t count, const double* place, double* depths)
+{
+    Double8 weights[4];
+    weights[3] = Double8{} + 1;
+    for (std::size_t row = 0; row < 3; ++row) {
+        Double8 factors[3];
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            std::memcpy(&factors[axis], columns + (3 * row + axis) * count, sizeof factors[axis]);
+        weights[row] = factors[0] * place[0] + factors[1] * place[1] + factors[2] * place[2];
+        weights[3] = weights[3] - weights[row];
+    }
+    const Double8 one = weights[0] < weights[1] ? weights[0] : weights[1];
+    const Double8 other = weights[2] < weights[3] ? weights[2] : weights[3];
+    const Double8 least = one < other ? one : other;
+    std::memcpy(depths, &least, sizeof least);
+}
+
 /// Adds a column's numbers of eight faces, times the factors.
 TETRA_SIMD_INLINE void addTaken(const double* column, const std::uint32_t* faces, const Double8& factors, Double8& sum)
 {
@@ -193,6 +211,23 @@ double ApexFan::interpolated(std::size_t face, std::size_t number, const std::ar
     for (std::size_t corner = 0; corner < 3; ++corner)
         value += weights[corner] * (column[corner * columnLength_] - apex);
     return value;
+}
+
+std::uint32_t faceAt(const ApexFan& fan, const Vector& place, double tolerance)
+{
+    double depths[lanes];
+    double deepest = -tolerance;
+    std::uint32_t face = 0xffffffff;
+    std::size_t known = 0; // how many faces' depths are
+    for (const std::uint32_t i : fan.faces()) {
+        for (; known <= i; known += lanes)
+            depthsInEight(fan.columns().data() + i / lanes * lanes, fan.columnLength(), place.data(), depths);
+        if (depths[i % lanes] > deepest) {
+            deepest = depths[i % lanes];
+            face = i;
+        }
+    }
+    return face;
 }
 
 double evaluateFan(const ApexFan& fan, const FanMeasure& measure, double bound, StarPoints& points)

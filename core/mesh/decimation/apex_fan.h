@@ -72,6 +72,10 @@ private:
     std::vector<double> columns_;
 };
 
+/// The face whose tetrahedron of the fan a place from the apex lies in, of several the one that it lies deepest in;
+/// 2^32 - 1 if it lies outside of all by more than `tolerance`, in weights of corners.
+std::uint32_t faceAt(const ApexFan& fan, const std::array<double, 3>& place, double tolerance);
+
 /// What below cannot be told from none, because rounding makes as much; and how warpings compare with errors.
 struct FanMeasure {
     double leastError = 0;

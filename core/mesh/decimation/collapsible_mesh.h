@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/mesh/decimation/index_pool.h"
+#include "core/mesh/face_adjacency.h"
 
 #include <array>
 #include <cstdint>
@@ -46,6 +47,13 @@ public:
     }
     /// The corners of a boundary triangle, counterclockwise from outside.
     std::array<std::uint32_t, 3> cornersOf(std::uint32_t triangle) const noexcept;
+
+    /// The corners of the face opposite to a corner of a tetrahedron, counterclockwise from outside.
+    std::array<std::uint32_t, 3> cornersOfFaceOf(std::uint32_t slot, std::size_t corner) const noexcept
+    {
+        const auto& [a, b, c] = cornersOfFace[corner];
+        return {vertices_[slot][a], vertices_[slot][b], vertices_[slot][c]};
+    }
 
     /// Moves `vertex` onto its neighbour `target`: tetrahedra that hold both vanish. None may have both of its faces
     /// opposite to them on the boundary. May throw std::bad_alloc.
