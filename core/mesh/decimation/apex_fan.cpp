@@ -86,22 +86,32 @@ TETRA_SIMD_INLINE void locateEight(const Tetrahedra& tetrahedra, const Double8& 
     }
 }
 
-/// The depths of a place in eight tetrahedra that lie side by side in the columns: their smallest weights.
-TETRA_SIMD_CLONES void depthsInEight(const double* columns, std::size_t count, const double* place, double* depths)
+/// For each lane the deepest of every eighth tetrahedron around a place, by its smallest weight, and its face. Faces
+/// without a tetrahedron, whose weights are no numbers, never are.
+TETRA_SIMD_CLONES void findDeepest(const double* columns, std::size_t count, const double* place, double tolerance,
+                                   double* depths, double* owners)
 {
-    Double8 weights[4];
-    weights[3] = Double8{} + 1;
-    for (std::size_t row = 0; row < 3; ++row) {
-        Double8 factors[3];
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            std::memcpy(&factors[axis], columns + (3 * row + axis) * count, sizeof factors[axis]);
-        weights[row] = factors[0] * place[0] + factors[1] * place[1] + factors[2] * place[2];
-        weights[3] = weights[3] - weights[row];
+    Double8 deepest = Double8{} - tolerance, owner = Double8{} - 1;
+    Double8 number = {0, 1, 2, 3, 4, 5, 6, 7};
+    for (std::size_t first = 0; first < count; first += lanes) {
+        Double8 weights[3];
+        for (std::size_t row = 0; row < 3; ++row) {
+            Double8 factors[3];
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                std::memcpy(&factors[axis], columns + (3 * row + axis) * count + first, sizeof factors[axis]);
+            weights[row] = factors[0] * place[0] + factors[1] * place[1] + factors[2] * place[2];
+        }
+        const Double8 ofApex = 1 - weights[0] - weights[1] - weights[2];
+        // Whatever compares with what is no number gives that in the end: that of the apex never is a number then.
+        Double8 least = weights[0] < weights[1] ? weights[0] : weights[1];
+        least = weights[2] < least ? weights[2] : least;
+        least = least < ofApex ? least : ofApex;
+        owner = least > deepest ? number : owner;
+        deepest = least > deepest ? least : deepest;
+        number = number + 8;
     }
-    const Double8 one = weights[0] < weights[1] ? weights[0] : weights[1];
-    const Double8 other = weights[2] < weights[3] ? weights[2] : weights[3];
-    const Double8 least = one < other ? one : other;
-    std::memcpy(depths, &least, sizeof least);
+    std::memcpy(depths, &deepest, sizeof deepest);
+    std::memcpy(owners, &owner, sizeof owner);
 }
 
 /// Adds a column's numbers of eight faces, times the factors.
@@ -215,19 +225,10 @@ double ApexFan::interpolated(std::size_t face, std::size_t number, const std::ar
 
 std::uint32_t faceAt(const ApexFan& fan, const Vector& place, double tolerance)
 {
-    double depths[lanes];
-    double deepest = -tolerance;
-    std::uint32_t face = 0xffffffff;
-    std::size_t known = 0; // how many faces' depths are
-    for (const std::uint32_t i : fan.faces()) {
-        for (; known <= i; known += lanes)
-            depthsInEight(fan.columns().data() + i / lanes * lanes, fan.columnLength(), place.data(), depths);
-        if (depths[i % lanes] > deepest) {
-            deepest = depths[i % lanes];
-            face = i;
-        }
-    }
-    return face;
+    double depths[lanes], owners[lanes];
+    findDeepest(fan.columns().data(), fan.columnLength(), place.data(), tolerance, depths, owners);
+    const auto deepest = static_cast<std::size_t>(std::ranges::max_element(depths) - depths);
+    return owners[deepest] < 0 ? 0xffffffff : static_cast<std::uint32_t>(owners[deepest]);
 }
 
 double evaluateFan(const ApexFan& fan, const FanMeasure& measure, double bound, StarPoints& points)
