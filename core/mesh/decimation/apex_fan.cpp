@@ -20,8 +20,8 @@ double dot(const Vector& a, const Vector& b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// The rows of the inverses of the matrices whose columns are the corners from the apex, and how far the corners'
-/// values are from the apex's.
+/// The rows of the inverses of the matrices whose columns are the corners from the apex, and the gradients of the
+/// values.
 TETRA_SIMD_CLONES void computeColumns(const double* corners, const double* values, std::size_t count,
                                       const double* apex, double apexValue, double* columns)
 {
@@ -41,52 +41,102 @@ TETRA_SIMD_CLONES void computeColumns(const double* corners, const double* value
             rows[row][2] = u[0] * v[1] - u[1] * v[0];
         }
         const Double8 scale = 1 / (from[0][0] * rows[0][0] + from[0][1] * rows[0][1] + from[0][2] * rows[0][2]);
-        for (std::size_t row = 0; row < 3; ++row)
+        Double8 gradient[3] = {};
+        for (std::size_t row = 0; row < 3; ++row) {
+            Double8 value;
+            std::memcpy(&value, values + row * count + first, sizeof value);
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const Double8 weight = scale * rows[row][axis];
+                gradient[axis] += weight * (value - apexValue);
                 std::memcpy(columns + (3 * row + axis) * count + first, &weight, sizeof weight);
             }
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            Double8 value;
-            std::memcpy(&value, values + corner * count + first, sizeof value);
-            value = value - apexValue;
-            std::memcpy(columns + (9 + corner) * count + first, &value, sizeof value);
         }
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            std::memcpy(columns + (9 + axis) * count + first, gradient + axis, sizeof gradient[axis]);
     }
 }
 
-/// What is found of eight places: the face whose tetrahedron has each, how far the value there is from the apex's, and
-/// the sum of the weights of the face's corners.
-struct Located {
-    double owner[lanes], step[lanes], weights[lanes];
+/// The tetrahedra of a fan as the loops below see them.
+struct Tetrahedra {
+    const double* columns;
+    std::size_t columnLength;
+    const std::uint32_t* faces;
+    std::size_t count;
 };
 
-/// The tetrahedron of a place is the one whose smallest weight is largest, so that rounding leaves no place without
-/// one.
-TETRA_SIMD_CLONES void locateEight(const double* columns, std::size_t count, const std::uint32_t* faces,
-                                   std::size_t faceCount, const double* from, Located& located)
+/// For eight places, in what place of the list of faces that is whose tetrahedron has each: the one whose smallest
+/// weight is largest, so that rounding leaves no place without one.
+TETRA_SIMD_INLINE void locateEight(const Tetrahedra& tetrahedra, const Double8& x, const Double8& y, const Double8& z,
+                                   Double8& owner)
 {
-    Double8 x, y, z;
-    std::memcpy(&x, from, sizeof x);
-    std::memcpy(&y, from + lanes, sizeof y);
-    std::memcpy(&z, from + 2 * lanes, sizeof z);
+    const std::size_t count = tetrahedra.columnLength;
     Double8 deepest = x * 0 - 1e300;
-    Double8 owner = x * 0, step = owner, weights = owner;
-    for (std::size_t i = 0; i < faceCount; ++i) {
-        const double* row = columns + faces[i];
+    Double8 number = x * 0;
+    owner = number;
+    for (std::size_t i = 0; i < tetrahedra.count; ++i) {
+        const double* row = tetrahedra.columns + tetrahedra.faces[i];
         const Double8 a = row[0] * x + row[count] * y + row[2 * count] * z;
         const Double8 b = row[3 * count] * x + row[4 * count] * y + row[5 * count] * z;
         const Double8 c = row[6 * count] * x + row[7 * count] * y + row[8 * count] * z;
         const Double8 lower = a < b ? a : b;
         const Double8 depth = lower < c ? lower : c;
-        owner = depth > deepest ? Double8{} + static_cast<double>(faces[i]) : owner;
-        step = depth > deepest ? a * row[9 * count] + b * row[10 * count] + c * row[11 * count] : step;
-        weights = depth > deepest ? a + b + c : weights;
+        owner = depth > deepest ? number : owner;
         deepest = depth > deepest ? depth : deepest;
+        number = number + 1;
     }
-    std::memcpy(located.owner, &owner, sizeof owner);
-    std::memcpy(located.step, &step, sizeof step);
-    std::memcpy(located.weights, &weights, sizeof weights);
+}
+
+/// For each lane the deepest of every eighth tetrahedron around a place, by its smallest weight, and its face. Faces
+/// without a tetrahedron, whose weights are no numbers, never are.
+TETRA_SIMD_CLONES void findDeepest(const double* columns, std::size_t count, const double* place, double tolerance,
+                                   double* depths, double* owners)
+{
+    Double8 deepest = Double8{} - tolerance, owner = Double8{} - 1;
+    Double8 number = {0, 1, 2, 3, 4, 5, 6, 7};
+    for (std::size_t first = 0; first < count; first += lanes) {
+        Double8 weights[3];
+        for (std::size_t row = 0; row < 3; ++row) {
+            Double8 factors[3];
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                std::memcpy(&factors[axis], columns + (3 * row + axis) * count + first, sizeof factors[axis]);
+            weights[row] = factors[0] * place[0] + factors[1] * place[1] + factors[2] * place[2];
+        }
+        const Double8 ofApex = 1 - weights[0] - weights[1] - weights[2];
+        // Whatever compares with what is no number gives that in the end: that of the apex never is a number then.
+        Double8 least = weights[0] < weights[1] ? weights[0] : weights[1];
+        least = weights[2] < least ? weights[2] : least;
+        least = least < ofApex ? least : ofApex;
+        owner = least > deepest ? number : owner;
+        deepest = least > deepest ? least : deepest;
+        number = number + 8;
+    }
+    std::memcpy(depths, &deepest, sizeof deepest);
+    std::memcpy(owners, &owner, sizeof owner);
+}
+
+/// Adds a column's numbers of eight faces, times the factors.
+TETRA_SIMD_INLINE void addTaken(const double* column, const std::uint32_t* faces, const Double8& factors, Double8& sum)
+{
+    sum += factors * Double8{column[faces[0]], column[faces[1]], column[faces[2]], column[faces[3]],
+                             column[faces[4]], column[faces[5]], column[faces[6]], column[faces[7]]};
+}
+
+/// The faces that eight places belong to, and how far the values there are from the apex's.
+TETRA_SIMD_CLONES void locatePlaces(const Tetrahedra& tetrahedra, const std::array<const double*, 3>& places,
+                                    const double* apex, std::uint32_t* owners, double* steps)
+{
+    Double8 from[3], owner;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::memcpy(&from[axis], places[axis], sizeof owner);
+        from[axis] = from[axis] - apex[axis];
+    }
+    locateEight(tetrahedra, from[0], from[1], from[2], owner);
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        owners[lane] = tetrahedra.faces[static_cast<std::size_t>(owner[lane])];
+    Double8 step{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        addTaken(tetrahedra.columns + (9 + axis) * tetrahedra.columnLength, owners, from[axis], step);
+    std::memcpy(steps, &step, sizeof step);
 }
 
 double withoutRounding(double measured, double least)
@@ -94,17 +144,24 @@ double withoutRounding(double measured, double least)
     return measured > least ? measured : 0;
 }
 
+Tetrahedra tetrahedraOf(const ApexFan& fan)
+{
+    return {fan.columns().data(), fan.columnLength(), fan.faces().data(), fan.faces().size()};
+}
+
 } // namespace
 
-void LinkSamples::set(const VertexStar& star, std::span<const double> values, std::span<const Eigen::Vector3d> lifted)
+void LinkSamples::set(const VertexStar& star, std::span<const Eigen::Vector3d> lifted)
 {
     lifted_ = !lifted.empty();
     columnLength_ = star.paddedFaceCount();
     ofLink_.clear();
-    for (const std::uint32_t vertex : star.link()) {
-        ofLink_.push_back(values[vertex]);
-        if (lifted_)
-            ofLink_.insert(ofLink_.end(), lifted[vertex].begin(), lifted[vertex].end());
+    for (std::uint32_t place = 0; place < star.link().size(); ++place) {
+        ofLink_.push_back(star.value(place));
+        if (lifted_) {
+            const Eigen::Vector3d& at = lifted[star.link()[place]];
+            ofLink_.insert(ofLink_.end(), at.begin(), at.end());
+        }
     }
     ofCorners_.resize(3 * numberCount() * columnLength_);
     for (std::size_t face = 0; face < star.faces().size(); ++face)
@@ -120,10 +177,13 @@ void ApexFan::set(const VertexStar& star, std::uint32_t linkPlace, const LinkSam
     for (std::size_t number = 0; number < (lifted() ? 4 : 1); ++number)
         apexSamples_[number] = samples.at(linkPlace, number);
     compute(star);
-    faces_.clear();
-    for (std::uint32_t face = 0; face < star.faces().size(); ++face)
-        if (!star.holds(face, linkPlace))
-            faces_.push_back(face);
+    faces_.resize(star.faces().size());
+    std::size_t count = 0;
+    for (std::uint32_t face = 0; face < star.faces().size(); ++face) {
+        faces_[count] = face;
+        count += star.holds(face, linkPlace) ? 0 : 1;
+    }
+    faces_.resize(count);
 }
 
 void ApexFan::setStar(const VertexStar& star, double value, const LinkSamples& samples)
@@ -163,22 +223,28 @@ double ApexFan::interpolated(std::size_t face, std::size_t number, const std::ar
     return value;
 }
 
+std::uint32_t faceAt(const ApexFan& fan, const Vector& place, double tolerance)
+{
+    double depths[lanes], owners[lanes];
+    findDeepest(fan.columns().data(), fan.columnLength(), place.data(), tolerance, depths, owners);
+    const auto deepest = static_cast<std::size_t>(std::ranges::max_element(depths) - depths);
+    return owners[deepest] < 0 ? 0xffffffff : static_cast<std::uint32_t>(owners[deepest]);
+}
+
 double evaluateFan(const ApexFan& fan, const FanMeasure& measure, double bound, StarPoints& points)
 {
     double largest = 0;
-    double from[3 * lanes];
-    Located located;
+    const Tetrahedra tetrahedra = tetrahedraOf(fan);
+    double steps[lanes];
     for (std::size_t first = 0; first < points.count() && largest <= bound; first += lanes) {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            for (std::size_t lane = 0; lane < lanes; ++lane)
-                from[axis * lanes + lane] = points.place[axis][first + lane] - fan.apex()[axis];
-        locateEight(fan.columns().data(), fan.columnLength(), fan.faces().data(), fan.faces().size(), from, located);
+        locatePlaces(tetrahedra,
+                     {points.place[0].data() + first, points.place[1].data() + first, points.place[2].data() + first},
+                     fan.apex().data(), points.owner.data() + first, steps);
         // What is beyond the last point is a copy of the first.
         for (std::size_t lane = 0; lane < lanes; ++lane) {
             const std::size_t point = first + lane;
-            points.owner[point] = static_cast<std::uint32_t>(located.owner[lane]);
             const double weight = points.weight.empty() ? 1 : points.weight[point];
-            const double residual = points.value[point] - fan.apexValue() - located.step[lane];
+            const double residual = points.value[point] - fan.apexValue() - steps[lane];
             points.error[point] = weight * withoutRounding(std::abs(residual), measure.leastError);
             largest = std::max(largest, points.error[point]);
         }
@@ -186,7 +252,10 @@ double evaluateFan(const ApexFan& fan, const FanMeasure& measure, double bound, 
             continue;
         for (std::size_t lane = 0; lane < lanes; ++lane) {
             const std::size_t point = first + lane, owner = points.owner[point];
-            const Vector weights = fan.weightsAt(owner, {from[lane], from[lanes + lane], from[2 * lanes + lane]});
+            Vector from{};
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                from[axis] = points.place[axis][point] - fan.apex()[axis];
+            const Vector weights = fan.weightsAt(owner, from);
             Vector away{};
             for (std::size_t axis = 0; axis < 3; ++axis)
                 away[axis] = points.lifted[axis][point] - fan.interpolated(owner, axis + 1, weights);
@@ -202,18 +271,20 @@ void vertexErrors(const VertexStar& star, const ApexFan& fan, const FanMeasure& 
                   std::span<const std::uint32_t> linkPlaces, std::vector<double>& errors)
 {
     errors.clear();
-    double from[3 * lanes];
-    Located located;
+    const Tetrahedra tetrahedra = tetrahedraOf(fan);
+    double places[3][lanes], steps[lanes];
+    std::uint32_t owners[lanes];
     for (std::size_t first = 0; first < linkPlaces.size(); first += lanes) {
         const std::size_t count = std::min(lanes, linkPlaces.size() - first);
         for (std::size_t lane = 0; lane < lanes; ++lane)
             for (std::size_t axis = 0; axis < 3; ++axis)
-                from[axis * lanes + lane] = -star.place(linkPlaces[first + (lane < count ? lane : 0)])[axis];
-        locateEight(fan.columns().data(), fan.columnLength(), fan.faces().data(), fan.faces().size(), from, located);
+                places[axis][lane] = -star.place(linkPlaces[first + (lane < count ? lane : 0)])[axis];
+        locatePlaces(tetrahedra, {places[0], places[1], places[2]}, fan.apex().data(), owners, steps);
         for (std::size_t lane = 0; lane < count; ++lane) {
             // Opposite to the target the corners have these weights, so the vertex is the mean of all with its own, 1.
-            const double step = samples.at(linkPlaces[first + lane], 0) - fan.apexValue() + located.step[lane];
-            errors.push_back(withoutRounding(std::abs(step / (1 + located.weights[lane])), measure.leastError));
+            const auto [a, b, c] = fan.weightsAt(owners[lane], {places[0][lane], places[1][lane], places[2][lane]});
+            const double step = samples.at(linkPlaces[first + lane], 0) - fan.apexValue() + steps[lane];
+            errors.push_back(withoutRounding(std::abs(step / (1 + a + b + c)), measure.leastError));
         }
     }
 }

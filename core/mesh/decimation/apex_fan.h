@@ -17,7 +17,7 @@ namespace tetra {
 /// coordinates.
 class LinkSamples {
 public:
-    void set(const VertexStar& star, std::span<const double> values, std::span<const Eigen::Vector3d> lifted);
+    void set(const VertexStar& star, std::span<const Eigen::Vector3d> lifted);
 
     bool lifted() const noexcept { return lifted_; }
     double at(std::uint32_t linkPlace, std::size_t number) const { return ofLink_[numberCount() * linkPlace + number]; }
@@ -52,8 +52,8 @@ public:
     std::span<const std::uint32_t> faces() const noexcept { return faces_; }
 
     /// Twelve columns of columnLength() numbers, by face: three times three rows whose products with a place are the
-    /// weights of the face's corners, and the differences of their values to the apex's. Of no meaning for faces
-    /// without a tetrahedron.
+    /// weights of the face's corners, and one whose product is how far the value is from the apex's. Of no meaning
+    /// for faces without a tetrahedron.
     std::span<const double> columns() const noexcept { return columns_; }
     std::size_t columnLength() const noexcept { return columnLength_; }
     /// The weights of the corners of a face at a place from the apex.
@@ -71,6 +71,10 @@ private:
     std::vector<std::uint32_t> faces_;
     std::vector<double> columns_;
 };
+
+/// The face whose tetrahedron of the fan a place from the apex lies in, of several the one that it lies deepest in;
+/// 2^32 - 1 if it lies outside of all by more than `tolerance`, in weights of corners.
+std::uint32_t faceAt(const ApexFan& fan, const std::array<double, 3>& place, double tolerance);
 
 /// What below cannot be told from none, because rounding makes as much; and how warpings compare with errors.
 struct FanMeasure {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace tetra {
 
@@ -47,10 +46,19 @@ void BoundaryJudge::set(const CollapsibleMesh& mesh, const VertexStar& star, std
 /// What a tetrahedron has by itself may be related to a triangle, too: once is enough, where it stays if it can.
 void BoundaryJudge::dropDoubles()
 {
-    std::ranges::sort(points_, {},
-                      [](const Point& one) { return std::tuple(one.point, one.keptBy == none, one.ofRing); });
-    const auto surplus = std::ranges::unique(points_, {}, &Point::point);
-    points_.erase(surplus.begin(), surplus.end());
+    ranks_.clear();
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        const Point& point = points_[i];
+        const std::uint64_t behind = (point.keptBy == none ? 2U : 0U) + (point.ofRing ? 1U : 0U);
+        ranks_.push_back({std::uint64_t(point.point) << 2 | behind, i});
+    }
+    std::ranges::sort(ranks_);
+    const auto surplus = std::ranges::unique(ranks_, {}, [](const auto& rank) { return rank.first >> 2; });
+    ranks_.erase(surplus.begin(), surplus.end());
+    distinct_.clear();
+    for (const auto& [rank, place] : ranks_)
+        distinct_.push_back(points_[place]);
+    points_.swap(distinct_);
 }
 
 /// Whether the box around the star has the place, or nearly.
@@ -72,21 +80,25 @@ void BoundaryJudge::findRing(const CollapsibleMesh& mesh, const VertexStar& star
     kept_.clear();
     for (const VertexStar::RimTriangle& rim : star.rim()) {
         // Each vertex around is once the first corner.
-        for (const std::uint32_t slot : mesh.star(star.link()[rim.corners[0]]))
-            for (const std::uint32_t neighbour : mesh.neighbours(slot)) {
-                if (!CollapsibleMesh::isTriangle(neighbour))
-                    continue;
-                const auto corners = mesh.cornersOf(neighbour);
-                if (std::ranges::find(corners, star.link()[rim.corners[0]]) != corners.end() &&
-                    std::ranges::find(corners, vertex_) == corners.end() &&
-                    std::ranges::find(ring_, neighbour, &Triangle::number) == ring_.end())
-                    ring_.push_back(triangleOf(neighbour, corners));
-            }
+        const std::uint32_t around = star.link()[rim.corners[0]];
+        for (const std::uint32_t slot : mesh.star(around)) {
+            const CollapsibleMesh::Four& neighbours = mesh.neighbours(slot);
+            for (std::size_t i = 0; i < 4; ++i)
+                if (CollapsibleMesh::isTriangle(neighbours[i]) && mesh.vertices(slot)[i] != around)
+                    addToRing(neighbours[i], mesh.cornersOfFaceOf(slot, i));
+        }
     }
     std::ranges::sort(ring_, {}, &Triangle::number);
     for (const Triangle& triangle : ring_)
         if (std::ranges::find(star.slots(), mesh.slotOfTriangle(triangle.number)) != star.slots().end())
             kept_.push_back(triangle);
+}
+
+void BoundaryJudge::addToRing(std::uint32_t triangle, const std::array<std::uint32_t, 3>& corners)
+{
+    if (std::ranges::find(corners, vertex_) == corners.end() &&
+        std::ranges::find(ring_, triangle, &Triangle::number) == ring_.end())
+        ring_.push_back(triangleOf(triangle, corners));
 }
 
 BoundaryJudge::Triangle BoundaryJudge::triangleOf(std::uint32_t number,
@@ -172,16 +184,9 @@ double BoundaryJudge::judgeError(const Point& point, const ApexFan& fan)
     Vector place{};
     for (std::size_t axis = 0; axis < 3; ++axis)
         place[axis] = point.place[axis] - fan.apex()[axis];
-    double deepest = -insideTolerance;
     Error error{point.point, point.keptBy, none, none, 0, 0};
-    for (const std::uint32_t face : mayBeInStar(point.place) ? fan.faces() : std::span<const std::uint32_t>()) {
-        const auto [first, second, third] = fan.weightsAt(face, place);
-        const double depth = std::min({first, second, third, 1 - first - second - third});
-        if (depth > deepest) {
-            deepest = depth;
-            error.inFan = face;
-        }
-    }
+    if (mayBeInStar(point.place))
+        error.inFan = faceAt(fan, place, insideTolerance);
     if (error.inFan != none) {
         error.error = errorOf(point, fan.interpolated(error.inFan, 0, fan.weightsAt(error.inFan, place)));
     } else {

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace tetra {
@@ -88,6 +89,7 @@ private:
     {
         return std::ranges::find(kept_, triangle, &Triangle::number) != kept_.end();
     }
+    void addToRing(std::uint32_t triangle, const std::array<std::uint32_t, 3>& corners);
     void dropDoubles();
     void addPoint(std::uint32_t point, std::uint32_t keptBy, bool ofRing, std::vector<Point>& to);
     Vector placeOf(std::uint32_t vertex) const;
@@ -112,6 +114,8 @@ private:
     std::vector<Triangle> kept_;  ///< those of the ring that a new tetrahedron gets
     std::vector<Triangle> fresh_; ///< the new boundary triangles of the collapse at hand
     std::vector<Point> points_;   ///< whose errors change
+    std::vector<Point> distinct_;
+    std::vector<std::pair<std::uint64_t, std::size_t>> ranks_; ///< of points_, which comes first, and their places
     std::vector<Point> ofBoundary_;
     std::vector<Error> errors_;
     std::vector<Warping> warpings_;

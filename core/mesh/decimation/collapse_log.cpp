@@ -101,6 +101,12 @@ Status emitCoarsest(std::span<const CollapseLog::Coarsest> coarsest, std::span<c
 
 } // namespace
 
+void CollapseLog::reserve(std::uint64_t collapses, std::uint64_t tetrahedra)
+{
+    collapses_.reserve(collapses);
+    tetrahedra_.reserve(tetrahedra);
+}
+
 void CollapseLog::add(std::uint32_t vertex, float keyAfter, std::span<const Tetrahedron> star)
 {
     collapses_.push_back({vertex, keyAfter, tetrahedra_.size()});

@@ -25,6 +25,9 @@ public:
         std::uint32_t madeBy = none; ///< the collapse, by number, that made it; none: it is of the input
     };
 
+    /// For about so many tetrahedra, so that nothing is copied while they come in. May throw std::bad_alloc.
+    void reserve(std::uint64_t collapses, std::uint64_t tetrahedra);
+
     /// A collapse that takes `vertex` out with the tetrahedra around it, in a mesh of `keyAfter` then. May throw
     /// std::bad_alloc.
     void add(std::uint32_t vertex, float keyAfter, std::span<const Tetrahedron> star);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/decimation/collapsible_mesh.h"
 
-#include "core/mesh/face_adjacency.h"
-
 #include <algorithm>
 
 namespace tetra {
@@ -48,8 +46,7 @@ void CollapsibleMesh::setStars(std::uint32_t vertexCount)
 std::array<std::uint32_t, 3> CollapsibleMesh::cornersOf(std::uint32_t triangle) const noexcept
 {
     const std::uint32_t slot = slotOfTriangle(triangle);
-    const auto& corners = cornersOfFace[indexOf(neighbours_[slot], triangle)];
-    return {vertices_[slot][corners[0]], vertices_[slot][corners[1]], vertices_[slot][corners[2]]};
+    return cornersOfFaceOf(slot, indexOf(neighbours_[slot], triangle));
 }
 
 void CollapsibleMesh::collapse(std::uint32_t vertex, std::uint32_t target)

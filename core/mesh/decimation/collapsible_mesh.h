@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/mesh/decimation/index_pool.h"
+#include "core/mesh/face_adjacency.h"
 
 #include <array>
 #include <cstdint>
@@ -31,6 +32,7 @@ public:
     const Four& vertices(std::uint32_t slot) const noexcept { return vertices_[slot]; }
     void prefetch(std::uint32_t slot) const { __builtin_prefetch(&vertices_[slot]); }
     void prefetchStar(std::uint32_t vertex) const { __builtin_prefetch(star(vertex).data()); }
+    void prefetchStarsPlace(std::uint32_t vertex) const { __builtin_prefetch(&stars_[vertex]); }
     /// Slots or boundary triangles, each opposite to the vertex.
     const Four& neighbours(std::uint32_t slot) const noexcept { return neighbours_[slot]; }
     /// The tetrahedra around a vertex; none if it was removed.
@@ -45,6 +47,13 @@ public:
     }
     /// The corners of a boundary triangle, counterclockwise from outside.
     std::array<std::uint32_t, 3> cornersOf(std::uint32_t triangle) const noexcept;
+
+    /// The corners of the face opposite to a corner of a tetrahedron, counterclockwise from outside.
+    std::array<std::uint32_t, 3> cornersOfFaceOf(std::uint32_t slot, std::size_t corner) const noexcept
+    {
+        const auto& [a, b, c] = cornersOfFace[corner];
+        return {vertices_[slot][a], vertices_[slot][b], vertices_[slot][c]};
+    }
 
     /// Moves `vertex` onto its neighbour `target`: tetrahedra that hold both vanish. None may have both of its faces
     /// opposite to them on the boundary. May throw std::bad_alloc.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 namespace tetra {
 
@@ -29,10 +30,10 @@ bool DecimatedMesh::inverts(std::uint32_t linkPlace) const
 /// Whether what is quickly looked at allows a collapse.
 bool DecimatedMesh::opens(std::uint32_t linkPlace) const
 {
-    const std::uint32_t target = star_.link()[linkPlace];
-    if (movesOnBoundary(star_.vertex()) ? !linkCondition_.isOnRim(target) : !mayMove(star_.vertex(), target))
+    if (!star_.opensOnto(linkPlace))
         return false;
-    return star_.opensOnto(linkPlace);
+    const std::uint32_t target = star_.link()[linkPlace];
+    return movesOnBoundary(star_.vertex()) ? linkCondition_.isOnRim(target) : mayMove(star_.vertex(), target);
 }
 
 double DecimatedMesh::evaluate(std::uint32_t linkPlace, double bound)
@@ -88,6 +89,17 @@ bool DecimatedMesh::confirms(std::uint32_t linkPlace, Legality legality)
     return !inverts(linkPlace);
 }
 
+/// Of targets of equal keys that comes first which leaves the fewest tetrahedra, then the nearest.
+bool DecimatedMesh::precedes(std::uint32_t linkPlace, std::uint32_t other) const
+{
+    const auto rank = [this](std::uint32_t place) {
+        const auto& [x, y, z] = star_.place(place);
+        return std::tuple(-static_cast<std::int64_t>(star_.faceCountOf(place)), x * x + y * y + z * z,
+                          star_.link()[place]);
+    };
+    return rank(linkPlace) < rank(other);
+}
+
 DecimatedMesh::Candidate DecimatedMesh::bestOfCandidates(Legality legality)
 {
     const auto link = star_.link();
@@ -99,7 +111,7 @@ DecimatedMesh::Candidate DecimatedMesh::bestOfCandidates(Legality legality)
             const std::uint32_t place = candidates_[i];
             leastKeys_[i] = std::numeric_limits<double>::quiet_NaN();
             const double key = evaluate(place, least);
-            if (best != none && (key > least || (key == least && link[place] > link[best])))
+            if (best != none && (key > least || (key == least && !precedes(place, best))))
                 continue;
             least = key;
             best = place;

@@ -11,6 +11,7 @@
 #include "core/mesh/decimation/index_pool.h"
 #include "core/mesh/decimation/key_tournament.h"
 #include "core/mesh/decimation/link_condition.h"
+#include "core/mesh/decimation/placed_value.h"
 #include "core/mesh/decimation/star_points.h"
 #include "core/mesh/decimation/vertex_star.h"
 
@@ -41,7 +42,12 @@ public:
     /// How far best() looks at what forbids collapses of boundary vertices of irregular meshes: what lies behind their
     /// neighbours takes long and seldom does, and collapse() asks for it anyway.
     enum class Legality { Whole, OfStar };
-    /// The legal collapse of a vertex that has the smallest key; among equals the target of the smallest number.
+    /// Asks for the memory that looking at a vertex needs, step by step: each one needs what that before has fetched.
+    void fetchAhead(std::uint32_t vertex, int step) const;
+    static constexpr int fetchSteps = 3;
+
+    /// The legal collapse of a vertex that has the smallest key; among equals the one that leaves the fewest
+    /// tetrahedra, then the one onto the nearest target.
     Candidate best(std::uint32_t vertex, Legality legality = Legality::Whole);
     /// The collapse of a vertex onto a neighbour, if it is legal.
     Candidate judge(std::uint32_t vertex, std::uint32_t target);
@@ -89,6 +95,7 @@ private:
     bool opens(std::uint32_t linkPlace) const;
     double evaluate(std::uint32_t linkPlace, double bound);
     Candidate bestOfCandidates(Legality legality);
+    bool precedes(std::uint32_t linkPlace, std::uint32_t other) const;
     bool confirms(std::uint32_t linkPlace, Legality legality);
     bool boundaryAllows(std::uint32_t linkPlace);
     void setBoundaryChange(std::uint32_t linkPlace);
@@ -108,6 +115,7 @@ private:
     float keyOf(float error, float warping) const;
 
     const DecimationMesh input_;
+    const std::vector<PlacedValue> placedValues_;
     const DecimationOptions options_;
     FanMeasure measure_;
     CollapsibleMesh mesh_;

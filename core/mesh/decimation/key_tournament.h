@@ -2,39 +2,50 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace tetra {
 
-/// The largest of many numbers, none below 0, that change one at a time: a binary tree of maxima.
+/// The largest of many numbers, none below 0, that change one at a time: a tree of maxima of sixteen, which share a
+/// line of the cache.
 class KeyTournament {
 public:
     /// All are 0. May throw std::bad_alloc.
     explicit KeyTournament(std::size_t count)
-        : first_(std::bit_ceil(std::max<std::size_t>(count, 1))), nodes_(2 * first_)
     {
+        do {
+            count = (count + width - 1) / width;
+            levels_.emplace_back(width * std::max<std::size_t>(count, 1));
+        } while (count > 1);
     }
 
-    /// O(log count) at worst, a few steps where the number is far from the largest.
+    /// O(log count) at worst, a step or two where the number is far from the largest.
     void set(std::size_t index, float key)
     {
-        std::size_t node = first_ + index;
-        while (nodes_[node] != key) {
-            nodes_[node] = key;
-            if (node == 1)
+        for (std::vector<float>& level : levels_) {
+            const float before = level[index];
+            level[index] = key;
+            if (before == key)
                 return;
-            key = std::max(key, nodes_[node ^ 1]);
-            node >>= 1;
+            const float* const group = level.data() + index / width * width;
+            float others = 0;
+            for (std::size_t i = 0; i < width; ++i)
+                others = std::max(others, i == index % width ? 0 : group[i]);
+            if (others >= std::max(before, key))
+                return;
+            key = std::max(key, others);
+            index /= width;
         }
+        largest_ = key;
     }
-    float largest() const noexcept { return nodes_[1]; }
+    float largest() const noexcept { return largest_; }
 
 private:
-    std::size_t first_;
-    std::vector<float> nodes_;
+    static constexpr std::size_t width = 16;
+
+    std::vector<std::vector<float>> levels_; ///< the numbers first
+    float largest_ = 0;
 };
 
 } // namespace tetra

@@ -5,7 +5,6 @@
 #include "core/mesh/face_adjacency.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 
 namespace tetra {
@@ -83,69 +82,52 @@ TETRA_SIMD_CLONES void countSurelyPositive(const double* planes, std::size_t cou
 
 } // namespace
 
-VertexStar::VertexStar(std::span<const Eigen::Vector3d> positions, bool exact)
-    : positions_(positions), doubt_(exact ? 0 : 1e-13)
-{
-}
-
-inline std::uint32_t VertexStar::linkPlaceOf(std::uint32_t vertex)
-{
-    const std::size_t last = placeInLink_.size() - 1;
-    std::size_t at = vertex * std::size_t{0x9e3779b1} >> 7 & last;
-    for (; placeInLink_[at] != CollapsibleMesh::none; at = (at + 1) & last)
-        if (link_[placeInLink_[at]] == vertex)
-            return placeInLink_[at];
-    const auto place = static_cast<std::uint32_t>(link_.size());
-    placeInLink_[at] = place;
-    link_.push_back(vertex);
-    facesOfLink_.push_back(0);
-    __builtin_prefetch(&positions_[vertex]);
-    return place;
-}
+VertexStar::VertexStar(std::span<const PlacedValue> points, bool exact) : points_(points), doubt_(exact ? 0 : 1e-13) {}
 
 void VertexStar::set(const CollapsibleMesh& mesh, std::uint32_t vertex, bool withRim)
 {
     vertex_ = vertex;
     slots_.assign(mesh.star(vertex).begin(), mesh.star(vertex).end());
-    link_.clear();
-    faces_.clear();
-    places_.clear();
-    facesOfLink_.clear();
-    rim_.clear();
     for (const std::uint32_t slot : slots_)
         mesh.prefetch(slot);
-    // A face brings three vertices at most.
-    placeInLink_.assign(std::bit_ceil(4 * slots_.size()), CollapsibleMesh::none);
+    cornersOfFaces_.resize(3 * slots_.size());
+    std::uint32_t* corner = cornersOfFaces_.data();
     for (const std::uint32_t slot : slots_) {
         const CollapsibleMesh::Four& vertices = mesh.vertices(slot);
-        const std::size_t own = indexOf(vertices, vertex);
-        const auto& others = cornersOfFace[own];
-        faces_.push_back(
-            {linkPlaceOf(vertices[others[0]]), linkPlaceOf(vertices[others[1]]), linkPlaceOf(vertices[others[2]])});
-        for (const std::uint32_t place : faces_.back())
-            ++facesOfLink_[place];
-        if (withRim)
-            addRim(mesh, slot, own);
+        for (const std::uint8_t other : cornersOfFace[indexOf(vertices, vertex)])
+            *corner++ = vertices[other];
     }
-    for (const std::uint32_t other : link_) {
-        const Eigen::Vector3d from = positions_[other] - positions_[vertex];
-        places_.push_back({from.x(), from.y(), from.z()});
+    faces_.resize(slots_.size());
+    distinct_.find(cornersOfFaces_, link_, {faces_.data()->data(), cornersOfFaces_.size()});
+    for (const std::uint32_t other : link_)
+        __builtin_prefetch(&points_[other]);
+    facesOfLink_.assign(link_.size(), 0);
+    for (const std::array<std::uint32_t, 3>& face : faces_)
+        for (const std::uint32_t place : face)
+            ++facesOfLink_[place];
+    rim_.clear();
+    if (withRim)
+        addRim(mesh);
+    ofLink_.resize(link_.size());
+    const std::array<double, 3> origin = points_[vertex].place;
+    for (std::size_t place = 0; place < link_.size(); ++place) {
+        const PlacedValue& point = points_[link_[place]];
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            ofLink_[place].place[axis] = point.place[axis] - origin[axis];
+        ofLink_[place].value = point.value;
     }
 }
 
-/// The boundary triangles among the faces of the tetrahedron met last that have the vertex.
-void VertexStar::addRim(const CollapsibleMesh& mesh, std::uint32_t slot, std::size_t own)
+/// The boundary triangles among the faces of the tetrahedra that have the vertex.
+void VertexStar::addRim(const CollapsibleMesh& mesh)
 {
-    for (std::size_t face = 0; face < 4; ++face) {
-        if (face == own || !CollapsibleMesh::isTriangle(mesh.neighbours(slot)[face]))
-            continue;
-        const auto& [a, b, c] = faces_.back();
+    for (std::uint32_t i = 0; i < slots_.size(); ++i) {
+        const CollapsibleMesh::Four& neighbours = mesh.neighbours(slots_[i]);
+        const auto& others = cornersOfFace[indexOf(mesh.vertices(slots_[i]), vertex_)];
         // Of (vertex, a, b, c) the faces (vertex, c, b), (vertex, a, c) and (vertex, b, a) look outwards.
-        const std::uint32_t opposite = linkPlaceOf(mesh.vertices(slot)[face]);
-        rim_.push_back({mesh.neighbours(slot)[face], static_cast<std::uint32_t>(faces_.size() - 1),
-                        opposite == a   ? std::array{c, b}
-                        : opposite == b ? std::array{a, c}
-                                        : std::array{b, a}});
+        for (std::size_t opposite = 0; opposite < 3; ++opposite)
+            if (const std::uint32_t triangle = neighbours[others[opposite]]; CollapsibleMesh::isTriangle(triangle))
+                rim_.push_back({triangle, i, {faces_[i][(opposite + 2) % 3], faces_[i][(opposite + 1) % 3]}});
     }
 }
 
@@ -170,11 +152,13 @@ bool VertexStar::rimIsOneCycle() const
 void VertexStar::measure()
 {
     const std::size_t room = paddedFaceCount();
-    corners_.assign(9 * room, 0);
+    corners_.resize(9 * room);
     planes_.resize(8 * room);
+    for (std::size_t column = 0; column < 9; ++column)
+        std::fill(corners_.begin() + column * room + faces_.size(), corners_.begin() + (column + 1) * room, 0);
     for (std::size_t face = 0; face < faces_.size(); ++face)
         for (std::size_t corner = 0; corner < 3; ++corner) {
-            const std::array<double, 3>& place = places_[faces_[face][corner]];
+            const std::array<double, 3>& place = ofLink_[faces_[face][corner]].place;
             for (std::size_t axis = 0; axis < 3; ++axis)
                 corners_[(3 * corner + axis) * room + face] = place[axis];
         }
@@ -189,7 +173,7 @@ void VertexStar::countVolumes()
     positive_.resize(room);
     for (std::size_t place = 0; place < room; ++place)
         for (std::size_t axis = 0; axis < 3; ++axis)
-            apexes_[axis * room + place] = place < places_.size() ? places_[place][axis] : 0;
+            apexes_[axis * room + place] = place < ofLink_.size() ? ofLink_[place].place[axis] : 0;
     for (std::size_t first = 0; first < room; first += lanes) {
         const double* apexes = apexes_.data() + first;
         double* positive = positive_.data() + first;

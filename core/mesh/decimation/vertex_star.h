@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/mesh/decimation/collapsible_mesh.h"
-
-#include <Eigen/Core>
+#include "core/mesh/decimation/distinct_numbers.h"
+#include "core/mesh/decimation/placed_value.h"
 
 #include <array>
 #include <cstdint>
@@ -17,8 +17,8 @@ class VertexStar {
 public:
     static constexpr std::size_t lanes = 8;
 
-    /// `exact`: the positions are integers of at most 16 bits, so that volumes are exact.
-    VertexStar(std::span<const Eigen::Vector3d> positions, bool exact);
+    /// `points` live on. `exact`: their places are integers of at most 16 bits, so that volumes are exact.
+    VertexStar(std::span<const PlacedValue> points, bool exact);
 
     /// `withRim`: whether rim() is wanted.
     void set(const CollapsibleMesh& mesh, std::uint32_t vertex, bool withRim);
@@ -38,13 +38,16 @@ public:
     std::span<const RimTriangle> rim() const noexcept { return rim_; }
     /// Whether the boundary around the vertex is a disk: what collapses of it need.
     bool rimIsOneCycle() const;
-    const std::array<double, 3>& place(std::uint32_t linkPlace) const noexcept { return places_[linkPlace]; }
+    const std::array<double, 3>& place(std::uint32_t linkPlace) const noexcept { return ofLink_[linkPlace].place; }
+    double value(std::uint32_t linkPlace) const noexcept { return ofLink_[linkPlace].value; }
 
     /// Computes what opensOnto() and corners() need.
     void measure();
     /// Whether all tetrahedra that a collapse onto a vertex of the link makes have a volume that is positive beyond
     /// doubt, and there are any.
     bool opensOnto(std::uint32_t linkPlace) const;
+    /// How many faces have a vertex of the link: tetrahedra that a collapse onto it would take away.
+    std::uint32_t faceCountOf(std::uint32_t linkPlace) const noexcept { return facesOfLink_[linkPlace]; }
     /// The corners of the faces side by side, for arithmetic on eight faces at once: nine columns of paddedFaceCount()
     /// numbers, the x of all first corners first; zeros beyond the last face.
     std::span<const double> corners() const noexcept { return corners_; }
@@ -56,26 +59,26 @@ public:
     }
 
 private:
-    void addRim(const CollapsibleMesh& mesh, std::uint32_t slot, std::size_t own);
-    std::uint32_t linkPlaceOf(std::uint32_t vertex);
+    void addRim(const CollapsibleMesh& mesh);
     void countVolumes();
 
-    std::span<const Eigen::Vector3d> positions_;
+    std::span<const PlacedValue> points_;
     double doubt_;
     std::uint32_t vertex_ = CollapsibleMesh::none;
     std::vector<std::uint32_t> slots_;
     std::vector<std::uint32_t> link_;
     std::vector<std::array<std::uint32_t, 3>> faces_;
     std::vector<RimTriangle> rim_;
-    std::vector<std::array<double, 3>> places_;
+    std::vector<PlacedValue> ofLink_;        ///< from the vertex
     std::vector<std::uint32_t> facesOfLink_; ///< how many faces each vertex of the link has
     std::vector<double> corners_;
     /// Columns as of corners(): the normal of each face, its offset, and how large the terms of these four are. The
     /// volume of the tetrahedron with an apex p is offset - normal . p.
     std::vector<double> planes_;
-    std::vector<double> apexes_;             ///< places_ side by side: three columns, padded
-    std::vector<double> positive_;           ///< by place in link(): with how many faces it has a positive volume
-    std::vector<std::uint32_t> placeInLink_; ///< a table of places in link() by the hash of the vertex; none: free
+    std::vector<double> apexes_;                ///< the places of link() side by side: three columns, padded
+    std::vector<double> positive_;              ///< by place in link(): with how many faces it has a positive volume
+    std::vector<std::uint32_t> cornersOfFaces_; ///< the vertices of faces()
+    DistinctNumbers distinct_;
 };
 
 } // namespace tetra
