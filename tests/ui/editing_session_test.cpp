@@ -46,6 +46,7 @@ private:
     std::unique_ptr<Workbench> workbench_;
     std::unique_ptr<CpuCanvas> canvas_;
     View view_;
+    int pictures_ = 0;
 };
 
 /// A workbench with a canvas that shows its scenes, and drafts of them while somebody drags, as the window has them.
@@ -55,6 +56,7 @@ void EditingSessionTest::openModel()
     workbench_ = std::make_unique<Workbench>(*host_);
     canvas_ = std::make_unique<CpuCanvas>();
     canvas_->failed = [](const QString& text) { QFAIL(qPrintable(text)); };
+    canvas_->framePainted = [this](const FrameReport&) { ++pictures_; };
     canvas_->resize(320, 240);
     canvas_->show(view_);
     canvas_->widget()->show();
@@ -107,6 +109,7 @@ void EditingSessionTest::memoryDoesNotGrow()
     lookAtIt();
     const double grown = *residentMegabytes() - warm;
     qInfo("%.1f MB after %d edits, %.1f MB more after %d", warm, warmUp, grown, edits);
+    QVERIFY(pictures_ > edits / betweenPictures / 2);
     QVERIFY2(grown <= allowedMegabytes, qPrintable(QString("%1 MB more").arg(grown)));
     canvas_.reset();
     workbench_.reset();
