@@ -30,8 +30,36 @@ bool ChangeQuery::mergeWith(const QUndoCommand* next)
     return true;
 }
 
+LookParts LookParts::difference(const Look& look, const Look& other)
+{
+    LookParts parts;
+    if (look.mode != other.mode)
+        parts.mode = look.mode;
+    if (look.transfer != other.transfer)
+        parts.transfer = look.transfer;
+    if (look.settings != other.settings)
+        parts.settings = look.settings;
+    return parts;
+}
+
+Look LookParts::putInto(Look look) const
+{
+    look.mode = mode.value_or(std::move(look.mode));
+    look.transfer = transfer.value_or(std::move(look.transfer));
+    look.settings = settings.value_or(std::move(look.settings));
+    return look;
+}
+
+void LookParts::complete(const LookParts& others)
+{
+    mode = mode ? mode : others.mode;
+    transfer = transfer ? transfer : others.transfer;
+    settings = settings ? settings : others.settings;
+}
+
 ChangeLook::ChangeLook(ViewState& state, const Look& after, Gesture gesture)
-    : QUndoCommand(nameOf(state.look(), after)), state_(state), before_(state.look()), after_(after), gesture_(gesture)
+    : QUndoCommand(nameOf(state.look(), after)), state_(state), before_(LookParts::difference(state.look(), after)),
+      after_(LookParts::difference(after, state.look())), gesture_(gesture)
 {
 }
 
@@ -49,7 +77,10 @@ bool ChangeLook::mergeWith(const QUndoCommand* next)
     const auto& other = *static_cast<const ChangeLook*>(next);
     if (gesture_ == 0 || other.gesture_ != gesture_)
         return false;
-    after_ = other.after_;
+    LookParts later = other.after_;
+    later.complete(after_);
+    after_ = std::move(later);
+    before_.complete(other.before_);
     setObsolete(after_ == before_);
     return true;
 }

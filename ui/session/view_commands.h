@@ -6,6 +6,8 @@
 #include <QCoreApplication>
 #include <QUndoCommand>
 
+#include <optional>
+
 namespace tetra {
 
 /// The ids by which the undo stack merges commands; zero is "never".
@@ -33,22 +35,36 @@ private:
     Gesture gesture_;
 };
 
+/// The parts of a look that an edit is about: a long history keeps no more.
+struct LookParts {
+    std::optional<std::string> mode;
+    std::optional<TransferFunction> transfer;
+    std::optional<ParameterValues> settings;
+    bool operator==(const LookParts&) const = default;
+
+    /// What of `look` differs from `other`.
+    static LookParts difference(const Look& look, const Look& other);
+    Look putInto(Look look) const;
+    /// With the parts of `others` that it has not.
+    void complete(const LookParts& others);
+};
+
 /// How the mesh is looked at. Named after what differs.
 class ChangeLook : public QUndoCommand {
     Q_DECLARE_TR_FUNCTIONS(ChangeLook)
 public:
     ChangeLook(ViewState& state, const Look& after, Gesture gesture);
     int id() const override { return static_cast<int>(CommandId::ChangeLook); }
-    void redo() override { state_.setLook(after_); }
-    void undo() override { state_.setLook(before_); }
+    void redo() override { state_.setLook(after_.putInto(state_.look())); }
+    void undo() override { state_.setLook(before_.putInto(state_.look())); }
     bool mergeWith(const QUndoCommand* next) override;
 
 private:
     static QString nameOf(const Look& before, const Look& after);
 
     ViewState& state_;
-    Look before_;
-    Look after_;
+    LookParts before_;
+    LookParts after_;
     Gesture gesture_;
 };
 

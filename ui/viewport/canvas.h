@@ -64,6 +64,10 @@ public:
 /// Whether the fine pictures of both are the same: coarser levels do not matter to them.
 bool haveSameStill(const View& first, const View& second);
 
+/// Whether a moving picture of this level of `second` would show what was seen of `first` already: its scene is not
+/// there yet.
+bool wouldShowNothingNew(const View& first, const View& second, std::size_t level);
+
 /// The levels of a view for the choice between them; one without anything if there are none.
 std::vector<FrameLevel> frameLevels(const View& view);
 

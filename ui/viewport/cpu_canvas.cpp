@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -36,13 +37,18 @@ QString CpuCanvas::backendName() const
 
 void CpuCanvas::show(const View& view)
 {
-    const bool isShown = haveSameStill(view_, view) && newest_ > 0;
-    view_ = view;
+    const View before = std::exchange(view_, view);
     pacer_.setLevels(frameLevels(view));
     if (!view_.moving)
         clock_.stop();
-    if (!isShown)
+    if (newest_ == 0 || !(haveSameStill(before, view_) || bringsNothing(before)))
         render();
+}
+
+/// A finer scene while coarser ones move, or the other way round: a picture would only hold up the next one.
+bool CpuCanvas::bringsNothing(const View& before)
+{
+    return view_.moving && wouldShowNothingNew(before, view_, pacer_.nextFrame(pixelCount()).level);
 }
 
 /// Begins anew: the view or the size has changed.

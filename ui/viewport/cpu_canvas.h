@@ -54,6 +54,7 @@ private:
     static Drawn draw(RenderBackend& backend, const Order& order, const std::stop_token& stop);
     QSize pixels() const { return size() * devicePixelRatioF(); }
     double pixelCount() const;
+    bool bringsNothing(const View& before);
     void render();
     void drawMoving();
     void refine(std::size_t step);

@@ -10,6 +10,13 @@ bool haveSameStill(const View& first, const View& second)
            first.background == second.background;
 }
 
+bool wouldShowNothingNew(const View& first, const View& second, std::size_t level)
+{
+    return level < first.levels.size() && level < second.levels.size() &&
+           first.levels[level].scene == second.levels[level].scene && first.camera == second.camera &&
+           first.background == second.background;
+}
+
 std::vector<FrameLevel> frameLevels(const View& view)
 {
     std::vector<FrameLevel> levels;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -68,12 +69,13 @@ QString GlCanvas::backendName() const
 
 void GlCanvas::show(const View& view)
 {
-    const bool isShown = haveSameStill(view_, view);
-    view_ = view;
+    const View before = std::exchange(view_, view);
     pacer_.setLevels(frameLevels(view));
     if (!view_.moving)
         clock_.stop();
-    if (isShown)
+    const QSize pixels = size() * devicePixelRatioF();
+    const auto level = [&] { return pacer_.nextFrame(static_cast<double>(pixels.width()) * pixels.height()).level; };
+    if (haveSameStill(before, view_) || (view_.moving && wouldShowNothingNew(before, view_, level())))
         return;
     settled_ = false;
     update();

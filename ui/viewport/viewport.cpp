@@ -213,6 +213,12 @@ void Viewport::setFollowing(bool following)
     canvas_->show(view_);
 }
 
+void Viewport::expectChange()
+{
+    view_.moving = true;
+    resting_.start();
+}
+
 void Viewport::setFrameRate(std::optional<double> perSecond)
 {
     frameRate_ = perSecond;

@@ -50,6 +50,8 @@ public:
     void setBackground(const std::optional<Colour>& background);
     /// What is seen is being dragged, by whatever control: pictures that follow count more than fine ones.
     void setFollowing(bool following);
+    /// What is seen changes: a quick picture of it comes first, the fine one when nothing else changes for a moment.
+    void expectChange();
     /// Pictures a second to hold while something moves; nothing: as many as fit the back end.
     void setFrameRate(std::optional<double> perSecond);
     double usualFrameRate() const { return canvas_->usualFrameRate(); }

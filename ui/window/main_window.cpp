@@ -340,7 +340,9 @@ void MainWindow::connectFollowing()
     const ViewState* view = &session.view();
     connect(view, &ViewState::queryChanged, this, follow);
     connect(view, &ViewState::lookChanged, this, follow);
+    connect(view, &ViewState::lookChanged, viewport_, &Viewport::expectChange);
     connect(view, &ViewState::isovalueChanged, this, follow);
+    connect(view, &ViewState::isovalueChanged, viewport_, &Viewport::expectChange);
     connect(&session, &Session::gestureChanged, this, [this](bool on) {
         if (!on)
             viewport_->setFollowing(false);
