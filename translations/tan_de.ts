@@ -2641,14 +2641,6 @@ Verwerfung %2</translation>
         <translation>S&amp;tufe</translation>
     </message>
     <message>
-        <source>Ad&amp;d</source>
-        <translation>&amp;Neu</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
         <source>Lo&amp;garithmic</source>
         <translation>Lo&amp;garithmisch</translation>
     </message>
@@ -2781,16 +2773,24 @@ Verwerfung %2</translation>
         <translation>Nur einige Werte zeigen: zwischen zwei Linien, die sich ziehen lassen</translation>
     </message>
     <message>
-        <source>Points in numbers</source>
-        <translation>Punkte in Zahlen</translation>
-    </message>
-    <message>
         <source>Show all points in a table to be edited</source>
         <translation>Alle Punkte in einer Tabelle zum Bearbeiten zeigen</translation>
     </message>
     <message>
         <source>Read-out</source>
         <translation>Anzeige</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Einen Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove what is selected</source>
+        <translation>Das Ausgewählte entfernen</translation>
     </message>
 </context>
 <context>
