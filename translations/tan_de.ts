@@ -2759,6 +2759,18 @@ Verwerfung %2</translation>
             <source>Read-out</source>
             <translation>Anzeige</translation>
         </message>
+        <message>
+            <source>Table</source>
+            <translation>Tabelle</translation>
+        </message>
+        <message>
+            <source>Add a point</source>
+            <translation>Einen Punkt hinzufügen</translation>
+        </message>
+        <message>
+            <source>Remove what is selected</source>
+            <translation>Das Ausgewählte entfernen</translation>
+        </message>
     </context>
     <context>
         <name>tetra::ViewPanel</name>

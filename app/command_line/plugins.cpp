@@ -14,6 +14,7 @@ void loadAll(PluginHost& host)
     host.renderers();
     host.readers();
     host.writers();
+    host.editors();
 }
 
 QString toQString(std::string_view text)

@@ -73,6 +73,7 @@ public:
     std::vector<Provided<Renderer>> renderers() { return all<Renderer>(PluginKind::Renderer); }
     std::vector<Provided<Reader>> readers() { return all<Reader>(PluginKind::Reader); }
     std::vector<Provided<Writer>> writers() { return all<Writer>(PluginKind::Writer); }
+    std::vector<Provided<Editor>> editors() { return all<Editor>(PluginKind::Editor); }
 
     /// One plugin; loads it. The error says why it cannot be had, or which ones there are.
     Result<Provided<Builder>> builder(const std::string& id) { return one<Builder>(PluginKind::Builder, id); }

@@ -33,7 +33,7 @@ double extentOf(const TransferLimits& limits)
 
 } // namespace
 
-void TransferCanvas::grab(Grab::What what, QPointF from)
+void TransferCanvas::beginDrag(Grab::What what, QPointF from)
 {
     grab_ = {what, from, from, plot(), state_.limits(), function(), state_.selection(), state_.view()};
 }
@@ -42,7 +42,7 @@ void TransferCanvas::mousePressEvent(QMouseEvent* event)
 {
     const QPointF place = event->position();
     if (event->button() == Qt::MiddleButton)
-        return grab(Grab::What::View, place);
+        return beginDrag(Grab::What::View, place);
     if (event->button() != Qt::LeftButton)
         return;
     const EditorItem item = itemAt(place);
@@ -50,14 +50,14 @@ void TransferCanvas::mousePressEvent(QMouseEvent* event)
         return pressPoint(item.index, place, event->modifiers());
     if (item.kind != EditorItem::Kind::None) {
         state_.setCurrent(item);
-        return grab(Grab::What::Item, place);
+        return beginDrag(Grab::What::Item, place);
     }
     const bool adds = event->modifiers().testAnyFlags(Qt::ControlModifier | Qt::ShiftModifier);
     if (!adds && addOnCurve(place))
         return;
     if (!adds)
         state_.setCurrent({});
-    grab(Grab::What::Band, place);
+    beginDrag(Grab::What::Band, place);
 }
 
 /// Alone, one more or less with Ctrl, all up to it with Shift; a drag moves all that are selected.
@@ -79,7 +79,7 @@ void TransferCanvas::pressPoint(std::size_t point, QPointF place, Qt::KeyboardMo
         state_.addToSelection(point);
     else
         state_.setCurrent({EditorItem::Kind::Point, point});
-    grab(Grab::What::Points, place);
+    beginDrag(Grab::What::Points, place);
 }
 
 bool TransferCanvas::addOnCurve(QPointF place)
@@ -91,7 +91,7 @@ bool TransferCanvas::addOnCurve(QPointF place)
     if (!added)
         return false;
     state_.apply({added->function, {added->point}});
-    grab(Grab::What::Points, place);
+    beginDrag(Grab::What::Points, place);
     return true;
 }
 
@@ -172,7 +172,7 @@ void TransferCanvas::mouseDoubleClickEvent(QMouseEvent* event)
         return;
     state_.host().beginGesture();
     state_.apply(withOpacity(added->function, {added->point}, there.opacityAt(place.y())));
-    grab(Grab::What::Points, place);
+    beginDrag(Grab::What::Points, place);
 }
 
 void TransferCanvas::wheelEvent(QWheelEvent* event)

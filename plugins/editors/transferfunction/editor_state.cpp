@@ -162,6 +162,19 @@ void EditorState::setRule(NeighbourRule rule)
     rule_ = rule;
 }
 
+void addPoint(EditorState& state, std::optional<double> value)
+{
+    const auto [least, largest] = state.shown();
+    const auto& points = state.function().points;
+    if (const auto point = state.currentPoint(); point && !value) {
+        const double from = points[*point].value;
+        const auto next = std::ranges::upper_bound(points, from, {}, &TransferPoint::value);
+        value = (from + (next != points.end() ? next->value : largest)) / 2;
+    }
+    if (const auto added = withPoint(state.function(), value.value_or((least + largest) / 2)))
+        state.apply({added->function, {added->point}});
+}
+
 double opacityOf(const TransferFunction& function, double value)
 {
     return -std::expm1(-evaluateUnmasked(function, value).extinction * function.unitDistance);

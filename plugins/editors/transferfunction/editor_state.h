@@ -83,6 +83,10 @@ private:
     NeighbourRule rule_ = NeighbourRule::Stop;
 };
 
+/// A point more on the curve, selected: at `value`, or halfway from the current point to the next, or in the middle of
+/// what is seen.
+void addPoint(EditorState& state, std::optional<double> value);
+
 /// Of the function at a value, whatever the mask: in [0, 1] of the unit distance.
 double opacityOf(const TransferFunction& function, double value);
 

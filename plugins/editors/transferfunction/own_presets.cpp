@@ -21,10 +21,10 @@ QDir folder()
     return {QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + "/transfer-functions"};
 }
 
-/// Any name can be a file's: what cannot stand there is percent-encoded.
+/// Any name can be a file's: what cannot stand there is percent-encoded, and dots, which would hide it.
 QString fileOf(const QString& name)
 {
-    return folder().filePath(QUrl::toPercentEncoding(name, " ") + ending);
+    return folder().filePath(QUrl::toPercentEncoding(name, " ", ".") + ending);
 }
 
 Error failed(const QString& path, const QString& why)

@@ -10,8 +10,6 @@
 #include <QMenu>
 #include <QToolButton>
 
-#include <algorithm>
-
 namespace tetra {
 
 void TransferPanel::fillViewMenu()
@@ -56,21 +54,6 @@ void TransferPanel::fillViewMenu()
     });
     all->setShortcut(Qt::Key_Home); // the plot has the key; here it is only shown
     all->setShortcutContext(Qt::WidgetShortcut);
-}
-
-/// Halfway to the next point, or in the middle of the values.
-void TransferPanel::addPoint()
-{
-    const auto [least, largest] = state_.shown();
-    const auto& points = state_.function().points;
-    double value = (least + largest) / 2;
-    if (const auto point = state_.currentPoint()) {
-        const double from = points[*point].value;
-        const auto next = std::ranges::upper_bound(points, from, {}, &TransferPoint::value);
-        value = (from + (next != points.end() ? next->value : largest)) / 2;
-    }
-    if (const auto added = withPoint(state_.function(), value))
-        state_.apply({added->function, {added->point}});
 }
 
 void TransferPanel::setStep(bool on)

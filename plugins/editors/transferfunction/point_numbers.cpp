@@ -29,7 +29,7 @@ void showNumber(ValueBox& box, double value)
 
 PointNumbers::PointNumbers(EditorState& state, QWidget* parent)
     : QWidget(parent), state_(state), value_(new ValueBox), opacity_(new ValueBox), colour_(new ColourButton),
-      unitDistance_(new ValueBox)
+      unitDistance_(new ValueBox), lowerRow_(new QHBoxLayout)
 {
     nameControls();
     layOut();
@@ -73,10 +73,12 @@ void PointNumbers::layOut()
     grid->addWidget(label(tr("O&pacity"), opacity_), 0, 2);
     grid->addWidget(opacity_, 0, 3);
     grid->addWidget(colour_, 0, 4);
-    auto* unit = new QHBoxLayout;
-    unit->addWidget(label(tr("U&nit distance"), unitDistance_));
-    unit->addWidget(unitDistance_, 1);
-    grid->addLayout(unit, 1, 0, 1, 5);
+    lowerRow_->setSpacing(5);
+    lowerRow_->addWidget(label(tr("U&nit distance"), unitDistance_));
+    lowerRow_->addWidget(unitDistance_, 1);
+    grid->addLayout(lowerRow_, 1, 0, 1, 5);
+    grid->setVerticalSpacing(4);
+    grid->setHorizontalSpacing(5);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(3, 1);
 }

@@ -3,6 +3,7 @@
 
 #include "plugins/editors/transferfunction/editor_state.h"
 
+#include <QBoxLayout>
 #include <QWidget>
 
 namespace tetra {
@@ -20,6 +21,8 @@ public:
     /// Another model, with lengths of its own.
     void showModel();
     void showSelection();
+    /// That of the unit distance, with room for buttons before it.
+    QHBoxLayout& lowerRow() noexcept { return *lowerRow_; }
 
 private:
     void nameControls();
@@ -33,6 +36,7 @@ private:
     ValueBox* opacity_;
     ColourButton* colour_;
     ValueBox* unitDistance_;
+    QHBoxLayout* lowerRow_;
 };
 
 } // namespace tetra

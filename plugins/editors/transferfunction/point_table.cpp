@@ -28,6 +28,8 @@ PointTable::PointTable(EditorState& state, QWidget* parent)
                     QAbstractItemView::AnyKeyPressed);
     setAlternatingRowColors(true);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    horizontalHeader()->setSectionResizeMode(PointTableModel::Colour, QHeaderView::ResizeToContents);
+    horizontalHeader()->setSectionResizeMode(PointTableModel::Group, QHeaderView::ResizeToContents);
     horizontalHeader()->setHighlightSections(false);
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     verticalHeader()->setHighlightSections(false);

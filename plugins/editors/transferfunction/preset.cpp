@@ -120,7 +120,8 @@ QIcon presetIcon(const Preset& preset, QSize size)
 {
     QIcon icon;
     for (const int scale : {1, 2, 3})
-        icon.addPixmap(previewOf(preset.make({0, 1}, 1), size, scale));
+        for (const QIcon::Mode mode : {QIcon::Normal, QIcon::Selected}) // a chosen one keeps its colours
+            icon.addPixmap(previewOf(preset.make({0, 1}, 1), size, scale), mode);
     return icon;
 }
 

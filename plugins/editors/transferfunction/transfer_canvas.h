@@ -65,7 +65,7 @@ private:
     CanvasScene scene() const;
     void describeCurrent();
     void point(std::optional<double> value);
-    void grab(Grab::What what, QPointF from);
+    void beginDrag(Grab::What what, QPointF from);
     void pressPoint(std::size_t point, QPointF place, Qt::KeyboardModifiers modifiers);
     bool addOnCurve(QPointF place);
     void dragPoints(QPointF to, bool oneWay);

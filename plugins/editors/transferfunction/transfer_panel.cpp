@@ -25,23 +25,22 @@ TransferPanel::TransferPanel(EditorHost& host, QWidget* parent)
     : QWidget(parent), host_(host), state_(host), canvas_(new TransferCanvas(state_)), readOut_(new QLabel),
       numbers_(new PointNumbers(state_)), editMenu_(new EditMenu(state_, this)),
       presetPopup_(new PresetPopup(state_, this)), table_(new PointTable(state_)),
-      add_(new QPushButton(glyphIcon(Glyph::Add), tr("Ad&d"))),
-      remove_(new QPushButton(glyphIcon(Glyph::Remove), tr("Remove"))), step_(new QCheckBox(tr("S&tep"))),
-      logarithmic_(new QCheckBox(tr("Lo&garithmic"))), presets_(new QToolButton), edits_(new QToolButton),
-      view_(new QToolButton), mask_(new QToolButton), showTable_(new QToolButton), load_(new QToolButton),
-      save_(new QToolButton)
+      add_(new QPushButton(glyphIcon(Glyph::Add), {})), remove_(new QPushButton(glyphIcon(Glyph::Remove), {})),
+      step_(new QCheckBox(tr("S&tep"))), logarithmic_(new QCheckBox(tr("Lo&garithmic"))), presets_(new QToolButton),
+      edits_(new QToolButton), view_(new QToolButton), mask_(new QToolButton), showTable_(new QToolButton),
+      load_(new QToolButton), save_(new QToolButton)
 {
     setObjectName("transfer");
     nameControls();
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
-    column->setSpacing(5);
+    column->setSpacing(4);
+    column->setContentsMargins(7, 5, 7, 5);
     column->addWidget(canvas_, 1);
-    column->addWidget(readOut_);
-    column->addLayout(makePointTools());
+    column->addLayout(makeReadOutRow());
     column->addWidget(numbers_);
+    addPointTools();
     column->addLayout(makeTools());
-    column->addWidget(showTable_);
     column->addWidget(table_);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins({});
@@ -70,30 +69,36 @@ void TransferPanel::nameControls()
     name(edits_, "edits", tr("Change"), tr("Change the selected points, or all"));
     name(view_, "view", tr("View"), tr("How the plot is shown"));
     name(mask_, "mask", tr("Mask"), tr("Show some values only: between two lines that can be dragged"));
-    name(showTable_, "table.show", tr("Points in numbers"), tr("Show all points in a table to be edited"));
+    name(showTable_, "table.show", tr("Table"), tr("Show all points in a table to be edited"));
     name(load_, "load", tr("Load…"),
          tr("Take a transfer function from a file: one of TAn or presets of ParaView (JSON or XML)"));
     name(save_, "save", tr("Save…"), tr("Save the transfer function as a JSON file, which “tan render” takes, too"));
+    add_->setAccessibleName(tr("Add a point"));
+    remove_->setAccessibleName(tr("Remove what is selected"));
     readOut_->setTextFormat(Qt::RichText);
     readOut_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     mask_->setCheckable(true);
     showTable_->setCheckable(true);
-    showTable_->setAutoRaise(true);
-    showTable_->setArrowType(Qt::RightArrow);
-    showTable_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     logarithmic_->setChecked(true);
     table_->hide();
 }
 
-QBoxLayout* TransferPanel::makePointTools()
+/// Below the plot: what is at the pointer, and how its background is scaled.
+QBoxLayout* TransferPanel::makeReadOutRow()
 {
     auto* row = new QHBoxLayout;
-    row->addWidget(add_);
-    row->addWidget(remove_);
-    row->addWidget(step_);
-    row->addStretch();
+    row->addWidget(readOut_, 1);
     row->addWidget(logarithmic_);
     return row;
+}
+
+/// Before the unit distance, so that the panel is low enough for small screens.
+void TransferPanel::addPointTools()
+{
+    int place = 0;
+    for (QWidget* control : std::initializer_list<QWidget*>{add_, remove_, step_, mask_})
+        numbers_->lowerRow().insertWidget(place++, control);
+    numbers_->lowerRow().insertSpacing(place, 4);
 }
 
 QBoxLayout* TransferPanel::makeTools()
@@ -106,7 +111,7 @@ QBoxLayout* TransferPanel::makeTools()
     view_->setMenu(new QMenu(view_));
     save_->setPopupMode(QToolButton::MenuButtonPopup);
     save_->setMenu(new QMenu(save_));
-    for (QToolButton* button : {presets_, edits_, view_, mask_})
+    for (QToolButton* button : {presets_, edits_, view_, showTable_})
         row->addWidget(button);
     row->addStretch();
     row->addWidget(load_);
@@ -116,7 +121,7 @@ QBoxLayout* TransferPanel::makeTools()
 
 void TransferPanel::connectControls()
 {
-    connect(add_, &QPushButton::clicked, this, &TransferPanel::addPoint);
+    connect(add_, &QPushButton::clicked, this, [this] { addPoint(state_, std::nullopt); });
     connect(remove_, &QPushButton::clicked, this, [this] { state_.removeCurrent(); });
     connect(step_, &QCheckBox::clicked, this, &TransferPanel::setStep);
     connect(logarithmic_, &QCheckBox::toggled, this, [this](bool on) {
@@ -126,10 +131,7 @@ void TransferPanel::connectControls()
     });
     connect(presets_, &QToolButton::clicked, this, [this] { presetPopup_->showAt(*presets_); });
     connect(mask_, &QToolButton::clicked, this, [this](bool on) { setMasked(state_, on); });
-    connect(showTable_, &QToolButton::toggled, this, [this](bool on) {
-        table_->setVisible(on);
-        showTable_->setArrowType(on ? Qt::DownArrow : Qt::RightArrow);
-    });
+    connect(showTable_, &QToolButton::toggled, table_, &QWidget::setVisible);
     connect(load_, &QToolButton::clicked, this, [this] {
         host_.loadText(this,
                        {"transferDialog", tr("Load Transfer Function"), tr("Transfer functions (*.json *.xml)"), {}},

@@ -32,10 +32,10 @@ public:
 private:
     void nameControls();
     QBoxLayout* makeTools();
-    QBoxLayout* makePointTools();
+    QBoxLayout* makeReadOutRow();
+    void addPointTools();
     void fillViewMenu();
     void connectControls();
-    void addPoint();
     void setStep(bool on);
     Status load(const std::string& text);
     void offerChoice(std::vector<ImportedTransfer> imported);

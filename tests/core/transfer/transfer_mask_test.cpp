@@ -6,7 +6,7 @@
 #include "core/transfer/transfer_import.h"
 #include "core/transfer/transfer_segments.h"
 #include "core/transfer/transfer_text.h"
-#include "editing/random_functions.h"
+#include "tests/core/transfer/editing/random_functions.h"
 
 #include <QTest>
 

@@ -6,7 +6,7 @@
 #include "core/transfer/editing/peak.h"
 #include "core/transfer/editing/simplification.h"
 #include "core/transfer/editing/whole_function.h"
-#include "random_functions.h"
+#include "tests/core/transfer/editing/random_functions.h"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Several points moved at once: what neighbours do, and that it can be taken back.
 #include "core/transfer/editing/moving.h"
-#include "random_functions.h"
+#include "tests/core/transfer/editing/random_functions.h"
 
 #include <QTest>
 
@@ -167,7 +167,7 @@ void MovingTest::backIsWhereItBegan()
 
 void MovingTest::theAxisOfOpacities()
 {
-    for (const OpacityAxis axis : {OpacityAxis::Linear, OpacityAxis::Logarithmic}) {
+    for (const OpacityAxis axis : {OpacityAxis::Linear, OpacityAxis::SquareRoot, OpacityAxis::Logarithmic}) {
         double before = -1;
         for (int step = 0; step <= 1000; ++step) {
             const double height = step / 1000.0, opacity = opacityAtHeight(height, axis);

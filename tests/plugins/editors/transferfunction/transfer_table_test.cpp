@@ -130,7 +130,9 @@ void TransferTableTest::theSelectionIsShared()
     QCOMPARE(editor_->state().selection(), TransferSelection{5});
     QTest::keyClick(&table(), Qt::Key_A, Qt::ControlModifier);
     QCOMPARE(editor_->state().selection(), allPoints(function()));
-    table().selectRow(5);
+    QTest::mouseClick(table().viewport(), Qt::LeftButton, {},
+                      table().visualRect(table().model()->index(0, Value)).center());
+    QCOMPARE(editor_->state().selection(), TransferSelection{0});
     const std::size_t count = function().points.size();
     QTest::keyClick(&table(), Qt::Key_Delete);
     QCOMPARE(function().points.size(), count - 1);
