@@ -1810,7 +1810,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Open a dataset or a model</source>
-        <translation>Apre un insieme di dati o un modello</translation>
+        <translation>Aprire un insieme di dati o un modello</translation>
     </message>
     <message>
         <source>Drop a file here: a dataset (a volume, a grid, a mesh or points) to build a model of, a finished .tan model or a session.</source>

@@ -55,16 +55,20 @@ std::optional<double> secondsPerTetrahedron(const BuiltScene& scene)
 
 QStringList levelColumns()
 {
-    return {Statistics::tr("Error"), Statistics::tr("± value"), Statistics::tr("Sites"), Statistics::tr("Tetrahedra"),
-            Statistics::tr("Share"), Statistics::tr("Time"),    Statistics::tr("Memory")};
+    // What counts least comes last, where a narrow panel hides it.
+    return {Statistics::tr("Error"), Statistics::tr("Sites"),  Statistics::tr("Tetrahedra"), Statistics::tr("Share"),
+            Statistics::tr("Time"),  Statistics::tr("Memory"), Statistics::tr("± value")};
 }
 
 QStringList levelTexts(const LevelStatistics& level)
 {
-    return {percentText(level.error), QLocale().toString(level.inUnits, 'g', 3),
-            countText(level.sites),   countText(level.tetrahedra),
-            percentText(level.share), level.seconds ? durationText(*level.seconds) : QString(QChar(0x2013)),
-            bytesText(level.bytes)};
+    return {percentText(level.error),
+            countText(level.sites),
+            countText(level.tetrahedra),
+            percentText(level.share),
+            level.seconds ? durationText(*level.seconds) : QString(QChar(0x2013)),
+            bytesText(level.bytes),
+            QLocale().toString(level.inUnits, 'g', 3)};
 }
 
 std::vector<StatisticsFact> modelFacts(const Model& model)

@@ -179,10 +179,10 @@ void Viewport::glideTo(const Camera& camera)
     glide_.stop();
     glideFrom_ = view_.camera;
     camera_ = camera;
-    if (mayGlide(*this) && isVisible())
-        glide_.start(); // shows its first step, and tells
-    else
-        showGlide(1);
+    const bool glides = mayGlide(*this) && isVisible();
+    if (glides)
+        glide_.start();
+    showGlide(glides ? 0 : 1); // tells at once: the choice is made
     ++gesture_;
 }
 
