@@ -27,6 +27,7 @@ VTI
 check_command_line()
 {
     check "all $plugins plugins are loaded" "[ \$('$bin/tan' plugins --json | grep -c '\"state\": \"loaded\"') = $plugins ]"
+    check 'the manual is where Help looks for it' "test -s '$bin/../share/doc/tan/manual/index.html'"
     check 'sample, build, verify' "cd /work; '$bin/tan' sample c60 --size 32 -o c60.nrrd; '$bin/tan' build c60.nrrd -o c60.tan
         '$bin/tan' verify c60.tan --against c60.nrrd --lod 1"
     check 'the picture is that of the build, bit for bit' "cd /work
