@@ -62,12 +62,25 @@ def plain(text):
     return html.unescape(re.sub(r"<[^>]+>", "", text))
 
 
+def with_blank_lines(text):
+    """A blank line before tables and lists that follow a line of text: elsewhere they need none, here they do."""
+    lines, in_fence = [], False
+    for line in text.splitlines():
+        in_fence ^= line.startswith("```")
+        before = lines[-1] if lines else ""
+        begins = re.match(r"\||- |\d+\. ", line) and not re.match(r"\||- |\d+\. |\s|$", before)
+        if begins and not in_fence:
+            lines.append("")
+        lines.append(line)
+    return "\n".join(lines)
+
+
 class Page:
     def __init__(self, source, file, name):
         self.path, self.name = source / file, name
         converter = markdown.Markdown(extensions=["tables", "fenced_code", "sane_lists", "toc"],
                                       extension_configs={"toc": {"slugify": slug}})
-        self.body = converter.convert(self.path.read_text(encoding="utf-8"))
+        self.body = converter.convert(with_blank_lines(self.path.read_text(encoding="utf-8")))
         self.anchors = set(re.findall(r' id="([^"]+)"', self.body))
         self.title = plain(re.search(r"<h1[^>]*>(.*?)</h1>", self.body).group(1))
 

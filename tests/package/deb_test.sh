@@ -13,7 +13,7 @@ mkdir -p "$system/packages"
 cp "$packages"/*.deb "$system/packages/"
 
 seconds install /packages/tan_*.deb
-echo "install time: tan_*.deb $seconds s (with all that it needs, already fetched or not)"
+echo "install time: tan_*.deb $seconds s, all that it needs included"
 check_command_line
 check 'without the VTK readers: told what to install' \
     "! '$bin/tan' info /work/image.vti 2>/work/message; grep -F 'apt install tan-vtk-readers' /work/message"

@@ -5,6 +5,9 @@
 
 #include <QDesktopServices>
 #include <QDir>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -61,6 +64,26 @@ private slots:
         const bool built = !manualPage(QCoreApplication::applicationDirPath()).isEmpty();
         QCOMPARE(browser.opened.size(), built ? 1 : 0);
         QCOMPARE(fixture.messages().join(' ').contains("python3-markdown"), !built);
+    }
+
+    /// What a user meets stands in the manual's tables: each panel, each entry of the menus that opens a dialog.
+    void everyPanelAndDialogIsExplained()
+    {
+        QFile file(TAN_SOURCE_DIR "/docs/manual.md");
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QString manual = QString::fromUtf8(file.readAll());
+        const WindowFixture fixture;
+        const auto docks = fixture.window.findChildren<QDockWidget*>();
+        QVERIFY(docks.size() >= 8);
+        for (const QDockWidget* dock : docks)
+            QVERIFY2(manual.contains("\n| **" + dock->windowTitle() + "** |"), qPrintable(dock->windowTitle()));
+        for (const QMenu* menu : fixture.window.menuBar()->findChildren<QMenu*>(Qt::FindDirectChildrenOnly))
+            for (const QAction* action : menu->actions())
+                if (action->text().endsWith(u'…')) {
+                    QString path = menu->title() + " ▸ " + action->text();
+                    path.remove('&').remove("…");
+                    QVERIFY2(manual.contains("\n| *" + path + "* |"), qPrintable(path));
+                }
     }
 };
 
