@@ -31,6 +31,8 @@ KeepSession::KeepSession(Workbench& workbench, Viewport& viewport, MessageBar& m
     connect(view, &ViewState::isovalueInserted, this, &KeepSession::changed);
     connect(view, &ViewState::isovalueRemoved, this, &KeepSession::changed);
     connect(view, &ViewState::isovalueChanged, this, &KeepSession::changed);
+    connect(view, &ViewState::annotationsChanged, this, &KeepSession::changed);
+    connect(view, &ViewState::animationChanged, this, &KeepSession::changed);
     connect(&viewport, &Viewport::cameraChanged, this, &KeepSession::changed);
     connect(&viewport, &Viewport::backgroundChanged, this, &KeepSession::changed);
     connect(&workbench, &Workbench::sessionOpened, this, &KeepSession::restore);
