@@ -2,6 +2,7 @@
 #include "ui/panels/view_panel.h"
 
 #include "core/graphics/camera_text.h"
+#include "ui/panels/annotation_rows.h"
 #include "ui/session/number_text.h"
 #include "ui/session/target_path.h"
 #include "ui/viewport/viewport.h"
@@ -85,6 +86,8 @@ QWidget* ViewPanel::makeContent()
     addNumbers(*grid);
     column->addLayout(grid);
     column->addLayout(makeFiles());
+    column->addSpacing(6);
+    column->addWidget(new AnnotationRows(workbench_.session()));
     column->addStretch();
     return content;
 }

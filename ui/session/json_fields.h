@@ -85,9 +85,8 @@ private:
 };
 
 /// The number of the name among `names`, an enumeration's.
-template <class Enumeration, std::size_t Count>
-void readName(const JsonFields& fields, const QString& key, const std::array<const char*, Count>& names,
-              Enumeration& value)
+template <class Enumeration, std::size_t Count> void
+readName(const JsonFields& fields, const QString& key, const std::array<const char*, Count>& names, Enumeration& value)
 {
     std::string name = names[static_cast<std::size_t>(value)];
     fields.read(key, name);

@@ -29,7 +29,7 @@ struct SessionDocument {
     std::optional<Colour> background; ///< none: the one that fits the desktop's colours
     AnnotationState annotations{};
     Animation animation{};
-    QJsonObject found{};              ///< the whole text that was read: what is not known here stays in it
+    QJsonObject found{}; ///< the whole text that was read: what is not known here stays in it
 };
 
 inline constexpr const char* sessionSuffix = "tansession";

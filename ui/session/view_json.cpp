@@ -149,9 +149,7 @@ QJsonObject toJson(const Look& look)
     for (const auto& [id, value] : look.settings)
         if (const QJsonValue json = toJson(value); !json.isNull())
             settings.insert(QString::fromStdString(id), json);
-    return {{"mode", QString::fromStdString(look.mode)},
-            {"transfer", toJson(look.transfer)},
-            {"settings", settings}};
+    return {{"mode", QString::fromStdString(look.mode)}, {"transfer", toJson(look.transfer)}, {"settings", settings}};
 }
 
 void readLook(const JsonFields& fields, Look& look, std::optional<Error>& error)

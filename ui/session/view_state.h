@@ -14,7 +14,8 @@
 namespace tetra {
 
 /// What the user has chosen to see of a model, apart from the camera: which mesh, how it is looked at, the
-/// isovalues, what is written over the picture, and a film. Tells every change; Session makes the changes undoable. An index is a position in isovalues().
+/// isovalues, what is written over the picture, and a film. Tells every change; Session makes the changes undoable. An
+/// index is a position in isovalues().
 class ViewState : public QObject {
     Q_OBJECT
 public:

@@ -118,6 +118,8 @@ void addViewMenu(QMainWindow& window, Actions& actions)
     actions.perspective->setChecked(true);
     actions.modes = menu->addMenu(Texts::tr("&Show"));
     actions.modes->setObjectName("menu.modes");
+    actions.annotations = menu->addMenu(Texts::tr("&Annotations"));
+    actions.annotations->setObjectName("menu.annotations");
     menu->addSeparator();
     actions.panels = menu->addMenu(Texts::tr("Pa&nels"));
     actions.resetLayout = add(menu, "resetLayout", Texts::tr("Reset La&yout"), {},

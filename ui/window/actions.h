@@ -33,9 +33,10 @@ struct Actions {
     QAction* plugins = nullptr;
     QAction* about = nullptr;
     QMenu* recent = nullptr;
-    QMenu* panels = nullptr; ///< for the docks' own actions
-    QMenu* modes = nullptr;  ///< for those of ModeActions
-    QMenu* region = nullptr; ///< for those of RegionActions
+    QMenu* panels = nullptr;      ///< for the docks' own actions
+    QMenu* modes = nullptr;       ///< for those of ModeActions
+    QMenu* annotations = nullptr; ///< for those of AnnotationActions
+    QMenu* region = nullptr;      ///< for those of RegionActions
     QToolBar* toolBar = nullptr;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/main_window.h"
 
+#include "ui/annotations/annotation_overlay.h"
 #include "ui/panels/focus_panel.h"
 #include "ui/panels/rendering_panel.h"
 #include "ui/session/recent_files.h"
@@ -10,6 +11,7 @@
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/message_bar.h"
+#include "ui/window/annotation_actions.h"
 #include "ui/window/empty_page.h"
 #include "ui/window/import_dialog.h"
 #include "ui/window/keep_session.h"
@@ -82,6 +84,7 @@ QWidget* MainWindow::makeCentre()
 {
     viewport_->setObjectName("viewport");
     viewport_->setAccessibleName(tr("Picture"));
+    new AnnotationOverlay(workbench_, *viewport_); // below the tools
     new RegionTools(workbench_.session(), *viewport_);
     pages_->setObjectName("pages");
     pages_->addWidget(empty_);
@@ -161,6 +164,7 @@ void MainWindow::connectActions()
             [this] { layOutDocks(*this, docks_, workbench_.dataset() != nullptr); });
     auto* modes = new ModeActions(workbench_, *actions_.modes, *actions_.toolBar, this);
     connect(modes, &ModeActions::chosen, docks_.renderingPanel, &RenderingPanel::chooseMode);
+    new AnnotationActions(workbench_.session(), *actions_.annotations, this);
     connect(viewport_, &Viewport::cameraChanged, actions_.perspective,
             [this] { actions_.perspective->setChecked(viewport_->camera().perspective); });
     connect(actions_.fullScreen, &QAction::toggled, this,
