@@ -58,6 +58,12 @@ AnnotationContent annotationContent(Workbench& workbench, const Camera& camera, 
         content.transfer = session.view().look().transfer;
     if (hasParameter<std::vector<Isovalue>>(parameters))
         content.isovalues = seenOnes(session.view().isovalues());
+    if (const auto& preview = workbench.previewedFrame()) {
+        if (content.transfer)
+            content.transfer = preview->transfer;
+        if (content.isovalues)
+            content.isovalues = seenOnes(preview->isovalues);
+    }
     content.field = fieldName(session.model()->description());
     content.title = QFileInfo(pathText(session.model()->path())).completeBaseName();
     if (session.shown())

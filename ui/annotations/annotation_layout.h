@@ -3,6 +3,7 @@
 
 #include "ui/annotations/annotation_content.h"
 
+#include <QLineF>
 #include <QRectF>
 #include <QSizeF>
 

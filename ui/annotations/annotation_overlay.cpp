@@ -22,6 +22,7 @@ AnnotationOverlay::AnnotationOverlay(Workbench& workbench, Viewport& viewport)
     const Session* session = &workbench.session();
     const ViewState* view = &session->view();
     connect(&viewport, &Viewport::cameraChanged, this, repaint);
+    connect(&viewport, &Viewport::previewChanged, this, repaint);
     connect(&viewport, &Viewport::backgroundChanged, this, repaint);
     connect(session, &Session::modelChanged, this, repaint);
     connect(session, &Session::shownChanged, this, repaint);
@@ -45,7 +46,7 @@ void AnnotationOverlay::paintEvent(QPaintEvent* event)
     if (!workbench_.session().model())
         return;
     QPainter painter(this);
-    paintAnnotations(painter, annotationContent(workbench_, viewport_.camera(), viewport_.background()), size());
+    paintAnnotations(painter, annotationContent(workbench_, viewport_.shownCamera(), viewport_.background()), size());
 }
 
 } // namespace tetra

@@ -111,8 +111,31 @@ void Viewport::show()
 
 void Viewport::setCamera(const Camera& camera)
 {
-    if (camera != view_.camera)
+    if (camera != Viewport::camera())
         moveCamera(camera);
+}
+
+void Viewport::setPreview(const std::optional<Camera>& camera)
+{
+    if (!camera)
+        return endPreview();
+    if (!kept_)
+        kept_ = view_.camera;
+    view_.camera = *camera;
+    view_.moving = true;
+    resting_.start();
+    canvas_->show(view_);
+    emit previewChanged(true);
+}
+
+void Viewport::endPreview()
+{
+    if (!kept_)
+        return;
+    view_.camera = *kept_;
+    kept_.reset();
+    canvas_->show(view_);
+    emit previewChanged(false);
 }
 
 void Viewport::setBackground(const std::optional<Colour>& background)
@@ -138,6 +161,7 @@ void Viewport::setFrameRate(std::optional<double> perSecond)
 
 void Viewport::fit(const Eigen::AlignedBox3d& bounds)
 {
+    endPreview();
     view_.camera = fitted(view_.camera, bounds);
     canvas_->show(view_);
     emit cameraChanged();
@@ -145,6 +169,7 @@ void Viewport::fit(const Eigen::AlignedBox3d& bounds)
 
 void Viewport::seeFrom(NamedView view)
 {
+    endPreview();
     view_.camera = seenFrom(view_.camera, view);
     canvas_->show(view_);
     emit cameraChanged();
@@ -152,6 +177,7 @@ void Viewport::seeFrom(NamedView view)
 
 void Viewport::setPerspective(bool perspective)
 {
+    endPreview();
     view_.camera.perspective = perspective;
     canvas_->show(view_);
     emit cameraChanged();
@@ -174,6 +200,7 @@ QImage Viewport::picture() const
 
 void Viewport::moveCamera(const Camera& camera)
 {
+    endPreview();
     view_.camera = camera;
     view_.moving = true;
     resting_.start();
@@ -199,19 +226,19 @@ void Viewport::mouseMoveEvent(QMouseEvent* event)
     const bool left = event->buttons().testFlag(Qt::LeftButton);
     const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
     if (event->buttons().testFlag(Qt::MiddleButton) || (left && shift))
-        moveCamera(pannedByDrag(view_.camera, moved, size()));
+        moveCamera(pannedByDrag(camera(), moved, size()));
     else if (left)
-        moveCamera(turnedByDrag(view_.camera, moved));
+        moveCamera(turnedByDrag(camera(), moved));
 }
 
 void Viewport::wheelEvent(QWheelEvent* event)
 {
-    moveCamera(zoomedByWheel(view_.camera, event->angleDelta().y()));
+    moveCamera(zoomedByWheel(camera(), event->angleDelta().y()));
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event)
 {
-    if (const auto moved = movedByKey(view_.camera, *event))
+    if (const auto moved = movedByKey(camera(), *event))
         moveCamera(*moved);
     else
         QWidget::keyPressEvent(event);

@@ -28,7 +28,7 @@ public:
     const std::shared_ptr<const Scene>& scene() const noexcept { return scene_.scene; }
     /// Lines that belong to a tool, not to what is looked at: drawn with the scene, and not saved with a picture.
     void setOutlines(std::vector<LineSet> outlines);
-    const Camera& camera() const noexcept { return view_.camera; }
+    const Camera& camera() const noexcept { return kept_ ? *kept_ : view_.camera; }
     const Colour& background() const noexcept { return view_.background; }
     /// Nothing: the one that fits the palette is used.
     const std::optional<Colour>& chosenBackground() const noexcept { return background_; }
@@ -36,6 +36,12 @@ public:
     PictureProjection projection() const { return {view_.camera, size()}; }
 
     void setCamera(const Camera& camera);
+    /// Shows what another camera sees, in place of its own, which waits until there is none any more; moving the camera
+    /// ends it.
+    void setPreview(const std::optional<Camera>& camera);
+    bool previewing() const noexcept { return kept_.has_value(); }
+    /// The camera that is looked through.
+    const Camera& shownCamera() const noexcept { return view_.camera; }
     /// Nothing: the colour that fits the palette.
     void setBackground(const std::optional<Colour>& background);
     /// What is seen is being dragged, by whatever control: pictures that follow count more than fine ones.
@@ -56,6 +62,7 @@ public:
 
 signals:
     void cameraChanged();
+    void previewChanged(bool on);
     void backgroundChanged();
     void framePainted(const tetra::FrameReport& report);
     void failed(const QString& text);
@@ -71,6 +78,7 @@ private:
     void useCanvas(Canvas* canvas);
     void followPalette();
     void moveCamera(const Camera& camera);
+    void endPreview();
     SceneLevel withOutlines(const SceneLevel& level) const;
     void show();
     void rest();
@@ -80,6 +88,7 @@ private:
     std::vector<LineSet> outlines_;
     View view_;                        ///< its scene has the outlines, too
     Canvas* canvas_ = nullptr;         ///< a child widget
+    std::optional<Camera> kept_;       ///< the camera, during a preview
     std::optional<Colour> background_; ///< else that of the palette
     std::optional<double> frameRate_;  ///< else the usual one of the back end
     bool following_ = false;

@@ -18,6 +18,8 @@ struct Actions {
     QAction* saveSession = nullptr;
     QAction* saveSessionAs = nullptr;
     QAction* savePicture = nullptr;
+    QAction* copyPicture = nullptr;
+    QAction* saveFilm = nullptr;
     QAction* saveMesh = nullptr;
     QAction* saveSurfaces = nullptr;
     QAction* saveStatistics = nullptr;

@@ -2,6 +2,7 @@
 #include "ui/window/docks.h"
 
 #include "ui/panels/accuracy_panel.h"
+#include "ui/panels/animation_panel.h"
 #include "ui/panels/build_panel.h"
 #include "ui/panels/focus_panel.h"
 #include "ui/panels/isovalue_panel.h"
@@ -41,6 +42,7 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
     };
     Session& session = workbench.session();
     Docks docks;
+    docks.animationPanel = new AnimationPanel(workbench, viewport);
     docks.focusPanel = new FocusPanel(session);
     docks.renderingPanel = new RenderingPanel(workbench, viewport);
     docks.build = add("build", Texts::tr("Build"), new BuildPanel(workbench));
@@ -51,6 +53,7 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
     docks.transfer = add("transfer", Texts::tr("Transfer"), new TransferPanel(workbench));
     docks.focus = add("focus", Texts::tr("Focus"), docks.focusPanel);
     docks.region = add("region", Texts::tr("Region"), new RegionPanel(session));
+    docks.animation = add("animation", Texts::tr("Animation"), docks.animationPanel);
     QObject::connect(docks.renderingPanel, &RenderingPanel::transferWanted, docks.transfer,
                      [dock = docks.transfer] { raiseDock(*dock); });
     QObject::connect(docks.renderingPanel, &RenderingPanel::isovaluesWanted, docks.isovalues,
@@ -68,12 +71,14 @@ void layOutDocks(QMainWindow& window, const Docks& docks, bool showBuild)
     window.tabifyDockWidget(docks.isovalues, docks.transfer);
     window.tabifyDockWidget(docks.transfer, docks.focus);
     window.tabifyDockWidget(docks.focus, docks.region);
+    window.tabifyDockWidget(docks.region, docks.animation);
     for (QDockWidget* dock : {docks.build, docks.accuracy, docks.rendering, docks.view, docks.isovalues, docks.transfer,
-                              docks.focus, docks.region}) {
+                              docks.focus, docks.region, docks.animation}) {
         dock->setFloating(false);
         dock->show();
     }
     docks.build->setVisible(showBuild);
+    docks.animation->hide();
     docks.accuracy->raise();
     docks.isovalues->raise();
     window.resizeDocks({docks.build, docks.accuracy, docks.isovalues}, {dockWidth, dockWidth, dockWidth},

@@ -42,7 +42,7 @@ constexpr QSize frameOfWindows(8, 40); ///< what a window manager may add
 constexpr const char* geometryKey = "window/geometry";
 constexpr const char* layoutKey = "window/layout";
 /// Of what saveState() writes; layouts of other versions are not restored.
-constexpr int layoutVersion = 3;
+constexpr int layoutVersion = 4;
 constexpr int statusMessageTime = 5000; // milliseconds
 
 /// The local files of a drag.
@@ -148,7 +148,7 @@ void MainWindow::connectActions()
     keptSession_ = new KeepSession(workbench_, *viewport_, *messages_, this);
     connect(actions_.saveSession, &QAction::triggered, keptSession_, &KeepSession::save);
     connect(actions_.saveSessionAs, &QAction::triggered, keptSession_, &KeepSession::saveAs);
-    connect(actions_.savePicture, &QAction::triggered, this, &MainWindow::savePicture);
+    connectPictures();
     connect(actions_.saveMesh, &QAction::triggered, this, &MainWindow::saveMesh);
     connect(actions_.saveSurfaces, &QAction::triggered, this, &MainWindow::saveSurfaces);
     connect(actions_.saveStatistics, &QAction::triggered, this, &MainWindow::saveStatistics);
@@ -204,6 +204,7 @@ void MainWindow::connectWorkbench()
         statusBar()->showMessage(tr("Saved %1").arg(path), statusMessageTime);
     };
     connect(&workbench_, &Workbench::pictureSaved, this, tellSaved);
+    connect(&workbench_, &Workbench::filmSaved, this, tellSaved);
     connect(&workbench_, &Workbench::meshSaved, this, tellSaved);
     connect(&workbench_, &Workbench::textSaved, this, tellSaved);
     statusBar()->addPermanentWidget(new TaskLine("status.saving", tr("Saving"), workbench_.savingMesh()));
@@ -241,15 +242,6 @@ void MainWindow::saveStatistics()
                          [this](const QString& path) { workbench_.saveStatistics(filePath(path)); });
 }
 
-void MainWindow::savePicture()
-{
-    askForPictureFile(this, "pictureDialog", workbench_.proposedPath(".png"), [this](const QString& path) {
-        const QSize pixels = viewport_->size() * viewport_->devicePixelRatioF();
-        workbench_.savePicture({viewport_->scene(), viewport_->camera(), viewport_->background(), pixels.width(),
-                                pixels.height(), filePath(path)});
-    });
-}
-
 void MainWindow::fillRecent()
 {
     actions_.recent->clear();
@@ -282,10 +274,11 @@ void MainWindow::showModel()
 {
     const auto& model = workbench_.session().model();
     showFile();
-    for (QAction* action : QList<QAction*>{actions_.saveSession, actions_.saveSessionAs, actions_.savePicture,
-                                           actions_.saveMesh, actions_.saveSurfaces, actions_.saveStatistics,
-                                           actions_.close, actions_.addIsovalue, actions_.fit} +
-                               actions_.namedViews)
+    for (QAction* action :
+         QList<QAction*>{actions_.saveSession, actions_.saveSessionAs, actions_.savePicture, actions_.copyPicture,
+                         actions_.saveFilm, actions_.saveMesh, actions_.saveSurfaces, actions_.saveStatistics,
+                         actions_.close, actions_.addIsovalue, actions_.fit} +
+             actions_.namedViews)
         action->setEnabled(model != nullptr);
     viewport_->setScene(nullptr);
     if (model) {
