@@ -287,6 +287,26 @@
             <source>There is nothing to redo</source>
             <translation>Es gibt nichts zu wiederholen</translation>
         </message>
+        <message>
+            <source>Save &amp;Film…</source>
+            <translation>&amp;Film speichern…</translation>
+        </message>
+        <message>
+            <source>Save the animation as pictures or a video</source>
+            <translation>Die Animation als Bilder oder als Video speichern</translation>
+        </message>
+        <message>
+            <source>&amp;Copy Picture</source>
+            <translation>Bild &amp;kopieren</translation>
+        </message>
+        <message>
+            <source>Put what is seen on the clipboard, in the size that it is seen in</source>
+            <translation>Was zu sehen ist, in dieser Größe in die Zwischenablage legen</translation>
+        </message>
+        <message>
+            <source>&amp;Annotations</source>
+            <translation>&amp;Beschriftung</translation>
+        </message>
     </context>
     <context>
         <name>AddIsovalue</name>
@@ -439,6 +459,10 @@
         <message>
             <source>Which part of the domain is shown at all: a box, and a range of values.</source>
             <translation>Welcher Teil des Gebiets überhaupt gezeigt wird: ein Quader und ein Bereich von Werten.</translation>
+        </message>
+        <message>
+            <source>Animation</source>
+            <translation>Animation</translation>
         </message>
     </context>
     <context>
@@ -2061,6 +2085,10 @@ Verwerfung %2</translation>
             <source>&amp;Restore</source>
             <translation>&amp;Wiederherstellen</translation>
         </message>
+        <message>
+            <source>%1 holds the view that it shows, which can be restored.</source>
+            <translation>%1 enthält die Ansicht, die es zeigt; sie kann wiederhergestellt werden.</translation>
+        </message>
     </context>
     <context>
         <name>tetra::MainWindow</name>
@@ -2103,6 +2131,22 @@ Verwerfung %2</translation>
         <message>
             <source>Saving</source>
             <translation>Wird gespeichert</translation>
+        </message>
+        <message>
+            <source>Drawing the picture</source>
+            <translation>Das Bild wird gezeichnet</translation>
+        </message>
+        <message>
+            <source>Drawing the film</source>
+            <translation>Der Film wird gezeichnet</translation>
+        </message>
+        <message>
+            <source>Picture copied, %1 × %2 pixels</source>
+            <translation>Bild kopiert, %1 × %2 Pixel</translation>
+        </message>
+        <message>
+            <source>Drawing the picture, %1 more waiting</source>
+            <translation>Das Bild wird gezeichnet, %1 weitere warten</translation>
         </message>
     </context>
     <context>
@@ -2976,6 +3020,10 @@ Verwerfung %2</translation>
             <source>The model %1 is another one than when the session was saved: it was built anew, or replaced. It is shown as the session says, as far as that fits.</source>
             <translation>Das Modell %1 ist ein anderes als beim Speichern der Sitzung: Es wurde neu gebaut oder ersetzt. Es wird so gezeigt, wie die Sitzung sagt, soweit das passt.</translation>
         </message>
+        <message>
+            <source>Pictures with their sessions (*.png)</source>
+            <translation>Bilder mit ihren Sitzungen (*.png)</translation>
+        </message>
     </context>
     <context>
         <name>EditorPage</name>
@@ -3491,6 +3539,537 @@ Verwerfung %2</translation>
         <message>
             <source>Save the table as CSV or JSON, in % and under no locale</source>
             <translation>Speichert die Tabelle als CSV oder JSON, in % und ohne Spracheinstellung</translation>
+        </message>
+    </context>
+    <context>
+        <name>Annotations</name>
+        <message>
+            <source>Value</source>
+            <translation>Wert</translation>
+        </message>
+        <message>
+            <source>%1 units at the target</source>
+            <translation>%1 Einheiten am Blickziel</translation>
+        </message>
+        <message>
+            <source>%1 units</source>
+            <translation>%1 Einheiten</translation>
+        </message>
+        <message>
+            <source>Colour &amp;bar</source>
+            <translation>Far&amp;bskala</translation>
+        </message>
+        <message>
+            <source>A&amp;xes</source>
+            <translation>A&amp;chsen</translation>
+        </message>
+        <message>
+            <source>&amp;Scale bar</source>
+            <translation>Maß&amp;stab</translation>
+        </message>
+        <message>
+            <source>&amp;Title</source>
+            <translation>&amp;Titel</translation>
+        </message>
+        <message>
+            <source>A&amp;ccuracy</source>
+            <translation>Gena&amp;uigkeit</translation>
+        </message>
+        <message>
+            <source>Values and their colours, in the units of the data; right their opacity, with marks at the isovalues</source>
+            <translation>Werte und ihre Farben, in den Einheiten der Daten; rechts ihre Deckkraft, mit Marken an den Isowerten</translation>
+        </message>
+        <message>
+            <source>The directions of x, y and z</source>
+            <translation>Die Richtungen von x, y und z</translation>
+        </message>
+        <message>
+            <source>A length in the units of the data; in perspective that of things as far away as the target</source>
+            <translation>Eine Länge in den Einheiten der Daten; in der Perspektive die von Dingen in der Entfernung des Blickziels</translation>
+        </message>
+        <message>
+            <source>The name of the model</source>
+            <translation>Der Name des Modells</translation>
+        </message>
+        <message>
+            <source>The error that what is shown keeps, in % of the value range</source>
+            <translation>Der Fehler, den das Gezeigte einhält, in % des Wertebereichs</translation>
+        </message>
+    </context>
+    <context>
+        <name>ChangeAnimation</name>
+        <message>
+            <source>change of animation</source>
+            <translation>Änderung der Animation</translation>
+        </message>
+    </context>
+    <context>
+        <name>ChangeAnnotations</name>
+        <message>
+            <source>change of annotations</source>
+            <translation>Änderung der Beschriftung</translation>
+        </message>
+    </context>
+    <context>
+        <name>tetra::AnimationPanel</name>
+        <message>
+            <source>&amp;Save Film…</source>
+            <translation>Film spe&amp;ichern…</translation>
+        </message>
+        <message>
+            <source>Turntable</source>
+            <translation>Drehteller</translation>
+        </message>
+        <message>
+            <source>Key frames</source>
+            <translation>Schlüsselbilder</translation>
+        </message>
+        <message>
+            <source>The camera goes round what is shown, or from view to view</source>
+            <translation>Die Kamera fährt um das Gezeigte herum oder von Ansicht zu Ansicht</translation>
+        </message>
+        <message>
+            <source> frames/s</source>
+            <translation> Bilder/s</translation>
+        </message>
+        <message>
+            <source>Pictures a second of the film</source>
+            <translation>Bilder pro Sekunde des Films</translation>
+        </message>
+        <message>
+            <source>Write it as pictures or a video</source>
+            <translation>Als Bilder oder als Video schreiben</translation>
+        </message>
+        <message>
+            <source>&amp;Kind</source>
+            <translation>&amp;Art</translation>
+        </message>
+        <message>
+            <source>Ra&amp;te</source>
+            <translation>&amp;Tempo</translation>
+        </message>
+        <message>
+            <source>Round the vertical axis</source>
+            <translation>Um die senkrechte Achse</translation>
+        </message>
+        <message>
+            <source>Up and down</source>
+            <translation>Auf und ab</translation>
+        </message>
+        <message>
+            <source>Up and down the camera comes back to where it began, and stops at the poles</source>
+            <translation>Auf und ab kommt die Kamera an ihren Anfang zurück und hält an den Polen</translation>
+        </message>
+        <message>
+            <source>°</source>
+            <translation>°</translation>
+        </message>
+        <message>
+            <source>Angle to turn by, in degrees; negative the other way round</source>
+            <translation>Drehwinkel in Grad; negativ anders herum</translation>
+        </message>
+        <message>
+            <source>Pictures of the whole film</source>
+            <translation>Bilder des ganzen Films</translation>
+        </message>
+        <message>
+            <source>A&amp;xis</source>
+            <translation>A&amp;chse</translation>
+        </message>
+        <message>
+            <source>An&amp;gle</source>
+            <translation>&amp;Winkel</translation>
+        </message>
+        <message>
+            <source>&amp;Frames</source>
+            <translation>B&amp;ilder</translation>
+        </message>
+        <message>
+            <source>Frame</source>
+            <translation>Bild</translation>
+        </message>
+        <message>
+            <source>The frame that is shown</source>
+            <translation>Das Bild, das gezeigt wird</translation>
+        </message>
+        <message>
+            <source>Add two views or more.</source>
+            <translation>Fügen Sie zwei oder mehr Ansichten hinzu.</translation>
+        </message>
+        <message>
+            <source>St&amp;op</source>
+            <translation>&amp;Halt</translation>
+        </message>
+        <message>
+            <source>&amp;Play</source>
+            <translation>Ab&amp;spielen</translation>
+        </message>
+        <message>
+            <source>%1 frames, %2</source>
+            <translation>%1 Bilder, %2</translation>
+        </message>
+        <message>
+            <source>Kind of film</source>
+            <translation>Art des Films</translation>
+        </message>
+        <message>
+            <source>Frames a second</source>
+            <translation>Bilder pro Sekunde</translation>
+        </message>
+        <message>
+            <source>Axis to turn around</source>
+            <translation>Achse der Drehung</translation>
+        </message>
+        <message>
+            <source>Angle to turn by</source>
+            <translation>Drehwinkel</translation>
+        </message>
+        <message>
+            <source>Number of frames</source>
+            <translation>Zahl der Bilder</translation>
+        </message>
+    </context>
+    <context>
+        <name>tetra::AnnotationRows</name>
+        <message>
+            <source>Top left</source>
+            <translation>Oben links</translation>
+        </message>
+        <message>
+            <source>Top right</source>
+            <translation>Oben rechts</translation>
+        </message>
+        <message>
+            <source>Bottom left</source>
+            <translation>Unten links</translation>
+        </message>
+        <message>
+            <source>Bottom right</source>
+            <translation>Unten rechts</translation>
+        </message>
+        <message>
+            <source>Corner of the picture where it stands</source>
+            <translation>Ecke des Bildes, in der es steht</translation>
+        </message>
+        <message>
+            <source>%1: corner</source>
+            <translation>%1: Ecke</translation>
+        </message>
+    </context>
+    <context>
+        <name>tetra::FilmDialog</name>
+        <message>
+            <source>Numbered PNG pictures</source>
+            <translation>Nummerierte PNG-Bilder</translation>
+        </message>
+        <message>
+            <source>MP4 video (H.264)</source>
+            <translation>MP4-Video (H.264)</translation>
+        </message>
+        <message>
+            <source>WebM video (VP9)</source>
+            <translation>WebM-Video (VP9)</translation>
+        </message>
+        <message>
+            <source>&amp;Browse…</source>
+            <translation>&amp;Durchsuchen…</translation>
+        </message>
+        <message>
+            <source>Save Film</source>
+            <translation>Film speichern</translation>
+        </message>
+        <message>
+            <source>Videos can be made where the program ffmpeg is installed</source>
+            <translation>Videos gibt es, wo das Programm ffmpeg installiert ist</translation>
+        </message>
+        <message>
+            <source>Videos are made by %1</source>
+            <translation>Videos macht %1</translation>
+        </message>
+        <message>
+            <source>The video, or the name that numbers are added to</source>
+            <translation>Das Video oder der Name, an den Nummern gehängt werden</translation>
+        </message>
+        <message>
+            <source>&amp;Format</source>
+            <translation>&amp;Format</translation>
+        </message>
+        <message>
+            <source>Fil&amp;e</source>
+            <translation>Dat&amp;ei</translation>
+        </message>
+        <message>
+            <source>Film</source>
+            <translation>Film</translation>
+        </message>
+        <message>
+            <source>&amp;Save</source>
+            <translation>&amp;Speichern</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>&amp;Abbrechen</translation>
+        </message>
+        <message>
+            <source>Cl&amp;ose</source>
+            <translation>Schl&amp;ießen</translation>
+        </message>
+        <message>
+            <source>A film that is being written goes on</source>
+            <translation>Ein Film, der geschrieben wird, läuft weiter</translation>
+        </message>
+        <message>
+            <source>Saved.</source>
+            <translation>Gespeichert.</translation>
+        </message>
+        <message>
+            <source>It has no frames yet: add two views or more in the panel Animation.</source>
+            <translation>Er hat noch keine Bilder: Fügen Sie im Bereich Animation zwei oder mehr Ansichten hinzu.</translation>
+        </message>
+        <message>
+            <source>%1; writing takes about %2</source>
+            <translation>%1; das Schreiben dauert etwa %2</translation>
+        </message>
+        <message>
+            <source>%1 and so on</source>
+            <translation>%1 und so weiter</translation>
+        </message>
+        <message>
+            <source>&amp;Replace and Save</source>
+            <translation>E&amp;rsetzen und speichern</translation>
+        </message>
+        <message>
+            <source>Beginning…</source>
+            <translation>Beginnt…</translation>
+        </message>
+        <message>
+            <source>Frame %1 of %2</source>
+            <translation>Bild %1 von %2</translation>
+        </message>
+        <message>
+            <source>%1, about %2 left</source>
+            <translation>%1, noch etwa %2</translation>
+        </message>
+        <message>
+            <source>%1 frames, %2</source>
+            <translation>%1 Bilder, %2</translation>
+        </message>
+        <message>
+            <source>Files of this name are there already and will be replaced: %1.</source>
+            <translation>Dateien dieses Namens gibt es schon, sie werden ersetzt: %1.</translation>
+        </message>
+    </context>
+    <context>
+        <name>tetra::KeyFrameList</name>
+        <message>
+            <source>%1°, %2° at %3</source>
+            <translation>%1°, %2° bei %3</translation>
+        </message>
+        <message>
+            <source>%1, %2 tetrahedra</source>
+            <translation>%1, %2 Tetraeder</translation>
+        </message>
+        <message>
+            <source>%1, error %2</source>
+            <translation>%1, Fehler %2</translation>
+        </message>
+        <message>
+            <source>Key frames</source>
+            <translation>Schlüsselbilder</translation>
+        </message>
+        <message>
+            <source>Enter shows a key frame, Delete removes it, Alt with an arrow moves it</source>
+            <translation>Eingabe zeigt ein Schlüsselbild, Entf entfernt es, Alt mit einem Pfeil verschiebt es</translation>
+        </message>
+        <message>
+            <source>Time (s)</source>
+            <translation>Zeit (s)</translation>
+        </message>
+        <message>
+            <source>&amp;Add View</source>
+            <translation>Ansicht hin&amp;zufügen</translation>
+        </message>
+        <message>
+            <source>Add what is seen now as the next key frame</source>
+            <translation>Was jetzt zu sehen ist, als nächstes Schlüsselbild hinzufügen</translation>
+        </message>
+        <message>
+            <source>&amp;Replace</source>
+            <translation>&amp;Ersetzen</translation>
+        </message>
+        <message>
+            <source>Put what is seen now in the place of this key frame</source>
+            <translation>Was jetzt zu sehen ist, an die Stelle dieses Schlüsselbilds setzen</translation>
+        </message>
+        <message>
+            <source>S&amp;how</source>
+            <translation>Zei&amp;gen</translation>
+        </message>
+        <message>
+            <source>Show this key frame (Enter)</source>
+            <translation>Dieses Schlüsselbild zeigen (Eingabe)</translation>
+        </message>
+        <message>
+            <source>Re&amp;move</source>
+            <translation>E&amp;ntfernen</translation>
+        </message>
+        <message>
+            <source>Remove this key frame (Delete)</source>
+            <translation>Dieses Schlüsselbild entfernen (Entf)</translation>
+        </message>
+        <message>
+            <source>&amp;Earlier</source>
+            <translation>&amp;Früher</translation>
+        </message>
+        <message>
+            <source>Exchange it with the key frame before it (Alt+Up)</source>
+            <translation>Mit dem Schlüsselbild davor tauschen (Alt+Auf)</translation>
+        </message>
+        <message>
+            <source>La&amp;ter</source>
+            <translation>S&amp;päter</translation>
+        </message>
+        <message>
+            <source>Exchange it with the key frame after it (Alt+Down)</source>
+            <translation>Mit dem Schlüsselbild danach tauschen (Alt+Ab)</translation>
+        </message>
+        <message>
+            <source>show of a key frame</source>
+            <translation>Zeigen eines Schlüsselbilds</translation>
+        </message>
+        <message>
+            <source>View</source>
+            <translation>Ansicht</translation>
+        </message>
+        <message>
+            <source>Azimuth and elevation, distance in the units of the data, accuracy</source>
+            <translation>Azimut und Höhe, Abstand in den Einheiten der Daten, Genauigkeit</translation>
+        </message>
+    </context>
+    <context>
+        <name>tetra::PictureDialog</name>
+        <message>
+            <source>Say in the &amp;file how it was made</source>
+            <translation>In der &amp;Datei sagen, wie es entstand</translation>
+        </message>
+        <message>
+            <source>Save Picture</source>
+            <translation>Bild speichern</translation>
+        </message>
+        <message>
+            <source>Program, model, accuracy, camera, transfer function and isovalues, so that the picture can be made again: opening it offers its view</source>
+            <translation>Programm, Modell, Genauigkeit, Kamera, Transferfunktion und Isowerte, sodass das Bild noch einmal gemacht werden kann: Beim Öffnen wird seine Ansicht angeboten</translation>
+        </message>
+        <message>
+            <source>&amp;Save…</source>
+            <translation>&amp;Speichern…</translation>
+        </message>
+        <message>
+            <source>&amp;Copy</source>
+            <translation>&amp;Kopieren</translation>
+        </message>
+        <message>
+            <source>Cl&amp;ose</source>
+            <translation>Schl&amp;ießen</translation>
+        </message>
+        <message>
+            <source>Put it on the clipboard</source>
+            <translation>In die Zwischenablage legen</translation>
+        </message>
+    </context>
+    <context>
+        <name>tetra::PictureForm</name>
+        <message>
+            <source> px</source>
+            <translation> px</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <translation>Breite</translation>
+        </message>
+        <message>
+            <source>Width in pixels</source>
+            <translation>Breite in Pixeln</translation>
+        </message>
+        <message>
+            <source>Height</source>
+            <translation>Höhe</translation>
+        </message>
+        <message>
+            <source>Height in pixels</source>
+            <translation>Höhe in Pixeln</translation>
+        </message>
+        <message>
+            <source> dpi</source>
+            <translation> dpi</translation>
+        </message>
+        <message>
+            <source>Resolution</source>
+            <translation>Auflösung</translation>
+        </message>
+        <message>
+            <source>Pixels an inch when it is printed; the number of pixels does not change</source>
+            <translation>Pixel pro Zoll, wenn es gedruckt wird; die Zahl der Pixel ändert sich nicht</translation>
+        </message>
+        <message>
+            <source>Trans&amp;parent background</source>
+            <translation>&amp;Durchsichtiger Hintergrund</translation>
+        </message>
+        <message>
+            <source>As seen</source>
+            <translation>Wie zu sehen</translation>
+        </message>
+        <message>
+            <source>Twice as seen</source>
+            <translation>Doppelt so groß</translation>
+        </message>
+        <message>
+            <source>HD</source>
+            <translation>HD</translation>
+        </message>
+        <message>
+            <source>Full HD</source>
+            <translation>Full HD</translation>
+        </message>
+        <message>
+            <source>4K</source>
+            <translation>4K</translation>
+        </message>
+        <message>
+            <source>Custom</source>
+            <translation>Eigene</translation>
+        </message>
+        <message>
+            <source>Annotations and lines take as much of the picture as they do of the view</source>
+            <translation>Beschriftung und Linien nehmen so viel vom Bild ein wie von der Ansicht</translation>
+        </message>
+        <message>
+            <source>Si&amp;ze</source>
+            <translation>&amp;Größe</translation>
+        </message>
+        <message>
+            <source>Only what is shown, to be laid over something else</source>
+            <translation>Nur das Gezeigte, um es über anderes zu legen</translation>
+        </message>
+        <message>
+            <source>Background</source>
+            <translation>Hintergrund</translation>
+        </message>
+        <message>
+            <source>Annotations</source>
+            <translation>Beschriftung</translation>
+        </message>
+        <message>
+            <source>%1 × %2 cm</source>
+            <translation>%1 × %2 cm</translation>
+        </message>
+        <message>
+            <source>Pixe&amp;ls</source>
+            <translation>Pi&amp;xel</translation>
+        </message>
+        <message>
+            <source>Pri&amp;nted</source>
+            <translation>Gedruck&amp;t</translation>
         </message>
     </context>
 </TS>

@@ -60,6 +60,21 @@ SessionDocument randomDocument(std::mt19937& random)
         document.camera = Camera{randomVector(random), 0.1 + unit(random), 30, 20, 40, random() % 2 == 0};
     if (random() % 2 == 0)
         document.background = Colour{channel(random), channel(random), channel(random)};
+    for (AnnotationPlace& place : document.annotations.places)
+        place = {random() % 2 == 0, static_cast<Corner>(random() % 4)};
+    document.animation.kind = static_cast<Animation::Kind>(random() % 2);
+    document.animation.framesPerSecond = 1 + 100 * unit(random);
+    document.animation.turntable = {static_cast<Turntable::Axis>(random() % 2), 360 * unit(random),
+                                    static_cast<int>(1 + random() % 999)};
+    for (unsigned count = random() % 4; count > 0; --count) {
+        const FilmFrame frame{{randomVector(random), 0.1 + unit(random), 30, 20, 40, random() % 2 == 0},
+                              document.look.transfer,
+                              document.isovalues,
+                              unit(random),
+                              random() % 2 == 0,
+                              random()};
+        document.animation = withKey(document.animation, frame);
+    }
     return document;
 }
 
@@ -93,6 +108,8 @@ void SessionDocumentTest::aSessionComesBackTheSame()
         QVERIFY(after->isovalues == before.isovalues);
         QVERIFY(after->camera == before.camera);
         QVERIFY(after->background == before.background);
+        QVERIFY(after->annotations == before.annotations);
+        QVERIFY(after->animation == before.animation);
     }
 }
 

@@ -6,6 +6,7 @@
 #include "plugins/widgets/number_text.h"
 #include "plugins/widgets/scrolled_column.h"
 #include "plugins/widgets/value_box.h"
+#include "ui/panels/annotation_rows.h"
 #include "ui/session/target_path.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
@@ -85,6 +86,8 @@ QWidget* ViewPanel::makeContent()
     addNumbers(*grid);
     column->addLayout(grid);
     column->addLayout(makeFiles());
+    column->addSpacing(6);
+    column->addWidget(new AnnotationRows(workbench_.session()));
     column->addStretch();
     return content;
 }

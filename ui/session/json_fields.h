@@ -84,4 +84,18 @@ private:
     std::optional<Error>& error_;
 };
 
+/// The number of the name among `names`, an enumeration's.
+template <class Enumeration, std::size_t Count> void
+readName(const JsonFields& fields, const QString& key, const std::array<const char*, Count>& names, Enumeration& value)
+{
+    std::string name = names[static_cast<std::size_t>(value)];
+    fields.read(key, name);
+    for (std::size_t i = 0; i < Count; ++i)
+        if (name == names[i]) {
+            value = static_cast<Enumeration>(i);
+            return;
+        }
+    fields.refuse(key, fields.object().value(key), "a name that is known here");
+}
+
 } // namespace tetra

@@ -7,33 +7,57 @@
 
 #include <QBuffer>
 
+#include <cmath>
+
 namespace tetra {
 namespace {
 
 /// Twice as many samples along each axis as the viewport takes: a picture to keep may take its time.
 constexpr int samplesPerAxis = 4;
+constexpr double inchesPerMetre = 1 / 0.0254;
 
-QByteArray pngOf(const Picture& picture)
+Scene withLines(Scene scene, double scale)
 {
-    QBuffer buffer;
-    imageOf(picture).save(&buffer, "PNG");
-    return buffer.data();
+    for (LineSet& lines : scene.lines)
+        lines.width = static_cast<float>(lines.width * scale);
+    return scene;
 }
 
 } // namespace
 
-Status writePicture(const PictureOrder& order, const Progress& progress)
+Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress)
 {
     PictureOptions options;
     options.width = order.width;
     options.height = order.height;
     options.background = order.background;
+    options.transparentBackground = order.transparent;
     options.samplesPerAxis = samplesPerAxis;
-    const auto picture = makeCpuBackend()->render(*order.scene, order.camera, options, progress);
+    const Scene scene = withLines(order.scene ? *order.scene : Scene(), order.lineScale);
+    const auto picture = makeCpuBackend()->render(scene, order.camera, options, progress);
     if (!picture)
         return picture.error();
-    const QByteArray bytes = pngOf(*picture);
-    auto file = FileWriter::create(order.target);
+    QImage image = imageOf(*picture);
+    if (order.finish)
+        order.finish(image);
+    if (!order.transparent)
+        image = image.convertToFormat(QImage::Format_RGB32);
+    if (order.dotsPerInch > 0) {
+        image.setDotsPerMeterX(static_cast<int>(std::lround(order.dotsPerInch * inchesPerMetre)));
+        image.setDotsPerMeterY(image.dotsPerMeterX());
+    }
+    for (const auto& [key, text] : order.texts)
+        image.setText(key, text);
+    return image;
+}
+
+Status writePicture(const QImage& picture, const std::filesystem::path& target)
+{
+    QBuffer buffer;
+    if (!picture.save(&buffer, "PNG"))
+        return Error{ErrorKind::OutOfResource, "There is not enough memory for a picture of this size."};
+    const QByteArray& bytes = buffer.data();
+    auto file = FileWriter::create(target);
     if (!file)
         return file.error();
     if (Status written =

@@ -6,7 +6,12 @@
 #include "core/graphics/camera.h"
 #include "core/graphics/scene.h"
 
+#include <QImage>
+#include <QString>
+
 #include <filesystem>
+#include <functional>
+#include <map>
 
 namespace tetra {
 
@@ -17,10 +22,18 @@ struct PictureOrder {
     Colour background;
     int width = 0;
     int height = 0;
-    std::filesystem::path target;
+    std::filesystem::path target{};                ///< empty: the picture goes to the clipboard
+    bool transparent = false;                      ///< without the background
+    double lineScale = 1;                          ///< of the widths of lines
+    int dotsPerInch = 0;                           ///< for printing; 0 says nothing
+    std::map<QString, QString> texts{};            ///< what the file says of itself, by PNG keywords
+    std::function<void(QImage& picture)> finish{}; ///< paints over it; called in the worker
 };
 
-/// Draws with the CPU back end, finely, and writes a PNG file, whole or not at all.
-Status writePicture(const PictureOrder& order, const Progress& progress);
+/// Draws with the CPU back end, finely.
+Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress);
+
+/// Writes a PNG file, whole or not at all.
+Status writePicture(const QImage& picture, const std::filesystem::path& target);
 
 } // namespace tetra

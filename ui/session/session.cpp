@@ -164,6 +164,25 @@ void Session::setSetting(const std::string& id, const ParameterValue& value)
     setLook(look);
 }
 
+void Session::setAnnotations(const AnnotationState& annotations)
+{
+    if (model_ && annotations != view_.annotations())
+        undoStack_.push(new ChangeAnnotations(view_, annotations));
+}
+
+void Session::setAnimation(const Animation& animation)
+{
+    const Animation after = corrected(animation);
+    if (model_ && after != view_.animation())
+        undoStack_.push(new ChangeAnimation(view_, after, gesture_));
+}
+
+void Session::restore(const AnnotationState& annotations, const Animation& animation)
+{
+    view_.setAnnotations(annotations);
+    view_.setAnimation(corrected(animation));
+}
+
 void Session::setLook(const Look& look)
 {
     if (model_ && look != view_.look())

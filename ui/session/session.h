@@ -59,6 +59,11 @@ public:
     void setTransfer(const TransferFunction& transfer);
     /// Of a renderer's parameter.
     void setSetting(const std::string& id, const ParameterValue& value);
+    void setAnnotations(const AnnotationState& annotations);
+    /// What is not in its range is brought into it, see corrected().
+    void setAnimation(const Animation& animation);
+    /// As a session has left it: no edit.
+    void restore(const AnnotationState& annotations, const Animation& animation);
     /// At `value`, or in the middle of the widest range of values without one; in a colour that is not in use.
     void addIsovalue(std::optional<double> value = std::nullopt);
     /// Out of range indices are ignored.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/session_document.h"
 
-#include "core/graphics/camera_text.h"
+#include "ui/session/stage_json.h"
 #include "ui/session/target_path.h"
 #include "ui/session/view_json.h"
 
@@ -55,19 +55,6 @@ Result<QJsonObject> objectOf(std::string_view text)
     return object;
 }
 
-void readCamera(const QJsonObject& root, std::optional<Camera>& camera, std::optional<Error>& error)
-{
-    if (!root.contains("camera"))
-        return;
-    const QByteArray text = QJsonDocument(root.value("camera").toObject()).toJson();
-    const auto read =
-        cameraFromText(text.toStdString(), Eigen::AlignedBox3d(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1)));
-    if (read)
-        camera = *read;
-    else if (!error)
-        error = read.error();
-}
-
 } // namespace
 
 std::uint64_t modelIdentity(const Model& model)
@@ -90,7 +77,9 @@ std::string sessionToText(const SessionDocument& document, const std::filesystem
                                               {"identity", QString::number(document.identity, 16)}}},
                         {"mesh", toJson(document.query)},
                         {"look", toJson(document.look)},
-                        {"isovalues", toJson(document.isovalues)}};
+                        {"isovalues", toJson(document.isovalues)},
+                        {"annotations", toJson(document.annotations)},
+                        {"animation", toJson(document.animation)}};
     QJsonObject found = document.found;
     found.remove("background");
     found.remove("camera");
@@ -100,7 +89,7 @@ std::string sessionToText(const SessionDocument& document, const std::filesystem
     look.remove("settings");
     found.insert("look", look);
     if (document.camera)
-        ours["camera"] = QJsonDocument::fromJson(QByteArray::fromStdString(cameraToText(*document.camera))).object();
+        ours["camera"] = toJson(*document.camera);
     if (const auto& background = document.background)
         ours["background"] = QJsonArray{background->red, background->green, background->blue};
     return QJsonDocument(over(found, ours)).toJson().toStdString();
@@ -124,7 +113,10 @@ Result<SessionDocument> sessionFromText(std::string_view text, const std::filesy
     readQuery(fields.fields("mesh"), document.query);
     readLook(fields.fields("look"), document.look, error);
     document.isovalues = isovaluesOf(root->value("isovalues").toArray(), error);
-    readCamera(*root, document.camera, error);
+    if (fields.has("camera"))
+        readCamera(root->value("camera"), document.camera.emplace(), error);
+    readAnnotations(fields.fields("annotations"), document.annotations);
+    readAnimation(fields.fields("animation"), document.animation, error);
     if (fields.has("background")) {
         std::array<double, 3> background{};
         fields.readThree("background", background);

@@ -3,6 +3,8 @@
 
 #include "core/graphics/camera.h"
 #include "core/graphics/picture.h"
+#include "ui/session/animation.h"
+#include "ui/session/annotation_state.h"
 #include "ui/session/look.h"
 #include "ui/session/query_state.h"
 
@@ -25,7 +27,9 @@ struct SessionDocument {
     std::vector<Isovalue> isovalues;
     std::optional<Camera> camera;
     std::optional<Colour> background; ///< none: the one that fits the desktop's colours
-    QJsonObject found{};              ///< the whole text that was read: what is not known here stays in it
+    AnnotationState annotations{};
+    Animation animation{};
+    QJsonObject found{}; ///< the whole text that was read: what is not known here stays in it
 };
 
 inline constexpr const char* sessionSuffix = "tansession";

@@ -85,6 +85,27 @@ bool ChangeLook::mergeWith(const QUndoCommand* next)
     return true;
 }
 
+ChangeAnnotations::ChangeAnnotations(ViewState& state, const AnnotationState& after)
+    : QUndoCommand(tr("change of annotations")), state_(state), before_(state.annotations()), after_(after)
+{
+}
+
+ChangeAnimation::ChangeAnimation(ViewState& state, Animation after, Gesture gesture)
+    : QUndoCommand(tr("change of animation")), state_(state), before_(state.animation()), after_(std::move(after)),
+      gesture_(gesture)
+{
+}
+
+bool ChangeAnimation::mergeWith(const QUndoCommand* next)
+{
+    const auto& other = *static_cast<const ChangeAnimation*>(next);
+    if (gesture_ == 0 || other.gesture_ != gesture_)
+        return false;
+    after_ = other.after_;
+    setObsolete(after_ == before_);
+    return true;
+}
+
 ChangeIsovalue::ChangeIsovalue(ViewState& state, int index, const Isovalue& isovalue, Gesture gesture)
     : QUndoCommand(tr("change of isovalue")), state_(state), index_(index),
       before_(state.isovalues()[static_cast<std::size_t>(index)]), after_(isovalue), gesture_(gesture)

@@ -11,7 +11,7 @@
 namespace tetra {
 
 /// The ids by which the undo stack merges commands; zero is "never".
-enum class CommandId { ChangeQuery = 1, ChangeIsovalue, ChangeLook, ChangeView };
+enum class CommandId { ChangeQuery = 1, ChangeIsovalue, ChangeLook, ChangeView, ChangeAnimation };
 
 /// The number of a gesture (one drag): commands of one gesture merge into one step. Zero is no gesture.
 using Gesture = std::uint64_t;
@@ -65,6 +65,37 @@ private:
     ViewState& state_;
     LookParts before_;
     LookParts after_;
+    Gesture gesture_;
+};
+
+/// What is written over the picture.
+class ChangeAnnotations : public QUndoCommand {
+    Q_DECLARE_TR_FUNCTIONS(ChangeAnnotations)
+public:
+    ChangeAnnotations(ViewState& state, const AnnotationState& after);
+    void redo() override { state_.setAnnotations(after_); }
+    void undo() override { state_.setAnnotations(before_); }
+
+private:
+    ViewState& state_;
+    AnnotationState before_;
+    AnnotationState after_;
+};
+
+/// The film.
+class ChangeAnimation : public QUndoCommand {
+    Q_DECLARE_TR_FUNCTIONS(ChangeAnimation)
+public:
+    ChangeAnimation(ViewState& state, Animation after, Gesture gesture);
+    int id() const override { return static_cast<int>(CommandId::ChangeAnimation); }
+    void redo() override { state_.setAnimation(after_); }
+    void undo() override { state_.setAnimation(before_); }
+    bool mergeWith(const QUndoCommand* next) override;
+
+private:
+    ViewState& state_;
+    Animation before_;
+    Animation after_;
     Gesture gesture_;
 };
 

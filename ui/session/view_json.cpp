@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/view_json.h"
 
+#include "core/graphics/camera_text.h"
 #include "core/transfer/transfer_text.h"
 
 #include <QJsonDocument>
@@ -17,20 +18,6 @@ constexpr std::array borderNames = {"intersecting", "contained", "clipped"};
 QJsonArray three(const Eigen::Vector3d& vector)
 {
     return {vector[0], vector[1], vector[2]};
-}
-
-/// The number of the name among `names`, an enumeration's.
-template <class Enumeration, std::size_t Count> void
-readName(const JsonFields& fields, const QString& key, const std::array<const char*, Count>& names, Enumeration& value)
-{
-    std::string name = names[static_cast<std::size_t>(value)];
-    fields.read(key, name);
-    for (std::size_t i = 0; i < Count; ++i)
-        if (name == names[i]) {
-            value = static_cast<Enumeration>(i);
-            return;
-        }
-    fields.refuse(key, fields.object().value(key), "a name that is known here");
 }
 
 QJsonObject toJson(const FocusState& focus)
@@ -96,16 +83,6 @@ std::optional<ParameterValue> settingOf(const QJsonValue& value)
     return std::nullopt;
 }
 
-void readTransfer(const QJsonValue& value, TransferFunction& transfer, std::optional<Error>& error)
-{
-    const QByteArray text = QJsonDocument(value.toObject()).toJson();
-    const auto read = transferFunctionFromText({text.constData(), static_cast<std::size_t>(text.size())});
-    if (read)
-        transfer = *read;
-    else if (!error)
-        error = read.error();
-}
-
 } // namespace
 
 QJsonObject toJson(const QueryState& query)
@@ -136,16 +113,43 @@ void readQuery(const JsonFields& fields, QueryState& query)
     values.read("largest", query.values.largest);
 }
 
+QJsonObject toJson(const TransferFunction& transfer)
+{
+    return QJsonDocument::fromJson(QByteArray::fromStdString(transferFunctionToText(transfer))).object();
+}
+
+void readTransfer(const QJsonValue& value, TransferFunction& transfer, std::optional<Error>& error)
+{
+    const QByteArray text = QJsonDocument(value.toObject()).toJson();
+    const auto read = transferFunctionFromText({text.constData(), static_cast<std::size_t>(text.size())});
+    if (read)
+        transfer = *read;
+    else if (!error)
+        error = read.error();
+}
+
+QJsonObject toJson(const Camera& camera)
+{
+    return QJsonDocument::fromJson(QByteArray::fromStdString(cameraToText(camera))).object();
+}
+
+void readCamera(const QJsonValue& value, Camera& camera, std::optional<Error>& error)
+{
+    const std::string text = QJsonDocument(value.toObject()).toJson().toStdString();
+    const Eigen::AlignedBox3d usual(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1));
+    if (const auto read = cameraFromText(text, usual))
+        camera = *read;
+    else if (!error)
+        error = read.error();
+}
+
 QJsonObject toJson(const Look& look)
 {
     QJsonObject settings;
     for (const auto& [id, value] : look.settings)
         if (const QJsonValue json = toJson(value); !json.isNull())
             settings.insert(QString::fromStdString(id), json);
-    const QByteArray transfer = QByteArray::fromStdString(transferFunctionToText(look.transfer));
-    return {{"mode", QString::fromStdString(look.mode)},
-            {"transfer", QJsonDocument::fromJson(transfer).object()},
-            {"settings", settings}};
+    return {{"mode", QString::fromStdString(look.mode)}, {"transfer", toJson(look.transfer)}, {"settings", settings}};
 }
 
 void readLook(const JsonFields& fields, Look& look, std::optional<Error>& error)

@@ -8,6 +8,7 @@ void ViewState::reset(const QueryState& query, std::vector<Isovalue> isovalues, 
     query_ = query;
     look_ = std::move(look);
     isovalues_ = std::move(isovalues);
+    animation_ = {};
     emit wasReset();
 }
 
@@ -21,6 +22,18 @@ void ViewState::setLook(const Look& look)
 {
     look_ = look;
     emit lookChanged();
+}
+
+void ViewState::setAnnotations(const AnnotationState& annotations)
+{
+    annotations_ = annotations;
+    emit annotationsChanged();
+}
+
+void ViewState::setAnimation(const Animation& animation)
+{
+    animation_ = animation;
+    emit animationChanged();
 }
 
 void ViewState::insertIsovalue(int index, const Isovalue& isovalue)

@@ -6,6 +6,7 @@
 #include "plugins/host/model_building.h"
 #include "ui/session/field_extent.h"
 #include "ui/session/import_memory.h"
+#include "ui/session/picture_texts.h"
 #include "ui/session/plugin_texts.h"
 #include "ui/session/recent_files.h"
 #include "ui/session/target_path.h"
@@ -58,7 +59,8 @@ Workbench::~Workbench() = default;
 
 QStringList Workbench::nameFilters()
 {
-    QStringList filters{tr("Models (*.tan)"), tr("Sessions (*.tansession)")};
+    QStringList filters{tr("Models (*.tan)"), tr("Sessions (*.tansession)"),
+                        tr("Pictures with their sessions (*.png)")};
     for (const std::string& filter : readableFiles(host_))
         filters.append(pluginText(filter));
     static const QRegularExpression patterns(R"(\(([^)]*)\)$)");
@@ -77,6 +79,8 @@ void Workbench::open(const QString& path)
             openSession(text, std::filesystem::absolute(file).parent_path(), file);
             return {};
         });
+    else if (isPictureFile(file))
+        openPicture(file);
     else
         look(file, false);
 }
@@ -310,6 +314,8 @@ std::vector<Parameter> Workbench::renderingParameters() const
 SceneRequest Workbench::sceneRequest() const
 {
     const ViewState& view = session_.view();
+    if (preview_)
+        return sceneOf(filmOrder(preview_->camera), *preview_);
     return {session_.model(),
             renderer(),
             meshQuery(view.query(), *session_.model()),

@@ -6,6 +6,7 @@
 #include "plugins/host/live_build.h"
 #include "plugins/host/plugin_host.h"
 #include "ui/session/draft_builder.h"
+#include "ui/session/film_file.h"
 #include "ui/session/import_question.h"
 #include "ui/session/mesh_saving.h"
 #include "ui/session/picture_file.h"
@@ -18,6 +19,7 @@
 #include <QTimer>
 
 #include <atomic>
+#include <deque>
 #include <filesystem>
 #include <functional>
 
@@ -87,7 +89,21 @@ public:
     /// Where a file about the model goes unless the user says otherwise: beside it, or while its build is watched to
     /// where it will be. `ending` follows the model's name. There must be a model.
     QString proposedPath(const QString& ending) const;
+    /// Saves a picture, or copies it, once those that were ordered before are done.
     void savePicture(const PictureOrder& order);
+    LongTask& savingPicture() noexcept { return savingPicture_; }
+    /// Pictures that wait for the one that is being drawn.
+    int picturesWaiting() const noexcept { return static_cast<int>(pictures_.size()); }
+    /// Of the present view, which `camera` belongs to.
+    FilmFrame presentFrame(const Camera& camera) const;
+    /// A film of the session's animation: what it takes of the model. There must be one, and a way to show it.
+    FilmOrder filmOrder(const Camera& camera) const;
+    /// Shows a frame of a film in place of the session's view; nothing: that again. The camera is the viewport's.
+    void previewFrame(const std::optional<FilmFrame>& frame);
+    const std::optional<FilmFrame>& previewedFrame() const noexcept { return preview_; }
+    /// One at a time: there must be none being saved.
+    void saveFilm(const FilmOrder& order);
+    LongTask& savingFilm() noexcept { return savingFilm_; }
     /// Saves the mesh of the picture, once that is up to date.
     void saveMesh(const std::filesystem::path& target);
     /// Saves the visible isosurfaces of that mesh, likewise.
@@ -111,6 +127,11 @@ signals:
     /// The build is done; its model is opened next.
     void modelBuilt();
     void pictureSaved(const QString& path);
+    void pictureDrawn(const QImage& picture); ///< one that was ordered without a target
+    void picturesWaitingChanged();
+    void filmSaved(const QString& path);
+    /// A picture was opened that holds the session by which it was made.
+    void pictureOpened(const QString& path, const std::string& session);
     void meshSaved(const QString& path);
     void textSaved(const QString& path);
 
@@ -139,6 +160,8 @@ private:
     SceneRequest sceneRequest() const;
     void requestScene();
     void requestDrafts(const BuiltScene& scene);
+    void saveNextPicture();
+    void openPicture(const std::filesystem::path& path);
     void saveMeshWhenShown();
     void tell(const Error& error);
 
@@ -155,6 +178,9 @@ private:
     LongTask sampling_;
     LongTask building_;
     LongTask savingPicture_;
+    LongTask savingFilm_;
+    std::deque<PictureOrder> pictures_; ///< that wait
+    std::optional<FilmFrame> preview_;
     LongTask savingMesh_;
     LongTask textFiles_;
     std::filesystem::path sessionFile_;

@@ -17,18 +17,6 @@ QString Workbench::proposedPath(const QString& ending) const
     return model.absolutePath() + "/" + model.completeBaseName() + ending;
 }
 
-void Workbench::savePicture(const PictureOrder& order)
-{
-    savingPicture_.start([this, order](const Progress& progress) -> std::function<void()> {
-        return [this, order, saved = writePicture(order, progress)] {
-            if (saved)
-                emit pictureSaved(pathText(order.target));
-            else
-                tell(saved.error());
-        };
-    });
-}
-
 void Workbench::saveText(const std::filesystem::path& target, const std::string& text)
 {
     textFiles_.start([this, target, text](const Progress&) -> std::function<void()> {

@@ -55,6 +55,7 @@ void Workbench::showSession(const std::shared_ptr<const Model>& model, const Fie
     if (!prepareToShow(model, field))
         return;
     session_.open(model, document.isovalues, lookOf(document, modes_, startingLook(modes_, field)), document.query);
+    session_.restore(document.annotations, document.animation);
     emit sessionOpened(document);
     if (document.identity != 0 && document.identity != modelIdentity(*model))
         emit failed(tr("The model %1 is another one than when the session was saved: it was built anew, or replaced. "
@@ -72,6 +73,8 @@ std::optional<SessionDocument> Workbench::sessionDocument() const
     document.query = session_.view().query();
     document.look = session_.view().look();
     document.isovalues = session_.view().isovalues();
+    document.annotations = session_.view().annotations();
+    document.animation = session_.view().animation();
     document.found = sessionFound_;
     return document;
 }

@@ -161,6 +161,7 @@ void Viewport::setCamera(const Camera& camera)
 
 void Viewport::startFrom(const Camera& camera, const std::optional<Colour>& background)
 {
+    endPreview();
     ++gesture_;
     glide_.stop();
     camera_ = camera;
@@ -173,6 +174,7 @@ void Viewport::startFrom(const Camera& camera, const std::optional<Colour>& back
 
 void Viewport::glideTo(const Camera& camera)
 {
+    endPreview();
     if (camera == camera_)
         return;
     ++gesture_;
@@ -193,6 +195,29 @@ void Viewport::showGlide(double part)
     resting_.start();
     canvas_->show(view_);
     emit cameraChanged();
+}
+
+void Viewport::setPreview(const std::optional<Camera>& camera)
+{
+    if (!camera)
+        return endPreview();
+    glide_.stop();
+    previewing_ = true;
+    view_.camera = *camera;
+    view_.moving = true;
+    resting_.start();
+    canvas_->show(view_);
+    emit previewChanged(true);
+}
+
+void Viewport::endPreview()
+{
+    if (!previewing_)
+        return;
+    previewing_ = false;
+    view_.camera = camera_;
+    canvas_->show(view_);
+    emit previewChanged(false);
 }
 
 void Viewport::setBackground(const std::optional<Colour>& background)
@@ -259,6 +284,7 @@ QImage Viewport::picture() const
 
 void Viewport::moveCamera(const Camera& camera)
 {
+    endPreview();
     glide_.stop();
     camera_ = camera;
     view_.camera = camera;
@@ -294,22 +320,22 @@ void Viewport::mouseMoveEvent(QMouseEvent* event)
     const bool left = event->buttons().testFlag(Qt::LeftButton);
     const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
     if (event->buttons().testFlag(Qt::MiddleButton) || (left && shift))
-        moveCamera(pannedByDrag(view_.camera, moved, size()));
+        moveCamera(pannedByDrag(camera(), moved, size()));
     else if (left)
-        moveCamera(turnedByDrag(view_.camera, moved));
+        moveCamera(turnedByDrag(camera(), moved));
 }
 
 void Viewport::wheelEvent(QWheelEvent* event)
 {
     if (isPan(*event))
-        moveCamera(pannedByDrag(view_.camera, event->pixelDelta(), size()));
+        moveCamera(pannedByDrag(camera(), event->pixelDelta(), size()));
     else
-        moveCamera(zoomedByWheel(view_.camera, event->angleDelta().y()));
+        moveCamera(zoomedByWheel(camera(), event->angleDelta().y()));
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event)
 {
-    if (const auto moved = movedByKey(view_.camera, *event))
+    if (const auto moved = movedByKey(camera(), *event))
         moveCamera(*moved);
     else
         QWidget::keyPressEvent(event);
@@ -320,7 +346,7 @@ bool Viewport::event(QEvent* event)
     const auto factor = pinchFactor(*event);
     if (!factor)
         return QWidget::event(event);
-    moveCamera(zoomedByPinch(view_.camera, *factor));
+    moveCamera(zoomedByPinch(camera(), *factor));
     event->accept();
     return true;
 }

@@ -71,6 +71,7 @@ signals:
     void started();
     /// Also while a picture glides to it.
     void cameraChanged();
+    void previewChanged(bool on);
     void backgroundChanged();
     void framePainted(const tetra::FrameReport& report);
     void failed(const QString& text);
@@ -89,6 +90,7 @@ private:
     void followPalette();
     void moveCamera(const Camera& camera);
     void showGlide(double part);
+    void endPreview();
     SceneLevel withOutlines(const SceneLevel& level) const;
     void show();
     void rest();
@@ -99,6 +101,7 @@ private:
     View view_; ///< its scene has the outlines, too; its camera may be on the way
     Camera camera_;
     Canvas* canvas_ = nullptr;         ///< a child widget
+    bool previewing_ = false;          ///< the view's camera is another one
     std::optional<Colour> background_; ///< else that of the palette
     std::optional<double> frameRate_;  ///< else the usual one of the back end
     bool following_ = false;

@@ -55,6 +55,8 @@ void addFileMenu(QMainWindow& window, Actions& actions)
     actions.savePicture = add(menu, "savePicture", Texts::tr("Save &Picture…"), QKeySequence("Ctrl+Shift+S"),
                               Texts::tr("Save what is seen as a PNG picture"));
     actions.savePicture->setIcon(glyphIcon(Glyph::Picture));
+    actions.saveFilm = add(menu, "saveFilm", Texts::tr("Save &Film…"), QKeySequence("Ctrl+Alt+S"),
+                           Texts::tr("Save the animation as pictures or a video"));
     actions.saveMesh = add(menu, "saveMesh", Texts::tr("Save &Mesh…"), QKeySequence("Ctrl+M"),
                            Texts::tr("Save the mesh that is seen, for VTK, ParaView and others"));
     actions.saveMesh->setIcon(glyphIcon(Glyph::Mesh));
@@ -81,6 +83,9 @@ void addEditMenu(QMainWindow& window, QUndoStack& undoStack, Actions& actions)
     actions.redo->setIcon(glyphIcon(Glyph::Redo));
     menu->addAction(actions.undo);
     menu->addAction(actions.redo);
+    menu->addSeparator();
+    actions.copyPicture = add(menu, "copyPicture", Texts::tr("&Copy Picture"), QKeySequence("Ctrl+Shift+C"),
+                              Texts::tr("Put what is seen on the clipboard, in the size that it is seen in"));
     menu->addSeparator();
     actions.addIsovalue = add(menu, "addIsovalue", Texts::tr("&Add Isovalue"), QKeySequence("Ctrl+I"),
                               Texts::tr("Add an isosurface at another value"));
@@ -124,6 +129,8 @@ void addViewMenu(QMainWindow& window, Actions& actions)
     actions.perspective->setChecked(true);
     actions.modes = menu->addMenu(Texts::tr("&Show"));
     actions.modes->setObjectName("menu.modes");
+    actions.annotations = menu->addMenu(Texts::tr("&Annotations"));
+    actions.annotations->setObjectName("menu.annotations");
     menu->addSeparator();
     actions.panels = menu->addMenu(Texts::tr("Pa&nels"));
     actions.panels->setObjectName("menu.panels");

@@ -18,6 +18,8 @@ struct Actions {
     QAction* saveSession = nullptr;
     QAction* saveSessionAs = nullptr;
     QAction* savePicture = nullptr;
+    QAction* copyPicture = nullptr;
+    QAction* saveFilm = nullptr;
     QAction* saveMesh = nullptr;
     QAction* saveSurfaces = nullptr;
     QAction* saveStatistics = nullptr;
@@ -39,9 +41,10 @@ struct Actions {
     QAction* about = nullptr;
     QMenu* recent = nullptr;
     QMenu* languages = nullptr;
-    QMenu* panels = nullptr; ///< for the docks' own actions
-    QMenu* modes = nullptr;  ///< for those of ModeActions
-    QMenu* region = nullptr; ///< for those of RegionActions
+    QMenu* panels = nullptr;      ///< for the docks' own actions
+    QMenu* modes = nullptr;       ///< for those of ModeActions
+    QMenu* annotations = nullptr; ///< for those of AnnotationActions
+    QMenu* region = nullptr;      ///< for those of RegionActions
     QToolBar* toolBar = nullptr;
 };
 

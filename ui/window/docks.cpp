@@ -2,6 +2,7 @@
 #include "ui/window/docks.h"
 
 #include "ui/panels/accuracy_panel.h"
+#include "ui/panels/animation_panel.h"
 #include "ui/panels/build_panel.h"
 #include "ui/panels/editor_page.h"
 #include "ui/panels/focus_panel.h"
@@ -45,6 +46,7 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
     };
     Session& session = workbench.session();
     Docks docks;
+    docks.animationPanel = new AnimationPanel(workbench, viewport);
     docks.focusPanel = new FocusPanel(session);
     docks.renderingPanel = new RenderingPanel(workbench, viewport);
     docks.build = add("build", Texts::tr("Build"),
@@ -79,6 +81,9 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
     docks.region = add("region", Texts::tr("Region"),
                        Texts::tr("Which part of the domain is shown at all: a box, and a range of values."),
                        new RegionPanel(session));
+    docks.animation = add("animation", Texts::tr("Animation"),
+                          Texts::tr("Films of the model: a turntable, or a path through key frames that you choose."),
+                          docks.animationPanel);
     giveMnemonics(menu);
     for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
         separateMnemonics(*dock->widget(), *window.menuBar());
@@ -100,12 +105,14 @@ void layOutDocks(QMainWindow& window, const Docks& docks, bool showBuild)
     window.tabifyDockWidget(docks.isovalues, docks.transfer);
     window.tabifyDockWidget(docks.transfer, docks.focus);
     window.tabifyDockWidget(docks.focus, docks.region);
+    window.tabifyDockWidget(docks.region, docks.animation);
     for (QDockWidget* dock : {docks.build, docks.accuracy, docks.rendering, docks.view, docks.statistics,
-                              docks.isovalues, docks.transfer, docks.focus, docks.region}) {
+                              docks.isovalues, docks.transfer, docks.focus, docks.region, docks.animation}) {
         dock->setFloating(false);
         dock->show();
     }
     docks.build->setVisible(showBuild);
+    docks.animation->hide();
     docks.accuracy->raise();
     docks.isovalues->raise();
     window.resizeDocks({docks.build, docks.accuracy, docks.isovalues}, {dockWidth, dockWidth, dockWidth},

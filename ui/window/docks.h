@@ -9,6 +9,7 @@ class QMenu;
 
 namespace tetra {
 
+class AnimationPanel;
 class FocusPanel;
 class RenderingPanel;
 class StatisticsPanel;
@@ -26,6 +27,8 @@ struct Docks {
     QDockWidget* transfer = nullptr;
     QDockWidget* focus = nullptr;
     QDockWidget* region = nullptr;
+    QDockWidget* animation = nullptr; ///< hidden at first
+    AnimationPanel* animationPanel = nullptr;
     FocusPanel* focusPanel = nullptr;
     RenderingPanel* renderingPanel = nullptr;
     StatisticsPanel* statisticsPanel = nullptr;

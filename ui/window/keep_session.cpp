@@ -31,9 +31,12 @@ KeepSession::KeepSession(Workbench& workbench, Viewport& viewport, MessageBar& m
     connect(view, &ViewState::isovalueInserted, this, &KeepSession::changed);
     connect(view, &ViewState::isovalueRemoved, this, &KeepSession::changed);
     connect(view, &ViewState::isovalueChanged, this, &KeepSession::changed);
+    connect(view, &ViewState::annotationsChanged, this, &KeepSession::changed);
+    connect(view, &ViewState::animationChanged, this, &KeepSession::changed);
     connect(&viewport, &Viewport::cameraChanged, this, &KeepSession::changed);
     connect(&viewport, &Viewport::backgroundChanged, this, &KeepSession::changed);
     connect(&workbench, &Workbench::sessionOpened, this, &KeepSession::restore);
+    connect(&workbench, &Workbench::pictureOpened, this, &KeepSession::offerPicture);
     offerLost();
 }
 
@@ -95,6 +98,16 @@ void KeepSession::offerLost()
             },
             [lost] { removeLostSession(lost); });
     }
+}
+
+void KeepSession::offerPicture(const QString& path, const std::string& session)
+{
+    messages_.ask(
+        tr("%1 holds the view that it shows, which can be restored.").arg(QFileInfo(path).fileName()), tr("&Restore"),
+        [this, path, session] {
+            workbench_.openSession(session, std::filesystem::absolute(filePath(path)).parent_path());
+        },
+        [] {});
 }
 
 void KeepSession::changed()

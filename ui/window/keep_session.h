@@ -22,13 +22,15 @@ public:
     /// Into its file, or one that is asked for if it has none.
     void save();
     void saveAs();
+    /// The session as it would be saved now; nothing without a model.
+    std::optional<SessionDocument> document() const;
     /// The program ends as it should: nothing is kept.
     void end();
 
 private:
-    std::optional<SessionDocument> document() const;
     void restore(const SessionDocument& document);
     void offerLost();
+    void offerPicture(const QString& path, const std::string& session);
     void changed();
     void keep();
 

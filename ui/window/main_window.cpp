@@ -2,6 +2,7 @@
 #include "ui/window/main_window.h"
 
 #include "plugins/widgets/icons.h"
+#include "ui/annotations/annotation_overlay.h"
 #include "ui/panels/focus_panel.h"
 #include "ui/panels/rendering_panel.h"
 #include "ui/panels/statistics_panel.h"
@@ -14,6 +15,7 @@
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/widgets/mnemonics.h"
+#include "ui/window/annotation_actions.h"
 #include "ui/window/empty_page.h"
 #include "ui/window/help_actions.h"
 #include "ui/window/import_dialog.h"
@@ -89,6 +91,7 @@ QWidget* MainWindow::makeCentre()
 {
     viewport_->setObjectName("viewport");
     viewport_->setAccessibleName(tr("Picture"));
+    new AnnotationOverlay(workbench_, *viewport_); // below the tools
     new TransferDrag(workbench_, *viewport_);
     new RegionTools(workbench_.session(), *viewport_); // the last one comes first: its handles go before
     new ViewHistory(*viewport_, workbench_.session().undoStack(), this);
@@ -161,7 +164,7 @@ void MainWindow::connectActions()
     keptSession_ = new KeepSession(workbench_, *viewport_, *messages_, this);
     connect(actions_.saveSession, &QAction::triggered, keptSession_, &KeepSession::save);
     connect(actions_.saveSessionAs, &QAction::triggered, keptSession_, &KeepSession::saveAs);
-    connect(actions_.savePicture, &QAction::triggered, this, &MainWindow::savePicture);
+    connectPictures();
     connect(actions_.saveMesh, &QAction::triggered, this, &MainWindow::saveMesh);
     connect(actions_.saveSurfaces, &QAction::triggered, this, &MainWindow::saveSurfaces);
     connect(actions_.saveStatistics, &QAction::triggered, this, &MainWindow::saveStatistics);
@@ -178,6 +181,7 @@ void MainWindow::connectActions()
             [this] { layOutDocks(*this, docks_, workbench_.dataset() != nullptr); });
     auto* modes = new ModeActions(workbench_, *actions_.modes, *actions_.toolBar, this);
     connect(modes, &ModeActions::chosen, docks_.renderingPanel, &RenderingPanel::chooseMode);
+    new AnnotationActions(workbench_.session(), *actions_.annotations, this);
     connect(viewport_, &Viewport::cameraChanged, actions_.perspective,
             [this] { actions_.perspective->setChecked(viewport_->camera().perspective); });
     connect(actions_.fullScreen, &QAction::toggled, this,
@@ -223,6 +227,7 @@ void MainWindow::connectWorkbench()
         statusBar()->showMessage(tr("Saved %1").arg(path), statusMessageTime);
     };
     connect(&workbench_, &Workbench::pictureSaved, this, tellSaved);
+    connect(&workbench_, &Workbench::filmSaved, this, tellSaved);
     connect(&workbench_, &Workbench::meshSaved, this, tellSaved);
     connect(&workbench_, &Workbench::textSaved, this, tellSaved);
     statusBar()->addPermanentWidget(new TaskLine("status.saving", tr("Saving"), workbench_.savingMesh()));
@@ -260,15 +265,6 @@ void MainWindow::saveStatistics()
                          [this](const QString& path) { workbench_.saveStatistics(filePath(path)); });
 }
 
-void MainWindow::savePicture()
-{
-    askForPictureFile(this, "pictureDialog", workbench_.proposedPath(".png"), [this](const QString& path) {
-        const QSize pixels = viewport_->size() * viewport_->devicePixelRatioF();
-        workbench_.savePicture({viewport_->scene(), viewport_->camera(), viewport_->background(), pixels.width(),
-                                pixels.height(), filePath(path)});
-    });
-}
-
 void MainWindow::fillRecent()
 {
     actions_.recent->clear();
@@ -302,10 +298,11 @@ void MainWindow::showModel()
 {
     const auto& model = workbench_.session().model();
     showFile();
-    for (QAction* action : QList<QAction*>{actions_.saveSession, actions_.saveSessionAs, actions_.savePicture,
-                                           actions_.saveMesh, actions_.saveSurfaces, actions_.saveStatistics,
-                                           actions_.close, actions_.addIsovalue, actions_.fit} +
-                               actions_.namedViews)
+    for (QAction* action :
+         QList<QAction*>{actions_.saveSession, actions_.saveSessionAs, actions_.savePicture, actions_.copyPicture,
+                         actions_.saveFilm, actions_.saveMesh, actions_.saveSurfaces, actions_.saveStatistics,
+                         actions_.close, actions_.addIsovalue, actions_.fit} +
+             actions_.namedViews)
         action->setEnabled(model != nullptr);
     viewport_->setScene(nullptr);
     const Camera& camera = viewport_->camera();

@@ -14,8 +14,10 @@ namespace tetra {
 
 class EmptyPage;
 class KeepSession;
+class FilmDialog;
 class ImportDialog;
 class MessageBar;
+class PictureDialog;
 class RegionActions;
 class StatusLine;
 class Viewport;
@@ -43,7 +45,10 @@ private:
     void connectWorkbench();
 
     void connectRegions();
+    void connectPictures();
     void savePicture();
+    void copyPicture();
+    void saveFilm();
     void saveMesh();
     void saveSurfaces();
     void saveStatistics();
@@ -64,7 +69,9 @@ private:
     EmptyPage* empty_;
     Viewport* viewport_;
     QStackedWidget* pages_;
-    ImportDialog* import_ = nullptr; ///< once a file needed it
+    ImportDialog* import_ = nullptr;   ///< once a file needed it
+    PictureDialog* picture_ = nullptr; ///< once it was asked for
+    FilmDialog* film_ = nullptr;       ///< likewise
     StatusLine* status_;
     RegionActions* regions_;
     KeepSession* keptSession_ = nullptr;

@@ -39,6 +39,11 @@ TaskLine::TaskLine(const QString& name, const QString& activity, LongTask& task,
     connect(&task, &LongTask::finished, this, &QWidget::hide);
 }
 
+void TaskLine::setActivity(const QString& activity)
+{
+    activity_->setText(activity);
+}
+
 void TaskLine::follow(const TaskProgress& progress)
 {
     progress_->setValue(static_cast<int>(std::lround(100 * progress.fraction)));

@@ -17,6 +17,8 @@ class TaskLine : public QWidget {
 public:
     TaskLine(const QString& name, const QString& activity, LongTask& task, QWidget* parent = nullptr);
 
+    void setActivity(const QString& activity);
+
 private:
     void follow(const TaskProgress& progress);
 

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Annotations by values: round ticks, and places that never overlap or leave the picture.
+#include "ui/annotations/annotation_layout.h"
+#include "ui/annotations/annotation_painter.h"
+#include "ui/annotations/axis_ticks.h"
+#include "ui/viewport/picture_projection.h"
+
+#include <QImage>
+#include <QLocale>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace tetra;
+
+namespace {
+
+const TextMeasure measure{[](const QString& text) { return 7.0 * static_cast<double>(text.size()); },
+                          [](const QString& text) { return 8.0 * static_cast<double>(text.size()); }, 15};
+
+AnnotationContent fullContent()
+{
+    AnnotationContent content;
+    for (AnnotationPlace& place : content.state.places)
+        place.shown = true;
+    content.range = {0.2, 4.98};
+    content.transfer = TransferFunction{{{0.2, {0, 0, 1}, 0}, {4.98, {1, 0, 0}, 0.9F}}, 1};
+    content.isovalues = std::vector<Isovalue>{{.value = 1}, {.value = 1.02}, {.value = 3}};
+    content.field = "density";
+    content.title = "bluntfin";
+    content.accuracy = "Error 1 %";
+    content.background = {1, 1, 1};
+    return content;
+}
+
+/// All that is written or drawn, but for ticks without a label.
+std::vector<QRectF> labelsOf(const AnnotationLayout& layout)
+{
+    std::vector<QRectF> labels;
+    const auto add = [&labels](const PlacedText& text) {
+        if (!text.text.isEmpty())
+            labels.push_back(text.place);
+    };
+    if (layout.colourBar) {
+        add(layout.colourBar->field);
+        for (const auto* marks : {&layout.colourBar->ticks, &layout.colourBar->isovalues})
+            for (const AxisMark& mark : *marks)
+                add(mark.label);
+    }
+    if (layout.axes)
+        for (const AxisLayout& axis : layout.axes->axes)
+            add(axis.label);
+    if (layout.scaleBar)
+        add(layout.scaleBar->label);
+    for (const auto& text : {layout.title, layout.accuracy})
+        if (text)
+            add(*text);
+    return labels;
+}
+
+int count(const AnnotationLayout& layout)
+{
+    return static_cast<int>(std::ranges::count_if(layout.places, [](const QRectF& place) { return !place.isNull(); }));
+}
+
+/// Greater for a layout that has something more important, whatever else it lacks.
+int importance(const AnnotationLayout& layout)
+{
+    constexpr std::array weights{16, 4, 8, 2, 1}; // by kind
+    int sum = 0;
+    for (std::size_t i = 0; i < annotationCount; ++i)
+        sum += layout.places[i].isNull() ? 0 : weights[i];
+    return sum;
+}
+
+} // namespace
+
+class AnnotationsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+    void ticksAreRoundAndFew();
+    void ticksOfBadRangesAreNone();
+    void tickTextsTellTicksApart();
+    void lengthsAreRound();
+    void everythingFitsInALargePicture();
+    void nothingOverlapsOrLeavesThePicture();
+    void whatHasNoRoomGoesByImportance();
+    void theScaleBarIsAsLongAsItSays();
+    void theBarTellsWhatThePictureFollows();
+    void axesTurnWithTheCamera();
+    void paintingStaysInItsPlaces();
+};
+
+void AnnotationsTest::ticksAreRoundAndFew()
+{
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> any(-1, 1), power(-12, 12);
+    for (int round = 0; round < 2000; ++round) {
+        const double scale = std::pow(10, power(random));
+        const double least = scale * any(random);
+        const double largest = least + scale * std::abs(any(random)) + 1e-3 * scale;
+        const int most = 2 + static_cast<int>(random() % 12);
+        const auto ticks = niceTicks(least, largest, most);
+        QVERIFY(static_cast<int>(ticks.size()) <= most);
+        QVERIFY(most < 3 || !ticks.empty());
+        for (const double tick : ticks)
+            QVERIFY(tick >= least && tick <= largest);
+        for (std::size_t i = 1; i < ticks.size(); ++i) {
+            const double step = ticks[i] - ticks[i - 1];
+            const double digits = step / std::pow(10, std::floor(std::log10(step * (1 + 1e-6))));
+            QVERIFY2(std::abs(digits - 1) < 1e-3 || std::abs(digits - 2) < 1e-3 || std::abs(digits - 5) < 1e-3,
+                     qPrintable(QString::number(digits)));
+        }
+    }
+    QCOMPARE(niceTicks(0, 255, 6), (std::vector<double>{0, 50, 100, 150, 200, 250}));
+    QCOMPARE(niceTicks(-1, 1, 5), (std::vector<double>{-1, -0.5, 0, 0.5, 1}));
+}
+
+void AnnotationsTest::ticksOfBadRangesAreNone()
+{
+    const double infinity = std::numeric_limits<double>::infinity();
+    QVERIFY(niceTicks(1, 1, 5).empty() && niceTicks(2, 1, 5).empty() && niceTicks(0, infinity, 5).empty());
+    QVERIFY(niceTicks(0, std::nan(""), 5).empty() && niceTicks(0, 1, 0).empty());
+    QVERIFY(niceTicks(1, 1 + 1e-15, 5).empty());
+}
+
+void AnnotationsTest::tickTextsTellTicksApart()
+{
+    QCOMPARE(tickTexts({0, 0.5, 1}), (std::vector<QString>{"0.0", "0.5", "1.0"}));
+    QCOMPARE(tickTexts({0, 2e-7, 4e-7}), (std::vector<QString>{"0", "2e-07", "4e-07"}));
+    QCOMPARE(tickTexts({1e7, 1.5e7}), (std::vector<QString>{"1.0e+07", "1.5e+07"}));
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> any(-1, 1), power(-9, 9);
+    for (int round = 0; round < 500; ++round) {
+        const double scale = std::pow(10, power(random));
+        const double least = scale * any(random);
+        auto texts = tickTexts(niceTicks(least, least + scale, 6));
+        const std::size_t before = texts.size();
+        std::ranges::sort(texts);
+        texts.erase(std::ranges::unique(texts).begin(), texts.end());
+        QCOMPARE(texts.size(), before);
+    }
+}
+
+void AnnotationsTest::lengthsAreRound()
+{
+    QCOMPARE(niceLength(1), 1.0);
+    QCOMPARE(niceLength(7.3), 5.0);
+    QCOMPARE(niceLength(4.9), 2.0);
+    QCOMPARE(niceLength(0.0199), 0.01);
+    QCOMPARE(niceLength(0), 0.0);
+    QCOMPARE(niceLength(std::nan("")), 0.0);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> power(-20, 20);
+    for (int round = 0; round < 500; ++round) {
+        const double length = std::pow(10, power(random));
+        QVERIFY(niceLength(length) <= length && niceLength(length) > 0.39 * length);
+    }
+}
+
+void AnnotationsTest::everythingFitsInALargePicture()
+{
+    const AnnotationLayout layout = layOutAnnotations(fullContent(), {1000, 700}, measure);
+    QCOMPARE(count(layout), 5);
+    QCOMPARE(layout.title->text, QString("bluntfin"));
+    QVERIFY(layout.title->place.bottom() <= layout.accuracy->place.top());
+    QVERIFY(layout.colourBar->ticks.size() >= 4);
+    QCOMPARE(layout.colourBar->isovalues.size(), std::size_t(3));
+}
+
+void AnnotationsTest::nothingOverlapsOrLeavesThePicture()
+{
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> side(20, 900), angle(-180, 180), height(-90, 90), value(0.2, 4.98);
+    for (int round = 0; round < 3000; ++round) {
+        AnnotationContent content = fullContent();
+        for (AnnotationPlace& place : content.state.places)
+            place = {random() % 4 != 0, static_cast<Corner>(random() % 4)};
+        if (random() % 2 == 0)
+            content.transfer.reset();
+        for (Isovalue& isovalue : *content.isovalues)
+            isovalue.value = value(random);
+        content.title = QString(static_cast<int>(random() % 60), 'm');
+        content.camera = {.distance = 0.1 + std::abs(height(random)),
+                          .azimuth = angle(random),
+                          .elevation = height(random),
+                          .perspective = random() % 2 == 0};
+        const QSizeF picture(side(random), side(random));
+        const AnnotationLayout layout = layOutAnnotations(content, picture, measure);
+        const QRectF whole(QPointF(0, 0), picture);
+        for (std::size_t i = 0; i < annotationCount; ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                QVERIFY(!layout.places[i].intersects(layout.places[j]));
+        const auto labels = labelsOf(layout);
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            QVERIFY(whole.contains(labels[i]));
+            for (std::size_t j = 0; j < i; ++j)
+                QVERIFY(!labels[i].intersects(labels[j]));
+        }
+    }
+}
+
+void AnnotationsTest::whatHasNoRoomGoesByImportance()
+{
+    AnnotationContent content = fullContent();
+    QCOMPARE(count(layOutAnnotations(content, {40, 40}, measure)), 0);
+    QCOMPARE(count(layOutAnnotations(content, {0, 0}, measure)), 0);
+    int last = 0;
+    for (double side = 40; side < 900; side += 5) { // more room is never worse
+        const int now = importance(layOutAnnotations(content, {side, side}, measure));
+        QVERIFY2(now >= last, qPrintable(QString("%1: %2 after %3").arg(side).arg(now).arg(last)));
+        last = now;
+    }
+    QCOMPARE(last, 31);
+    const AnnotationLayout small = layOutAnnotations(content, {150, 130}, measure);
+    QVERIFY(small.colourBar && count(small) < 5);
+}
+
+void AnnotationsTest::theScaleBarIsAsLongAsItSays()
+{
+    AnnotationContent content = fullContent();
+    for (const bool perspective : {false, true}) {
+        content.camera = {.target = {1, 2, 3}, .distance = 40, .perspective = perspective};
+        const QSizeF picture(800, 600);
+        const AnnotationLayout layout = layOutAnnotations(content, picture, measure);
+        QVERIFY(layout.scaleBar);
+        const PictureProjection projection(content.camera, picture);
+        const auto from = projection.pixelOf(content.camera.target);
+        const auto to = projection.pixelOf(content.camera.target + layout.scaleBar->length * projection.right());
+        QVERIFY(std::abs(layout.scaleBar->bar.length() - QLineF(*from, *to).length()) < 1e-9);
+        QCOMPARE(layout.scaleBar->label.text.contains("target"), perspective);
+    }
+}
+
+void AnnotationsTest::theBarTellsWhatThePictureFollows()
+{
+    AnnotationContent content = fullContent();
+    content.isovalues.reset();
+    QVERIFY(layOutAnnotations(content, {800, 600}, measure).colourBar->isovalues.empty());
+    content.isovalues = std::vector<Isovalue>{{.value = 2.5}};
+    content.transfer.reset();
+    const auto surfaces = layOutAnnotations(content, {800, 600}, measure).colourBar;
+    QCOMPARE(surfaces->isovalues.front().label.text, QString("2.5"));
+    const double expected = surfaces->bar.bottom() - surfaces->bar.height() * (2.5 - 0.2) / (4.98 - 0.2);
+    QVERIFY(std::abs(surfaces->isovalues.front().position - expected) < 1e-9);
+    content.isovalues->clear();
+    QVERIFY(!layOutAnnotations(content, {800, 600}, measure).colourBar);
+}
+
+void AnnotationsTest::axesTurnWithTheCamera()
+{
+    AnnotationContent content = fullContent();
+    content.camera = {.azimuth = 0, .elevation = 0};
+    auto axes = layOutAnnotations(content, {800, 600}, measure).axes->axes;
+    QVERIFY(axes[0].tip.x() > 20 && std::abs(axes[0].tip.y()) < 1e-9);
+    QVERIFY(axes[2].tip.y() < -20 && axes[1].depth < -0.99);
+    content.camera.azimuth = 90;
+    axes = layOutAnnotations(content, {800, 600}, measure).axes->axes;
+    QVERIFY(axes[1].tip.x() > 20 && axes[0].depth > 0.99);
+}
+
+/// Pixels change where annotations are, and nowhere else; on light and dark grounds.
+void AnnotationsTest::paintingStaysInItsPlaces()
+{
+    for (const float ground : {1.0F, 0.1F}) {
+        AnnotationContent content = fullContent();
+        content.background = {ground, ground, ground};
+        QImage image(900, 600, QImage::Format_ARGB32_Premultiplied);
+        const QColor empty(QColor::fromRgbF(ground, ground, ground).rgb());
+        image.fill(empty);
+        paintAnnotations(image, content, 1);
+        const auto changed = [&](const QRect& part) {
+            int pixels = 0;
+            for (int y = part.top(); y <= part.bottom(); ++y)
+                for (int x = part.left(); x <= part.right(); ++x)
+                    pixels += image.pixelColor(x, y) != empty ? 1 : 0;
+            return pixels;
+        };
+        QVERIFY(changed({0, 0, 200, 80}) > 50);      // title and accuracy
+        QVERIFY(changed({760, 0, 140, 300}) > 3000); // colour bar
+        QVERIFY(changed({0, 480, 130, 120}) > 100);  // axes
+        QVERIFY(changed({650, 540, 250, 60}) > 100); // scale bar
+        QCOMPARE(changed({220, 100, 400, 360}), 0);
+        QCOMPARE(changed({0, 0, 900, 4}) + changed({0, 596, 900, 4}), 0);
+        QImage large(1800, 1200, QImage::Format_ARGB32_Premultiplied);
+        large.fill(empty);
+        paintAnnotations(large, content, 2);
+        const QImage again = large.scaled(900, 600, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+        const QColor bar = image.pixelColor(830, 100);
+        QVERIFY(std::abs(again.pixelColor(830, 100).red() - bar.red()) < 60);
+    }
+}
+
+QTEST_MAIN(AnnotationsTest)
+#include "annotations_test.moc"

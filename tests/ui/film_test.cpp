@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Films of what the window shows: key frames, the preview, and what is written.
+#include "tests/ui/window_fixture.h"
+#include "ui/session/film_file.h"
+#include "ui/session/video_encoding.h"
+#include "ui/window/picture_orders.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <QToolButton>
+
+using namespace tetra;
+
+class FilmTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void keyFramesAreEdited();
+    void aPreviewLeavesTheViewAlone();
+    void aFilmIsWrittenAsPictures();
+    void aFilmThatIsCancelledLeavesNothing();
+    void aFilmBlendsItsKeys();
+    void aVideoIsMadeWhereThereIsFfmpeg();
+    void whatTheEncoderSaysIsTold();
+
+private:
+    PictureSettings settings(QSize size) const;
+    Session& session() const { return window_->workbench.session(); }
+
+    std::unique_ptr<WindowFixture> window_;
+};
+
+void FilmTest::initTestCase()
+{
+    QCoreApplication::setOrganizationName("TAn");
+    QCoreApplication::setApplicationName("film");
+    QCoreApplication::setApplicationVersion("1.2.3");
+    QLocale::setDefault(QLocale::c());
+}
+
+void FilmTest::init()
+{
+    QSettings().clear();
+    window_ = std::make_unique<WindowFixture>();
+    window_->window.show();
+    const auto path = buildSampleModel(*window_->host, sampleDataset(16), window_->folderPath());
+    window_->window.open(QString::fromStdString(path));
+    QTRY_VERIFY(session().model() && window_->settled());
+}
+
+void FilmTest::cleanup()
+{
+    window_.reset();
+}
+
+PictureSettings FilmTest::settings(QSize size) const
+{
+    return {size, 0, false, session().view().annotations()};
+}
+
+void FilmTest::keyFramesAreEdited()
+{
+    QVERIFY(!window_->find<QWidget>("dock.animation").isVisible());
+    window_->find<QAction>("action.dock.animation").trigger();
+    auto& kind = window_->find<QComboBox>("animation.kind");
+    kind.setCurrentIndex(1);
+    emit kind.activated(1);
+    QVERIFY(!window_->find<QPushButton>("animation.play").isEnabled());
+    auto& table = window_->find<QTableWidget>("animation.keys");
+    for (const double azimuth : {10.0, 20.0, 30.0}) {
+        Camera camera = window_->viewport().camera();
+        camera.azimuth = azimuth;
+        window_->viewport().setCamera(camera);
+        window_->find<QToolButton>("animation.keys.add").click();
+    }
+    const auto azimuths = [&] {
+        QList<double> result;
+        for (const KeyFrame& key : session().view().animation().keys)
+            result.append(key.frame.camera.azimuth);
+        return result;
+    };
+    QCOMPARE(table.rowCount(), 3);
+    QCOMPARE(session().view().animation().keys[2].time, 4.0);
+    QVERIFY(window_->find<QLabel>("animation.summary").text().contains("121"));
+    table.setCurrentCell(2, 1);
+    QTest::keyClick(&table, Qt::Key_Up, Qt::AltModifier);
+    QCOMPARE(azimuths(), (QList<double>{10, 30, 20}));
+    table.item(0, 0)->setText("3");
+    QTRY_COMPARE(azimuths(), (QList<double>{30, 10, 20}));
+    table.setCurrentCell(1, 1);
+    QTest::keyClick(&table, Qt::Key_Delete);
+    QCOMPARE(azimuths(), (QList<double>{30, 20}));
+    table.setCurrentCell(0, 1);
+    QTest::keyClick(&table, Qt::Key_Return);
+    QCOMPARE(window_->viewport().camera().azimuth, 30.0);
+    for (int i = 0; i < 20 && session().undoStack().canUndo(); ++i)
+        session().undoStack().undo();
+    QVERIFY(session().view().animation() == Animation());
+    QCOMPARE(table.rowCount(), 0);
+}
+
+void FilmTest::aPreviewLeavesTheViewAlone()
+{
+    const Camera camera = window_->viewport().camera();
+    const int steps = session().undoStack().count();
+    auto& play = window_->find<QPushButton>("animation.play");
+    play.click();
+    QTRY_VERIFY(window_->viewport().shownCamera() != camera);
+    QVERIFY(window_->viewport().camera() == camera);
+    play.click();
+    QVERIFY(window_->viewport().shownCamera() == camera && !window_->viewport().previewing());
+    window_->find<QSlider>("animation.position").setValue(30);
+    QVERIFY(window_->viewport().shownCamera() != camera);
+    Camera moved = camera;
+    moved.elevation = 5;
+    window_->viewport().setCamera(moved); // the user takes over
+    QVERIFY(window_->viewport().shownCamera() == moved && !window_->viewport().previewing());
+    QCOMPARE(session().undoStack().count(), steps);
+}
+
+void FilmTest::aFilmIsWrittenAsPictures()
+{
+    Animation animation;
+    animation.turntable.frames = 4;
+    session().setAnimation(animation);
+    window_->find<QAction>("action.saveFilm").trigger();
+    QVERIFY(window_->find<QWidget>("filmOptions").isVisible());
+    QTRY_VERIFY(window_->find<QLabel>("film.summary").text().contains("takes about"));
+    window_->find<QSpinBox>("film.width").setValue(160);
+    window_->find<QSpinBox>("film.height").setValue(120);
+    auto& target = window_->find<QLineEdit>("film.target");
+    target.setText(window_->folder.filePath("round.png"));
+    QCOMPARE(window_->find<QPushButton>("film.save").text(), QString("&Save"));
+    QSignalSpy saved(&window_->workbench, &Workbench::filmSaved);
+    window_->find<QPushButton>("film.save").click();
+    QVERIFY(!target.isEnabled());
+    QTRY_COMPARE(saved.count(), 1);
+    const QDir folder(window_->folder.path());
+    const QStringList files = folder.entryList({"round*"}, QDir::AllEntries | QDir::Hidden, QDir::Name);
+    QCOMPARE(files, (QStringList{"round_0001.png", "round_0002.png", "round_0003.png", "round_0004.png"}));
+    QVERIFY(QImage(folder.filePath(files[0])) != QImage(folder.filePath(files[1])));
+    QCOMPARE(QImage(folder.filePath(files[3])).size(), QSize(160, 120));
+    QCOMPARE(window_->find<QPushButton>("film.save").text(), QString("&Replace and Save"));
+    QVERIFY(window_->find<QLabel>("film.hint").text().contains('4'));
+}
+
+void FilmTest::aFilmThatIsCancelledLeavesNothing()
+{
+    Animation animation;
+    animation.turntable.frames = 5000;
+    session().setAnimation(animation);
+    FilmOrder order = filmOrder(window_->workbench, window_->viewport(), settings({320, 240}));
+    order.target = window_->folder.filePath("long.png").toStdString();
+    LongTask& task = window_->workbench.savingFilm();
+    QSignalSpy progressed(&task, &LongTask::progressed);
+    window_->workbench.saveFilm(order);
+    QTRY_VERIFY(progressed.count() > 1);
+    QElapsedTimer clock;
+    clock.start();
+    task.cancel();
+    QTRY_VERIFY(!task.running());
+    QVERIFY2(clock.elapsed() < 1000, qPrintable(QString::number(clock.elapsed())));
+    QVERIFY(QDir(window_->folder.path()).entryList({"long*"}, QDir::AllEntries | QDir::Hidden).isEmpty());
+    QCOMPARE(window_->messages(), QStringList());
+}
+
+/// Frames of a film follow isovalues and accuracy, too, not only the camera.
+void FilmTest::aFilmBlendsItsKeys()
+{
+    Animation animation;
+    animation.kind = Animation::Kind::KeyFrames;
+    animation.framesPerSecond = 1;
+    FilmFrame first = window_->workbench.presentFrame(window_->viewport().camera());
+    FilmFrame last = first;
+    first.error = 4;
+    last.error = 1;
+    last.isovalues.front().value += 20;
+    animation = withKey(withKey(animation, first), last);
+    session().setAnimation(animation);
+    QCOMPARE(frameCount(session().view().animation()), 3);
+    const FilmFrame middle = frameOf(session().view().animation(), first, 1);
+    QCOMPARE(middle.error, 2.5);
+    QCOMPARE(middle.isovalues.front().value, first.isovalues.front().value + 10);
+    QVERIFY(frameOf(session().view().animation(), {}, 0) == first);
+    QVERIFY(frameOf(session().view().animation(), {}, 2) == last);
+    FilmOrder order = filmOrder(window_->workbench, window_->viewport(), settings({120, 90}));
+    order.target = window_->folder.filePath("keys.png").toStdString();
+    const Status written = writeFilm(order, {});
+    QVERIFY2(written, written ? "" : written.error().text.c_str());
+    QVERIFY(QImage(window_->folder.filePath("keys_0001.png")) != QImage(window_->folder.filePath("keys_0003.png")));
+    animation.keys.pop_back();
+    order.animation = animation;
+    QVERIFY(!writeFilm(order, {}));
+}
+
+void FilmTest::aVideoIsMadeWhereThereIsFfmpeg()
+{
+    const QString encoder = findVideoEncoder();
+    if (encoder.isEmpty())
+        QSKIP("skipped: no ffmpeg");
+    Animation animation;
+    animation.turntable.frames = 3;
+    session().setAnimation(animation);
+    for (const char* name : {"film.mp4", "film.webm"}) {
+        FilmOrder order = filmOrder(window_->workbench, window_->viewport(), settings({121, 91}));
+        order.target = window_->folder.filePath(name).toStdString();
+        order.encoder = encoder;
+        const Status written = writeFilm(order, {});
+        QVERIFY2(written, written ? "" : written.error().text.c_str());
+        QVERIFY(QFileInfo(window_->folder.filePath(name)).size() > 500);
+    }
+    QCOMPARE(QDir(window_->folder.path()).entryList({"film*"}).size(), 2);
+}
+
+void FilmTest::whatTheEncoderSaysIsTold()
+{
+    const QString encoder = window_->folder.filePath("encoder");
+    QFile script(encoder);
+    QVERIFY(script.open(QIODevice::WriteOnly));
+    script.write("#!/bin/sh\necho 'no such codec' >&2\nexit 3\n");
+    script.close();
+    QVERIFY(script.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+    const Status refused = encodeVideo(encoder, {}, window_->folderPath(), {});
+    QVERIFY(!refused && refused.error().text.find("no such codec") != std::string::npos);
+    const Status missing = encodeVideo("/no/such/program", {}, window_->folderPath(), {});
+    QVERIFY(!missing && missing.error().text.find("/no/such/program") != std::string::npos);
+    QCOMPARE(encoderArguments("%06d.png", 25, "film.mp4").last(), QString("film.mp4"));
+    QVERIFY(encoderArguments("%06d.png", 25, "film.mp4").contains("yuv420p"));
+}
+
+QTEST_MAIN(FilmTest)
+#include "film_test.moc"

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures and films of what the window shows: dialogs, files and what they say of themselves.
+#include "tests/ui/window_fixture.h"
+#include "ui/session/picture_texts.h"
+#include "ui/window/picture_orders.h"
+
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QGuiApplication>
+#include <QImage>
+#include <QImageReader>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+
+using namespace tetra;
+
+class OutputTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void annotationsAreUndoable();
+    void thePictureShowsItsAnnotations();
+    void aPictureIsSavedAsAskedFor();
+    void aPictureSaysHowItWasMade();
+    void aPictureRestoresItsView();
+    void backgroundsCanBeTransparent();
+    void picturesWaitForEachOther();
+    void thePictureIsCopied();
+
+private:
+    PictureSettings settings(QSize size) const;
+    template <class Object> Object& dialog(const QString& name) const { return window_->find<Object>(name); }
+    void savePictureTo(const QString& path) const;
+    Session& session() const { return window_->workbench.session(); }
+
+    std::unique_ptr<WindowFixture> window_;
+};
+
+void OutputTest::initTestCase()
+{
+    QCoreApplication::setOrganizationName("TAn");
+    QCoreApplication::setApplicationName("output");
+    QCoreApplication::setApplicationVersion("1.2.3");
+    QLocale::setDefault(QLocale::c());
+}
+
+void OutputTest::init()
+{
+    QSettings().clear();
+    window_ = std::make_unique<WindowFixture>();
+    window_->window.show();
+    const auto path = buildSampleModel(*window_->host, sampleDataset(16), window_->folderPath());
+    window_->window.open(QString::fromStdString(path));
+    QTRY_VERIFY(session().model() && window_->settled());
+}
+
+void OutputTest::cleanup()
+{
+    window_.reset();
+}
+
+PictureSettings OutputTest::settings(QSize size) const
+{
+    return {size, 0, false, session().view().annotations()};
+}
+
+/// As the user does, by the dialogs.
+void OutputTest::savePictureTo(const QString& path) const
+{
+    QSignalSpy saved(&window_->workbench, &Workbench::pictureSaved);
+    window_->find<QPushButton>("picture.save").click();
+    auto& file = window_->find<QFileDialog>("pictureDialog");
+    file.selectFile(path);
+    QMetaObject::invokeMethod(&file, "accept");
+    QTRY_COMPARE(saved.count(), 1);
+    QCOMPARE(saved.first().first().toString(), path);
+}
+
+void OutputTest::annotationsAreUndoable()
+{
+    const AnnotationState before = session().view().annotations();
+    window_->find<QCheckBox>("view.annotation.scaleBar").click();
+    QVERIFY(session().view().annotations()[AnnotationKind::ScaleBar].shown);
+    QVERIFY(window_->find<QAction>("action.annotation.scaleBar").isChecked());
+    window_->find<QAction>("action.annotation.axes").trigger();
+    QVERIFY(!window_->find<QCheckBox>("view.annotation.axes").isChecked());
+    auto& corner = window_->find<QComboBox>("view.annotation.scaleBar.corner");
+    corner.setCurrentIndex(static_cast<int>(Corner::TopLeft));
+    emit corner.activated(corner.currentIndex());
+    QCOMPARE(session().view().annotations()[AnnotationKind::ScaleBar].corner, Corner::TopLeft);
+    for (int i = 0; i < 3; ++i)
+        session().undoStack().undo();
+    QVERIFY(session().view().annotations() == before);
+    QVERIFY(window_->find<QAction>("action.annotation.axes").isChecked());
+}
+
+void OutputTest::thePictureShowsItsAnnotations()
+{
+    QWidget& viewport = window_->viewport();
+    const QImage with = viewport.grab().toImage();
+    session().setAnnotations({});
+    AnnotationState none = session().view().annotations();
+    for (AnnotationPlace& place : none.places)
+        place.shown = false;
+    session().setAnnotations(none);
+    const QImage without = viewport.grab().toImage();
+    QCOMPARE(with.size(), without.size());
+    const QRect corner(0, with.height() - 110, 110, 110); // axes
+    QVERIFY(with.copy(corner) != without.copy(corner));
+    const QRect middle(with.width() / 2 - 10, with.height() / 2 - 10, 20, 20);
+    QVERIFY(with.copy(middle) == without.copy(middle));
+}
+
+void OutputTest::aPictureIsSavedAsAskedFor()
+{
+    window_->find<QAction>("action.savePicture").trigger();
+    QVERIFY(window_->find<QWidget>("pictureOptions").isVisible());
+    QVERIFY(window_->window.isEnabled());
+    auto& preset = window_->find<QComboBox>("picture.preset");
+    preset.setCurrentIndex(2);
+    emit preset.activated(2);
+    QCOMPARE(window_->find<QSpinBox>("picture.width").value(), 1280);
+    window_->find<QSpinBox>("picture.width").setValue(300);
+    window_->find<QSpinBox>("picture.height").setValue(200);
+    window_->find<QSpinBox>("picture.dpi").setValue(254);
+    QCOMPARE(window_->find<QLabel>("picture.printSize").text(), QString("3.0 × 2.0 cm"));
+    QCOMPARE(preset.currentText(), QString("Custom"));
+    const QString path = window_->folder.filePath("picture.png");
+    savePictureTo(path);
+    const QImage picture(path);
+    QCOMPARE(picture.size(), QSize(300, 200));
+    QCOMPARE(picture.dotsPerMeterX(), 10000);
+    QVERIFY(!window_->find<QWidget>("pictureOptions").isVisible());
+    window_ = std::make_unique<WindowFixture>(); // what was chosen is remembered
+    const auto form = std::make_unique<PictureForm>("picture");
+    QCOMPARE(form->settings().size, QSize(300, 200));
+    QCOMPARE(form->settings().dotsPerInch, 254);
+}
+
+void OutputTest::aPictureSaysHowItWasMade()
+{
+    session().addIsovalue();
+    QTRY_VERIFY(window_->settled());
+    window_->find<QAction>("action.savePicture").trigger();
+    const QString path = window_->folder.filePath("told.png");
+    savePictureTo(path);
+    QImageReader reader(path);
+    QCOMPARE(reader.text("Software"), QString("TAn 1.2.3"));
+    QCOMPARE(reader.text("Title"), QString("c60"));
+    QVERIFY(reader.text("Description").contains("error"));
+    const auto document = sessionFromText(sessionInPicture(path.toStdString()), window_->folderPath());
+    QVERIFY(document);
+    QCOMPARE(document->identity, modelIdentity(*session().model()));
+    QVERIFY(document->isovalues == session().view().isovalues());
+    QVERIFY(document->look == session().view().look());
+    QVERIFY(document->camera == window_->viewport().camera());
+    QVERIFY(document->query == session().view().query());
+    SessionDocument blanks = *document; // such as a folder may have
+    blanks.model = "/a   folder  of models/c60.tan";
+    QImage picture(2, 2, QImage::Format_RGB32);
+    for (const auto& [key, text] : pictureTexts(blanks, "error 1 %", "/elsewhere"))
+        picture.setText(key, text);
+    QVERIFY(writePicture(picture, path.toStdString()));
+    const auto again = sessionFromText(sessionInPicture(path.toStdString()), "/elsewhere");
+    QVERIFY(again);
+    QCOMPARE(again->model, blanks.model);
+
+    window_->find<QAction>("action.savePicture").trigger();
+    window_->find<QCheckBox>("picture.metadata").setChecked(false);
+    const QString silent = window_->folder.filePath("silent.png");
+    savePictureTo(silent);
+    QVERIFY(sessionInPicture(silent.toStdString()).empty());
+}
+
+void OutputTest::aPictureRestoresItsView()
+{
+    session().setError(3);
+    Camera camera = window_->viewport().camera();
+    camera.azimuth = 77;
+    window_->viewport().setCamera(camera);
+    QTRY_VERIFY(window_->settled());
+    window_->find<QAction>("action.savePicture").trigger();
+    const QString path = window_->folder.filePath("view.png");
+    savePictureTo(path);
+    session().setError(1);
+    window_->viewport().setCamera({});
+    window_->window.open(path);
+    QTRY_COMPARE(window_->messages().size(), 1);
+    QVERIFY(window_->messages().first().contains("view.png"));
+    QSignalSpy opened(&window_->workbench, &Workbench::sessionOpened);
+    window_->find<QPushButton>("message.answer").click();
+    QTRY_COMPARE(opened.count(), 1);
+    QCOMPARE(session().view().error(), 3.0);
+    QCOMPARE(window_->viewport().camera().azimuth, 77.0);
+}
+
+void OutputTest::backgroundsCanBeTransparent()
+{
+    PictureSettings wanted = settings({200, 150});
+    wanted.transparent = true;
+    PictureOrder order = pictureOrder(window_->workbench, window_->viewport(), wanted);
+    const auto picture = drawPicture(order, {});
+    QVERIFY(picture);
+    QCOMPARE(picture->pixelColor(100, 2).alpha(), 0);
+    QCOMPARE(picture->pixelColor(100, 75).alpha(), 255);
+    order.transparent = false;
+    QCOMPARE(drawPicture(order, {})->pixelColor(100, 2).alpha(), 255);
+}
+
+void OutputTest::picturesWaitForEachOther()
+{
+    QSignalSpy saved(&window_->workbench, &Workbench::pictureSaved);
+    for (int i = 0; i < 4; ++i) {
+        PictureOrder order = pictureOrder(window_->workbench, window_->viewport(), settings({400, 300}));
+        order.target = window_->folder.filePath(QString("p%1.png").arg(i)).toStdString();
+        window_->workbench.savePicture(order);
+    }
+    QCOMPARE(window_->workbench.picturesWaiting(), 3);
+    QTRY_COMPARE(saved.count(), 4);
+    for (int i = 0; i < 4; ++i)
+        QVERIFY(saved[i].first().toString().endsWith(QString("p%1.png").arg(i)));
+}
+
+void OutputTest::thePictureIsCopied()
+{
+    QGuiApplication::clipboard()->clear();
+    QCOMPARE(window_->find<QAction>("action.copyPicture").shortcut(), QKeySequence("Ctrl+Shift+C"));
+    window_->find<QAction>("action.copyPicture").trigger();
+    QTRY_VERIFY(!QGuiApplication::clipboard()->image().isNull());
+    QCOMPARE(QGuiApplication::clipboard()->image().size(), pixelsOf(window_->viewport()));
+}
+
+QTEST_MAIN(OutputTest)
+#include "output_test.moc"

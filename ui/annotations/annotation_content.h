@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/data/scalar_field.h"
+#include "core/graphics/camera.h"
+#include "core/graphics/isovalue.h"
+#include "core/graphics/picture.h"
+#include "core/transfer/transfer_function.h"
+#include "ui/session/animation.h"
+#include "ui/session/annotation_state.h"
+
+#include <QFont>
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace tetra {
+
+class Workbench;
+struct ShownMesh;
+
+/// What the annotations of a picture say: a value, painted in any thread.
+struct AnnotationContent {
+    AnnotationState state;
+    ValueRange range;                               ///< of the colour bar's axis
+    std::optional<TransferFunction> transfer;       ///< none where the picture does not follow one
+    std::optional<std::vector<Isovalue>> isovalues; ///< that are seen; none where the picture has no surfaces
+    QString field;                                  ///< name of the values
+    QString title;
+    QString accuracy; ///< empty if nothing is known
+    Camera camera;
+    Colour background; ///< the ink is dark or light after it
+    QFont font;        ///< the window's
+};
+
+/// Of what the workbench shows, seen by `camera` before `background`. From the GUI thread.
+AnnotationContent annotationContent(Workbench& workbench, const Camera& camera, const Colour& background);
+
+/// The same picture's at a frame of a film; the accuracy is that of `mesh`.
+AnnotationContent atFrame(AnnotationContent content, const FilmFrame& frame, const ShownMesh& mesh);
+
+} // namespace tetra

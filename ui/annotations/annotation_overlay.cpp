@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/annotations/annotation_overlay.h"
+
+#include "ui/annotations/annotation_painter.h"
+#include "ui/session/workbench.h"
+#include "ui/viewport/viewport.h"
+
+#include <QEvent>
+#include <QPainter>
+
+namespace tetra {
+
+AnnotationOverlay::AnnotationOverlay(Workbench& workbench, Viewport& viewport)
+    : QWidget(&viewport), workbench_(workbench), viewport_(viewport)
+{
+    setObjectName("viewport.annotations");
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_NoSystemBackground);
+    setGeometry(viewport.rect());
+    viewport.installEventFilter(this);
+    const auto repaint = qOverload<>(&QWidget::update);
+    const Session* session = &workbench.session();
+    const ViewState* view = &session->view();
+    connect(&viewport, &Viewport::cameraChanged, this, repaint);
+    connect(&viewport, &Viewport::previewChanged, this, repaint);
+    connect(&viewport, &Viewport::backgroundChanged, this, repaint);
+    connect(session, &Session::modelChanged, this, repaint);
+    connect(session, &Session::shownChanged, this, repaint);
+    connect(view, &ViewState::lookChanged, this, repaint);
+    connect(view, &ViewState::annotationsChanged, this, repaint);
+    connect(view, &ViewState::isovalueInserted, this, repaint);
+    connect(view, &ViewState::isovalueRemoved, this, repaint);
+    connect(view, &ViewState::isovalueChanged, this, repaint);
+}
+
+bool AnnotationOverlay::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize)
+        setGeometry(viewport_.rect());
+    return QWidget::eventFilter(watched, event);
+}
+
+void AnnotationOverlay::paintEvent(QPaintEvent* event)
+{
+    Q_UNUSED(event);
+    if (!workbench_.session().model())
+        return;
+    QPainter painter(this);
+    paintAnnotations(painter, annotationContent(workbench_, viewport_.shownCamera(), viewport_.background()), size());
+}
+
+} // namespace tetra

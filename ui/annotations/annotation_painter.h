@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/annotations/annotation_content.h"
+
+#include <QSizeF>
+
+class QImage;
+class QPainter;
+
+namespace tetra {
+
+/// Paints them over a picture of this size, in the painter's units; colours and hollows are legible on any background,
+/// as texts and lines have a rim. Any thread.
+void paintAnnotations(QPainter& painter, const AnnotationContent& content, QSizeF picture);
+
+/// The same over an image, `scale` times as large as in a view of one pixel a unit.
+void paintAnnotations(QImage& image, const AnnotationContent& content, double scale);
+
+/// How many pixels of a picture a unit of the view is, so that its annotations take as much of it as they do of the
+/// view; not so few that texts could not be read.
+double annotationScale(QSize picture, QSize view);
+
+} // namespace tetra

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <vector>
+
+namespace tetra {
+
+/// Round numbers in [least, largest], rising, evenly spaced by 1, 2 or 5 times a power of ten, at most `most`; none if
+/// the range is empty or not finite.
+std::vector<double> niceTicks(double least, double largest, int most);
+
+/// The largest of 1, 2 and 5 times a power of ten that is not above `length`; 0 if that is not positive and finite.
+double niceLength(double length);
+
+/// Numbers as the user's locale writes them, all with as many decimals as tell them apart; in powers of ten where they
+/// are very large or very small.
+std::vector<QString> tickTexts(const std::vector<double>& values);
+
+/// One number, with the digits that it needs, at most four significant ones.
+QString shortNumber(double value);
+
+} // namespace tetra

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/annotations/annotation_parts.h"
+#include "ui/annotations/axis_ticks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetra {
+namespace {
+
+constexpr double barWidth = 20;
+constexpr double labelGap = 9;       ///< from the bar to its labels, with the tick between
+constexpr double markWidth = 9;      ///< left of the bar, for the isovalues' marks
+constexpr double widestField = 150;  ///< the name of the values
+constexpr double linesPerTick = 2.2; ///< heights of a line from one tick to the next, or more
+constexpr int mostTicks = 9;
+
+std::vector<double> ticksFor(const AnnotationContent& content, double height, const TextMeasure& measure)
+{
+    const int most = std::clamp(static_cast<int>(height / (linesPerTick * measure.height)), 2, mostTicks);
+    return niceTicks(content.range.minimum, content.range.maximum, most);
+}
+
+/// Of all labels: the ticks' and the isovalues'.
+double labelWidth(const AnnotationContent& content, double height, const TextMeasure& measure)
+{
+    double widest = 0;
+    for (const QString& text : tickTexts(ticksFor(content, height, measure)))
+        widest = std::max(widest, measure.width(text));
+    if (content.isovalues && !content.transfer)
+        for (const Isovalue& isovalue : *content.isovalues)
+            widest = std::max(widest, measure.width(shortNumber(isovalue.value)));
+    return std::ceil(widest);
+}
+
+double positionOf(double value, const ValueRange& range, const QRectF& bar)
+{
+    const double part = (value - range.minimum) / (range.maximum - range.minimum);
+    return bar.bottom() - std::clamp(part, 0.0, 1.0) * bar.height();
+}
+
+/// Gives marks their labels, in their order, but for those that would touch one that is there already.
+class LabelColumn {
+public:
+    LabelColumn(const QRectF& bar, const TextMeasure& measure) : left_(bar.right() + labelGap), measure_(measure) {}
+
+    void label(AxisMark& mark, const QString& text)
+    {
+        const QRectF place(left_, mark.position - measure_.height / 2, measure_.width(text), measure_.height);
+        if (std::ranges::any_of(taken_, [&](const QRectF& other) { return other.intersects(place); }))
+            return;
+        taken_.push_back(place);
+        mark.label = {text, place};
+    }
+
+private:
+    double left_;
+    const TextMeasure& measure_;
+    std::vector<QRectF> taken_;
+};
+
+} // namespace
+
+QSizeF colourBarSize(const AnnotationContent& content, double height, const TextMeasure& measure)
+{
+    const bool hasMarks = content.isovalues && !content.isovalues->empty();
+    if (!(content.range.maximum > content.range.minimum) || (!content.transfer && !hasMarks))
+        return {};
+    const double width = markWidth + barWidth + labelGap + labelWidth(content, height, measure);
+    const double name = fittedText(content.field, widestField, measure).place.width();
+    return {std::max(width, name), height};
+}
+
+ColourBarLayout layOutColourBar(const AnnotationContent& content, const QRectF& place, const TextMeasure& measure)
+{
+    ColourBarLayout layout;
+    layout.field = fittedText(content.field, std::min(widestField, place.width() + 0.5), measure);
+    layout.field.place.moveTopLeft(place.topLeft());
+    // Half a line at both ends is for the labels there.
+    const double above = layout.field.text.isEmpty() ? measure.height / 2 : 1.8 * measure.height;
+    layout.bar =
+        QRectF(place.left() + markWidth, place.top() + above, barWidth, place.height() - above - measure.height / 2);
+    LabelColumn labels(layout.bar, measure);
+    for (const Isovalue& isovalue : content.isovalues.value_or(std::vector<Isovalue>{})) {
+        AxisMark mark{positionOf(isovalue.value, content.range, layout.bar), {}};
+        if (!content.transfer) // else the axis is there to tell
+            labels.label(mark, shortNumber(isovalue.value));
+        layout.isovalues.push_back(mark);
+    }
+    const auto ticks = ticksFor(content, place.height(), measure);
+    const auto texts = tickTexts(ticks);
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+        AxisMark mark{positionOf(ticks[i], content.range, layout.bar), {}};
+        labels.label(mark, texts[i]);
+        layout.ticks.push_back(mark);
+    }
+    return layout;
+}
+
+} // namespace tetra

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/picture_form.h"
+
+#include "core/graphics/picture_options.h"
+#include "ui/panels/annotation_rows.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLocale>
+#include <QSettings>
+#include <QSignalBlocker>
+#include <QSpinBox>
+
+namespace tetra {
+namespace {
+
+enum Preset { AsSeen, Twice, Hd, FullHd, FourK, Custom };
+constexpr double centimetresPerInch = 2.54;
+constexpr int usualDpi = 150;
+
+QSize sizeOf(int preset, const QSize& view, const QSize& custom)
+{
+    switch (preset) {
+    case AsSeen: return view;
+    case Twice: return 2 * view;
+    case Hd: return {1280, 720};
+    case FullHd: return {1920, 1080};
+    case FourK: return {3840, 2160};
+    default: return custom;
+    }
+}
+
+QSpinBox* makeBox(const QString& name, int most, const QString& suffix, const QString& title, const QString& toolTip)
+{
+    auto* box = new QSpinBox;
+    box->setObjectName(name);
+    box->setRange(1, most);
+    box->setSuffix(suffix);
+    box->setAccessibleName(title);
+    box->setToolTip(toolTip);
+    return box;
+}
+
+/// A row of several widgets, the first of which its label leads to.
+void addRow(QFormLayout& form, const QString& text, QWidget& first, QLayout& row)
+{
+    auto* label = new QLabel(text);
+    label->setBuddy(&first);
+    form.addRow(label, &row);
+}
+
+} // namespace
+
+PictureForm::PictureForm(const QString& name, QWidget* parent)
+    : QWidget(parent), preset_(new QComboBox),
+      width_(makeBox(name + ".width", largestPictureSide, tr(" px"), tr("Width"), tr("Width in pixels"))),
+      height_(makeBox(name + ".height", largestPictureSide, tr(" px"), tr("Height"), tr("Height in pixels"))),
+      dpi_(makeBox(name + ".dpi", 2400, tr(" dpi"), tr("Resolution"),
+                   tr("Pixels an inch when it is printed; the number of pixels does not change"))),
+      printSize_(new QLabel), transparent_(new QCheckBox(tr("Trans&parent background")))
+{
+    setObjectName(name);
+    auto* form = new QFormLayout(this);
+    form->setContentsMargins({});
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    addSize(*form);
+    addAnnotations(*form);
+    const QSettings settings;
+    preset_->setCurrentIndex(settings.value(name + "/preset", AsSeen).toInt());
+    width_->setValue(settings.value(name + "/width", view_.width()).toInt());
+    height_->setValue(settings.value(name + "/height", view_.height()).toInt());
+    dpi_->setValue(settings.value(name + "/dpi", usualDpi).toInt());
+    transparent_->setChecked(settings.value(name + "/transparent", false).toBool());
+    connect(preset_, &QComboBox::activated, this, &PictureForm::choosePreset);
+    for (QSpinBox* box : {width_, height_})
+        connect(box, &QSpinBox::valueChanged, this, [this] {
+            preset_->setCurrentIndex(Custom);
+            showPrintSize();
+            emit changed();
+        });
+    connect(dpi_, &QSpinBox::valueChanged, this, &PictureForm::showPrintSize);
+    choosePreset();
+}
+
+void PictureForm::addSize(QFormLayout& form)
+{
+    const QString name = objectName();
+    preset_->setObjectName(name + ".preset");
+    preset_->addItems({tr("As seen"), tr("Twice as seen"), tr("HD"), tr("Full HD"), tr("4K"), tr("Custom")});
+    preset_->setToolTip(tr("Annotations and lines take as much of the picture as they do of the view"));
+    form.addRow(tr("Si&ze"), preset_);
+    auto* pixels = new QHBoxLayout;
+    pixels->addWidget(width_, 1);
+    pixels->addWidget(new QLabel(QString(QChar(0xd7))));
+    pixels->addWidget(height_, 1);
+    addRow(form, tr("Pixe&ls"), *width_, *pixels);
+    printSize_->setObjectName(name + ".printSize");
+    auto* print = new QHBoxLayout;
+    print->addWidget(dpi_, 1);
+    print->addWidget(printSize_, 1);
+    addRow(form, tr("Pri&nted"), *dpi_, *print);
+    transparent_->setObjectName(name + ".transparent");
+    transparent_->setToolTip(tr("Only what is shown, to be laid over something else"));
+    form.addRow(tr("Background"), transparent_);
+}
+
+void PictureForm::addAnnotations(QFormLayout& form)
+{
+    for (std::size_t i = 0; i < annotationCount; ++i) {
+        const auto kind = static_cast<AnnotationKind>(i);
+        shown_[i] = new QCheckBox(annotationText(kind, true));
+        shown_[i]->setObjectName(objectName() + ".annotation." + annotationNames[i]);
+        shown_[i]->setToolTip(annotationExplanation(kind));
+        form.addRow(i == 0 ? tr("Annotations") : QString(), shown_[i]);
+    }
+}
+
+void PictureForm::setView(QSize pixels, const AnnotationState& annotations)
+{
+    view_ = pixels;
+    annotations_ = annotations;
+    for (std::size_t i = 0; i < annotationCount; ++i)
+        shown_[i]->setChecked(annotations.places[i].shown);
+    choosePreset();
+}
+
+PictureSettings PictureForm::settings() const
+{
+    PictureSettings settings{
+        {width_->value(), height_->value()}, dpi_->value(), transparent_->isChecked(), annotations_};
+    for (std::size_t i = 0; i < annotationCount; ++i)
+        settings.annotations.places[i].shown = shown_[i]->isChecked();
+    return settings;
+}
+
+void PictureForm::remember() const
+{
+    QSettings settings;
+    settings.setValue(objectName() + "/preset", preset_->currentIndex());
+    settings.setValue(objectName() + "/width", width_->value());
+    settings.setValue(objectName() + "/height", height_->value());
+    settings.setValue(objectName() + "/dpi", dpi_->value());
+    settings.setValue(objectName() + "/transparent", transparent_->isChecked());
+}
+
+void PictureForm::choosePreset()
+{
+    const QSize size = sizeOf(preset_->currentIndex(), view_, {width_->value(), height_->value()});
+    {
+        const QSignalBlocker widthBlocker(width_), heightBlocker(height_);
+        width_->setValue(size.width());
+        height_->setValue(size.height());
+    }
+    showPrintSize();
+    emit changed();
+}
+
+void PictureForm::showPrintSize()
+{
+    const auto centimetres = [this](int pixels) {
+        return QLocale().toString(pixels * centimetresPerInch / dpi_->value(), 'f', 1);
+    };
+    printSize_->setText(tr("%1 × %2 cm").arg(centimetres(width_->value()), centimetres(height_->value())));
+}
+
+} // namespace tetra

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/film_file.h"
+
+#include "core/base/work_folder.h"
+#include "ui/session/target_path.h"
+#include "ui/session/video_encoding.h"
+
+#include <QEventLoop>
+#include <QString>
+#include <QTimer>
+
+#include <algorithm>
+
+namespace tetra {
+namespace {
+
+constexpr int askEvery = 50; // milliseconds
+constexpr int leastDigits = 4;
+constexpr double drawingPart = 0.93; ///< of the time of a video
+constexpr const char* framePattern = "%06d.png";
+
+Error cancelledError()
+{
+    return {ErrorKind::Cancelled, "Cancelled."};
+}
+
+/// Makes scenes one after the other, waiting for each; the last one is used again as long as it fits. Lives in the
+/// worker.
+class SceneSource {
+public:
+    Result<BuiltScene> make(const SceneRequest& request, const Progress& progress)
+    {
+        const bool isSame = made_ && request.query == last_.query && request.values == last_.values;
+        if (isSame)
+            return *made_;
+        Result<BuiltScene> result = cancelledError();
+        const auto ready = QObject::connect(&builder_, &SceneBuilder::sceneReady, &loop_, [&](const BuiltScene& scene) {
+            result = scene;
+            loop_.quit();
+        });
+        const auto failed = QObject::connect(&builder_, &SceneBuilder::failed, &loop_, [&](const Error& error) {
+            result = error;
+            loop_.quit();
+        });
+        QTimer asking;
+        QObject::connect(&asking, &QTimer::timeout, &loop_, [&] {
+            if (progress.cancelled())
+                loop_.quit();
+        });
+        asking.start(askEvery);
+        builder_.request(request);
+        loop_.exec();
+        QObject::disconnect(ready);
+        QObject::disconnect(failed);
+        if (result) {
+            made_ = *result;
+            last_ = request;
+        }
+        return result;
+    }
+
+private:
+    QEventLoop loop_; ///< first: timers need its dispatcher
+    SceneBuilder builder_;
+    SceneRequest last_;
+    std::optional<BuiltScene> made_;
+};
+
+Result<QImage> drawFrame(const FilmOrder& order, const FilmFrame& frame, SceneSource& scenes, const Progress& progress)
+{
+    const auto built = scenes.make(sceneOf(order, frame), progress);
+    if (!built)
+        return built.error();
+    PictureOrder picture = order.picture;
+    picture.scene = built->scene;
+    picture.camera = frame.camera;
+    if (order.finish)
+        picture.finish = [&](QImage& image) { order.finish(image, frame, built->mesh); };
+    return drawPicture(picture, progress);
+}
+
+std::filesystem::path numbered(const std::filesystem::path& folder, int frame)
+{
+    return folder / QString::asprintf(framePattern, frame).toStdString();
+}
+
+Status drawFrames(const FilmOrder& order, const std::filesystem::path& folder, const Progress& progress)
+{
+    SceneSource scenes;
+    const int count = frameCount(order.animation);
+    for (int i = 0; i < count; ++i) {
+        progress.report(static_cast<double>(i) / count, {});
+        const auto image =
+            drawFrame(order, frameOf(order.animation, order.start, i), scenes, progress.withCallback({}));
+        if (!image)
+            return image.error();
+        if (progress.cancelled())
+            return cancelledError();
+        if (const Status written = writePicture(*image, numbered(folder, i)); !written)
+            return written;
+    }
+    return {};
+}
+
+Status moveTo(const std::filesystem::path& from, const std::filesystem::path& target)
+{
+    std::error_code error;
+    std::filesystem::rename(from, target, error);
+    if (!error)
+        return {};
+    const QString reason = QString::fromStdString(error.message());
+    return Error{
+        ErrorKind::CannotWrite,
+        QString("'%1' cannot be written: %2. Choose another place.").arg(pathText(target), reason).toStdString()};
+}
+
+Status nameFrames(const FilmOrder& order, const std::filesystem::path& folder)
+{
+    const int count = frameCount(order.animation);
+    for (int i = 0; i < count; ++i)
+        if (const Status moved = moveTo(numbered(folder, i), framePath(order.target, i, count)); !moved)
+            return moved;
+    return {};
+}
+
+Status encode(const FilmOrder& order, const std::filesystem::path& folder, const Progress& progress)
+{
+    std::filesystem::path film = "film";
+    film += order.target.extension();
+    const auto arguments = encoderArguments(framePattern, order.animation.framesPerSecond, pathText(film));
+    progress.report(0, {});
+    if (const Status encoded = encodeVideo(order.encoder, arguments, folder, progress); !encoded)
+        return encoded;
+    return moveTo(folder / film, order.target);
+}
+
+} // namespace
+
+SceneRequest sceneOf(const FilmOrder& order, const FilmFrame& frame)
+{
+    SceneRequest request = order.scene;
+    request.query = meshQuery(corrected(queryOf(frame, order.query), order.query, *request.model), *request.model);
+    Look look = order.look;
+    look.transfer = frame.transfer;
+    request.values = rendererValues(order.parameters, look, frame.isovalues);
+    return request;
+}
+
+std::filesystem::path framePath(const std::filesystem::path& target, int frame, int count)
+{
+    const int digits = std::max(leastDigits, static_cast<int>(QString::number(count).size()));
+    const QString number = QString("%1").arg(frame + 1, digits, 10, QChar('0'));
+    return target.parent_path() / filePath(pathText(target.stem()) + '_' + number + pathText(target.extension()));
+}
+
+std::vector<std::filesystem::path> filesInTheWay(const std::filesystem::path& target, int count)
+{
+    std::vector<std::filesystem::path> files;
+    const auto add = [&files](const std::filesystem::path& path) {
+        std::error_code ignored;
+        if (std::filesystem::exists(path, ignored))
+            files.push_back(path);
+    };
+    if (isVideoFile(target))
+        add(target);
+    else
+        for (int i = 0; i < count; ++i)
+            add(framePath(target, i, count));
+    return files;
+}
+
+Status writeFilm(const FilmOrder& order, const Progress& progress)
+{
+    if (frameCount(order.animation) == 0)
+        return Error{ErrorKind::WrongUsage, "A film needs two key frames at least. Add another view."};
+    std::filesystem::path beside = order.target;
+    beside += ".frames";
+    const auto folder = WorkFolder::open(beside, WorkFolder::Leftovers::Remove);
+    if (!folder)
+        return folder.error();
+    const bool isVideo = isVideoFile(order.target);
+    if (const Status drawn = drawFrames(order, folder->path(), progress.part(0, isVideo ? drawingPart : 1)); !drawn)
+        return drawn;
+    return isVideo ? encode(order, folder->path(), progress.part(drawingPart, 1)) : nameFrames(order, folder->path());
+}
+
+} // namespace tetra

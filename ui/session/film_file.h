@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/animation.h"
+#include "ui/session/look.h"
+#include "ui/session/picture_file.h"
+#include "ui/session/query_state.h"
+#include "ui/session/scene_builder.h"
+
+#include <vector>
+
+namespace tetra {
+
+/// A film to write.
+struct FilmOrder {
+    Animation animation;
+    FilmFrame start;                   ///< the present view
+    SceneRequest scene;                ///< of it
+    std::vector<Parameter> parameters; ///< of its renderer
+    Look look;
+    QueryState query;
+    PictureOrder picture; ///< size and background of each frame; the rest is the frame's
+    /// Paints over a frame; called in the worker.
+    std::function<void(QImage& picture, const FilmFrame& frame, const ShownMesh& mesh)> finish{};
+    std::filesystem::path target; ///< a video, or name.png for name_0001.png and so on
+    QString encoder;              ///< of videos
+};
+
+/// What a frame needs of the model.
+SceneRequest sceneOf(const FilmOrder& order, const FilmFrame& frame);
+
+/// The file of a frame: NAME_0001.png, of as many digits as `count` needs, four at least.
+std::filesystem::path framePath(const std::filesystem::path& target, int frame, int count);
+
+/// The files there that the film would take the place of.
+std::vector<std::filesystem::path> filesInTheWay(const std::filesystem::path& target, int count);
+
+/// Draws all frames into a folder beside the target; when all are done they take their names, or become the video.
+/// Cancelled or failed it leaves nothing behind, and what was there stays.
+Status writeFilm(const FilmOrder& order, const Progress& progress);
+
+} // namespace tetra

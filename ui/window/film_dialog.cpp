@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/film_dialog.h"
+
+#include "plugins/widgets/number_text.h"
+#include "ui/session/target_path.h"
+#include "ui/session/video_encoding.h"
+#include "ui/viewport/viewport.h"
+#include "ui/widgets/file_dialogs.h"
+#include "ui/window/picture_orders.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+
+#include <cmath>
+
+namespace tetra {
+namespace {
+
+constexpr const char* formatKey = "film/format";
+constexpr int trialReduction = 3; ///< of the sides of the picture that tells how long one takes
+
+struct Format {
+    const char* suffix;
+    const char* text;
+    bool video;
+};
+
+constexpr std::array formats{
+    Format{"png", QT_TRANSLATE_NOOP("tetra::FilmDialog", "Numbered PNG pictures"), false},
+    Format{"mp4", QT_TRANSLATE_NOOP("tetra::FilmDialog", "MP4 video (H.264)"), true},
+    Format{"webm", QT_TRANSLATE_NOOP("tetra::FilmDialog", "WebM video (VP9)"), true},
+};
+
+} // namespace
+
+FilmDialog::FilmDialog(Workbench& workbench, Viewport& viewport, QWidget* parent)
+    : QDialog(parent), workbench_(workbench), viewport_(viewport), encoder_(findVideoEncoder()),
+      form_(new PictureForm("film")), format_(new QComboBox), target_(new QLineEdit),
+      browse_(new QPushButton(tr("&Browse…"))), hint_(new QLabel), summary_(new QLabel), progress_(new QProgressBar),
+      remaining_(new QLabel), save_(nullptr), cancel_(nullptr)
+{
+    setObjectName("filmOptions");
+    setWindowTitle(tr("Save Film"));
+    setMinimumWidth(420);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(form_);
+    addTarget(*layout);
+    layout->addStretch();
+    addProgress(*layout);
+    layout->addWidget(makeButtons());
+    connectControls();
+    showRunning();
+}
+
+void FilmDialog::addTarget(QLayout& layout)
+{
+    format_->setObjectName("film.format");
+    for (const Format& format : formats)
+        if (!format.video || !encoder_.isEmpty())
+            format_->addItem(tr(format.text), format.suffix);
+    format_->setToolTip(encoder_.isEmpty() ? tr("Videos can be made where the program ffmpeg is installed")
+                                           : tr("Videos are made by %1").arg(encoder_));
+    format_->setCurrentIndex(std::max(0, format_->findData(QSettings().value(formatKey))));
+    target_->setObjectName("film.target");
+    target_->setToolTip(tr("The video, or the name that numbers are added to"));
+    browse_->setObjectName("film.browse");
+    hint_->setObjectName("film.hint");
+    hint_->setWordWrap(true);
+    summary_->setObjectName("film.summary");
+    summary_->setWordWrap(true);
+    auto* place = new QHBoxLayout;
+    place->addWidget(target_, 1);
+    place->addWidget(browse_);
+    auto* fields = new QWidget;
+    auto* form = new QFormLayout(fields);
+    form->setContentsMargins({});
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form->addRow(tr("&Format"), format_);
+    auto* label = new QLabel(tr("Fil&e"));
+    label->setBuddy(target_);
+    form->addRow(label, place);
+    form->addRow(QString(), hint_);
+    form->addRow(tr("Film"), summary_);
+    layout.addWidget(fields);
+}
+
+void FilmDialog::addProgress(QLayout& layout)
+{
+    progress_->setObjectName("film.progress");
+    progress_->setRange(0, 1000);
+    progress_->setTextVisible(false);
+    remaining_->setObjectName("film.remaining");
+    layout.addWidget(progress_);
+    layout.addWidget(remaining_);
+}
+
+QWidget* FilmDialog::makeButtons()
+{
+    auto* buttons = new QDialogButtonBox;
+    save_ = buttons->addButton(tr("&Save"), QDialogButtonBox::ActionRole);
+    cancel_ = buttons->addButton(tr("&Cancel"), QDialogButtonBox::ActionRole);
+    QPushButton* close = buttons->addButton(tr("Cl&ose"), QDialogButtonBox::RejectRole);
+    save_->setObjectName("film.save");
+    cancel_->setObjectName("film.cancel");
+    close->setObjectName("film.close");
+    close->setToolTip(tr("A film that is being written goes on"));
+    connect(close, &QPushButton::clicked, this, &QDialog::reject);
+    return buttons;
+}
+
+void FilmDialog::connectControls()
+{
+    connect(form_, &PictureForm::changed, this, &FilmDialog::showSummary);
+    connect(format_, &QComboBox::activated, this, &FilmDialog::chooseFormat);
+    connect(target_, &QLineEdit::textChanged, this, &FilmDialog::showTarget);
+    connect(browse_, &QPushButton::clicked, this, &FilmDialog::browse);
+    connect(save_, &QPushButton::clicked, this, &FilmDialog::save);
+    LongTask& task = workbench_.savingFilm();
+    connect(cancel_, &QPushButton::clicked, &task, &LongTask::cancel);
+    connect(&task, &LongTask::started, this, &FilmDialog::showRunning);
+    connect(&task, &LongTask::progressed, this, &FilmDialog::showProgress);
+    connect(&task, &LongTask::finished, this, &FilmDialog::showRunning);
+    connect(&workbench_, &Workbench::filmSaved, this, [this] {
+        showTarget();
+        remaining_->setText(tr("Saved."));
+        remaining_->show();
+    });
+    connect(&workbench_.session().view(), &ViewState::animationChanged, this, &FilmDialog::showTarget);
+    connect(&workbench_.session(), &Session::modelChanged, this, &QDialog::reject);
+}
+
+void FilmDialog::ask()
+{
+    form_->setView(pixelsOf(viewport_), workbench_.session().view().annotations());
+    if (!workbench_.savingFilm().running()) {
+        target_->setText(workbench_.proposedPath("-film." + format_->currentData().toString()));
+        remaining_->clear();
+    }
+    showTarget();
+    tryOnePicture();
+    show();
+    raise();
+    activateWindow();
+}
+
+FilmOrder FilmDialog::order() const
+{
+    FilmOrder order = filmOrder(workbench_, viewport_, form_->settings());
+    order.target = filePath(target_->text());
+    order.encoder = encoder_;
+    return order;
+}
+
+void FilmDialog::chooseFormat()
+{
+    const QFileInfo file(target_->text());
+    target_->setText(file.path() + "/" + file.completeBaseName() + "." + format_->currentData().toString());
+}
+
+void FilmDialog::browse()
+{
+    const QString suffix = format_->currentData().toString();
+    askForTextTarget(this, "filmDialog", tr("Save Film"), format_->currentText() + " (*." + suffix + ")",
+                     target_->text(), [this](const QString& path) { target_->setText(path); });
+}
+
+/// A small picture tells how long a large one takes.
+void FilmDialog::tryOnePicture()
+{
+    if (!viewport_.scene())
+        return;
+    PictureOrder order = pictureOrder(workbench_, viewport_, form_->settings());
+    order.width = std::max(1, pixelsOf(viewport_).width() / trialReduction);
+    order.height = std::max(1, pixelsOf(viewport_).height() / trialReduction);
+    trial_.start([this, order](const Progress& progress) -> std::function<void()> {
+        QElapsedTimer clock;
+        clock.start();
+        const bool drawn = static_cast<bool>(drawPicture(order, progress));
+        const double seconds = static_cast<double>(clock.nsecsElapsed()) / 1e9;
+        return [this, drawn, each = seconds / order.width / order.height] {
+            secondsPerPixel_ = drawn ? each : 0;
+            showSummary();
+        };
+    });
+}
+
+void FilmDialog::showSummary()
+{
+    if (!workbench_.session().model())
+        return;
+    const Animation& animation = workbench_.session().view().animation();
+    const int count = frameCount(animation);
+    if (count == 0)
+        return summary_->setText(tr("It has no frames yet: add two views or more in the panel Animation."));
+    const QString film =
+        tr("%1 frames, %2").arg(countText(static_cast<std::uint64_t>(count)), durationText(durationOf(animation)));
+    const QSize size = form_->settings().size;
+    const double seconds = secondsPerPixel_ * size.width() * size.height() * count;
+    summary_->setText(seconds > 0 ? tr("%1; writing takes about %2").arg(film, durationText(seconds)) : film);
+}
+
+/// Says what the film would take the place of.
+void FilmDialog::showTarget()
+{
+    if (!workbench_.session().model())
+        return;
+    showSummary();
+    const int count = frameCount(workbench_.session().view().animation());
+    const std::filesystem::path target = filePath(target_->text());
+    const auto found = filesInTheWay(target, count);
+    const QString first = pathText(framePath(target, 0, count).filename());
+    QString hint = isVideoFile(target) ? QString() : tr("%1 and so on").arg(first);
+    if (!found.empty())
+        hint = tr("Files of this name are there already and will be replaced: %1.").arg(countText(found.size()));
+    hint_->setText(hint);
+    save_->setText(found.empty() ? tr("&Save") : tr("&Replace and Save"));
+    save_->setEnabled(count > 0 && !target_->text().isEmpty() && !workbench_.savingFilm().running());
+}
+
+void FilmDialog::showRunning()
+{
+    const bool running = workbench_.savingFilm().running();
+    for (QWidget* widget : std::initializer_list<QWidget*>{form_, format_, target_, browse_})
+        widget->setEnabled(!running);
+    cancel_->setEnabled(running);
+    progress_->setVisible(running);
+    progress_->setValue(0);
+    remaining_->setVisible(running);
+    if (running)
+        remaining_->setText(tr("Beginning…"));
+    showTarget();
+}
+
+void FilmDialog::showProgress(const TaskProgress& progress)
+{
+    progress_->setValue(static_cast<int>(std::lround(1000 * progress.fraction)));
+    const int frame = std::min(frames_, static_cast<int>(progress.fraction * frames_ + 1));
+    const QString text = tr("Frame %1 of %2").arg(frame).arg(frames_);
+    remaining_->setText(
+        progress.remainingSeconds ? tr("%1, about %2 left").arg(text, durationText(*progress.remainingSeconds)) : text);
+}
+
+void FilmDialog::save()
+{
+    if (!workbench_.session().model() || workbench_.savingFilm().running())
+        return;
+    form_->remember();
+    QSettings().setValue(formatKey, format_->currentData());
+    trial_.cancel();
+    frames_ = frameCount(workbench_.session().view().animation());
+    workbench_.saveFilm(order());
+}
+
+} // namespace tetra

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/picture_dialog.h"
+
+#include "ui/panels/picture_form.h"
+#include "ui/session/mesh_text.h"
+#include "ui/session/picture_texts.h"
+#include "ui/session/target_path.h"
+#include "ui/viewport/viewport.h"
+#include "ui/widgets/file_dialogs.h"
+#include "ui/window/keep_session.h"
+#include "ui/window/picture_orders.h"
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QPushButton>
+#include <QSettings>
+
+namespace tetra {
+namespace {
+
+constexpr const char* metadataKey = "picture/metadata";
+
+} // namespace
+
+PictureDialog::PictureDialog(Workbench& workbench, Viewport& viewport, const KeepSession& session, QWidget* parent)
+    : QDialog(parent), workbench_(workbench), viewport_(viewport), session_(session), form_(new PictureForm("picture")),
+      metadata_(new QCheckBox(tr("Say in the &file how it was made")))
+{
+    setObjectName("pictureOptions");
+    setWindowTitle(tr("Save Picture"));
+    metadata_->setObjectName("picture.metadata");
+    metadata_->setChecked(QSettings().value(metadataKey, true).toBool());
+    metadata_->setToolTip(tr("Program, model, accuracy, camera, transfer function and isovalues, so that the picture "
+                             "can be made again: opening it offers its view"));
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(form_);
+    layout->addWidget(metadata_);
+    layout->addStretch();
+    layout->addWidget(makeButtons());
+}
+
+QWidget* PictureDialog::makeButtons()
+{
+    auto* buttons = new QDialogButtonBox;
+    const auto add = [buttons](const char* name, const QString& text, QDialogButtonBox::ButtonRole role) {
+        QPushButton* button = buttons->addButton(text, role);
+        button->setObjectName(QString("picture.") + name);
+        return button;
+    };
+    QPushButton* save = add("save", tr("&Save…"), QDialogButtonBox::ActionRole);
+    QPushButton* copy = add("copy", tr("&Copy"), QDialogButtonBox::ActionRole);
+    QPushButton* close = add("close", tr("Cl&ose"), QDialogButtonBox::RejectRole);
+    save->setDefault(true);
+    copy->setToolTip(tr("Put it on the clipboard"));
+    connect(save, &QPushButton::clicked, this, &PictureDialog::save);
+    connect(copy, &QPushButton::clicked, this, &PictureDialog::copy);
+    connect(close, &QPushButton::clicked, this, &QDialog::reject);
+    return buttons;
+}
+
+void PictureDialog::ask()
+{
+    form_->setView(pixelsOf(viewport_), workbench_.session().view().annotations());
+    show();
+    raise();
+    activateWindow();
+}
+
+PictureOrder PictureDialog::order(const std::filesystem::path& target) const
+{
+    PictureOrder order = pictureOrder(workbench_, viewport_, form_->settings());
+    order.target = target;
+    const auto document = session_.document();
+    if (metadata_->isChecked() && document && !target.empty()) {
+        const auto& shown = workbench_.session().shown();
+        order.texts = pictureTexts(*document, shown ? errorText(*shown) : QString(),
+                                   std::filesystem::absolute(target).parent_path());
+    }
+    return order;
+}
+
+void PictureDialog::save()
+{
+    if (!workbench_.session().model())
+        return;
+    form_->remember();
+    QSettings().setValue(metadataKey, metadata_->isChecked());
+    askForPictureFile(this, "pictureDialog", workbench_.proposedPath(".png"), [this](const QString& path) {
+        if (workbench_.session().model())
+            workbench_.savePicture(order(filePath(path)));
+        accept();
+    });
+}
+
+void PictureDialog::copy()
+{
+    if (!workbench_.session().model())
+        return;
+    form_->remember();
+    workbench_.savePicture(order({}));
+    accept();
+}
+
+} // namespace tetra

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/panels/picture_form.h"
+#include "ui/session/workbench.h"
+
+namespace tetra {
+
+class Viewport;
+
+/// The pixels of the view on the screen.
+QSize pixelsOf(const Viewport& viewport);
+
+/// What is seen, as a picture without a target.
+PictureOrder pictureOrder(Workbench& workbench, const Viewport& viewport, const PictureSettings& settings);
+
+/// The session's film, without a target.
+FilmOrder filmOrder(Workbench& workbench, const Viewport& viewport, const PictureSettings& settings);
+
+} // namespace tetra
