@@ -4,10 +4,10 @@
 #include "core/model/queries/history_part.h"
 #include "core/model/queries/mesh_extractor.h"
 #include "core/model/verification.h"
-#include "tests/core/model/irregular/irregular_models.h"
 #include "tests/core/model/model_fixture.h"
 #include "tests/fuzz/fuzz_folder.h"
 #include "tests/fuzz/fuzz_input.h"
+#include "tests/fuzz/small_part.h"
 
 namespace tetra {
 namespace {
@@ -53,7 +53,7 @@ const Dataset& datasetFor(const Model& model)
 {
     static const Dataset lattice = bumps(SampleType::UInt8, {3, 3, 3});
     static const Dataset bent = bentBumps(SampleType::Float32, {3, 3, 3});
-    static const Dataset part = randomIrregular(4);
+    static const Dataset part = smallPart();
     switch (model.description().domain) {
     case DomainClass::Curvilinear: return bent;
     case DomainClass::Irregular: return part;

@@ -7,6 +7,7 @@
 #include "tests/core/model/irregular/irregular_models.h"
 #include "tests/core/model/model_fixture.h"
 #include "tests/core/model/queries/some_models.h"
+#include "tests/fuzz/small_part.h"
 #include "tests/plugins/readers/cells/vtu_text.h"
 #include "tests/plugins/readers/lattice/volume_files.h"
 #include "tests/plugins/readers/plot3d/plot3d_files.h"
@@ -103,7 +104,7 @@ void addModels(const QString& folder)
     writeModel(seeds.next().toStdString(), bentBumps(SampleType::Float32, {3, 3, 3}));
     writeModel(seeds.next().toStdString(), bentBumps(SampleType::Int16, {3, 2, 3}, true, true));
     scatteredModel(seeds.next().toStdString(), 20, 5);
-    const Dataset part = randomIrregular(4);
+    const Dataset part = smallPart();
     modelOf(seeds.next().toStdString(), part, decimated(part));
 }
 
