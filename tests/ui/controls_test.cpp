@@ -9,6 +9,7 @@
 #include <QAbstractButton>
 #include <QAccessible>
 #include <QDockWidget>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -34,6 +35,7 @@ private slots:
     void everyControlHasANameAndAnExplanation_data() { addLanguageRows(); }
     void everyControlHasANameAndAnExplanation();
     void everyPanelSaysWhatItIs();
+    void helpIsShownForAControl();
 
 private:
     void open(const QString& language);
@@ -216,6 +218,19 @@ void ControlsTest::everyPanelSaysWhatItIs()
         QVERIFY2(!dock->whatsThis().isEmpty(), qPrintable(dock->objectName()));
         QVERIFY(HelpTexts::textFor(dock->widget()).size() > 20);
     }
+}
+
+void ControlsTest::helpIsShownForAControl()
+{
+    open("en");
+    auto& box = window_->find<QWidget>("view.azimuth");
+    QHelpEvent asked(QEvent::WhatsThis, {1, 1}, box.mapToGlobal(QPoint(1, 1)));
+    QCoreApplication::sendEvent(&box, &asked);
+    auto& text = window_->find<QLabel>("help.text");
+    QVERIFY(text.isVisible());
+    QCOMPARE(text.text(), box.toolTip());
+    QTest::keyClick(&window_->find<QWidget>("help"), Qt::Key_Escape);
+    QTRY_VERIFY(window_->window.findChild<QWidget*>("help") == nullptr);
 }
 
 QTEST_MAIN(ControlsTest)

@@ -134,6 +134,10 @@ void PaletteTest::panelsAndAccuraciesAreFound()
     search().setText("accuracy 0.2 %");
     QTest::keyClick(&search(), Qt::Key_Return);
     QCOMPARE(window_->workbench.session().view().error(), 0.2);
+    openPalette();
+    search().setText("accuracy 0 %"); // not 0.5 %
+    QTest::keyClick(&search(), Qt::Key_Return);
+    QCOMPARE(window_->workbench.session().view().error(), 0.0);
 }
 
 void PaletteTest::escapeGivesTheKeysBack()

@@ -110,6 +110,8 @@ QWidget* BuildPanel::makeBuildPage()
     build_ = new QPushButton;
     build_->setObjectName("build.start");
     build_->setIcon(glyphIcon(Glyph::Build));
+    build_->setAutoDefault(true); // Enter builds
+    setFocusProxy(build_);
 
     inputs_ = new QWidget;
     auto* inputs = new QVBoxLayout(inputs_);

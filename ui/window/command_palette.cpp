@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <tuple>
 
 namespace tetra {
 namespace {
@@ -69,13 +70,15 @@ void CommandPalette::open()
 
 void CommandPalette::search(const QString& query)
 {
-    std::vector<std::pair<int, std::size_t>> found; // what is equally good stays in order
+    // Of what is equally good the shortest comes first: nothing of it is left over. Else the order stays.
+    std::vector<std::tuple<int, qsizetype, std::size_t>> found;
+    const auto lengthOf = [&query](const QString& text) { return query.isEmpty() ? 0 : text.size(); };
     for (std::size_t index = 0; index < commands_.size(); ++index)
         if (const auto match = fuzzyMatch(query, commands_[index].text))
-            found.emplace_back(-*match, index);
+            found.emplace_back(-*match, lengthOf(commands_[index].text), index);
     std::ranges::sort(found);
     list_->clear();
-    for (const auto& [match, index] : found) {
+    for (const auto& [match, length, index] : found) {
         const PaletteCommand& command = commands_[index];
         auto* item =
             new QTreeWidgetItem(list_, {command.text, command.reason.isEmpty() ? command.keys : command.reason});

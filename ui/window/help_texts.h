@@ -16,7 +16,7 @@ public:
 
     /// The text for a control; empty if neither it nor anything around it has one.
     static QString textFor(const QWidget* widget);
-    /// Shows the text of what has the keys, beside it.
+    /// Shows the text of what has the keys, below it, until a key or a click.
     static void showForFocus();
 
     bool eventFilter(QObject* watched, QEvent* event) override;

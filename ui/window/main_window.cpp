@@ -350,6 +350,7 @@ void MainWindow::showDataset()
 {
     docks_.build->show();
     docks_.build->raise();
+    docks_.build->widget()->setFocus();
     if (!workbench_.session().model())
         showNothing();
 }
