@@ -46,6 +46,11 @@ public:
     void setCamera(const Camera& camera);
     /// The same, by a short glide unless motion is reduced: camera() is the new one at once. A gesture of its own.
     void glideTo(const Camera& camera);
+    /// Shows what another camera sees, in place of its own, until there is none any more; moving the camera ends it.
+    void setPreview(const std::optional<Camera>& camera);
+    bool previewing() const noexcept { return previewing_; }
+    /// The camera that is looked through.
+    const Camera& shownCamera() const noexcept { return view_.camera; }
     /// Nothing: the colour that fits the palette.
     void setBackground(const std::optional<Colour>& background);
     /// What is seen is being dragged, by whatever control: pictures that follow count more than fine ones.
