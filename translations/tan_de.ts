@@ -1,4075 +1,3960 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="de">
-    <context>
-        <name>Actions</name>
-        <message>
-            <source>%1 (%2)</source>
-            <translation>%1 (%2)</translation>
-        </message>
-        <message>
-            <source>&amp;File</source>
-            <translation>&amp;Datei</translation>
-        </message>
-        <message>
-            <source>&amp;Open…</source>
-            <translation>Ö&amp;ffnen …</translation>
-        </message>
-        <message>
-            <source>Open a dataset or a model</source>
-            <translation>Datensatz oder Modell öffnen</translation>
-        </message>
-        <message>
-            <source>Open &amp;Recent</source>
-            <translation>&amp;Zuletzt geöffnet</translation>
-        </message>
-        <message>
-            <source>Save &amp;Picture…</source>
-            <translation>&amp;Bild speichern …</translation>
-        </message>
-        <message>
-            <source>Save what is seen as a PNG picture</source>
-            <translation>Speichert, was zu sehen ist, als PNG-Bild</translation>
-        </message>
-        <message>
-            <source>&amp;Close</source>
-            <translation>S&amp;chließen</translation>
-        </message>
-        <message>
-            <source>Close the model</source>
-            <translation>Schließt das Modell</translation>
-        </message>
-        <message>
-            <source>&amp;Quit</source>
-            <translation>&amp;Beenden</translation>
-        </message>
-        <message>
-            <source>Leave the program</source>
-            <translation>Beendet das Programm</translation>
-        </message>
-        <message>
-            <source>&amp;Edit</source>
-            <translation>&amp;Bearbeiten</translation>
-        </message>
-        <message>
-            <source>&amp;Undo</source>
-            <translation>&amp;Rückgängig:</translation>
-        </message>
-        <message>
-            <source>&amp;Redo</source>
-            <translation>&amp;Wiederholen:</translation>
-        </message>
-        <message>
-            <source>&amp;Add Isovalue</source>
-            <translation>&amp;Isowert hinzufügen</translation>
-        </message>
-        <message>
-            <source>Add an isosurface at another value</source>
-            <translation>Fügt eine Isofläche bei einem weiteren Wert hinzu</translation>
-        </message>
-        <message>
-            <source>&amp;Front</source>
-            <translation>&amp;Vorn</translation>
-        </message>
-        <message>
-            <source>&amp;Back</source>
-            <translation>&amp;Hinten</translation>
-        </message>
-        <message>
-            <source>&amp;Left</source>
-            <translation>&amp;Links</translation>
-        </message>
-        <message>
-            <source>&amp;Right</source>
-            <translation>&amp;Rechts</translation>
-        </message>
-        <message>
-            <source>&amp;Top</source>
-            <translation>&amp;Oben</translation>
-        </message>
-        <message>
-            <source>B&amp;ottom</source>
-            <translation>&amp;Unten</translation>
-        </message>
-        <message>
-            <source>&amp;Corner</source>
-            <translation>&amp;Ecke</translation>
-        </message>
-        <message>
-            <source>Look from this side</source>
-            <translation>Blick von dieser Seite</translation>
-        </message>
-        <message>
-            <source>&amp;View</source>
-            <translation>&amp;Ansicht</translation>
-        </message>
-        <message>
-            <source>&amp;Fit</source>
-            <translation>&amp;Einpassen</translation>
-        </message>
-        <message>
-            <source>Show the whole domain</source>
-            <translation>Zeigt das ganze Gebiet</translation>
-        </message>
-        <message>
-            <source>&amp;Look From</source>
-            <translation>&amp;Blick von</translation>
-        </message>
-        <message>
-            <source>&amp;Perspective</source>
-            <translation>&amp;Perspektive</translation>
-        </message>
-        <message>
-            <source>Perspective, or parallel projection</source>
-            <translation>Perspektive oder Parallelprojektion</translation>
-        </message>
-        <message>
-            <source>Pa&amp;nels</source>
-            <translation>&amp;Felder</translation>
-        </message>
-        <message>
-            <source>Reset La&amp;yout</source>
-            <translation>&amp;Anordnung zurücksetzen</translation>
-        </message>
-        <message>
-            <source>Put all panels back to where they were at first</source>
-            <translation>Setzt alle Felder dahin zurück, wo sie anfangs waren</translation>
-        </message>
-        <message>
-            <source>F&amp;ull Screen</source>
-            <translation>&amp;Vollbild</translation>
-        </message>
-        <message>
-            <source>Use the whole screen</source>
-            <translation>Nutzt den ganzen Bildschirm</translation>
-        </message>
-        <message>
-            <source>&amp;Help</source>
-            <translation>&amp;Hilfe</translation>
-        </message>
-        <message>
-            <source>&amp;Plugins…</source>
-            <translation>&amp;Plugins …</translation>
-        </message>
-        <message>
-            <source>The plugins that were found</source>
-            <translation>Die gefundenen Plugins</translation>
-        </message>
-        <message>
-            <source>&amp;About TAn</source>
-            <translation>Ü&amp;ber TAn</translation>
-        </message>
-        <message>
-            <source>Version and licence</source>
-            <translation>Version und Lizenz</translation>
-        </message>
-        <message>
-            <source>Tools</source>
-            <translation>Werkzeuge</translation>
-        </message>
-        <message>
-            <source>Save &amp;Mesh…</source>
-            <translation>&amp;Netz speichern …</translation>
-        </message>
-        <message>
-            <source>Save the mesh that is seen, for VTK, ParaView and others</source>
-            <translation>Das gezeigte Netz speichern, für VTK, ParaView und andere</translation>
-        </message>
-        <message>
-            <source>Save Su&amp;rfaces…</source>
-            <translation>&amp;Flächen speichern …</translation>
-        </message>
-        <message>
-            <source>Save the isosurfaces that are seen, for 3D printers, Blender, ParaView and others</source>
-            <translation>Die gezeigten Isoflächen speichern, für 3D-Drucker, Blender, ParaView und andere</translation>
-        </message>
-        <message>
-            <source>Save S&amp;tatistics…</source>
-            <translation>S&amp;tatistik speichern …</translation>
-        </message>
-        <message>
-            <source>Save how large the mesh of each accuracy is, as a table</source>
-            <translation>Als Tabelle speichern, wie groß das Netz jeder Genauigkeit ist</translation>
-        </message>
-        <message>
-            <source>&amp;Region</source>
-            <translation>Be&amp;reich</translation>
-        </message>
-        <message>
-            <source>&amp;Show</source>
-            <translation>&amp;Zeigen</translation>
-        </message>
-        <message>
-            <source>&amp;Save Session</source>
-            <translation>&amp;Sitzung speichern</translation>
-        </message>
-        <message>
-            <source>Save what is open and how it is seen, to go on with later</source>
-            <translation>Speichern, was offen ist und wie es zu sehen ist, um später weiterzumachen</translation>
-        </message>
-        <message>
-            <source>Save Session &amp;As…</source>
-            <translation>Sitzung speichern &amp;unter …</translation>
-        </message>
-        <message>
-            <source>Save the session in another file</source>
-            <translation>Die Sitzung in einer anderen Datei speichern</translation>
-        </message>
-        <message>
-            <source>Import with Op&amp;tions…</source>
-            <translation>Mit &amp;Optionen importieren…</translation>
-        </message>
-        <message>
-            <source>Open a part of a dataset, or say how its file is to be read</source>
-            <translation>Einen Teil eines Datensatzes öffnen oder sagen, wie seine Datei zu lesen ist</translation>
-        </message>
-        <message>
-            <source>&amp;Manual</source>
-            <translation>&amp;Handbuch</translation>
-        </message>
-        <message>
-            <source>Read how everything works, in the web browser</source>
-            <translation>Im Webbrowser nachlesen, wie alles geht</translation>
-        </message>
-        <message>
-            <source>Save S&amp;urfaces…</source>
-            <translation>F&amp;lächen speichern …</translation>
-        </message>
-        <message>
-            <source>Save Stat&amp;istics…</source>
-            <translation>S&amp;tatistik speichern …</translation>
-        </message>
-        <message>
-            <source>&amp;Find Command…</source>
-            <translation>Be&amp;fehl suchen …</translation>
-        </message>
-        <message>
-            <source>Find whatever the program can do by a few letters of its name</source>
-            <translation>Findet alles, was das Programm kann, an ein paar Buchstaben seines Namens</translation>
-        </message>
-        <message>
-            <source>Reduced &amp;Motion</source>
-            <translation>&amp;Weniger Bewegung</translation>
-        </message>
-        <message>
-            <source>Change the view at once instead of gliding to it</source>
-            <translation>Wechselt die Ansicht sofort, statt zu ihr zu gleiten</translation>
-        </message>
-        <message>
-            <source>Lan&amp;guage</source>
-            <translation>&amp;Sprache</translation>
-        </message>
-        <message>
-            <source>&amp;Help on This Control</source>
-            <translation>&amp;Hilfe zu diesem Feld</translation>
-        </message>
-        <message>
-            <source>Say what the control does that has the keys</source>
-            <translation>Sagt, was das Bedienfeld tut, das die Tasten hat</translation>
-        </message>
-        <message>
-            <source>&amp;What Is This?</source>
-            <translation>&amp;Was ist das?</translation>
-        </message>
-        <message>
-            <source>Click on a control to read what it does</source>
-            <translation>Auf ein Bedienfeld klicken, um zu lesen, was es tut</translation>
-        </message>
-        <message>
-            <source>Open a model first</source>
-            <translation>Erst ein Modell öffnen</translation>
-        </message>
-        <message>
-            <source>There is nothing to undo</source>
-            <translation>Es gibt nichts rückgängig zu machen</translation>
-        </message>
-        <message>
-            <source>There is nothing to redo</source>
-            <translation>Es gibt nichts zu wiederholen</translation>
-        </message>
-        <message>
-            <source>Save &amp;Film…</source>
-            <translation>&amp;Film speichern…</translation>
-        </message>
-        <message>
-            <source>Save the animation as pictures or a video</source>
-            <translation>Die Animation als Bilder oder als Video speichern</translation>
-        </message>
-        <message>
-            <source>&amp;Copy Picture</source>
-            <translation>Bild &amp;kopieren</translation>
-        </message>
-        <message>
-            <source>Put what is seen on the clipboard, in the size that it is seen in</source>
-            <translation>Was zu sehen ist, in dieser Größe in die Zwischenablage legen</translation>
-        </message>
-        <message>
-            <source>&amp;Annotations</source>
-            <translation>&amp;Beschriftung</translation>
-        </message>
-    </context>
-    <context>
-        <name>AddIsovalue</name>
-        <message>
-            <source>new isovalue</source>
-            <translation>neuer Isowert</translation>
-        </message>
-    </context>
-    <context>
-        <name>ChangeIsovalue</name>
-        <message>
-            <source>change of isovalue</source>
-            <translation>Änderung des Isowerts</translation>
-        </message>
-    </context>
-    <context>
-        <name>ChangeLook</name>
-        <message>
-            <source>change of rendering mode</source>
-            <translation>Ändern der Darstellungsart</translation>
-        </message>
-        <message>
-            <source>change of transfer function</source>
-            <translation>Ändern der Transferfunktion</translation>
-        </message>
-        <message>
-            <source>change of rendering</source>
-            <translation>Ändern der Darstellung</translation>
-        </message>
-    </context>
-    <context>
-        <name>ChangeQuery</name>
-        <message>
-            <source>change of focus</source>
-            <translation>Änderung des Fokus</translation>
-        </message>
-        <message>
-            <source>change of window</source>
-            <translation>Änderung des Fensters</translation>
-        </message>
-        <message>
-            <source>change of values</source>
-            <translation>Änderung der Werte</translation>
-        </message>
-        <message>
-            <source>change of budget</source>
-            <translation>Änderung des Budgets</translation>
-        </message>
-        <message>
-            <source>change of accuracy</source>
-            <translation>Änderung der Genauigkeit</translation>
-        </message>
-    </context>
-    <context>
-        <name>ColourMapNames</name>
-        <message>
-            <source>&amp;Cool to warm</source>
-            <translation>&amp;Kalt bis warm</translation>
-        </message>
-        <message>
-            <source>&amp;Grey</source>
-            <translation>&amp;Grau</translation>
-        </message>
-    </context>
-    <context>
-        <name>Desktop</name>
-        <message>
-            <source>Shows volume data at any accuracy.</source>
-            <translation>Zeigt Volumendaten in jeder Genauigkeit.</translation>
-        </message>
-        <message>
-            <source>What draws the picture: auto, cpu or gl.</source>
-            <translation>Was das Bild zeichnet: auto, cpu oder gl.</translation>
-        </message>
-        <message>
-            <source>A dataset or a .tan model to open.</source>
-            <translation>Ein Datensatz oder ein .tan-Modell, das geöffnet wird.</translation>
-        </message>
-    </context>
-    <context>
-        <name>Docks</name>
-        <message>
-            <source>Build</source>
-            <translation>Bauen</translation>
-        </message>
-        <message>
-            <source>Accuracy</source>
-            <translation>Genauigkeit</translation>
-        </message>
-        <message>
-            <source>Rendering</source>
-            <translation>Darstellung</translation>
-        </message>
-        <message>
-            <source>View</source>
-            <translation>Ansicht</translation>
-        </message>
-        <message>
-            <source>Isovalues</source>
-            <translation>Isowerte</translation>
-        </message>
-        <message>
-            <source>Transfer</source>
-            <translation>Transfer</translation>
-        </message>
-        <message>
-            <source>Focus</source>
-            <translation>Fokus</translation>
-        </message>
-        <message>
-            <source>Region</source>
-            <translation>Bereich</translation>
-        </message>
-        <message>
-            <source>A dataset is turned into a model once: a mesh of tetrahedra that can be had at any accuracy from then on. Choose a method and a file, and start.</source>
-            <translation>Aus einem Datensatz wird einmal ein Modell: ein Netz aus Tetraedern, das es von da an in jeder Genauigkeit gibt. Ein Verfahren und eine Datei wählen und beginnen.</translation>
-        </message>
-        <message>
-            <source>How far the mesh may deviate from the data, in percent of the range of values; or how many tetrahedra it may have. The curve shows what each error costs.</source>
-            <translation>Wie weit das Netz von den Daten abweichen darf, in Prozent des Wertebereichs, oder wie viele Tetraeder es haben darf. Die Kurve zeigt, was jeder Fehler kostet.</translation>
-        </message>
-        <message>
-            <source>In which way the mesh is drawn: surfaces, volume or both, and how finely.</source>
-            <translation>Auf welche Art das Netz gezeichnet wird: Flächen, Volumen oder beides, und wie fein.</translation>
-        </message>
-        <message>
-            <source>From where the model is seen, in numbers. In the picture: drag to turn, Shift and drag to move, the wheel zooms.</source>
-            <translation>Von wo das Modell zu sehen ist, in Zahlen. Im Bild: Ziehen dreht, Ziehen mit Umschalt verschiebt, das Rad zoomt.</translation>
-        </message>
-        <message>
-            <source>Statistics</source>
-            <translation>Statistik</translation>
-        </message>
-        <message>
-            <source>What each accuracy costs in sites, tetrahedra, time and memory, and what is shown now in numbers.</source>
-            <translation>Was jede Genauigkeit an Punkten, Tetraedern, Zeit und Speicher kostet, und was gerade gezeigt wird, in Zahlen.</translation>
-        </message>
-        <message>
-            <source>Surfaces on which the field has one value each, in the units of the data.</source>
-            <translation>Flächen, auf denen das Feld je einen Wert hat, in den Einheiten der Daten.</translation>
-        </message>
-        <message>
-            <source>The transfer function gives each value a colour and an opacity for the volume.</source>
-            <translation>Die Transferfunktion gibt jedem Wert eine Farbe und eine Deckkraft für das Volumen.</translation>
-        </message>
-        <message>
-            <source>A sphere or a box in which the mesh is more accurate than outside.</source>
-            <translation>Eine Kugel oder ein Quader, in dem das Netz genauer ist als außerhalb.</translation>
-        </message>
-        <message>
-            <source>Which part of the domain is shown at all: a box, and a range of values.</source>
-            <translation>Welcher Teil des Gebiets überhaupt gezeigt wird: ein Quader und ein Bereich von Werten.</translation>
-        </message>
-        <message>
-            <source>Animation</source>
-            <translation>Animation</translation>
-        </message>
-    </context>
-    <context>
-        <name>FileDialogs</name>
-        <message>
-            <source>Open a Dataset or a Model</source>
-            <translation>Datensatz oder Modell öffnen</translation>
-        </message>
-        <message>
-            <source>Save Picture</source>
-            <translation>Bild speichern</translation>
-        </message>
-        <message>
-            <source>PNG pictures (*.png)</source>
-            <translation>PNG-Bilder (*.png)</translation>
-        </message>
-        <message>
-            <source>Save Mesh</source>
-            <translation>Netz speichern</translation>
-        </message>
-        <message>
-            <source>VTK XML unstructured grids (*.vtu)</source>
-            <translation>Unstrukturierte Gitter, VTK-XML (*.vtu)</translation>
-        </message>
-        <message>
-            <source>Boundary as VTK XML polydata (*.vtp)</source>
-            <translation>Rand als Polydata, VTK-XML (*.vtp)</translation>
-        </message>
-        <message>
-            <source>Boundary as STL (*.stl)</source>
-            <translation>Rand als STL (*.stl)</translation>
-        </message>
-        <message>
-            <source>Boundary as Wavefront OBJ (*.obj)</source>
-            <translation>Rand als Wavefront-OBJ (*.obj)</translation>
-        </message>
-        <message>
-            <source>Boundary as binary glTF (*.glb)</source>
-            <translation>Rand als binäres glTF (*.glb)</translation>
-        </message>
-        <message>
-            <source>Save Surfaces</source>
-            <translation>Flächen speichern</translation>
-        </message>
-        <message>
-            <source>STL files (*.stl)</source>
-            <translation>STL-Dateien (*.stl)</translation>
-        </message>
-        <message>
-            <source>Wavefront OBJ files (*.obj)</source>
-            <translation>Wavefront-OBJ-Dateien (*.obj)</translation>
-        </message>
-        <message>
-            <source>Binary glTF files (*.glb)</source>
-            <translation>Binäre glTF-Dateien (*.glb)</translation>
-        </message>
-        <message>
-            <source>VTK XML polydata (*.vtp)</source>
-            <translation>Polydata, VTK-XML (*.vtp)</translation>
-        </message>
-        <message>
-            <source>Save Statistics</source>
-            <translation>Statistik speichern</translation>
-        </message>
-        <message>
-            <source>Tables of comma-separated values (*.csv)</source>
-            <translation>Tabellen, durch Kommas getrennt (*.csv)</translation>
-        </message>
-        <message>
-            <source>JSON (*.json)</source>
-            <translation>JSON (*.json)</translation>
-        </message>
-        <message>
-            <source>VTK legacy files (*.vtk)</source>
-            <translation>Ältere VTK-Dateien (*.vtk)</translation>
-        </message>
-        <message>
-            <source>PLY files (*.ply)</source>
-            <translation>PLY-Dateien (*.ply)</translation>
-        </message>
-        <message>
-            <source>All files (*)</source>
-            <translation>Alle Dateien (*)</translation>
-        </message>
-    </context>
-    <context>
-        <name>ImportForm</name>
-        <message>
-            <source>%1 (of the cells)</source>
-            <translation>%1 (der Zellen)</translation>
-        </message>
-        <message>
-            <source>Magnitude</source>
-            <translation>Betrag</translation>
-        </message>
-        <message>
-            <source>%1: t = %2</source>
-            <translation>%1: t = %2</translation>
-        </message>
-        <message>
-            <source>All that fit together</source>
-            <translation>Alle, die zusammenpassen</translation>
-        </message>
-        <message>
-            <source>%1, %2 components</source>
-            <translation>%1, %2 Komponenten</translation>
-        </message>
-    </context>
-    <context>
-        <name>ImportTexts</name>
-        <message>
-            <source>%1 = %2 bytes: the file has exactly that.</source>
-            <translation>%1 = %2 Bytes: genau so viele hat die Datei.</translation>
-        </message>
-        <message>
-            <source>%1 = %2 bytes; the file has %3, %4 too few.</source>
-            <translation>%1 = %2 Bytes; die Datei hat %3, %4 zu wenig.</translation>
-        </message>
-        <message>
-            <source>%1 = %2 bytes; the file has %3, %4 too many.</source>
-            <translation>%1 = %2 Bytes; die Datei hat %3, %4 zu viel.</translation>
-        </message>
-        <message>
-            <source>All %1 = %2 points.</source>
-            <translation>Alle %1 = %2 Punkte.</translation>
-        </message>
-        <message>
-            <source>%1 = %2 of %3 points.</source>
-            <translation>%1 = %2 von %3 Punkten.</translation>
-        </message>
-        <message>
-            <source>Building to an error of 0 takes about %1 of memory, %2 of disk and %3.</source>
-            <translation>Der Bau bis zum Fehler 0 braucht etwa %1 Arbeitsspeicher, %2 Plattenplatz und %3.</translation>
-        </message>
-        <message>
-            <source>Building to an error of 0 takes up to %1 of memory, %2 of disk and %3.</source>
-            <translation>Der Bau bis zum Fehler 0 braucht bis zu %1 Arbeitsspeicher, %2 Plattenplatz und %3.</translation>
-        </message>
-        <message>
-            <source>This machine has %1 of memory.</source>
-            <translation>Dieser Rechner hat %1 Arbeitsspeicher.</translation>
-        </message>
-        <message>
-            <source>A volume needs at least two points along each axis. Take a larger region or a smaller stride.</source>
-            <translation>Ein Volumen braucht mindestens zwei Punkte entlang jeder Achse. Nehmen Sie einen größeren Bereich oder eine kleinere Schrittweite.</translation>
-        </message>
-        <message>
-            <source>%1 MiB</source>
-            <translation>%1 MiB</translation>
-        </message>
-        <message>
-            <source>%1 s</source>
-            <translation>%1 s</translation>
-        </message>
-    </context>
-    <context>
-        <name>Manual</name>
-        <message>
-            <source>The manual is not installed. Install the package tan again with its documentation, or build TAn with the package python3-markdown; the same texts are in the folder docs of its sources.</source>
-            <translation>Das Handbuch ist nicht installiert. Installieren Sie das Paket tan noch einmal mit seiner Dokumentation, oder bauen Sie TAn mit dem Paket python3-markdown; dieselben Texte liegen im Ordner docs der Quellen.</translation>
-        </message>
-        <message>
-            <source>No program opens web pages here. Install a web browser, or read %1.</source>
-            <translation>Hier öffnet kein Programm Webseiten. Installieren Sie einen Webbrowser, oder lesen Sie %1.</translation>
-        </message>
-    </context>
-    <context>
-        <name>MeshText</name>
-        <message>
-            <source>More would take more than %1 tetrahedra.</source>
-            <translation>Genauer brauchte es mehr als %1 Tetraeder.</translation>
-        </message>
-        <message>
-            <source>This is all that the model has.</source>
-            <translation>Mehr hat das Modell nicht.</translation>
-        </message>
-        <message>
-            <source>The model has nothing finer.</source>
-            <translation>Feiner ist das Modell nicht.</translation>
-        </message>
-        <message>
-            <source>%1 of its %2 tetrahedra are shown.</source>
-            <translation>%1 seiner %2 Tetraeder werden gezeigt.</translation>
-        </message>
-        <message>
-            <source>error %1 in the focus, %2 outside</source>
-            <translation>Fehler %1 im Fokus, %2 außerhalb</translation>
-        </message>
-        <message>
-            <source>error %1</source>
-            <translation>Fehler %1</translation>
-        </message>
-        <message>
-            <source>Shown: %1; the warping likewise.</source>
-            <translation>Gezeigt: %1; die Verwerfung ebenso.</translation>
-        </message>
-        <message>
-            <source>Shown: %1.</source>
-            <translation>Gezeigt: %1.</translation>
-        </message>
-    </context>
-    <context>
-        <name>NumberText</name>
-        <message>
-            <source>%1 %</source>
-            <translation>%1 %</translation>
-        </message>
-        <message>
-            <source>%1 ms</source>
-            <translation>%1 ms</translation>
-        </message>
-        <message>
-            <source>%1 s</source>
-            <translation>%1 s</translation>
-        </message>
-        <message>
-            <source>%1 min %2 s</source>
-            <translation>%1 min %2 s</translation>
-        </message>
-        <message>
-            <source>%1 h %2 min</source>
-            <translation>%1 h %2 min</translation>
-        </message>
-    </context>
-    <context>
-        <name>Palette</name>
-        <message>
-            <source>Orange</source>
-            <translation>Orange</translation>
-        </message>
-        <message>
-            <source>Sky blue</source>
-            <translation>Himmelblau</translation>
-        </message>
-        <message>
-            <source>Bluish green</source>
-            <translation>Blaugrün</translation>
-        </message>
-        <message>
-            <source>Vermilion</source>
-            <translation>Zinnober</translation>
-        </message>
-        <message>
-            <source>Blue</source>
-            <translation>Blau</translation>
-        </message>
-        <message>
-            <source>Reddish purple</source>
-            <translation>Purpur</translation>
-        </message>
-        <message>
-            <source>Yellow</source>
-            <translation>Gelb</translation>
-        </message>
-    </context>
-    <context>
-        <name>Plugin</name>
-        <message>
-            <source>Delaunay refinement</source>
-            <translation>Delaunay-Verfeinerung</translation>
-        </message>
-        <message>
-            <source>Starts from the corners and inserts the point of the largest error until the error is small enough.</source>
-            <translation>Beginnt mit den Ecken und fügt jeweils den Punkt mit dem größten Fehler ein, bis der Fehler klein genug ist.</translation>
-        </message>
-        <message>
-            <source>Error</source>
-            <translation>Fehler</translation>
-        </message>
-        <message>
-            <source>The error at which to stop; 0 keeps everything, so that any accuracy can be looked at later.</source>
-            <translation>Der Fehler, bei dem aufgehört wird; 0 behält alles, sodass später jede Genauigkeit zu sehen ist.</translation>
-        </message>
-        <message>
-            <source>% of the value range</source>
-            <translation>% des Wertebereichs</translation>
-        </message>
-        <message>
-            <source>Tables of points</source>
-            <translation>Tabellen von Punkten</translation>
-        </message>
-        <message>
-            <source>Reads scattered points with a value each from CSV, TSV and blank-separated text.</source>
-            <translation>Liest verstreute Punkte mit je einem Wert aus CSV, TSV und durch Leerzeichen getrenntem Text.</translation>
-        </message>
-        <message>
-            <source>CSV writer</source>
-            <translation>CSV-Schreiber</translation>
-        </message>
-        <message>
-            <source>Writes the points of any dataset as a table: x, y, z and value.</source>
-            <translation>Schreibt die Punkte jedes Datensatzes als Tabelle: x, y, z und Wert.</translation>
-        </message>
-        <message>
-            <source>Table of points (*.csv *.tsv *.xyz *.pts *.txt *.asc)</source>
-            <translation>Tabelle von Punkten (*.csv *.tsv *.xyz *.pts *.txt *.asc)</translation>
-        </message>
-        <message>
-            <source>Table of points (*.csv)</source>
-            <translation>Tabelle von Punkten (*.csv)</translation>
-        </message>
-        <message>
-            <source>Meshes of cells</source>
-            <translation>Zellnetze</translation>
-        </message>
-        <message>
-            <source>Reads meshes of tetrahedra, hexahedra, prisms and pyramids from VTK XML (.vtu) and AVS UCD (.inp).</source>
-            <translation>Liest Netze aus Tetraedern, Hexaedern, Prismen und Pyramiden aus VTK-XML (.vtu) und AVS UCD (.inp).</translation>
-        </message>
-        <message>
-            <source>VTU writer</source>
-            <translation>VTU-Schreiber</translation>
-        </message>
-        <message>
-            <source>Writes meshes of tetrahedra as VTK XML unstructured grids.</source>
-            <translation>Schreibt Tetraedernetze als unstrukturierte Gitter in VTK-XML.</translation>
-        </message>
-        <message>
-            <source>VTK unstructured grid (*.vtu)</source>
-            <translation>Unstrukturiertes VTK-Gitter (*.vtu)</translation>
-        </message>
-        <message>
-            <source>AVS UCD mesh (*.inp)</source>
-            <translation>AVS-UCD-Netz (*.inp)</translation>
-        </message>
-        <message>
-            <source>Array</source>
-            <translation>Feld</translation>
-        </message>
-        <message>
-            <source>The array whose values to take, of points or of cells; nothing takes the one the file calls active, else the first.</source>
-            <translation>Das Feld, dessen Werte genommen werden, von Punkten oder Zellen; ohne Angabe das, das die Datei aktiv nennt, sonst das erste.</translation>
-        </message>
-        <message>
-            <source>Component</source>
-            <translation>Komponente</translation>
-        </message>
-        <message>
-            <source>Of arrays with several components: magnitude, or a number from 0.</source>
-            <translation>Bei Feldern mit mehreren Komponenten: magnitude für den Betrag, oder eine Nummer ab 0.</translation>
-        </message>
-        <message>
-            <source>Cutting the cells</source>
-            <translation>Zerlegen der Zellen</translation>
-        </message>
-        <message>
-            <source>Checking the mesh</source>
-            <translation>Prüfen des Netzes</translation>
-        </message>
-        <message>
-            <source>Positions</source>
-            <translation>Orte</translation>
-        </message>
-        <message>
-            <source>Tables of points: the columns of x, y and z, by name or number, as in lon,lat,depth or 1,2,3; 'automatic' takes those called x, y and z, else the first three.</source>
-            <translation>Tabellen von Punkten: die Spalten für x, y und z, nach Name oder Nummer, wie lon,lat,depth oder 1,2,3; 'automatic' nimmt die mit den Namen x, y und z, sonst die ersten drei.</translation>
-        </message>
-        <message>
-            <source>Values</source>
-            <translation>Werte</translation>
-        </message>
-        <message>
-            <source>The values to take, by name or number; 'automatic' takes the first there are.</source>
-            <translation>Welche Werte genommen werden, nach Name oder Nummer; 'automatic' nimmt die ersten.</translation>
-        </message>
-        <message>
-            <source>Skip incomplete rows</source>
-            <translation>Unvollständige Zeilen auslassen</translation>
-        </message>
-        <message>
-            <source>Tables of points: leave out rows that lack a number, instead of refusing the file.</source>
-            <translation>Tabellen von Punkten: Zeilen auslassen, denen eine Zahl fehlt, statt die Datei abzulehnen.</translation>
-        </message>
-        <message>
-            <source>Scattered points: refinement fills their convex hull.</source>
-            <translation>Verstreute Punkte: die Verfeinerung füllt ihre konvexe Hülle.</translation>
-        </message>
-        <message>
-            <source>Finding the convex hull</source>
-            <translation>Suche der konvexen Hülle</translation>
-        </message>
-        <message>
-            <source>Weights</source>
-            <translation>Gewichte</translation>
-        </message>
-        <message>
-            <source>Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, several separated by ';'. Errors there count in full, falling linearly to a tenth (or to ',floor' at the end) at the distance 'reach'; the largest weight holds. Examples: 'point:16,16,8,10', 'value:120,15,0.05'.</source>
-            <translation>Wo Genauigkeit zählt: point:x,y,z,reichweite, box:x0,y0,z0,x1,y1,z1,reichweite oder value:q,reichweite, mehrere durch ';' getrennt. Fehler zählen dort voll und fallen linear auf ein Zehntel (oder auf den Wert eines letzten ',boden') in der Entfernung 'reichweite'; es gilt das größte Gewicht. Beispiele: 'point:16,16,8,10', 'value:120,15,0.05'.</translation>
-        </message>
-        <message>
-            <source>An irregular mesh: decimation keeps its shape and its cavities.</source>
-            <translation>Ein irreguläres Netz: Die Vergröberung erhält seine Form und seine Hohlräume.</translation>
-        </message>
-        <message>
-            <source>A curvilinear grid: decimation takes fewer points for the same accuracy, but more time and memory.</source>
-            <translation>Ein krummliniges Gitter: Die Vergröberung braucht für dieselbe Genauigkeit weniger Punkte, aber mehr Zeit und Speicher.</translation>
-        </message>
-        <message>
-            <source>A regular lattice: decimation takes fewer points for the same accuracy, but more time and memory.</source>
-            <translation>Ein reguläres Gitter: Die Vergröberung braucht für dieselbe Genauigkeit weniger Punkte, aber mehr Zeit und Speicher.</translation>
-        </message>
-        <message>
-            <source>A regular lattice: refinement keeps the exact domain and needs the least time.</source>
-            <translation>Ein regelmäßiges Gitter: Die Verfeinerung erhält das Gebiet genau und braucht die wenigste Zeit.</translation>
-        </message>
-        <message>
-            <source>Block</source>
-            <translation>Block</translation>
-        </message>
-        <message>
-            <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; 'none' refines the dataset as a whole; 'automatic' takes blocks where the dataset is large.</source>
-            <translation>Die Zellen entlang einer Kante der Blöcke, die unabhängig verfeinert werden, mit Speicher für einige davon; 'none' verfeinert den Datensatz als Ganzes; 'automatic' nimmt Blöcke, wo der Datensatz groß ist.</translation>
-        </message>
-        <message>
-            <source>cells</source>
-            <translation>Zellen</translation>
-        </message>
-        <message>
-            <source>Warping</source>
-            <translation>Verwerfung</translation>
-        </message>
-        <message>
-            <source>For curvilinear data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values, 1 : 1 if either is 0; 0 keeps everything.</source>
-            <translation>Bei krummlinigen Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt, 1 : 1, wenn eines von beiden 0 ist; 0 behält alles.</translation>
-        </message>
-        <message>
-            <source>% of the diagonal</source>
-            <translation>% der Diagonale</translation>
-        </message>
-        <message>
-            <source>Selection</source>
-            <translation>Auswahl</translation>
-        </message>
-        <message>
-            <source>For curvilinear data: 'normalised' takes the point that is farthest off in error or warping and keeps cells from turning over; 'paper' compares the two in the units of the data and does not look at cells that turn over, as the paper did, to compare with it.</source>
-            <translation>Bei krummlinigen Daten: „normalised“ nimmt den Punkt, der in Fehler oder Verwerfung am weitesten daneben liegt, und bewahrt Zellen vor dem Umklappen; „paper“ vergleicht beide in den Einheiten der Daten und achtet nicht auf umgeklappte Zellen, wie der Aufsatz, zum Vergleich mit ihm.</translation>
-        </message>
-        <message>
-            <source>normalised</source>
-            <translation>normiert</translation>
-        </message>
-        <message>
-            <source>paper</source>
-            <translation>Aufsatz</translation>
-        </message>
-        <message>
-            <source>A curvilinear grid: refinement in computational space bounds both error and warping.</source>
-            <translation>Ein krummliniges Gitter: Die Verfeinerung im Rechenraum begrenzt Fehler und Verwerfung.</translation>
-        </message>
-        <message>
-            <source>Distributing the points</source>
-            <translation>Die Punkte werden verteilt</translation>
-        </message>
-        <message>
-            <source>Refining</source>
-            <translation>Verfeinern</translation>
-        </message>
-        <message>
-            <source>Isosurfaces</source>
-            <translation>Isoflächen</translation>
-        </message>
-        <message>
-            <source>Shows the surfaces on which the field has the chosen values, each with a colour and an opacity.</source>
-            <translation>Zeigt die Flächen, auf denen das Feld die gewählten Werte hat, jede mit Farbe und Deckkraft.</translation>
-        </message>
-        <message>
-            <source>Isovalues</source>
-            <translation>Isowerte</translation>
-        </message>
-        <message>
-            <source>The values whose surfaces are shown, each with its colour and opacity.</source>
-            <translation>Die Werte, deren Flächen gezeigt werden, jeder mit Farbe und Deckkraft.</translation>
-        </message>
-        <message>
-            <source>Outline</source>
-            <translation>Umriss</translation>
-        </message>
-        <message>
-            <source>Shows the edges of the box that the data fill.</source>
-            <translation>Zeigt die Kanten des Quaders, den die Daten füllen.</translation>
-        </message>
-        <message>
-            <source>Volumes on regular lattices</source>
-            <translation>Volumen auf regelmäßigen Gittern</translation>
-        </message>
-        <message>
-            <source>Reads NRRD files with attached or detached data, raw, gzip or text, and raw files that are described.</source>
-            <translation>Liest NRRD-Dateien mit Daten darin oder daneben, roh, gzip oder Text, und beschriebene Rohdateien.</translation>
-        </message>
-        <message>
-            <source>NRRD writer</source>
-            <translation>NRRD-Schreiber</translation>
-        </message>
-        <message>
-            <source>Writes volumes on regular lattices as NRRD files, raw or gzip.</source>
-            <translation>Schreibt Volumen auf regelmäßigen Gittern als NRRD-Dateien, roh oder gzip.</translation>
-        </message>
-        <message>
-            <source>NRRD volume (*.nrrd *.nhdr)</source>
-            <translation>NRRD-Volumen (*.nrrd *.nhdr)</translation>
-        </message>
-        <message>
-            <source>Raw volume (*.raw *.bin *.binary *.dat *.img *.vol)</source>
-            <translation>Rohes Volumen (*.raw *.bin *.binary *.dat *.img *.vol)</translation>
-        </message>
-        <message>
-            <source>Reading</source>
-            <translation>Lesen</translation>
-        </message>
-        <message>
-            <source>Size</source>
-            <translation>Größe</translation>
-        </message>
-        <message>
-            <source>Raw files: the number of points along x (which runs fastest), y and z, as in 256x256x128.</source>
-            <translation>Rohdateien: die Zahl der Punkte entlang x (läuft am schnellsten), y und z, etwa 256x256x128.</translation>
-        </message>
-        <message>
-            <source>points</source>
-            <translation>Punkte</translation>
-        </message>
-        <message>
-            <source>Type</source>
-            <translation>Typ</translation>
-        </message>
-        <message>
-            <source>Raw files: the type of a sample.</source>
-            <translation>Rohdateien: der Typ eines Abtastwerts.</translation>
-        </message>
-        <message>
-            <source>Byte order</source>
-            <translation>Bytefolge</translation>
-        </message>
-        <message>
-            <source>Raw files: little (PC) or big endian, for types of more than one byte.</source>
-            <translation>Rohdateien: little (PC) oder big endian, für Typen aus mehr als einem Byte.</translation>
-        </message>
-        <message>
-            <source>little</source>
-            <translation>little</translation>
-        </message>
-        <message>
-            <source>big</source>
-            <translation>big</translation>
-        </message>
-        <message>
-            <source>Skip</source>
-            <translation>Überspringen</translation>
-        </message>
-        <message>
-            <source>Raw files: the length of a header before the samples.</source>
-            <translation>Rohdateien: die Länge eines Kopfes vor den Abtastwerten.</translation>
-        </message>
-        <message>
-            <source>bytes</source>
-            <translation>Bytes</translation>
-        </message>
-        <message>
-            <source>Spacing</source>
-            <translation>Abstand</translation>
-        </message>
-        <message>
-            <source>Raw files: the distance of neighbouring points along x, y and z, as in 1x1x2.5.</source>
-            <translation>Rohdateien: der Abstand benachbarter Punkte entlang x, y und z, etwa 1x1x2.5.</translation>
-        </message>
-        <message>
-            <source>Origin</source>
-            <translation>Ursprung</translation>
-        </message>
-        <message>
-            <source>Raw files: the position of the first point, as in 0,0,0.</source>
-            <translation>Rohdateien: die Lage des ersten Punkts, etwa 0,0,0.</translation>
-        </message>
-        <message>
-            <source>uint8</source>
-            <translation>uint8</translation>
-        </message>
-        <message>
-            <source>int8</source>
-            <translation>int8</translation>
-        </message>
-        <message>
-            <source>uint16</source>
-            <translation>uint16</translation>
-        </message>
-        <message>
-            <source>int16</source>
-            <translation>int16</translation>
-        </message>
-        <message>
-            <source>uint32</source>
-            <translation>uint32</translation>
-        </message>
-        <message>
-            <source>int32</source>
-            <translation>int32</translation>
-        </message>
-        <message>
-            <source>float</source>
-            <translation>float</translation>
-        </message>
-        <message>
-            <source>double</source>
-            <translation>double</translation>
-        </message>
-        <message>
-            <source>builder</source>
-            <translation>Erbauer</translation>
-        </message>
-        <message>
-            <source>renderer</source>
-            <translation>Darsteller</translation>
-        </message>
-        <message>
-            <source>reader</source>
-            <translation>Leser</translation>
-        </message>
-        <message>
-            <source>writer</source>
-            <translation>Schreiber</translation>
-        </message>
-        <message>
-            <source>editor</source>
-            <translation>Editor</translation>
-        </message>
-        <message>
-            <source>found</source>
-            <translation>gefunden</translation>
-        </message>
-        <message>
-            <source>loaded</source>
-            <translation>geladen</translation>
-        </message>
-        <message>
-            <source>disabled</source>
-            <translation>abgeschaltet</translation>
-        </message>
-        <message>
-            <source>refused</source>
-            <translation>abgelehnt</translation>
-        </message>
-        <message>
-            <source>PLOT3D grids</source>
-            <translation>PLOT3D-Gitter</translation>
-        </message>
-        <message>
-            <source>Reads curvilinear grids with a scalar of their solution from binary PLOT3D files of any byte order and precision.</source>
-            <translation>Liest krummlinige Gitter mit einem Skalar ihrer Lösung aus binären PLOT3D-Dateien jeder Bytefolge und Genauigkeit.</translation>
-        </message>
-        <message>
-            <source>PLOT3D writer</source>
-            <translation>PLOT3D-Schreiber</translation>
-        </message>
-        <message>
-            <source>Writes datasets on grids as a PLOT3D grid file and a solution file beside it.</source>
-            <translation>Schreibt Datensätze auf Gittern als PLOT3D-Gitterdatei und eine Lösungsdatei daneben.</translation>
-        </message>
-        <message>
-            <source>PLOT3D grid and solution (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)</source>
-            <translation>PLOT3D-Gitter und -Lösung (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)</translation>
-        </message>
-        <message>
-            <source>Which scalar of the solution: automatic takes the density, or if that is the same everywhere the first that varies.</source>
-            <translation>Welcher Skalar der Lösung: automatic nimmt die Dichte, oder wenn sie überall gleich ist, den ersten, der sich ändert.</translation>
-        </message>
-        <message>
-            <source>Solution file</source>
-            <translation>Lösungsdatei</translation>
-        </message>
-        <message>
-            <source>The PLOT3D solution of the grid; without it the one beside it with a fitting name.</source>
-            <translation>Die PLOT3D-Lösung des Gitters; ohne sie die daneben mit passendem Namen.</translation>
-        </message>
-        <message>
-            <source>VTK readers</source>
-            <translation>VTK-Leser</translation>
-        </message>
-        <message>
-            <source>Reads VTK, Exodus, EnSight, NetCDF, CGNS, MetaImage, NIfTI, TIFF, DICOM and more, by means of VTK.</source>
-            <translation>Liest VTK, Exodus, EnSight, NetCDF, CGNS, MetaImage, NIfTI, TIFF, DICOM und mehr, mit Hilfe von VTK.</translation>
-        </message>
-        <message>
-            <source>Of arrays with several components: the number of one, from 0, or 'magnitude'.</source>
-            <translation>Bei Feldern mit mehreren Komponenten: die Nummer einer, ab 0, oder „magnitude“ für den Betrag.</translation>
-        </message>
-        <message>
-            <source>Time step</source>
-            <translation>Zeitschritt</translation>
-        </message>
-        <message>
-            <source>Of files with several time steps: which one, from 1.</source>
-            <translation>Bei Dateien mit mehreren Zeitschritten: welcher, ab 1.</translation>
-        </message>
-        <message>
-            <source>Part</source>
-            <translation>Teil</translation>
-        </message>
-        <message>
-            <source>Of files with several blocks or parts: one, by name or number from 1; without it all irregular meshes that have the values, or the first grid.</source>
-            <translation>Bei Dateien mit mehreren Blöcken oder Teilen: einer, mit Namen oder Nummer ab 1; ohne ihn alle unregelmäßigen Netze, die die Werte haben, oder das erste Gitter.</translation>
-        </message>
-        <message>
-            <source>VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</source>
-            <translation>VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</translation>
-        </message>
-        <message>
-            <source>VTK legacy (*.vtk)</source>
-            <translation>VTK, altes Format (*.vtk)</translation>
-        </message>
-        <message>
-            <source>VTK HDF (*.vtkhdf *.hdf)</source>
-            <translation>VTK HDF (*.vtkhdf *.hdf)</translation>
-        </message>
-        <message>
-            <source>Exodus II (*.ex2 *.exo *.exii *.e *.g)</source>
-            <translation>Exodus II (*.ex2 *.exo *.exii *.e *.g)</translation>
-        </message>
-        <message>
-            <source>EnSight (*.case *.encas)</source>
-            <translation>EnSight (*.case *.encas)</translation>
-        </message>
-        <message>
-            <source>NetCDF, CF conventions (*.nc *.cdf)</source>
-            <translation>NetCDF, CF-Konventionen (*.nc *.cdf)</translation>
-        </message>
-        <message>
-            <source>CGNS (*.cgns)</source>
-            <translation>CGNS (*.cgns)</translation>
-        </message>
-        <message>
-            <source>MetaImage (*.mhd *.mha)</source>
-            <translation>MetaImage (*.mhd *.mha)</translation>
-        </message>
-        <message>
-            <source>NIfTI (*.nii *.nii.gz)</source>
-            <translation>NIfTI (*.nii *.nii.gz)</translation>
-        </message>
-        <message>
-            <source>MRC electron microscopy (*.mrc *.ccp4)</source>
-            <translation>MRC-Elektronenmikroskopie (*.mrc *.ccp4)</translation>
-        </message>
-        <message>
-            <source>TIFF stack (*.tif *.tiff)</source>
-            <translation>TIFF-Stapel (*.tif *.tiff)</translation>
-        </message>
-        <message>
-            <source>DICOM series (*.dcm *.dicom)</source>
-            <translation>DICOM-Serie (*.dcm *.dicom)</translation>
-        </message>
-        <message>
-            <source>PLOT3D, also text (*.xyz *.x *.g *.p3d *.q)</source>
-            <translation>PLOT3D, auch Text (*.xyz *.x *.g *.p3d *.q)</translation>
-        </message>
-        <message>
-            <source>GAMBIT (*.neu)</source>
-            <translation>GAMBIT (*.neu)</translation>
-        </message>
-        <message>
-            <source>Fluent (*.cas)</source>
-            <translation>Fluent (*.cas)</translation>
-        </message>
-        <message>
-            <source>OpenFOAM (*.foam controlDict)</source>
-            <translation>OpenFOAM (*.foam controlDict)</translation>
-        </message>
-        <message>
-            <source>Tecplot text (*.tec *.tp)</source>
-            <translation>Tecplot-Text (*.tec *.tp)</translation>
-        </message>
-        <message>
-            <source>Grid</source>
-            <translation>Gitter</translation>
-        </message>
-        <message>
-            <source>Which grid of a PLOT3D file that holds several, from 1; 0 takes the only one.</source>
-            <translation>Welches Gitter einer PLOT3D-Datei mit mehreren, von 1 an; 0 nimmt das einzige.</translation>
-        </message>
-        <message>
-            <source>automatic</source>
-            <translation>automatic</translation>
-        </message>
-        <message>
-            <source>density</source>
-            <translation>density</translation>
-        </message>
-        <message>
-            <source>pressure</source>
-            <translation>pressure</translation>
-        </message>
-        <message>
-            <source>energy</source>
-            <translation>energy</translation>
-        </message>
-        <message>
-            <source>velocity_magnitude</source>
-            <translation>velocity_magnitude</translation>
-        </message>
-        <message>
-            <source>momentum_magnitude</source>
-            <translation>momentum_magnitude</translation>
-        </message>
-        <message>
-            <source>momentum_x</source>
-            <translation>momentum_x</translation>
-        </message>
-        <message>
-            <source>momentum_y</source>
-            <translation>momentum_y</translation>
-        </message>
-        <message>
-            <source>momentum_z</source>
-            <translation>momentum_z</translation>
-        </message>
-        <message>
-            <source>temperature</source>
-            <translation>temperature</translation>
-        </message>
-        <message>
-            <source>mach</source>
-            <translation>mach</translation>
-        </message>
-        <message>
-            <source>Volume</source>
-            <translation>Volumen</translation>
-        </message>
-        <message>
-            <source>Shows the field as a translucent cloud: a transfer function gives each value its colour and opacity.</source>
-            <translation>Zeigt das Feld als durchscheinende Wolke: Eine Transferfunktion gibt jedem Wert Farbe und Deckkraft.</translation>
-        </message>
-        <message>
-            <source>Focus</source>
-            <translation>Fokus</translation>
-        </message>
-        <message>
-            <source>Shows the field as a volume that is finer inside the focus than outside, blended at its border.</source>
-            <translation>Zeigt das Feld als Volumen, das im Fokus feiner ist als außerhalb und an dessen Rand überblendet.</translation>
-        </message>
-        <message>
-            <source>Volume with isosurfaces</source>
-            <translation>Volumen mit Isoflächen</translation>
-        </message>
-        <message>
-            <source>Shows the field as a translucent cloud with surfaces of chosen values in it.</source>
-            <translation>Zeigt das Feld als durchscheinende Wolke, in der Flächen gewählter Werte liegen.</translation>
-        </message>
-        <message>
-            <source>Transfer function</source>
-            <translation>Transferfunktion</translation>
-        </message>
-        <message>
-            <source>The colour and the opacity of each value.</source>
-            <translation>Farbe und Deckkraft jedes Wertes.</translation>
-        </message>
-        <message>
-            <source>Shaded</source>
-            <translation>Beleuchtet</translation>
-        </message>
-        <message>
-            <source>Lights the volume, as if a surface lay across the direction in which its values change most.</source>
-            <translation>Beleuchtet das Volumen, als läge quer zur Richtung, in der sich seine Werte am stärksten ändern, eine Fläche.</translation>
-        </message>
-        <message>
-            <source>Clip planes</source>
-            <translation>Schnittebenen</translation>
-        </message>
-        <message>
-            <source>Cuts away what lies before a plane: nx,ny,nz,offset shows the points with nx x + ny y + nz z &gt;= offset.</source>
-            <translation>Schneidet weg, was vor einer Ebene liegt: nx,ny,nz,Abstand zeigt die Punkte mit nx x + ny y + nz z &gt;= Abstand.</translation>
-        </message>
-        <message>
-            <source>Order</source>
-            <translation>Reihenfolge</translation>
-        </message>
-        <message>
-            <source>How surfaces and volume are put in order: 'exact', or as the paper did 'with-cell', where the part of a surface in a cell is drawn before the cell.</source>
-            <translation>Wie Flächen und Volumen geordnet werden: 'exakt' oder wie im Aufsatz 'mit der Zelle', wo das Stück einer Fläche in einer Zelle vor der Zelle gezeichnet wird.</translation>
-        </message>
-        <message>
-            <source>exact</source>
-            <translation>exakt</translation>
-        </message>
-        <message>
-            <source>with-cell</source>
-            <translation>mit der Zelle</translation>
-        </message>
-        <message>
-            <source>Decimation by edge collapse</source>
-            <translation>Vergröberung durch Kantenschrumpfen</translation>
-        </message>
-        <message>
-            <source>Starts from the whole mesh and takes away the points that matter least; takes meshes of any shape and keeps their cavities.</source>
-            <translation>Beginnt mit dem ganzen Netz und nimmt die Punkte weg, auf die es am wenigsten ankommt; nimmt Netze jeder Form und erhält ihre Hohlräume.</translation>
-        </message>
-        <message>
-            <source>The error at which to stop; 0 goes on to the coarsest mesh.</source>
-            <translation>Der Fehler, bei dem aufgehört wird; 0 geht bis zum gröbsten Netz.</translation>
-        </message>
-        <message>
-            <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values, 1 : 1 if either is 0, and then the other holds for both; two of 0 go on to the coarsest mesh.</source>
-            <translation>Für krummlinige und irreguläre Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt, 1 : 1, wenn eines von beiden 0 ist, und dann gilt das andere für beide; sind beide 0, geht es bis zum gröbsten Netz.</translation>
-        </message>
-        <message>
-            <source>Which point goes next: 'exact' takes the one whose loss does the least harm, for the fewest points; 'paper' estimates that by gradients and planes, as the paper did; 'rounds' takes many points at a time that do not touch, so that a focus region needs the least besides.</source>
-            <translation>Welcher Punkt als nächster geht: „exact“ nimmt den, dessen Verlust am wenigsten schadet, für die wenigsten Punkte; „paper“ schätzt das durch Gradienten und Ebenen, wie der Aufsatz; „rounds“ nimmt viele Punkte auf einmal, die einander nicht berühren, so dass ein Fokusbereich am wenigsten sonst braucht.</translation>
-        </message>
-        <message>
-            <source>rounds</source>
-            <translation>Runden</translation>
-        </message>
-        <message>
-            <source>Judging the vertices</source>
-            <translation>Die Knoten werden beurteilt</translation>
-        </message>
-        <message>
-            <source>Collapsing</source>
-            <translation>Kanten schrumpfen</translation>
-        </message>
-        <message>
-            <source>Scattered points have no tetrahedra that decimation could begin with. Refine them instead.</source>
-            <translation>Verstreute Punkte haben keine Tetraeder, mit denen die Vergröberung beginnen könnte. Verfeinern Sie sie stattdessen.</translation>
-        </message>
-        <message>
-            <source>A tetrahedral mesh needs a cell: two points or more along each axis.</source>
-            <translation>Ein Tetraedernetz braucht eine Zelle: zwei Punkte oder mehr entlang jeder Achse.</translation>
-        </message>
-        <message>
-            <source>Transfer function editor</source>
-            <translation>Editor der Transferfunktion</translation>
-        </message>
-        <message>
-            <source>Edits the colour and the opacity of each value, over how often the values occur.</source>
-            <translation>Bearbeitet Farbe und Deckkraft jedes Wertes über der Häufigkeit der Werte.</translation>
-        </message>
-        <message>
-            <source>electron density of the C60 molecule, a hollow ball of smooth bumps</source>
-            <translation>Elektronendichte des C60-Moleküls, eine hohle Kugel aus glatten Hügeln</translation>
-        </message>
-        <message>
-            <source>probability density of the hydrogen atom's 3d electron: two lobes and a ring</source>
-            <translation>Wahrscheinlichkeitsdichte des 3d-Elektrons im Wasserstoffatom: zwei Keulen und ein Ring</translation>
-        </message>
-        <message>
-            <source>the test signal of Marschner and Lobb: ripples that are hard to reproduce</source>
-            <translation>das Testsignal von Marschner und Lobb: Wellen, die schwer wiederzugeben sind</translation>
-        </message>
-        <message>
-            <source>white noise, the worst case: no sample tells of its neighbour</source>
-            <translation>weißes Rauschen, der schlimmste Fall: Kein Wert sagt etwas über seinen Nachbarn</translation>
-        </message>
-        <message>
-            <source>flow in front of a half sphere: a curvilinear grid whose axis is collapsed</source>
-            <translation>Strömung vor einer Halbkugel: ein krummliniges Gitter mit zusammengefallener Achse</translation>
-        </message>
-        <message>
-            <source>flow around a cylinder: a curvilinear grid that closes on itself</source>
-            <translation>Strömung um einen Zylinder: ein krummliniges Gitter, das sich in sich schließt</translation>
-        </message>
-        <message>
-            <source>flow through a bent duct: a curvilinear grid</source>
-            <translation>Strömung durch einen gebogenen Kanal: ein krummliniges Gitter</translation>
-        </message>
-        <message>
-            <source>a layer at a wall: a rectilinear grid with spacings that grow</source>
-            <translation>eine Schicht an einer Wand: ein rechtwinkliges Gitter mit wachsenden Abständen</translation>
-        </message>
-        <message>
-            <source>random points in a ball, with waves that grow finer outwards</source>
-            <translation>zufällige Punkte in einer Kugel, mit Wellen, die nach außen feiner werden</translation>
-        </message>
-        <message>
-            <source>stress in a plate with five holes and a closed cavity: an irregular mesh</source>
-            <translation>Spannung in einer Platte mit fünf Löchern und einem geschlossenen Hohlraum: ein unregelmäßiges Netz</translation>
-        </message>
-    </context>
-    <context>
-        <name>RemoveIsovalue</name>
-        <message>
-            <source>removal of isovalue</source>
-            <translation>Entfernen des Isowerts</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::AccuracyBox</name>
-        <message>
-            <source> %</source>
-            <translation> %</translation>
-        </message>
-        <message>
-            <source>Error in percent of the value range</source>
-            <translation>Fehler in Prozent des Wertebereichs</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::AccuracyCurve</name>
-        <message>
-            <source>%1G</source>
-            <translation>%1G</translation>
-        </message>
-        <message>
-            <source>%1M</source>
-            <translation>%1M</translation>
-        </message>
-        <message>
-            <source>%1k</source>
-            <translation>%1k</translation>
-        </message>
-        <message>
-            <source>Error, % of the value range</source>
-            <translation>Fehler, % des Wertebereichs</translation>
-        </message>
-        <message>
-            <source>Tetrahedra against error</source>
-            <translation>Tetraeder gegen Fehler</translation>
-        </message>
-        <message>
-            <source>Number of tetrahedra needed for each error. Click, drag or use the arrow keys to choose the accuracy.</source>
-            <translation>Wie viele Tetraeder jeder Fehler braucht. Klicken, ziehen oder Pfeiltasten wählen die Genauigkeit.</translation>
-        </message>
-        <message>
-            <source>%1 tetrahedra at an error of %2</source>
-            <translation>%1 Tetraeder bei einem Fehler von %2</translation>
-        </message>
-        <message>
-            <source>Tetrahedra</source>
-            <translation>Tetraeder</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::AccuracyPanel</name>
-        <message>
-            <source>%1 of all</source>
-            <translation>%1 von allen</translation>
-        </message>
-        <message>
-            <source>Error of %1 of the value range</source>
-            <translation>Fehler von %1 des Wertebereichs</translation>
-        </message>
-        <message>
-            <source>Every sample exact</source>
-            <translation>Jeder Abtastwert genau</translation>
-        </message>
-        <message>
-            <source>Sites</source>
-            <translation>Stützpunkte</translation>
-        </message>
-        <message>
-            <source>Tetrahedra</source>
-            <translation>Tetraeder</translation>
-        </message>
-        <message>
-            <source>This model was built down to an error of %1; it has nothing finer.</source>
-            <translation>Dieses Modell wurde bis zu einem Fehler von %1 gebaut; Feineres enthält es nicht.</translation>
-        </message>
-        <message>
-            <source>of the range, ± %1</source>
-            <translation>des Bereichs, ± %1</translation>
-        </message>
-        <message>
-            <source>What the percentage means in units of the data. Of curvilinear data it holds for the error and for the warping: the distance of the mesh from the grid, in percent of the diagonal of the box around it.</source>
-            <translation>Was der Prozentsatz in Einheiten der Daten heißt. Bei krummlinigen Daten gilt er für den Fehler und für die Verwerfung: den Abstand des Netzes vom Gitter, in Prozent der Diagonale des Quaders darum.</translation>
-        </message>
-        <message>
-            <source>Bu&amp;dget</source>
-            <translation>Bud&amp;get</translation>
-        </message>
-        <message>
-            <source>The smallest mesh with this error</source>
-            <translation>Das kleinste Netz mit diesem Fehler</translation>
-        </message>
-        <message>
-            <source>The best mesh with so many tetrahedra. A focus keeps its proportion to the rest.</source>
-            <translation>Das beste Netz mit so vielen Tetraedern. Ein Fokus behält sein Verhältnis zum Rest.</translation>
-        </message>
-        <message>
-            <source>tetrahedra</source>
-            <translation>Tetraeder</translation>
-        </message>
-        <message>
-            <source>Err&amp;or</source>
-            <translation>Fehle&amp;r</translation>
-        </message>
-        <message>
-            <source>± %1 in value
+<context>
+    <name>Actions</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Open a dataset or a model</source>
+        <translation>Datensatz oder Modell öffnen</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Save &amp;Picture…</source>
+        <translation>&amp;Bild speichern …</translation>
+    </message>
+    <message>
+        <source>Save what is seen as a PNG picture</source>
+        <translation>Speichert, was zu sehen ist, als PNG-Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Close the model</source>
+        <translation>Schließt das Modell</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Leave the program</source>
+        <translation>Beendet das Programm</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig:</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen:</translation>
+    </message>
+    <message>
+        <source>&amp;Add Isovalue</source>
+        <translation>&amp;Isowert hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add an isosurface at another value</source>
+        <translation>Fügt eine Isofläche bei einem weiteren Wert hinzu</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Vorn</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Hinten</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Rechts</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Oben</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom</source>
+        <translation>&amp;Unten</translation>
+    </message>
+    <message>
+        <source>&amp;Corner</source>
+        <translation>&amp;Ecke</translation>
+    </message>
+    <message>
+        <source>Look from this side</source>
+        <translation>Blick von dieser Seite</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Einpassen</translation>
+    </message>
+    <message>
+        <source>Show the whole domain</source>
+        <translation>Zeigt das ganze Gebiet</translation>
+    </message>
+    <message>
+        <source>&amp;Look From</source>
+        <translation>&amp;Blick von</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>&amp;Perspektive</translation>
+    </message>
+    <message>
+        <source>Perspective, or parallel projection</source>
+        <translation>Perspektive oder Parallelprojektion</translation>
+    </message>
+    <message>
+        <source>Pa&amp;nels</source>
+        <translation>&amp;Felder</translation>
+    </message>
+    <message>
+        <source>Reset La&amp;yout</source>
+        <translation>&amp;Anordnung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Put all panels back to where they were at first</source>
+        <translation>Setzt alle Felder dahin zurück, wo sie anfangs waren</translation>
+    </message>
+    <message>
+        <source>F&amp;ull Screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>Use the whole screen</source>
+        <translation>Nutzt den ganzen Bildschirm</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Plugins…</source>
+        <translation>&amp;Plugins …</translation>
+    </message>
+    <message>
+        <source>The plugins that were found</source>
+        <translation>Die gefundenen Plugins</translation>
+    </message>
+    <message>
+        <source>&amp;About TAn</source>
+        <translation>Ü&amp;ber TAn</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>Version und Lizenz</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Save &amp;Mesh…</source>
+        <translation>&amp;Netz speichern …</translation>
+    </message>
+    <message>
+        <source>Save the mesh that is seen, for VTK, ParaView and others</source>
+        <translation>Das gezeigte Netz speichern, für VTK, ParaView und andere</translation>
+    </message>
+    <message>
+        <source>Save the isosurfaces that are seen, for 3D printers, Blender, ParaView and others</source>
+        <translation>Die gezeigten Isoflächen speichern, für 3D-Drucker, Blender, ParaView und andere</translation>
+    </message>
+    <message>
+        <source>Save how large the mesh of each accuracy is, as a table</source>
+        <translation>Als Tabelle speichern, wie groß das Netz jeder Genauigkeit ist</translation>
+    </message>
+    <message>
+        <source>&amp;Region</source>
+        <translation>Be&amp;reich</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Save Session</source>
+        <translation>&amp;Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Save what is open and how it is seen, to go on with later</source>
+        <translation>Speichern, was offen ist und wie es zu sehen ist, um später weiterzumachen</translation>
+    </message>
+    <message>
+        <source>Save Session &amp;As…</source>
+        <translation>Sitzung speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Save the session in another file</source>
+        <translation>Die Sitzung in einer anderen Datei speichern</translation>
+    </message>
+    <message>
+        <source>Import with Op&amp;tions…</source>
+        <translation>Mit &amp;Optionen importieren…</translation>
+    </message>
+    <message>
+        <source>Open a part of a dataset, or say how its file is to be read</source>
+        <translation>Einen Teil eines Datensatzes öffnen oder sagen, wie seine Datei zu lesen ist</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>Read how everything works, in the web browser</source>
+        <translation>Im Webbrowser nachlesen, wie alles geht</translation>
+    </message>
+    <message>
+        <source>Save S&amp;urfaces…</source>
+        <translation>F&amp;lächen speichern …</translation>
+    </message>
+    <message>
+        <source>Save Stat&amp;istics…</source>
+        <translation>S&amp;tatistik speichern …</translation>
+    </message>
+    <message>
+        <source>&amp;Find Command…</source>
+        <translation>Be&amp;fehl suchen …</translation>
+    </message>
+    <message>
+        <source>Find whatever the program can do by a few letters of its name</source>
+        <translation>Findet alles, was das Programm kann, an ein paar Buchstaben seines Namens</translation>
+    </message>
+    <message>
+        <source>Reduced &amp;Motion</source>
+        <translation>&amp;Weniger Bewegung</translation>
+    </message>
+    <message>
+        <source>Change the view at once instead of gliding to it</source>
+        <translation>Wechselt die Ansicht sofort, statt zu ihr zu gleiten</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>&amp;Help on This Control</source>
+        <translation>&amp;Hilfe zu diesem Feld</translation>
+    </message>
+    <message>
+        <source>Say what the control does that has the keys</source>
+        <translation>Sagt, was das Bedienfeld tut, das die Tasten hat</translation>
+    </message>
+    <message>
+        <source>&amp;What Is This?</source>
+        <translation>&amp;Was ist das?</translation>
+    </message>
+    <message>
+        <source>Click on a control to read what it does</source>
+        <translation>Auf ein Bedienfeld klicken, um zu lesen, was es tut</translation>
+    </message>
+    <message>
+        <source>Open a model first</source>
+        <translation>Erst ein Modell öffnen</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo</source>
+        <translation>Es gibt nichts rückgängig zu machen</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo</source>
+        <translation>Es gibt nichts zu wiederholen</translation>
+    </message>
+    <message>
+        <source>Save &amp;Film…</source>
+        <translation>&amp;Film speichern…</translation>
+    </message>
+    <message>
+        <source>Save the animation as pictures or a video</source>
+        <translation>Die Animation als Bilder oder als Video speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Picture</source>
+        <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Put what is seen on the clipboard, in the size that it is seen in</source>
+        <translation>Was zu sehen ist, in dieser Größe in die Zwischenablage legen</translation>
+    </message>
+    <message>
+        <source>&amp;Annotations</source>
+        <translation>&amp;Beschriftung</translation>
+    </message>
+</context>
+<context>
+    <name>AddIsovalue</name>
+    <message>
+        <source>new isovalue</source>
+        <translation>neuer Isowert</translation>
+    </message>
+</context>
+<context>
+    <name>Annotations</name>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>%1 units at the target</source>
+        <translation>%1 Einheiten am Blickziel</translation>
+    </message>
+    <message>
+        <source>%1 units</source>
+        <translation>%1 Einheiten</translation>
+    </message>
+    <message>
+        <source>Colour &amp;bar</source>
+        <translation>Far&amp;bskala</translation>
+    </message>
+    <message>
+        <source>A&amp;xes</source>
+        <translation>A&amp;chsen</translation>
+    </message>
+    <message>
+        <source>&amp;Scale bar</source>
+        <translation>Maß&amp;stab</translation>
+    </message>
+    <message>
+        <source>&amp;Title</source>
+        <translation>&amp;Titel</translation>
+    </message>
+    <message>
+        <source>A&amp;ccuracy</source>
+        <translation>Gena&amp;uigkeit</translation>
+    </message>
+    <message>
+        <source>Values and their colours, in the units of the data; right their opacity, with marks at the isovalues</source>
+        <translation>Werte und ihre Farben, in den Einheiten der Daten; rechts ihre Deckkraft, mit Marken an den Isowerten</translation>
+    </message>
+    <message>
+        <source>The directions of x, y and z</source>
+        <translation>Die Richtungen von x, y und z</translation>
+    </message>
+    <message>
+        <source>A length in the units of the data; in perspective that of things as far away as the target</source>
+        <translation>Eine Länge in den Einheiten der Daten; in der Perspektive die von Dingen in der Entfernung des Blickziels</translation>
+    </message>
+    <message>
+        <source>The name of the model</source>
+        <translation>Der Name des Modells</translation>
+    </message>
+    <message>
+        <source>The error that what is shown keeps, in % of the value range</source>
+        <translation>Der Fehler, den das Gezeigte einhält, in % des Wertebereichs</translation>
+    </message>
+</context>
+<context>
+    <name>ChangeAnimation</name>
+    <message>
+        <source>change of animation</source>
+        <translation>Änderung der Animation</translation>
+    </message>
+</context>
+<context>
+    <name>ChangeAnnotations</name>
+    <message>
+        <source>change of annotations</source>
+        <translation>Änderung der Beschriftung</translation>
+    </message>
+</context>
+<context>
+    <name>ChangeIsovalue</name>
+    <message>
+        <source>change of isovalue</source>
+        <translation>Änderung des Isowerts</translation>
+    </message>
+</context>
+<context>
+    <name>ChangeLook</name>
+    <message>
+        <source>change of rendering mode</source>
+        <translation>Ändern der Darstellungsart</translation>
+    </message>
+    <message>
+        <source>change of transfer function</source>
+        <translation>Ändern der Transferfunktion</translation>
+    </message>
+    <message>
+        <source>change of rendering</source>
+        <translation>Ändern der Darstellung</translation>
+    </message>
+</context>
+<context>
+    <name>ChangeQuery</name>
+    <message>
+        <source>change of focus</source>
+        <translation>Änderung des Fokus</translation>
+    </message>
+    <message>
+        <source>change of window</source>
+        <translation>Änderung des Fensters</translation>
+    </message>
+    <message>
+        <source>change of values</source>
+        <translation>Änderung der Werte</translation>
+    </message>
+    <message>
+        <source>change of budget</source>
+        <translation>Änderung des Budgets</translation>
+    </message>
+    <message>
+        <source>change of accuracy</source>
+        <translation>Änderung der Genauigkeit</translation>
+    </message>
+</context>
+<context>
+    <name>ChangeView</name>
+    <message>
+        <source>change of background</source>
+        <translation>Änderung des Hintergrunds</translation>
+    </message>
+    <message>
+        <source>change of view</source>
+        <translation>Änderung der Ansicht</translation>
+    </message>
+</context>
+<context>
+    <name>Desktop</name>
+    <message>
+        <source>Shows volume data at any accuracy.</source>
+        <translation>Zeigt Volumendaten in jeder Genauigkeit.</translation>
+    </message>
+    <message>
+        <source>What draws the picture: auto, cpu or gl.</source>
+        <translation>Was das Bild zeichnet: auto, cpu oder gl.</translation>
+    </message>
+    <message>
+        <source>A dataset or a .tan model to open.</source>
+        <translation>Ein Datensatz oder ein .tan-Modell, das geöffnet wird.</translation>
+    </message>
+</context>
+<context>
+    <name>Docks</name>
+    <message>
+        <source>Build</source>
+        <translation>Bauen</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Rendering</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Isovalues</source>
+        <translation>Isowerte</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>Transfer</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>A dataset is turned into a model once: a mesh of tetrahedra that can be had at any accuracy from then on. Choose a method and a file, and start.</source>
+        <translation>Aus einem Datensatz wird einmal ein Modell: ein Netz aus Tetraedern, das es von da an in jeder Genauigkeit gibt. Ein Verfahren und eine Datei wählen und beginnen.</translation>
+    </message>
+    <message>
+        <source>How far the mesh may deviate from the data, in percent of the range of values; or how many tetrahedra it may have. The curve shows what each error costs.</source>
+        <translation>Wie weit das Netz von den Daten abweichen darf, in Prozent des Wertebereichs, oder wie viele Tetraeder es haben darf. Die Kurve zeigt, was jeder Fehler kostet.</translation>
+    </message>
+    <message>
+        <source>In which way the mesh is drawn: surfaces, volume or both, and how finely.</source>
+        <translation>Auf welche Art das Netz gezeichnet wird: Flächen, Volumen oder beides, und wie fein.</translation>
+    </message>
+    <message>
+        <source>From where the model is seen, in numbers. In the picture: drag to turn, Shift and drag to move, the wheel zooms.</source>
+        <translation>Von wo das Modell zu sehen ist, in Zahlen. Im Bild: Ziehen dreht, Ziehen mit Umschalt verschiebt, das Rad zoomt.</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>Statistik</translation>
+    </message>
+    <message>
+        <source>What each accuracy costs in sites, tetrahedra, time and memory, and what is shown now in numbers.</source>
+        <translation>Was jede Genauigkeit an Punkten, Tetraedern, Zeit und Speicher kostet, und was gerade gezeigt wird, in Zahlen.</translation>
+    </message>
+    <message>
+        <source>Surfaces on which the field has one value each, in the units of the data.</source>
+        <translation>Flächen, auf denen das Feld je einen Wert hat, in den Einheiten der Daten.</translation>
+    </message>
+    <message>
+        <source>The transfer function gives each value a colour and an opacity for the volume.</source>
+        <translation>Die Transferfunktion gibt jedem Wert eine Farbe und eine Deckkraft für das Volumen.</translation>
+    </message>
+    <message>
+        <source>A sphere or a box in which the mesh is more accurate than outside.</source>
+        <translation>Eine Kugel oder ein Quader, in dem das Netz genauer ist als außerhalb.</translation>
+    </message>
+    <message>
+        <source>Which part of the domain is shown at all: a box, and a range of values.</source>
+        <translation>Welcher Teil des Gebiets überhaupt gezeigt wird: ein Quader und ein Bereich von Werten.</translation>
+    </message>
+    <message>
+        <source>Animation</source>
+        <translation>Animation</translation>
+    </message>
+    <message>
+        <source>Films of the model: a turntable, or a path through key frames that you choose.</source>
+        <translation>Filme vom Modell: eine Runde um es herum oder ein Weg durch Schlüsselbilder, die Sie wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>EditorPage</name>
+    <message>
+        <source>The editor cannot be used. %1</source>
+        <translation>Der Editor kann nicht verwendet werden. %1</translation>
+    </message>
+    <message>
+        <source>Help › Plugins lists all plugins and where they are looked for.</source>
+        <translation>Hilfe › Plugins zeigt alle Plugins und wo nach ihnen gesucht wird.</translation>
+    </message>
+</context>
+<context>
+    <name>FileDialogs</name>
+    <message>
+        <source>Open a Dataset or a Model</source>
+        <translation>Datensatz oder Modell öffnen</translation>
+    </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG-Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Save Mesh</source>
+        <translation>Netz speichern</translation>
+    </message>
+    <message>
+        <source>VTK XML unstructured grids (*.vtu)</source>
+        <translation>Unstrukturierte Gitter, VTK-XML (*.vtu)</translation>
+    </message>
+    <message>
+        <source>Boundary as VTK XML polydata (*.vtp)</source>
+        <translation>Rand als Polydata, VTK-XML (*.vtp)</translation>
+    </message>
+    <message>
+        <source>Boundary as STL (*.stl)</source>
+        <translation>Rand als STL (*.stl)</translation>
+    </message>
+    <message>
+        <source>Boundary as Wavefront OBJ (*.obj)</source>
+        <translation>Rand als Wavefront-OBJ (*.obj)</translation>
+    </message>
+    <message>
+        <source>Boundary as binary glTF (*.glb)</source>
+        <translation>Rand als binäres glTF (*.glb)</translation>
+    </message>
+    <message>
+        <source>Save Surfaces</source>
+        <translation>Flächen speichern</translation>
+    </message>
+    <message>
+        <source>STL files (*.stl)</source>
+        <translation>STL-Dateien (*.stl)</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ files (*.obj)</source>
+        <translation>Wavefront-OBJ-Dateien (*.obj)</translation>
+    </message>
+    <message>
+        <source>Binary glTF files (*.glb)</source>
+        <translation>Binäre glTF-Dateien (*.glb)</translation>
+    </message>
+    <message>
+        <source>VTK XML polydata (*.vtp)</source>
+        <translation>Polydata, VTK-XML (*.vtp)</translation>
+    </message>
+    <message>
+        <source>Save Statistics</source>
+        <translation>Statistik speichern</translation>
+    </message>
+    <message>
+        <source>Tables of comma-separated values (*.csv)</source>
+        <translation>Tabellen, durch Kommas getrennt (*.csv)</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>VTK legacy files (*.vtk)</source>
+        <translation>Ältere VTK-Dateien (*.vtk)</translation>
+    </message>
+    <message>
+        <source>PLY files (*.ply)</source>
+        <translation>PLY-Dateien (*.ply)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>HelpActions</name>
+    <message>
+        <source>The language changes when TAn starts the next time.</source>
+        <translation>Die Sprache wechselt, wenn TAn das nächste Mal startet.</translation>
+    </message>
+    <message>
+        <source>&amp;As the System</source>
+        <translation>&amp;Wie das System</translation>
+    </message>
+</context>
+<context>
+    <name>ImportForm</name>
+    <message>
+        <source>%1 (of the cells)</source>
+        <translation>%1 (der Zellen)</translation>
+    </message>
+    <message>
+        <source>Magnitude</source>
+        <translation>Betrag</translation>
+    </message>
+    <message>
+        <source>%1: t = %2</source>
+        <translation>%1: t = %2</translation>
+    </message>
+    <message>
+        <source>All that fit together</source>
+        <translation>Alle, die zusammenpassen</translation>
+    </message>
+    <message>
+        <source>%1, %2 components</source>
+        <translation>%1, %2 Komponenten</translation>
+    </message>
+</context>
+<context>
+    <name>ImportTexts</name>
+    <message>
+        <source>%1 = %2 bytes: the file has exactly that.</source>
+        <translation>%1 = %2 Bytes: genau so viele hat die Datei.</translation>
+    </message>
+    <message>
+        <source>%1 = %2 bytes; the file has %3, %4 too few.</source>
+        <translation>%1 = %2 Bytes; die Datei hat %3, %4 zu wenig.</translation>
+    </message>
+    <message>
+        <source>%1 = %2 bytes; the file has %3, %4 too many.</source>
+        <translation>%1 = %2 Bytes; die Datei hat %3, %4 zu viel.</translation>
+    </message>
+    <message>
+        <source>All %1 = %2 points.</source>
+        <translation>Alle %1 = %2 Punkte.</translation>
+    </message>
+    <message>
+        <source>%1 = %2 of %3 points.</source>
+        <translation>%1 = %2 von %3 Punkten.</translation>
+    </message>
+    <message>
+        <source>Building to an error of 0 takes about %1 of memory, %2 of disk and %3.</source>
+        <translation>Der Bau bis zum Fehler 0 braucht etwa %1 Arbeitsspeicher, %2 Plattenplatz und %3.</translation>
+    </message>
+    <message>
+        <source>Building to an error of 0 takes up to %1 of memory, %2 of disk and %3.</source>
+        <translation>Der Bau bis zum Fehler 0 braucht bis zu %1 Arbeitsspeicher, %2 Plattenplatz und %3.</translation>
+    </message>
+    <message>
+        <source>This machine has %1 of memory.</source>
+        <translation>Dieser Rechner hat %1 Arbeitsspeicher.</translation>
+    </message>
+    <message>
+        <source>A volume needs at least two points along each axis. Take a larger region or a smaller stride.</source>
+        <translation>Ein Volumen braucht mindestens zwei Punkte entlang jeder Achse. Nehmen Sie einen größeren Bereich oder eine kleinere Schrittweite.</translation>
+    </message>
+    <message>
+        <source>%1 MiB</source>
+        <translation>%1 MiB</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>Manual</name>
+    <message>
+        <source>The manual is not installed. Install the package tan again with its documentation, or build TAn with the package python3-markdown; the same texts are in the folder docs of its sources.</source>
+        <translation>Das Handbuch ist nicht installiert. Installieren Sie das Paket tan noch einmal mit seiner Dokumentation, oder bauen Sie TAn mit dem Paket python3-markdown; dieselben Texte liegen im Ordner docs der Quellen.</translation>
+    </message>
+    <message>
+        <source>No program opens web pages here. Install a web browser, or read %1.</source>
+        <translation>Hier öffnet kein Programm Webseiten. Installieren Sie einen Webbrowser, oder lesen Sie %1.</translation>
+    </message>
+</context>
+<context>
+    <name>MeshText</name>
+    <message>
+        <source>More would take more than %1 tetrahedra.</source>
+        <translation>Genauer brauchte es mehr als %1 Tetraeder.</translation>
+    </message>
+    <message>
+        <source>This is all that the model has.</source>
+        <translation>Mehr hat das Modell nicht.</translation>
+    </message>
+    <message>
+        <source>The model has nothing finer.</source>
+        <translation>Feiner ist das Modell nicht.</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 tetrahedra are shown.</source>
+        <translation>%1 seiner %2 Tetraeder werden gezeigt.</translation>
+    </message>
+    <message>
+        <source>error %1 in the focus, %2 outside</source>
+        <translation>Fehler %1 im Fokus, %2 außerhalb</translation>
+    </message>
+    <message>
+        <source>error %1</source>
+        <translation>Fehler %1</translation>
+    </message>
+    <message>
+        <source>Shown: %1; the warping likewise.</source>
+        <translation>Gezeigt: %1; die Verwerfung ebenso.</translation>
+    </message>
+    <message>
+        <source>Shown: %1.</source>
+        <translation>Gezeigt: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>NumberText</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+</context>
+<context>
+    <name>Palette</name>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation>Himmelblau</translation>
+    </message>
+    <message>
+        <source>Bluish green</source>
+        <translation>Blaugrün</translation>
+    </message>
+    <message>
+        <source>Vermilion</source>
+        <translation>Zinnober</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Reddish purple</source>
+        <translation>Purpur</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Gelb</translation>
+    </message>
+</context>
+<context>
+    <name>PaletteCommands</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Not possible now</source>
+        <translation>Jetzt nicht möglich</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Open a model first</source>
+        <translation>Erst ein Modell öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>Plugin</name>
+    <message>
+        <source>Delaunay refinement</source>
+        <translation>Delaunay-Verfeinerung</translation>
+    </message>
+    <message>
+        <source>Starts from the corners and inserts the point of the largest error until the error is small enough.</source>
+        <translation>Beginnt mit den Ecken und fügt jeweils den Punkt mit dem größten Fehler ein, bis der Fehler klein genug ist.</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>The error at which to stop; 0 keeps everything, so that any accuracy can be looked at later.</source>
+        <translation>Der Fehler, bei dem aufgehört wird; 0 behält alles, sodass später jede Genauigkeit zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>% of the value range</source>
+        <translation>% des Wertebereichs</translation>
+    </message>
+    <message>
+        <source>Tables of points</source>
+        <translation>Tabellen von Punkten</translation>
+    </message>
+    <message>
+        <source>Reads scattered points with a value each from CSV, TSV and blank-separated text.</source>
+        <translation>Liest verstreute Punkte mit je einem Wert aus CSV, TSV und durch Leerzeichen getrenntem Text.</translation>
+    </message>
+    <message>
+        <source>CSV writer</source>
+        <translation>CSV-Schreiber</translation>
+    </message>
+    <message>
+        <source>Writes the points of any dataset as a table: x, y, z and value.</source>
+        <translation>Schreibt die Punkte jedes Datensatzes als Tabelle: x, y, z und Wert.</translation>
+    </message>
+    <message>
+        <source>Table of points (*.csv *.tsv *.xyz *.pts *.txt *.asc)</source>
+        <translation>Tabelle von Punkten (*.csv *.tsv *.xyz *.pts *.txt *.asc)</translation>
+    </message>
+    <message>
+        <source>Table of points (*.csv)</source>
+        <translation>Tabelle von Punkten (*.csv)</translation>
+    </message>
+    <message>
+        <source>Meshes of cells</source>
+        <translation>Zellnetze</translation>
+    </message>
+    <message>
+        <source>Reads meshes of tetrahedra, hexahedra, prisms and pyramids from VTK XML (.vtu) and AVS UCD (.inp).</source>
+        <translation>Liest Netze aus Tetraedern, Hexaedern, Prismen und Pyramiden aus VTK-XML (.vtu) und AVS UCD (.inp).</translation>
+    </message>
+    <message>
+        <source>VTU writer</source>
+        <translation>VTU-Schreiber</translation>
+    </message>
+    <message>
+        <source>Writes meshes of tetrahedra as VTK XML unstructured grids.</source>
+        <translation>Schreibt Tetraedernetze als unstrukturierte Gitter in VTK-XML.</translation>
+    </message>
+    <message>
+        <source>VTK unstructured grid (*.vtu)</source>
+        <translation>Unstrukturiertes VTK-Gitter (*.vtu)</translation>
+    </message>
+    <message>
+        <source>AVS UCD mesh (*.inp)</source>
+        <translation>AVS-UCD-Netz (*.inp)</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>The array whose values to take, of points or of cells; nothing takes the one the file calls active, else the first.</source>
+        <translation>Das Feld, dessen Werte genommen werden, von Punkten oder Zellen; ohne Angabe das, das die Datei aktiv nennt, sonst das erste.</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <translation>Komponente</translation>
+    </message>
+    <message>
+        <source>Of arrays with several components: magnitude, or a number from 0.</source>
+        <translation>Bei Feldern mit mehreren Komponenten: magnitude für den Betrag, oder eine Nummer ab 0.</translation>
+    </message>
+    <message>
+        <source>Cutting the cells</source>
+        <translation>Zerlegen der Zellen</translation>
+    </message>
+    <message>
+        <source>Checking the mesh</source>
+        <translation>Prüfen des Netzes</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <source>Tables of points: the columns of x, y and z, by name or number, as in lon,lat,depth or 1,2,3; &apos;automatic&apos; takes those called x, y and z, else the first three.</source>
+        <translation>Tabellen von Punkten: die Spalten für x, y und z, nach Name oder Nummer, wie lon,lat,depth oder 1,2,3; &apos;automatic&apos; nimmt die mit den Namen x, y und z, sonst die ersten drei.</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>The values to take, by name or number; &apos;automatic&apos; takes the first there are.</source>
+        <translation>Welche Werte genommen werden, nach Name oder Nummer; &apos;automatic&apos; nimmt die ersten.</translation>
+    </message>
+    <message>
+        <source>Skip incomplete rows</source>
+        <translation>Unvollständige Zeilen auslassen</translation>
+    </message>
+    <message>
+        <source>Tables of points: leave out rows that lack a number, instead of refusing the file.</source>
+        <translation>Tabellen von Punkten: Zeilen auslassen, denen eine Zahl fehlt, statt die Datei abzulehnen.</translation>
+    </message>
+    <message>
+        <source>Scattered points: refinement fills their convex hull.</source>
+        <translation>Verstreute Punkte: die Verfeinerung füllt ihre konvexe Hülle.</translation>
+    </message>
+    <message>
+        <source>Finding the convex hull</source>
+        <translation>Suche der konvexen Hülle</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Gewichte</translation>
+    </message>
+    <message>
+        <source>Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, several separated by &apos;;&apos;. Errors there count in full, falling linearly to a tenth (or to &apos;,floor&apos; at the end) at the distance &apos;reach&apos;; the largest weight holds. Examples: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</source>
+        <translation>Wo Genauigkeit zählt: point:x,y,z,reichweite, box:x0,y0,z0,x1,y1,z1,reichweite oder value:q,reichweite, mehrere durch &apos;;&apos; getrennt. Fehler zählen dort voll und fallen linear auf ein Zehntel (oder auf den Wert eines letzten &apos;,boden&apos;) in der Entfernung &apos;reichweite&apos;; es gilt das größte Gewicht. Beispiele: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</translation>
+    </message>
+    <message>
+        <source>An irregular mesh: decimation keeps its shape and its cavities.</source>
+        <translation>Ein irreguläres Netz: Die Vergröberung erhält seine Form und seine Hohlräume.</translation>
+    </message>
+    <message>
+        <source>A curvilinear grid: decimation takes fewer points for the same accuracy, but more time and memory.</source>
+        <translation>Ein krummliniges Gitter: Die Vergröberung braucht für dieselbe Genauigkeit weniger Punkte, aber mehr Zeit und Speicher.</translation>
+    </message>
+    <message>
+        <source>A regular lattice: decimation takes fewer points for the same accuracy, but more time and memory.</source>
+        <translation>Ein reguläres Gitter: Die Vergröberung braucht für dieselbe Genauigkeit weniger Punkte, aber mehr Zeit und Speicher.</translation>
+    </message>
+    <message>
+        <source>A regular lattice: refinement keeps the exact domain and needs the least time.</source>
+        <translation>Ein regelmäßiges Gitter: Die Verfeinerung erhält das Gebiet genau und braucht die wenigste Zeit.</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where the dataset is large.</source>
+        <translation>Die Zellen entlang einer Kante der Blöcke, die unabhängig verfeinert werden, mit Speicher für einige davon; &apos;none&apos; verfeinert den Datensatz als Ganzes; &apos;automatic&apos; nimmt Blöcke, wo der Datensatz groß ist.</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Warping</source>
+        <translation>Verwerfung</translation>
+    </message>
+    <message>
+        <source>For curvilinear data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values, 1 : 1 if either is 0; 0 keeps everything.</source>
+        <translation>Bei krummlinigen Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt, 1 : 1, wenn eines von beiden 0 ist; 0 behält alles.</translation>
+    </message>
+    <message>
+        <source>% of the diagonal</source>
+        <translation>% der Diagonale</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>For curvilinear data: &apos;normalised&apos; takes the point that is farthest off in error or warping and keeps cells from turning over; &apos;paper&apos; compares the two in the units of the data and does not look at cells that turn over, as the paper did, to compare with it.</source>
+        <translation>Bei krummlinigen Daten: „normalised“ nimmt den Punkt, der in Fehler oder Verwerfung am weitesten daneben liegt, und bewahrt Zellen vor dem Umklappen; „paper“ vergleicht beide in den Einheiten der Daten und achtet nicht auf umgeklappte Zellen, wie der Aufsatz, zum Vergleich mit ihm.</translation>
+    </message>
+    <message>
+        <source>normalised</source>
+        <translation>normiert</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>Aufsatz</translation>
+    </message>
+    <message>
+        <source>A curvilinear grid: refinement in computational space bounds both error and warping.</source>
+        <translation>Ein krummliniges Gitter: Die Verfeinerung im Rechenraum begrenzt Fehler und Verwerfung.</translation>
+    </message>
+    <message>
+        <source>Distributing the points</source>
+        <translation>Die Punkte werden verteilt</translation>
+    </message>
+    <message>
+        <source>Refining</source>
+        <translation>Verfeinern</translation>
+    </message>
+    <message>
+        <source>Isosurfaces</source>
+        <translation>Isoflächen</translation>
+    </message>
+    <message>
+        <source>Shows the surfaces on which the field has the chosen values, each with a colour and an opacity.</source>
+        <translation>Zeigt die Flächen, auf denen das Feld die gewählten Werte hat, jede mit Farbe und Deckkraft.</translation>
+    </message>
+    <message>
+        <source>Isovalues</source>
+        <translation>Isowerte</translation>
+    </message>
+    <message>
+        <source>The values whose surfaces are shown, each with its colour and opacity.</source>
+        <translation>Die Werte, deren Flächen gezeigt werden, jeder mit Farbe und Deckkraft.</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Shows the edges of the box that the data fill.</source>
+        <translation>Zeigt die Kanten des Quaders, den die Daten füllen.</translation>
+    </message>
+    <message>
+        <source>Volumes on regular lattices</source>
+        <translation>Volumen auf regelmäßigen Gittern</translation>
+    </message>
+    <message>
+        <source>Reads NRRD files with attached or detached data, raw, gzip or text, and raw files that are described.</source>
+        <translation>Liest NRRD-Dateien mit Daten darin oder daneben, roh, gzip oder Text, und beschriebene Rohdateien.</translation>
+    </message>
+    <message>
+        <source>NRRD writer</source>
+        <translation>NRRD-Schreiber</translation>
+    </message>
+    <message>
+        <source>Writes volumes on regular lattices as NRRD files, raw or gzip.</source>
+        <translation>Schreibt Volumen auf regelmäßigen Gittern als NRRD-Dateien, roh oder gzip.</translation>
+    </message>
+    <message>
+        <source>NRRD volume (*.nrrd *.nhdr)</source>
+        <translation>NRRD-Volumen (*.nrrd *.nhdr)</translation>
+    </message>
+    <message>
+        <source>Raw volume (*.raw *.bin *.binary *.dat *.img *.vol)</source>
+        <translation>Rohes Volumen (*.raw *.bin *.binary *.dat *.img *.vol)</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Raw files: the number of points along x (which runs fastest), y and z, as in 256x256x128.</source>
+        <translation>Rohdateien: die Zahl der Punkte entlang x (läuft am schnellsten), y und z, etwa 256x256x128.</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Raw files: the type of a sample.</source>
+        <translation>Rohdateien: der Typ eines Abtastwerts.</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Bytefolge</translation>
+    </message>
+    <message>
+        <source>Raw files: little (PC) or big endian, for types of more than one byte.</source>
+        <translation>Rohdateien: little (PC) oder big endian, für Typen aus mehr als einem Byte.</translation>
+    </message>
+    <message>
+        <source>little</source>
+        <translation>little</translation>
+    </message>
+    <message>
+        <source>big</source>
+        <translation>big</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>Raw files: the length of a header before the samples.</source>
+        <translation>Rohdateien: die Länge eines Kopfes vor den Abtastwerten.</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>Bytes</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Raw files: the distance of neighbouring points along x, y and z, as in 1x1x2.5.</source>
+        <translation>Rohdateien: der Abstand benachbarter Punkte entlang x, y und z, etwa 1x1x2.5.</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Ursprung</translation>
+    </message>
+    <message>
+        <source>Raw files: the position of the first point, as in 0,0,0.</source>
+        <translation>Rohdateien: die Lage des ersten Punkts, etwa 0,0,0.</translation>
+    </message>
+    <message>
+        <source>uint8</source>
+        <translation>uint8</translation>
+    </message>
+    <message>
+        <source>int8</source>
+        <translation>int8</translation>
+    </message>
+    <message>
+        <source>uint16</source>
+        <translation>uint16</translation>
+    </message>
+    <message>
+        <source>int16</source>
+        <translation>int16</translation>
+    </message>
+    <message>
+        <source>uint32</source>
+        <translation>uint32</translation>
+    </message>
+    <message>
+        <source>int32</source>
+        <translation>int32</translation>
+    </message>
+    <message>
+        <source>float</source>
+        <translation>float</translation>
+    </message>
+    <message>
+        <source>double</source>
+        <translation>double</translation>
+    </message>
+    <message>
+        <source>builder</source>
+        <translation>Erbauer</translation>
+    </message>
+    <message>
+        <source>renderer</source>
+        <translation>Darsteller</translation>
+    </message>
+    <message>
+        <source>reader</source>
+        <translation>Leser</translation>
+    </message>
+    <message>
+        <source>writer</source>
+        <translation>Schreiber</translation>
+    </message>
+    <message>
+        <source>editor</source>
+        <translation>Editor</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>gefunden</translation>
+    </message>
+    <message>
+        <source>loaded</source>
+        <translation>geladen</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>abgeschaltet</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>PLOT3D grids</source>
+        <translation>PLOT3D-Gitter</translation>
+    </message>
+    <message>
+        <source>Reads curvilinear grids with a scalar of their solution from binary PLOT3D files of any byte order and precision.</source>
+        <translation>Liest krummlinige Gitter mit einem Skalar ihrer Lösung aus binären PLOT3D-Dateien jeder Bytefolge und Genauigkeit.</translation>
+    </message>
+    <message>
+        <source>PLOT3D writer</source>
+        <translation>PLOT3D-Schreiber</translation>
+    </message>
+    <message>
+        <source>Writes datasets on grids as a PLOT3D grid file and a solution file beside it.</source>
+        <translation>Schreibt Datensätze auf Gittern als PLOT3D-Gitterdatei und eine Lösungsdatei daneben.</translation>
+    </message>
+    <message>
+        <source>PLOT3D grid and solution (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)</source>
+        <translation>PLOT3D-Gitter und -Lösung (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)</translation>
+    </message>
+    <message>
+        <source>Which scalar of the solution: automatic takes the density, or if that is the same everywhere the first that varies.</source>
+        <translation>Welcher Skalar der Lösung: automatic nimmt die Dichte, oder wenn sie überall gleich ist, den ersten, der sich ändert.</translation>
+    </message>
+    <message>
+        <source>Solution file</source>
+        <translation>Lösungsdatei</translation>
+    </message>
+    <message>
+        <source>The PLOT3D solution of the grid; without it the one beside it with a fitting name.</source>
+        <translation>Die PLOT3D-Lösung des Gitters; ohne sie die daneben mit passendem Namen.</translation>
+    </message>
+    <message>
+        <source>VTK readers</source>
+        <translation>VTK-Leser</translation>
+    </message>
+    <message>
+        <source>Reads VTK, Exodus, EnSight, NetCDF, CGNS, MetaImage, NIfTI, TIFF, DICOM and more, by means of VTK.</source>
+        <translation>Liest VTK, Exodus, EnSight, NetCDF, CGNS, MetaImage, NIfTI, TIFF, DICOM und mehr, mit Hilfe von VTK.</translation>
+    </message>
+    <message>
+        <source>Of arrays with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
+        <translation>Bei Feldern mit mehreren Komponenten: die Nummer einer, ab 0, oder „magnitude“ für den Betrag.</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>Of files with several time steps: which one, from 1.</source>
+        <translation>Bei Dateien mit mehreren Zeitschritten: welcher, ab 1.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Of files with several blocks or parts: one, by name or number from 1; without it all irregular meshes that have the values, or the first grid.</source>
+        <translation>Bei Dateien mit mehreren Blöcken oder Teilen: einer, mit Namen oder Nummer ab 1; ohne ihn alle unregelmäßigen Netze, die die Werte haben, oder das erste Gitter.</translation>
+    </message>
+    <message>
+        <source>VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</source>
+        <translation>VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</translation>
+    </message>
+    <message>
+        <source>VTK legacy (*.vtk)</source>
+        <translation>VTK, altes Format (*.vtk)</translation>
+    </message>
+    <message>
+        <source>VTK HDF (*.vtkhdf *.hdf)</source>
+        <translation>VTK HDF (*.vtkhdf *.hdf)</translation>
+    </message>
+    <message>
+        <source>Exodus II (*.ex2 *.exo *.exii *.e *.g)</source>
+        <translation>Exodus II (*.ex2 *.exo *.exii *.e *.g)</translation>
+    </message>
+    <message>
+        <source>EnSight (*.case *.encas)</source>
+        <translation>EnSight (*.case *.encas)</translation>
+    </message>
+    <message>
+        <source>NetCDF, CF conventions (*.nc *.cdf)</source>
+        <translation>NetCDF, CF-Konventionen (*.nc *.cdf)</translation>
+    </message>
+    <message>
+        <source>CGNS (*.cgns)</source>
+        <translation>CGNS (*.cgns)</translation>
+    </message>
+    <message>
+        <source>MetaImage (*.mhd *.mha)</source>
+        <translation>MetaImage (*.mhd *.mha)</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii *.nii.gz)</source>
+        <translation>NIfTI (*.nii *.nii.gz)</translation>
+    </message>
+    <message>
+        <source>MRC electron microscopy (*.mrc *.ccp4)</source>
+        <translation>MRC-Elektronenmikroskopie (*.mrc *.ccp4)</translation>
+    </message>
+    <message>
+        <source>TIFF stack (*.tif *.tiff)</source>
+        <translation>TIFF-Stapel (*.tif *.tiff)</translation>
+    </message>
+    <message>
+        <source>DICOM series (*.dcm *.dicom)</source>
+        <translation>DICOM-Serie (*.dcm *.dicom)</translation>
+    </message>
+    <message>
+        <source>PLOT3D, also text (*.xyz *.x *.g *.p3d *.q)</source>
+        <translation>PLOT3D, auch Text (*.xyz *.x *.g *.p3d *.q)</translation>
+    </message>
+    <message>
+        <source>GAMBIT (*.neu)</source>
+        <translation>GAMBIT (*.neu)</translation>
+    </message>
+    <message>
+        <source>Fluent (*.cas)</source>
+        <translation>Fluent (*.cas)</translation>
+    </message>
+    <message>
+        <source>OpenFOAM (*.foam controlDict)</source>
+        <translation>OpenFOAM (*.foam controlDict)</translation>
+    </message>
+    <message>
+        <source>Tecplot text (*.tec *.tp)</source>
+        <translation>Tecplot-Text (*.tec *.tp)</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Which grid of a PLOT3D file that holds several, from 1; 0 takes the only one.</source>
+        <translation>Welches Gitter einer PLOT3D-Datei mit mehreren, von 1 an; 0 nimmt das einzige.</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatic</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>density</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>pressure</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>energy</translation>
+    </message>
+    <message>
+        <source>velocity_magnitude</source>
+        <translation>velocity_magnitude</translation>
+    </message>
+    <message>
+        <source>momentum_magnitude</source>
+        <translation>momentum_magnitude</translation>
+    </message>
+    <message>
+        <source>momentum_x</source>
+        <translation>momentum_x</translation>
+    </message>
+    <message>
+        <source>momentum_y</source>
+        <translation>momentum_y</translation>
+    </message>
+    <message>
+        <source>momentum_z</source>
+        <translation>momentum_z</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>temperature</translation>
+    </message>
+    <message>
+        <source>mach</source>
+        <translation>mach</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Shows the field as a translucent cloud: a transfer function gives each value its colour and opacity.</source>
+        <translation>Zeigt das Feld als durchscheinende Wolke: Eine Transferfunktion gibt jedem Wert Farbe und Deckkraft.</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>Shows the field as a volume that is finer inside the focus than outside, blended at its border.</source>
+        <translation>Zeigt das Feld als Volumen, das im Fokus feiner ist als außerhalb und an dessen Rand überblendet.</translation>
+    </message>
+    <message>
+        <source>Volume with isosurfaces</source>
+        <translation>Volumen mit Isoflächen</translation>
+    </message>
+    <message>
+        <source>Shows the field as a translucent cloud with surfaces of chosen values in it.</source>
+        <translation>Zeigt das Feld als durchscheinende Wolke, in der Flächen gewählter Werte liegen.</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Transferfunktion</translation>
+    </message>
+    <message>
+        <source>The colour and the opacity of each value.</source>
+        <translation>Farbe und Deckkraft jedes Wertes.</translation>
+    </message>
+    <message>
+        <source>Shaded</source>
+        <translation>Beleuchtet</translation>
+    </message>
+    <message>
+        <source>Lights the volume, as if a surface lay across the direction in which its values change most.</source>
+        <translation>Beleuchtet das Volumen, als läge quer zur Richtung, in der sich seine Werte am stärksten ändern, eine Fläche.</translation>
+    </message>
+    <message>
+        <source>Clip planes</source>
+        <translation>Schnittebenen</translation>
+    </message>
+    <message>
+        <source>Cuts away what lies before a plane: nx,ny,nz,offset shows the points with nx x + ny y + nz z &gt;= offset.</source>
+        <translation>Schneidet weg, was vor einer Ebene liegt: nx,ny,nz,Abstand zeigt die Punkte mit nx x + ny y + nz z &gt;= Abstand.</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>How surfaces and volume are put in order: &apos;exact&apos;, or as the paper did &apos;with-cell&apos;, where the part of a surface in a cell is drawn before the cell.</source>
+        <translation>Wie Flächen und Volumen geordnet werden: &apos;exakt&apos; oder wie im Aufsatz &apos;mit der Zelle&apos;, wo das Stück einer Fläche in einer Zelle vor der Zelle gezeichnet wird.</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>exakt</translation>
+    </message>
+    <message>
+        <source>with-cell</source>
+        <translation>mit der Zelle</translation>
+    </message>
+    <message>
+        <source>Decimation by edge collapse</source>
+        <translation>Vergröberung durch Kantenschrumpfen</translation>
+    </message>
+    <message>
+        <source>Starts from the whole mesh and takes away the points that matter least; takes meshes of any shape and keeps their cavities.</source>
+        <translation>Beginnt mit dem ganzen Netz und nimmt die Punkte weg, auf die es am wenigsten ankommt; nimmt Netze jeder Form und erhält ihre Hohlräume.</translation>
+    </message>
+    <message>
+        <source>The error at which to stop; 0 goes on to the coarsest mesh.</source>
+        <translation>Der Fehler, bei dem aufgehört wird; 0 geht bis zum gröbsten Netz.</translation>
+    </message>
+    <message>
+        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values, 1 : 1 if either is 0, and then the other holds for both; two of 0 go on to the coarsest mesh.</source>
+        <translation>Für krummlinige und irreguläre Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt, 1 : 1, wenn eines von beiden 0 ist, und dann gilt das andere für beide; sind beide 0, geht es bis zum gröbsten Netz.</translation>
+    </message>
+    <message>
+        <source>Which point goes next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points at a time that do not touch, so that a focus region needs the least besides.</source>
+        <translation>Welcher Punkt als nächster geht: „exact“ nimmt den, dessen Verlust am wenigsten schadet, für die wenigsten Punkte; „paper“ schätzt das durch Gradienten und Ebenen, wie der Aufsatz; „rounds“ nimmt viele Punkte auf einmal, die einander nicht berühren, so dass ein Fokusbereich am wenigsten sonst braucht.</translation>
+    </message>
+    <message>
+        <source>rounds</source>
+        <translation>Runden</translation>
+    </message>
+    <message>
+        <source>Judging the vertices</source>
+        <translation>Die Knoten werden beurteilt</translation>
+    </message>
+    <message>
+        <source>Collapsing</source>
+        <translation>Kanten schrumpfen</translation>
+    </message>
+    <message>
+        <source>Scattered points have no tetrahedra that decimation could begin with. Refine them instead.</source>
+        <translation>Verstreute Punkte haben keine Tetraeder, mit denen die Vergröberung beginnen könnte. Verfeinern Sie sie stattdessen.</translation>
+    </message>
+    <message>
+        <source>A tetrahedral mesh needs a cell: two points or more along each axis.</source>
+        <translation>Ein Tetraedernetz braucht eine Zelle: zwei Punkte oder mehr entlang jeder Achse.</translation>
+    </message>
+    <message>
+        <source>Transfer function editor</source>
+        <translation>Editor der Transferfunktion</translation>
+    </message>
+    <message>
+        <source>Edits the colour and the opacity of each value, over how often the values occur.</source>
+        <translation>Bearbeitet Farbe und Deckkraft jedes Wertes über der Häufigkeit der Werte.</translation>
+    </message>
+    <message>
+        <source>electron density of the C60 molecule, a hollow ball of smooth bumps</source>
+        <translation>Elektronendichte des C60-Moleküls, eine hohle Kugel aus glatten Hügeln</translation>
+    </message>
+    <message>
+        <source>probability density of the hydrogen atom&apos;s 3d electron: two lobes and a ring</source>
+        <translation>Wahrscheinlichkeitsdichte des 3d-Elektrons im Wasserstoffatom: zwei Keulen und ein Ring</translation>
+    </message>
+    <message>
+        <source>the test signal of Marschner and Lobb: ripples that are hard to reproduce</source>
+        <translation>das Testsignal von Marschner und Lobb: Wellen, die schwer wiederzugeben sind</translation>
+    </message>
+    <message>
+        <source>white noise, the worst case: no sample tells of its neighbour</source>
+        <translation>weißes Rauschen, der schlimmste Fall: Kein Wert sagt etwas über seinen Nachbarn</translation>
+    </message>
+    <message>
+        <source>flow in front of a half sphere: a curvilinear grid whose axis is collapsed</source>
+        <translation>Strömung vor einer Halbkugel: ein krummliniges Gitter mit zusammengefallener Achse</translation>
+    </message>
+    <message>
+        <source>flow around a cylinder: a curvilinear grid that closes on itself</source>
+        <translation>Strömung um einen Zylinder: ein krummliniges Gitter, das sich in sich schließt</translation>
+    </message>
+    <message>
+        <source>flow through a bent duct: a curvilinear grid</source>
+        <translation>Strömung durch einen gebogenen Kanal: ein krummliniges Gitter</translation>
+    </message>
+    <message>
+        <source>a layer at a wall: a rectilinear grid with spacings that grow</source>
+        <translation>eine Schicht an einer Wand: ein rechtwinkliges Gitter mit wachsenden Abständen</translation>
+    </message>
+    <message>
+        <source>random points in a ball, with waves that grow finer outwards</source>
+        <translation>zufällige Punkte in einer Kugel, mit Wellen, die nach außen feiner werden</translation>
+    </message>
+    <message>
+        <source>stress in a plate with five holes and a closed cavity: an irregular mesh</source>
+        <translation>Spannung in einer Platte mit fünf Löchern und einem geschlossenen Hohlraum: ein unregelmäßiges Netz</translation>
+    </message>
+</context>
+<context>
+    <name>PointClipboard</name>
+    <message>
+        <source>The clipboard holds no points of a transfer function. Copy some here or in another window. %1</source>
+        <translation>Die Zwischenablage enthält keine Punkte einer Transferfunktion. Kopieren Sie welche hier oder in einem anderen Fenster. %1</translation>
+    </message>
+</context>
+<context>
+    <name>PresetNames</name>
+    <message>
+        <source>Cool to warm</source>
+        <translation>Kalt bis warm</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Sequential: opaque where values are large</source>
+        <translation>Sequentiell: deckend, wo die Werte groß sind</translation>
+    </message>
+    <message>
+        <source>Diverging: opaque at both ends</source>
+        <translation>Divergierend: deckend an beiden Enden</translation>
+    </message>
+</context>
+<context>
+    <name>RemoveIsovalue</name>
+    <message>
+        <source>removal of isovalue</source>
+        <translation>Entfernen des Isowerts</translation>
+    </message>
+</context>
+<context>
+    <name>Statistics</name>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>± value</source>
+        <translation>± Wert</translation>
+    </message>
+    <message>
+        <source>Sites</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>Tetraeder</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Sites in all</source>
+        <translation>Punkte insgesamt</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Gezeigt</translation>
+    </message>
+    <message>
+        <source>%1 sites, %2 tetrahedra</source>
+        <translation>%1 Punkte, %2 Tetraeder</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Eingehalten</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Extraction</source>
+        <translation>Extraktion</translation>
+    </message>
+    <message>
+        <source>Preparation</source>
+        <translation>Vorbereitung</translation>
+    </message>
+    <message>
+        <source>A frame</source>
+        <translation>Ein Bild</translation>
+    </message>
+</context>
+<context>
+    <name>ValueReadOut</name>
+    <message>
+        <source>%1: %2, %3</source>
+        <translation>%1: %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 vertices</source>
+        <translation>%1 Eckpunkte</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::AccuracyBox</name>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Error in percent of the value range</source>
+        <translation>Fehler in Prozent des Wertebereichs</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::AccuracyCurve</name>
+    <message>
+        <source>%1G</source>
+        <translation>%1G</translation>
+    </message>
+    <message>
+        <source>%1M</source>
+        <translation>%1M</translation>
+    </message>
+    <message>
+        <source>%1k</source>
+        <translation>%1k</translation>
+    </message>
+    <message>
+        <source>Error, % of the value range</source>
+        <translation>Fehler, % des Wertebereichs</translation>
+    </message>
+    <message>
+        <source>Tetrahedra against error</source>
+        <translation>Tetraeder gegen Fehler</translation>
+    </message>
+    <message>
+        <source>Number of tetrahedra needed for each error. Click, drag or use the arrow keys to choose the accuracy.</source>
+        <translation>Wie viele Tetraeder jeder Fehler braucht. Klicken, ziehen oder Pfeiltasten wählen die Genauigkeit.</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra at an error of %2</source>
+        <translation>%1 Tetraeder bei einem Fehler von %2</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>Tetraeder</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::AccuracyPanel</name>
+    <message>
+        <source>%1 of all</source>
+        <translation>%1 von allen</translation>
+    </message>
+    <message>
+        <source>Error of %1 of the value range</source>
+        <translation>Fehler von %1 des Wertebereichs</translation>
+    </message>
+    <message>
+        <source>Every sample exact</source>
+        <translation>Jeder Abtastwert genau</translation>
+    </message>
+    <message>
+        <source>Sites</source>
+        <translation>Stützpunkte</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>Tetraeder</translation>
+    </message>
+    <message>
+        <source>This model was built down to an error of %1; it has nothing finer.</source>
+        <translation>Dieses Modell wurde bis zu einem Fehler von %1 gebaut; Feineres enthält es nicht.</translation>
+    </message>
+    <message>
+        <source>of the range, ± %1</source>
+        <translation>des Bereichs, ± %1</translation>
+    </message>
+    <message>
+        <source>What the percentage means in units of the data. Of curvilinear data it holds for the error and for the warping: the distance of the mesh from the grid, in percent of the diagonal of the box around it.</source>
+        <translation>Was der Prozentsatz in Einheiten der Daten heißt. Bei krummlinigen Daten gilt er für den Fehler und für die Verwerfung: den Abstand des Netzes vom Gitter, in Prozent der Diagonale des Quaders darum.</translation>
+    </message>
+    <message>
+        <source>Bu&amp;dget</source>
+        <translation>Bud&amp;get</translation>
+    </message>
+    <message>
+        <source>The smallest mesh with this error</source>
+        <translation>Das kleinste Netz mit diesem Fehler</translation>
+    </message>
+    <message>
+        <source>The best mesh with so many tetrahedra. A focus keeps its proportion to the rest.</source>
+        <translation>Das beste Netz mit so vielen Tetraedern. Ein Fokus behält sein Verhältnis zum Rest.</translation>
+    </message>
+    <message>
+        <source>tetrahedra</source>
+        <translation>Tetraeder</translation>
+    </message>
+    <message>
+        <source>Err&amp;or</source>
+        <translation>Fehle&amp;r</translation>
+    </message>
+    <message>
+        <source>± %1 in value
 warping %2</source>
-            <translation>± %1 im Wert
+        <translation>± %1 im Wert
 Verwerfung %2</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::AccuracySlider</name>
-        <message>
-            <source>Error in percent of the value range</source>
-            <translation>Fehler in Prozent des Wertebereichs</translation>
-        </message>
-        <message>
-            <source>Error in percent of the value range: coarse on the left, every sample exact on the right</source>
-            <translation>Fehler in Prozent des Wertebereichs: links grob, ganz rechts jeder Abtastwert genau</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::BudgetBox</name>
-        <message>
-            <source>Most tetrahedra</source>
-            <translation>Höchstzahl der Tetraeder</translation>
-        </message>
-        <message>
-            <source>The mesh is as good as so many tetrahedra allow</source>
-            <translation>Das Netz ist so gut, wie es so viele Tetraeder erlauben</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::BuildPanel</name>
-        <message>
-            <source>Open a dataset to build a model of it.</source>
-            <translation>Öffnen Sie einen Datensatz, um sein Modell zu bauen.</translation>
-        </message>
-        <message>
-            <source>Builder</source>
-            <translation>Verfahren</translation>
-        </message>
-        <message>
-            <source>How the model is built</source>
-            <translation>Wie das Modell gebaut wird</translation>
-        </message>
-        <message>
-            <source>B&amp;uilder</source>
-            <translation>&amp;Verfahren</translation>
-        </message>
-        <message>
-            <source>Model file</source>
-            <translation>Modelldatei</translation>
-        </message>
-        <message>
-            <source>The file that the model is written to</source>
-            <translation>Die Datei, in die das Modell geschrieben wird</translation>
-        </message>
-        <message>
-            <source>Browse…</source>
-            <translation>Durchsuchen …</translation>
-        </message>
-        <message>
-            <source>&amp;Model file</source>
-            <translation>&amp;Modelldatei</translation>
-        </message>
-        <message>
-            <source>Progress of the build</source>
-            <translation>Fortschritt des Bauens</translation>
-        </message>
-        <message>
-            <source>&amp;Cancel</source>
-            <translation>&amp;Abbrechen</translation>
-        </message>
-        <message>
-            <source>Ends the build and throws away what it has made</source>
-            <translation>Beendet den Aufbau und verwirft, was er gemacht hat</translation>
-        </message>
-        <message>
-            <source>Stop and &amp;Keep</source>
-            <translation>Anhalten und &amp;behalten</translation>
-        </message>
-        <message>
-            <source>Ends the build; what is finished becomes the model, with the accuracy that it has reached</source>
-            <translation>Beendet den Aufbau; was fertig ist, wird zum Modell, so genau, wie es bis dahin ist</translation>
-        </message>
-        <message>
-            <source>Cancelling…</source>
-            <translation>Wird abgebrochen …</translation>
-        </message>
-        <message>
-            <source>Keeping what is finished…</source>
-            <translation>Das Fertige wird behalten …</translation>
-        </message>
-        <message>
-            <source>&amp;Build and Replace</source>
-            <translation>&amp;Bauen und ersetzen</translation>
-        </message>
-        <message>
-            <source>&amp;Build</source>
-            <translation>&amp;Bauen</translation>
-        </message>
-        <message>
-            <source>This file exists; it is replaced when the build is done.</source>
-            <translation>Diese Datei gibt es schon; sie wird ersetzt, wenn das Modell fertig ist.</translation>
-        </message>
-        <message>
-            <source>Starting…</source>
-            <translation>Beginnt …</translation>
-        </message>
-        <message>
-            <source>%1, %2 left</source>
-            <translation>%1, noch %2</translation>
-        </message>
-        <message>
-            <source>Model File</source>
-            <translation>Modelldatei</translation>
-        </message>
-        <message>
-            <source>Models (*.tan)</source>
-            <translation>Modelle (*.tan)</translation>
-        </message>
-        <message>
-            <source>%1 scattered points</source>
-            <translation>%1 verstreute Punkte</translation>
-        </message>
-        <message>
-            <source>irregular mesh of %1 points, %2 tetrahedra</source>
-            <translation>unregelmäßiges Netz aus %1 Punkten, %2 Tetraedern</translation>
-        </message>
-        <message>
-            <source>curvilinear grid of %1 points, %2 cells</source>
-            <translation>krummliniges Gitter mit %1 Punkten, %2 Zellen</translation>
-        </message>
-        <message>
-            <source>%1 samples</source>
-            <translation>%1 Abtastwerte</translation>
-        </message>
-        <message>
-            <source>%1, %2, values %3 to %4</source>
-            <translation>%1, %2, Werte %3 bis %4</translation>
-        </message>
-        <message>
-            <source>Read &amp;Differently…</source>
-            <translation>&amp;Anders lesen …</translation>
-        </message>
-        <message>
-            <source>Reads the file again in another way: other values, a part of it, every so many points</source>
-            <translation>Liest die Datei noch einmal auf andere Weise: andere Werte, einen Teil davon, jeden wievielten Punkt</translation>
-        </message>
-        <message>
-            <source>Measured on other data; a larger error takes less. Half or twice as much is possible.</source>
-            <translation>An anderen Daten gemessen; ein größerer Fehler braucht weniger. Die Hälfte oder das Doppelte ist möglich.</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::ColourButton</name>
-        <message>
-            <source>Colour</source>
-            <translation>Farbe</translation>
-        </message>
-        <message>
-            <source>Other Colour…</source>
-            <translation>Andere Farbe …</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::CpuCanvas</name>
-        <message>
-            <source>CPU</source>
-            <translation>CPU</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::EmptyPage</name>
-        <message>
-            <source>Open…</source>
-            <translation>Öffnen …</translation>
-        </message>
-        <message>
-            <source>Opened last</source>
-            <translation>Zuletzt geöffnet</translation>
-        </message>
-        <message>
-            <source>Open a dataset or a model</source>
-            <translation>Datensatz oder Modell öffnen</translation>
-        </message>
-        <message>
-            <source>Drop a file here: a dataset (a volume, a grid, a mesh or points) to build a model of, a finished .tan model or a session.</source>
-            <translation>Legen Sie hier eine Datei ab: einen Datensatz (ein Volumen, ein Gitter, ein Netz oder Punkte), aus dem ein Modell gebaut wird, ein fertiges .tan-Modell oder eine Sitzung.</translation>
-        </message>
-        <message>
-            <source>Open a dataset, a model or a session (Ctrl+O)</source>
-            <translation>Einen Datensatz, ein Modell oder eine Sitzung öffnen (Strg+O)</translation>
-        </message>
-        <message>
-            <source>Or look at a sample, which is made now</source>
-            <translation>Oder ein Beispiel ansehen, das jetzt gemacht wird</translation>
-        </message>
-        <message>
-            <source>Making the sample</source>
-            <translation>Das Beispiel wird gemacht</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::FocusPanel</name>
-        <message>
-            <source>A part of the domain with an error of its own. Choose a shape, then drag its handles in the picture; a double click on a surface brings the focus there.</source>
-            <translation>Ein Teil des Gebiets mit eigenem Fehler. Eine Form wählen, dann die Griffe im Bild ziehen; ein Doppelklick auf eine Fläche holt den Fokus dorthin.</translation>
-        </message>
-        <message>
-            <source>None</source>
-            <translation>Keiner</translation>
-        </message>
-        <message>
-            <source>The same error everywhere</source>
-            <translation>Überall derselbe Fehler</translation>
-        </message>
-        <message>
-            <source>Box</source>
-            <translation>Quader</translation>
-        </message>
-        <message>
-            <source>A box with an error of its own (B)</source>
-            <translation>Ein Quader mit eigenem Fehler (B)</translation>
-        </message>
-        <message>
-            <source>Sphere</source>
-            <translation>Kugel</translation>
-        </message>
-        <message>
-            <source>A sphere with an error of its own (F)</source>
-            <translation>Eine Kugel mit eigenem Fehler (F)</translation>
-        </message>
-        <message>
-            <source>&amp;Centre</source>
-            <translation>&amp;Mitte</translation>
-        </message>
-        <message>
-            <source>Centre of the focus, in the coordinates of the data</source>
-            <translation>Mitte des Fokus, in den Koordinaten der Daten</translation>
-        </message>
-        <message>
-            <source>&amp;Size</source>
-            <translation>&amp;Größe</translation>
-        </message>
-        <message>
-            <source>Edges of the box, in the lengths of the data</source>
-            <translation>Kanten des Quaders, in den Längen der Daten</translation>
-        </message>
-        <message>
-            <source>Radius of the sphere</source>
-            <translation>Radius der Kugel</translation>
-        </message>
-        <message>
-            <source>Radius of the sphere, in the lengths of the data</source>
-            <translation>Radius der Kugel, in den Längen der Daten</translation>
-        </message>
-        <message>
-            <source>Fall-off</source>
-            <translation>Übergang</translation>
-        </message>
-        <message>
-            <source>The length over which the error grows from that in the focus to that outside, in the lengths of the data; 0 is a sharp border</source>
-            <translation>Die Länge, über die der Fehler von dem im Fokus auf den außerhalb wächst, in den Längen der Daten; 0 ist eine scharfe Grenze</translation>
-        </message>
-        <message>
-            <source>Error in the focus</source>
-            <translation>Fehler im Fokus</translation>
-        </message>
-        <message>
-            <source>Error in the focus, in percent of the value range</source>
-            <translation>Fehler im Fokus in Prozent des Wertebereichs</translation>
-        </message>
-        <message>
-            <source>Move the focus to what the camera looks at (C)</source>
-            <translation>Den Fokus dorthin holen, wohin die Kamera blickt (C)</translation>
-        </message>
-        <message>
-            <source>Place, size, error and fall-off as they were at first</source>
-            <translation>Ort, Größe, Fehler und Übergang wie am Anfang</translation>
-        </message>
-        <message>
-            <source>Outside %1, as chosen under Accuracy.</source>
-            <translation>Außerhalb %1, wie unter Genauigkeit gewählt.</translation>
-        </message>
-        <message>
-            <source>Between %1 and %2 tetrahedra.</source>
-            <translation>Zwischen %1 und %2 Tetraedern.</translation>
-        </message>
-        <message>
-            <source>Rad&amp;ius</source>
-            <translation>Rad&amp;ius</translation>
-        </message>
-        <message>
-            <source>Error i&amp;nside</source>
-            <translation>Fehler i&amp;nnen</translation>
-        </message>
-        <message>
-            <source>Fa&amp;ll-off</source>
-            <translation>&amp;Übergang</translation>
-        </message>
-        <message>
-            <source>&amp;To Centre of View</source>
-            <translation>&amp;Zur Bildmitte</translation>
-        </message>
-        <message>
-            <source>Reset</source>
-            <translation>Zurücksetzen</translation>
-        </message>
-        <message>
-            <source>With the budget the error outside is %1 times this one.</source>
-            <translation>Mit dem Budget ist der Fehler außerhalb das %1-fache davon.</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::GlCanvas</name>
-        <message>
-            <source>OpenGL</source>
-            <translation>OpenGL</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::ImportDialog</name>
-        <message>
-            <source>&amp;Read</source>
-            <translation>&amp;Lesen</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Abbrechen</translation>
-        </message>
-        <message>
-            <source>Reader</source>
-            <translation>Leser</translation>
-        </message>
-        <message>
-            <source>Who reads the file</source>
-            <translation>Wer die Datei liest</translation>
-        </message>
-        <message>
-            <source>R&amp;eader</source>
-            <translation>L&amp;eser</translation>
-        </message>
-        <message>
-            <source>How it is read</source>
-            <translation>Wie sie gelesen wird</translation>
-        </message>
-        <message>
-            <source>Which part of it</source>
-            <translation>Welcher Teil davon</translation>
-        </message>
-        <message>
-            <source>Layouts that fit</source>
-            <translation>Passende Anordnungen</translation>
-        </message>
-        <message>
-            <source>Sizes and types that would fill the file exactly, the likeliest first</source>
-            <translation>Größen und Typen, die die Datei genau füllen würden, die wahrscheinlichsten zuerst</translation>
-        </message>
-        <message>
-            <source>Measured on other data; a larger error takes less. Half or twice as much is possible.</source>
-            <translation>An anderen Daten gemessen; ein größerer Fehler braucht weniger. Die Hälfte oder das Doppelte ist möglich.</translation>
-        </message>
-        <message>
-            <source>Progress of reading</source>
-            <translation>Fortschritt des Lesens</translation>
-        </message>
-        <message>
-            <source>Import %1</source>
-            <translation>%1 importieren</translation>
-        </message>
-        <message>
-            <source>%1, %2 bytes</source>
-            <translation>%1, %2 Bytes</translation>
-        </message>
-        <message>
-            <source>None is known</source>
-            <translation>Keine bekannt</translation>
-        </message>
-        <message>
-            <source>Give the number of points along x, y and z, as in 64x64x32.</source>
-            <translation>Geben Sie die Zahl der Punkte entlang x, y und z an, wie in 64x64x32.</translation>
-        </message>
-        <message>
-            <source>Whether that fits</source>
-            <translation>Ob das passt</translation>
-        </message>
-        <message>
-            <source>&amp;Suggestion</source>
-            <translation>&amp;Vorschlag</translation>
-        </message>
-        <message>
-            <source>Opens the dataset so</source>
-            <translation>Öffnet den Datensatz so</translation>
-        </message>
-        <message>
-            <source>Stops reading, or closes this window</source>
-            <translation>Bricht das Lesen ab oder schließt dieses Fenster</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::ImportRegion</name>
-        <message>
-            <source>&amp;All Points</source>
-            <translation>&amp;Alle Punkte</translation>
-        </message>
-        <message>
-            <source>Only a &amp;box in space</source>
-            <translation>Nur ein &amp;Quader im Raum</translation>
-        </message>
-        <message>
-            <source>Takes every point of the whole dataset</source>
-            <translation>Nimmt jeden Punkt des ganzen Datensatzes</translation>
-        </message>
-        <message>
-            <source>First</source>
-            <translation>Erster</translation>
-        </message>
-        <message>
-            <source>Last</source>
-            <translation>Letzter</translation>
-        </message>
-        <message>
-            <source>Stride</source>
-            <translation>Schrittweite</translation>
-        </message>
-        <message>
-            <source>First point along %1</source>
-            <translation>Erster Punkt entlang %1</translation>
-        </message>
-        <message>
-            <source>The first point that is taken, counted from 0</source>
-            <translation>Der erste Punkt, der genommen wird, von 0 an gezählt</translation>
-        </message>
-        <message>
-            <source>Last point along %1</source>
-            <translation>Letzter Punkt entlang %1</translation>
-        </message>
-        <message>
-            <source>The last point that is taken, counted from 0</source>
-            <translation>Der letzte Punkt, der genommen wird, von 0 an gezählt</translation>
-        </message>
-        <message>
-            <source>Stride along %1</source>
-            <translation>Schrittweite entlang %1</translation>
-        </message>
-        <message>
-            <source>Takes every so many points: 2 takes every second one</source>
-            <translation>Nimmt jeden so vielten Punkt: 2 nimmt jeden zweiten</translation>
-        </message>
-        <message>
-            <source>Takes only what lies in a box; of irregular meshes whole tetrahedra</source>
-            <translation>Nimmt nur, was in einem Quader liegt; von unregelmäßigen Netzen ganze Tetraeder</translation>
-        </message>
-        <message>
-            <source>From</source>
-            <translation>Von</translation>
-        </message>
-        <message>
-            <source>To</source>
-            <translation>Bis</translation>
-        </message>
-        <message>
-            <source>From %1</source>
-            <translation>Von %1</translation>
-        </message>
-        <message>
-            <source>To %1</source>
-            <translation>Bis %1</translation>
-        </message>
-        <message>
-            <source>A corner of the box, in the coordinates of the data</source>
-            <translation>Eine Ecke des Quaders, in den Koordinaten der Daten</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::IsovaluePanel</name>
-        <message>
-            <source>&amp;Add Isovalue</source>
-            <translation>&amp;Isowert hinzufügen</translation>
-        </message>
-        <message>
-            <source>No isovalue: there is nothing to draw but the outline.</source>
-            <translation>Kein Isowert: Außer dem Umriss ist nichts zu zeichnen.</translation>
-        </message>
-        <message>
-            <source>Add an isosurface at another value (Ctrl+I)</source>
-            <translation>Fügt eine Isofläche bei einem weiteren Wert hinzu (Strg+I)</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::IsovalueRow</name>
-        <message>
-            <source>Isovalue</source>
-            <translation>Isowert</translation>
-        </message>
-        <message>
-            <source>Isovalue, in the units of the data: %1 to %2</source>
-            <translation>Isowert, in den Einheiten der Daten: %1 bis %2</translation>
-        </message>
-        <message>
-            <source> %</source>
-            <translation> %</translation>
-        </message>
-        <message>
-            <source>Opacity</source>
-            <translation>Deckkraft</translation>
-        </message>
-        <message>
-            <source>Opacity in percent; below 100 % what lies behind shows through</source>
-            <translation>Deckkraft in Prozent; unter 100 % scheint durch, was dahinter liegt</translation>
-        </message>
-        <message>
-            <source>Show this isosurface</source>
-            <translation>Diese Isofläche zeigen</translation>
-        </message>
-        <message>
-            <source>Remove this isovalue (Del)</source>
-            <translation>Diesen Isowert entfernen (Entf)</translation>
-        </message>
-        <message>
-            <source>Remove this isovalue</source>
-            <translation>Diesen Isowert entfernen</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::KeepSession</name>
-        <message>
-            <source>Save Session</source>
-            <translation>Sitzung speichern</translation>
-        </message>
-        <message>
-            <source>Sessions (*.tansession)</source>
-            <translation>Sitzungen (*.tansession)</translation>
-        </message>
-        <message>
-            <source>TAn ended unexpectedly while %1 was open. How it was seen can be restored.</source>
-            <translation>TAn wurde unerwartet beendet, während %1 geöffnet war. Die Ansicht kann wiederhergestellt werden.</translation>
-        </message>
-        <message>
-            <source>&amp;Restore</source>
-            <translation>&amp;Wiederherstellen</translation>
-        </message>
-        <message>
-            <source>%1 holds the view that it shows, which can be restored.</source>
-            <translation>%1 enthält die Ansicht, die es zeigt; sie kann wiederhergestellt werden.</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::MainWindow</name>
-        <message>
-            <source>Picture</source>
-            <translation>Bild</translation>
-        </message>
-        <message>
-            <source>One file can be open at a time; of those dropped, %1 was opened.</source>
-            <translation>Es kann nur eine Datei zugleich offen sein; von den abgelegten wurde %1 geöffnet.</translation>
-        </message>
-        <message>
-            <source>Saved %1</source>
-            <translation>%1 gespeichert</translation>
-        </message>
-        <message>
-            <source>&amp;Clear List</source>
-            <translation>Liste &amp;leeren</translation>
-        </message>
-        <message>
-            <source>%1 – TAn</source>
-            <translation>%1 – TAn</translation>
-        </message>
-        <message>
-            <source>TAn</source>
-            <translation>TAn</translation>
-        </message>
-        <message>
-            <source>The dataset is open. Build its model to look at it: the panel on the left has the options.</source>
-            <translation>Der Datensatz ist offen. Bauen Sie sein Modell, um ihn anzusehen: Das Feld links hat die Einstellungen.</translation>
-        </message>
-        <message>
-            <source>About TAn</source>
-            <translation>Über TAn</translation>
-        </message>
-        <message>
-            <source>&lt;h3&gt;TAn %1&lt;/h3&gt;&lt;p&gt;Tetrahedra Analyzer: multiresolution volume data with a known error.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
-            <translation>&lt;h3&gt;TAn %1&lt;/h3&gt;&lt;p&gt;Tetrahedra Analyzer: Volumendaten in vielen Auflösungen mit bekanntem Fehler.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später.&lt;/p&gt;</translation>
-        </message>
-        <message>
-            <source>Saving</source>
-            <translation>Wird gespeichert</translation>
-        </message>
-        <message>
-            <source>Drawing the picture</source>
-            <translation>Das Bild wird gezeichnet</translation>
-        </message>
-        <message>
-            <source>Drawing the film</source>
-            <translation>Der Film wird gezeichnet</translation>
-        </message>
-        <message>
-            <source>Picture copied, %1 × %2 pixels</source>
-            <translation>Bild kopiert, %1 × %2 Pixel</translation>
-        </message>
-        <message>
-            <source>Drawing the picture, %1 more waiting</source>
-            <translation>Das Bild wird gezeichnet, %1 weitere warten</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::MessageBar</name>
-        <message>
-            <source>%1 more</source>
-            <translation>%1 weitere</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::MessageRow</name>
-        <message>
-            <source>Dismiss this message</source>
-            <translation>Diese Meldung schließen</translation>
-        </message>
-        <message>
-            <source>%1 times</source>
-            <translation>%1-mal</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::ModeActions</name>
-        <message>
-            <source>Show %1 (%2)</source>
-            <translation>%1 zeigen (%2)</translation>
-        </message>
-        <message>
-            <source>Open a model first</source>
-            <translation>Erst ein Modell öffnen</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::ParameterForm</name>
-        <message>
-            <source>%1 (%2)</source>
-            <translation>%1 (%2)</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::PluginWindow</name>
-        <message>
-            <source>Plugins</source>
-            <translation>Plugins</translation>
-        </message>
-        <message>
-            <source>Plugin</source>
-            <translation>Plugin</translation>
-        </message>
-        <message>
-            <source>Kind</source>
-            <translation>Art</translation>
-        </message>
-        <message>
-            <source>State</source>
-            <translation>Zustand</translation>
-        </message>
-        <message>
-            <source>Reason</source>
-            <translation>Grund</translation>
-        </message>
-        <message>
-            <source>Looked for in: %1</source>
-            <translation>Gesucht in: %1</translation>
-        </message>
-        <message>
-            <source>The plugin %1 cannot be used. %2</source>
-            <translation>Das Plugin %1 kann nicht benutzt werden. %2</translation>
-        </message>
-        <message>
-            <source>What was found, and why something is not used. Space switches a plugin on or off.</source>
-            <translation>Was gefunden wurde, und warum etwas nicht benutzt wird. Die Leertaste schaltet ein Plugin ein oder aus.</translation>
-        </message>
-        <message>
-            <source>Version</source>
-            <translation>Version</translation>
-        </message>
-        <message>
-            <source>File</source>
-            <translation>Datei</translation>
-        </message>
-        <message>
-            <source>What was switched on or off counts when TAn starts the next time.</source>
-            <translation>Was ein- oder ausgeschaltet wurde, gilt, wenn TAn das nächste Mal startet.</translation>
-        </message>
-        <message>
-            <source>Cop&amp;y</source>
-            <translation>&amp;Kopieren</translation>
-        </message>
-        <message>
-            <source>Copy all of this as text, for a report of an error</source>
-            <translation>Kopiert all das als Text, für einen Fehlerbericht</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::RegionActions</name>
-        <message>
-            <source>Focus: &amp;Sphere</source>
-            <translation>Fokus: &amp;Kugel</translation>
-        </message>
-        <message>
-            <source>More accurate in a sphere</source>
-            <translation>Genauer in einer Kugel</translation>
-        </message>
-        <message>
-            <source>Focus: &amp;Box</source>
-            <translation>Fokus: &amp;Quader</translation>
-        </message>
-        <message>
-            <source>More accurate in a box</source>
-            <translation>Genauer in einem Quader</translation>
-        </message>
-        <message>
-            <source>Focus to &amp;Centre of View</source>
-            <translation>Fokus zur Bild&amp;mitte</translation>
-        </message>
-        <message>
-            <source>Move the focus to what the camera looks at</source>
-            <translation>Den Fokus dorthin holen, wohin die Kamera blickt</translation>
-        </message>
-        <message>
-            <source>&amp;Window</source>
-            <translation>&amp;Fenster</translation>
-        </message>
-        <message>
-            <source>Show the part of the domain in a box only</source>
-            <translation>Nur den Teil des Gebiets in einem Quader zeigen</translation>
-        </message>
-        <message>
-            <source>%1 (%2)</source>
-            <translation>%1 (%2)</translation>
-        </message>
-        <message>
-            <source>Switch on a focus first</source>
-            <translation>Erst einen Fokus einschalten</translation>
-        </message>
-        <message>
-            <source>Open a model first</source>
-            <translation>Erst ein Modell öffnen</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::RegionPanel</name>
-        <message>
-            <source>Only a &amp;window</source>
-            <translation>Nur ein &amp;Fenster</translation>
-        </message>
-        <message>
-            <source>Show the part of the domain in a box only (W)</source>
-            <translation>Nur den Teil des Gebiets in einem Quader zeigen (W)</translation>
-        </message>
-        <message>
-            <source>Where the window ends, in the coordinates of the data</source>
-            <translation>Wo das Fenster endet, in den Koordinaten der Daten</translation>
-        </message>
-        <message>
-            <source>&amp;To</source>
-            <translation>B&amp;is</translation>
-        </message>
-        <message>
-            <source>Cut off</source>
-            <translation>Abgeschnitten</translation>
-        </message>
-        <message>
-            <source>All that touch the window</source>
-            <translation>Alle, die es berühren</translation>
-        </message>
-        <message>
-            <source>Only those inside</source>
-            <translation>Nur die ganz innen</translation>
-        </message>
-        <message>
-            <source>Tetrahedra at the border</source>
-            <translation>Tetraeder am Rand</translation>
-        </message>
-        <message>
-            <source>What becomes of the tetrahedra at the border of the window: cut off, it ends exactly there; whole, it is ragged</source>
-            <translation>Was aus den Tetraedern am Rand des Fensters wird: abgeschnitten endet es genau dort; mit ganzen ist es gezackt</translation>
-        </message>
-        <message>
-            <source>&amp;Border</source>
-            <translation>&amp;Rand</translation>
-        </message>
-        <message>
-            <source>Make the window as large as the domain</source>
-            <translation>Das Fenster so groß machen wie das Gebiet</translation>
-        </message>
-        <message>
-            <source>In the units of the data: %1 to %2</source>
-            <translation>In der Einheit der Daten: %1 bis %2</translation>
-        </message>
-        <message>
-            <source>Smallest value</source>
-            <translation>Kleinster Wert</translation>
-        </message>
-        <message>
-            <source>Largest value</source>
-            <translation>Größter Wert</translation>
-        </message>
-        <message>
-            <source>Onl&amp;y some values</source>
-            <translation>Nur manche &amp;Werte</translation>
-        </message>
-        <message>
-            <source>Fro&amp;m</source>
-            <translation>&amp;Von</translation>
-        </message>
-        <message>
-            <source>Whole Domai&amp;n</source>
-            <translation>Ganzes Gebie&amp;t</translation>
-        </message>
-        <message>
-            <source>&amp;Smallest</source>
-            <translation>&amp;Kleinster</translation>
-        </message>
-        <message>
-            <source>&amp;Largest</source>
-            <translation>&amp;Größter</translation>
-        </message>
-        <message>
-            <source>Show only tetrahedra that can contain a value of a range. Isosurfaces of other values are not seen, or only in part.</source>
-            <translation>Nur Tetraeder zeigen, die einen Wert eines Bereichs enthalten können. Isoflächen anderer Werte sind nicht oder nur teilweise zu sehen.</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::RenderingPanel</name>
-        <message>
-            <source>What is shown of the data</source>
-            <translation>Was von den Daten gezeigt wird</translation>
-        </message>
-        <message>
-            <source>Rendering mode</source>
-            <translation>Darstellungsart</translation>
-        </message>
-        <message>
-            <source>Automatic (%1 frames/s)</source>
-            <translation>Automatisch (%1 Bilder/s)</translation>
-        </message>
-        <message>
-            <source> frames/s</source>
-            <translation> Bilder/s</translation>
-        </message>
-        <message>
-            <source>Pictures a second while something moves. If there is not time enough they are drawn smaller and of fewer tetrahedra; the picture at rest is always the full one.</source>
-            <translation>Bilder in der Sekunde, während sich etwas bewegt. Reicht die Zeit nicht, werden sie kleiner und aus weniger Tetraedern gezeichnet; das ruhende Bild ist immer das volle.</translation>
-        </message>
-        <message>
-            <source>Frame rate while moving</source>
-            <translation>Bildrate in Bewegung</translation>
-        </message>
-        <message>
-            <source>Sh&amp;ow</source>
-            <translation>&amp;Zeigen</translation>
-        </message>
-        <message>
-            <source>While movin&amp;g</source>
-            <translation>In Bewe&amp;gung</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::SlicePreview</name>
-        <message>
-            <source>Preview of a layer</source>
-            <translation>Vorschau einer Schicht</translation>
-        </message>
-        <message>
-            <source>Axis of the layers</source>
-            <translation>Achse der Schichten</translation>
-        </message>
-        <message>
-            <source>The axis across which the layer lies</source>
-            <translation>Die Achse, quer zu der die Schicht liegt</translation>
-        </message>
-        <message>
-            <source>Across %1</source>
-            <translation>Quer zu %1</translation>
-        </message>
-        <message>
-            <source>Layer</source>
-            <translation>Schicht</translation>
-        </message>
-        <message>
-            <source>The layer that is shown, counted from 0</source>
-            <translation>Die gezeigte Schicht, von 0 an gezählt</translation>
-        </message>
-        <message>
-            <source>No layout that could be shown</source>
-            <translation>Keine Anordnung, die sich zeigen ließe</translation>
-        </message>
-        <message>
-            <source>%1 to the right, %2 up; black %3, white %4</source>
-            <translation>%1 nach rechts, %2 nach oben; schwarz %3, weiß %4</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::StatusLine</name>
-        <message>
-            <source>The picture at the chosen accuracy is being made</source>
-            <translation>Das Bild in der gewählten Genauigkeit entsteht gerade</translation>
-        </message>
-        <message>
-            <source>Data points in the mesh that is shown</source>
-            <translation>Datenpunkte im gezeigten Netz</translation>
-        </message>
-        <message>
-            <source>Tetrahedra in the mesh that is shown</source>
-            <translation>Tetraeder im gezeigten Netz</translation>
-        </message>
-        <message>
-            <source>Triangles of all isosurfaces that are shown</source>
-            <translation>Dreiecke aller gezeigten Isoflächen</translation>
-        </message>
-        <message>
-            <source>Time for taking the mesh out of the model</source>
-            <translation>Zeit, um das Netz aus dem Modell zu holen</translation>
-        </message>
-        <message>
-            <source>Memory that the program occupies, mapped files included</source>
-            <translation>Speicher, den das Programm belegt, eingeblendete Dateien eingeschlossen</translation>
-        </message>
-        <message>
-            <source>What draws the picture: OpenGL or the processor</source>
-            <translation>Was das Bild zeichnet: OpenGL oder der Prozessor</translation>
-        </message>
-        <message>
-            <source>%1 sites</source>
-            <translation>%1 Stützpunkte</translation>
-        </message>
-        <message>
-            <source>%1 tetrahedra</source>
-            <translation>%1 Tetraeder</translation>
-        </message>
-        <message>
-            <source>%1 triangles</source>
-            <translation>%1 Dreiecke</translation>
-        </message>
-        <message>
-            <source>extracted in %1</source>
-            <translation>geholt in %1</translation>
-        </message>
-        <message>
-            <source>%1 a frame</source>
-            <translation>%1 je Bild</translation>
-        </message>
-        <message>
-            <source>Time for drawing the last picture; while it moves the frames a second, and how much smaller and of how many tetrahedra they are</source>
-            <translation>Zeit für das Zeichnen des letzten Bildes; in Bewegung die Bilder in der Sekunde, und wie viel kleiner und aus wie vielen Tetraedern sie sind</translation>
-        </message>
-        <message>
-            <source>%1 frames/s</source>
-            <translation>%1 Bilder/s</translation>
-        </message>
-        <message>
-            <source>size 1/%1</source>
-            <translation>Größe 1/%1</translation>
-        </message>
-        <message>
-            <source>, </source>
-            <translation>, </translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::TaskLine</name>
-        <message>
-            <source>Cancel</source>
-            <translation>Abbrechen</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::TransferCanvas</name>
-        <message>
-            <source>Transfer function</source>
-            <translation>Transferfunktion</translation>
-        </message>
-        <message>
-            <source>Opacity against value. Drag points, double click to add one, Delete removes it; arrow keys move it (finer with Ctrl), Tab goes to the next. Behind: how often the values occur in the mesh.</source>
-            <translation>Deckkraft über dem Wert. Punkte ziehen, mit Doppelklick einen hinzufügen, Entf entfernt ihn; Pfeiltasten bewegen ihn (feiner mit Strg), Tab geht zum nächsten. Dahinter: wie oft die Werte im Netz vorkommen.</translation>
-        </message>
-        <message>
-            <source>%1 points</source>
-            <translation>%1 Punkte</translation>
-        </message>
-        <message>
-            <source>Point %1 of %2: value %3, opacity %4</source>
-            <translation>Punkt %1 von %2: Wert %3, Deckkraft %4</translation>
-        </message>
-        <message>
-            <source>Opacity against value. Drag points, click the curve or double click to add one, Delete removes; arrow keys move (finer with Ctrl, farther with Shift), Tab goes to the next. A frame or Ctrl+click selects several. The wheel zooms the values, with Ctrl the opacities; Home shows all. Ctrl+digit makes a group, the digit selects it. Behind: how often the values occur in the mesh.</source>
-            <translation>Deckkraft über dem Wert. Punkte ziehen, mit Klick auf die Kurve oder Doppelklick einen hinzufügen, Entf entfernt; Pfeiltasten bewegen (feiner mit Strg, weiter mit Umschalt), Tab geht zum nächsten. Ein Rahmen oder Strg+Klick wählt mehrere aus. Das Rad vergrößert die Werte, mit Strg die Deckkraft; Pos1 zeigt alles. Strg+Ziffer bildet eine Gruppe, die Ziffer wählt sie aus. Dahinter: wie oft die Werte im Netz vorkommen.</translation>
-        </message>
-        <message>
-            <source>%1 points are selected</source>
-            <translation>%1 Punkte sind ausgewählt</translation>
-        </message>
-        <message>
-            <source>Value %1, opacity %2</source>
-            <translation>Wert %1, Deckkraft %2</translation>
-        </message>
-        <message>
-            <source>group %1</source>
-            <translation>Gruppe %1</translation>
-        </message>
-        <message>
-            <source>Isovalue %1 of %2: %3</source>
-            <translation>Isowert %1 von %2: %3</translation>
-        </message>
-        <message>
-            <source>Lower end of the mask: %1</source>
-            <translation>Unteres Ende der Maske: %1</translation>
-        </message>
-        <message>
-            <source>Upper end of the mask: %1</source>
-            <translation>Oberes Ende der Maske: %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::TransferPanel</name>
-        <message>
-            <source>S&amp;tep</source>
-            <translation>S&amp;tufe</translation>
-        </message>
-        <message>
-            <source>Ad&amp;d</source>
-            <translation>&amp;Neu</translation>
-        </message>
-        <message>
-            <source>Remove</source>
-            <translation>Entfernen</translation>
-        </message>
-        <message>
-            <source>Lo&amp;garithmic</source>
-            <translation>Lo&amp;garithmisch</translation>
-        </message>
-        <message>
-            <source>Value of the point</source>
-            <translation>Wert des Punktes</translation>
-        </message>
-        <message>
-            <source>Value of the selected point, in the units of the data</source>
-            <translation>Wert des gewählten Punktes, in den Einheiten der Daten</translation>
-        </message>
-        <message>
-            <source>Opacity of the point</source>
-            <translation>Deckkraft des Punktes</translation>
-        </message>
-        <message>
-            <source>Opacity of the selected point, in percent of the light that a unit distance takes away</source>
-            <translation>Deckkraft des gewählten Punktes, in Prozent des Lichts, das eine Einheitslänge wegnimmt</translation>
-        </message>
-        <message>
-            <source> %</source>
-            <translation> %</translation>
-        </message>
-        <message>
-            <source>Colour of the selected point</source>
-            <translation>Farbe des gewählten Punktes</translation>
-        </message>
-        <message>
-            <source>Give the point two sides: what lies below its value ends there, and what lies above begins</source>
-            <translation>Dem Punkt zwei Seiten geben: was unter seinem Wert liegt, endet dort, und was darüber liegt, beginnt</translation>
-        </message>
-        <message>
-            <source>Add a point after the selected one, or double click in the plot</source>
-            <translation>Einen Punkt nach dem gewählten hinzufügen, oder Doppelklick ins Bild</translation>
-        </message>
-        <message>
-            <source>Remove the selected point (Del)</source>
-            <translation>Den gewählten Punkt entfernen (Entf)</translation>
-        </message>
-        <message>
-            <source>Unit distance</source>
-            <translation>Einheitslänge</translation>
-        </message>
-        <message>
-            <source>The thickness, in the units of the data, that a layer must have for the opacities to hold: less makes everything denser</source>
-            <translation>Die Dicke, in den Einheiten der Daten, bei der eine Schicht die Deckkraft hat: weniger macht alles dichter</translation>
-        </message>
-        <message>
-            <source>Show how often values occur on a logarithmic scale, so that rare ones are seen</source>
-            <translation>Die Häufigkeit der Werte logarithmisch zeigen, damit man auch seltene sieht</translation>
-        </message>
-        <message>
-            <source>Presets</source>
-            <translation>Vorlagen</translation>
-        </message>
-        <message>
-            <source>Transfer functions to begin with</source>
-            <translation>Transferfunktionen zum Anfangen</translation>
-        </message>
-        <message>
-            <source>Change</source>
-            <translation>Ändern</translation>
-        </message>
-        <message>
-            <source>Change all points</source>
-            <translation>Alle Punkte ändern</translation>
-        </message>
-        <message>
-            <source>Load…</source>
-            <translation>Laden …</translation>
-        </message>
-        <message>
-            <source>Take a transfer function from a file: one of TAn or presets of ParaView (JSON or XML)</source>
-            <translation>Eine Transferfunktion aus einer Datei nehmen: eine von TAn oder Vorlagen von ParaView (JSON oder XML)</translation>
-        </message>
-        <message>
-            <source>The file holds several presets:</source>
-            <translation>Die Datei enthält mehrere Vorlagen:</translation>
-        </message>
-        <message>
-            <source>Colours alone</source>
-            <translation>Nur Farben</translation>
-        </message>
-        <message>
-            <source>Save for &amp;ParaView…</source>
-            <translation>Für &amp;ParaView speichern …</translation>
-        </message>
-        <message>
-            <source>Save Transfer Function for ParaView</source>
-            <translation>Transferfunktion für ParaView speichern</translation>
-        </message>
-        <message>
-            <source>ParaView presets (*.json)</source>
-            <translation>ParaView-Vorlagen (*.json)</translation>
-        </message>
-        <message>
-            <source>Transfer functions (*.json *.xml)</source>
-            <translation>Transferfunktionen (*.json *.xml)</translation>
-        </message>
-        <message>
-            <source>Save…</source>
-            <translation>Speichern …</translation>
-        </message>
-        <message>
-            <source>Save the transfer function as a JSON file, which “tan render” takes, too</source>
-            <translation>Die Transferfunktion als JSON-Datei speichern, die auch „tan render“ nimmt</translation>
-        </message>
-        <message>
-            <source>Val&amp;ue</source>
-            <translation>&amp;Wert</translation>
-        </message>
-        <message>
-            <source>O&amp;pacity</source>
-            <translation>&amp;Deckkraft</translation>
-        </message>
-        <message>
-            <source>U&amp;nit distance</source>
-            <translation>Ein&amp;heitslänge</translation>
-        </message>
-        <message>
-            <source>&amp;Sequential: opaque where values are large</source>
-            <translation>&amp;Ansteigend: deckend, wo Werte groß sind</translation>
-        </message>
-        <message>
-            <source>&amp;Diverging: opaque at both ends</source>
-            <translation>A&amp;useinander: deckend an beiden Enden</translation>
-        </message>
-        <message>
-            <source>&amp;More opaque</source>
-            <translation>&amp;Deckender</translation>
-        </message>
-        <message>
-            <source>&amp;Less opaque</source>
-            <translation>D&amp;urchsichtiger</translation>
-        </message>
-        <message>
-            <source>Swap &amp;ends</source>
-            <translation>&amp;Enden vertauschen</translation>
-        </message>
-        <message>
-            <source>Spread over all &amp;values</source>
-            <translation>Über alle &amp;Werte ausdehnen</translation>
-        </message>
-        <message>
-            <source>Load Transfer Function</source>
-            <translation>Transferfunktion laden</translation>
-        </message>
-        <message>
-            <source>Transfer functions (*.json)</source>
-            <translation>Transferfunktionen (*.json)</translation>
-        </message>
-        <message>
-            <source>Save Transfer Function</source>
-            <translation>Transferfunktion speichern</translation>
-        </message>
-        <message>
-            <source>Axis of opacities</source>
-            <translation>Achse der Deckkraft</translation>
-        </message>
-        <message>
-            <source>&amp;Linear</source>
-            <translation>&amp;Linear</translation>
-        </message>
-        <message>
-            <source>S&amp;quare root</source>
-            <translation>&amp;Quadratwurzel</translation>
-        </message>
-        <message>
-            <source>L&amp;ogarithmic: fine near zero</source>
-            <translation>L&amp;ogarithmisch: fein nahe null</translation>
-        </message>
-        <message>
-            <source>Zoom to the &amp;selected points</source>
-            <translation>Auf die &amp;ausgewählten Punkte vergrößern</translation>
-        </message>
-        <message>
-            <source>Zoom to the &amp;values of the data</source>
-            <translation>Auf die &amp;Werte der Daten vergrößern</translation>
-        </message>
-        <message>
-            <source>Show &amp;all</source>
-            <translation>A&amp;lles zeigen</translation>
-        </message>
-        <message>
-            <source>Value, opacity, colour and how often it occurs, at the pointer</source>
-            <translation>Wert, Deckkraft, Farbe und Häufigkeit unter dem Mauszeiger</translation>
-        </message>
-        <message>
-            <source>Add a point after the selected one, or click on the curve, or double click in the plot</source>
-            <translation>Einen Punkt nach dem ausgewählten hinzufügen; oder auf die Kurve klicken, oder doppelt in das Diagramm</translation>
-        </message>
-        <message>
-            <source>Remove what is selected (Del)</source>
-            <translation>Das Ausgewählte entfernen (Entf)</translation>
-        </message>
-        <message>
-            <source>Change the selected points, or all</source>
-            <translation>Die ausgewählten Punkte ändern, oder alle</translation>
-        </message>
-        <message>
-            <source>View</source>
-            <translation>Ansicht</translation>
-        </message>
-        <message>
-            <source>How the plot is shown</source>
-            <translation>Wie das Diagramm gezeigt wird</translation>
-        </message>
-        <message>
-            <source>Mask</source>
-            <translation>Maske</translation>
-        </message>
-        <message>
-            <source>Show some values only: between two lines that can be dragged</source>
-            <translation>Nur einige Werte zeigen: zwischen zwei Linien, die sich ziehen lassen</translation>
-        </message>
-        <message>
-            <source>Points in numbers</source>
-            <translation>Punkte in Zahlen</translation>
-        </message>
-        <message>
-            <source>Show all points in a table to be edited</source>
-            <translation>Alle Punkte in einer Tabelle zum Bearbeiten zeigen</translation>
-        </message>
-        <message>
-            <source>Read-out</source>
-            <translation>Anzeige</translation>
-        </message>
-        <message>
-            <source>Table</source>
-            <translation>Tabelle</translation>
-        </message>
-        <message>
-            <source>Add a point</source>
-            <translation>Einen Punkt hinzufügen</translation>
-        </message>
-        <message>
-            <source>Remove what is selected</source>
-            <translation>Das Ausgewählte entfernen</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::ViewPanel</name>
-        <message>
-            <source>&amp;Load…</source>
-            <translation>&amp;Laden …</translation>
-        </message>
-        <message>
-            <source>Sa&amp;ve…</source>
-            <translation>Spei&amp;chern …</translation>
-        </message>
-        <message>
-            <source>°</source>
-            <translation>°</translation>
-        </message>
-        <message>
-            <source>Azimuth</source>
-            <translation>Azimut</translation>
-        </message>
-        <message>
-            <source>Direction around the z axis, in degrees; 0 looks along y</source>
-            <translation>Richtung um die z-Achse, in Grad; 0 blickt entlang y</translation>
-        </message>
-        <message>
-            <source>Elevation</source>
-            <translation>Höhe</translation>
-        </message>
-        <message>
-            <source>Height above the xy plane, in degrees</source>
-            <translation>Höhe über der xy-Ebene, in Grad</translation>
-        </message>
-        <message>
-            <source>Distance</source>
-            <translation>Abstand</translation>
-        </message>
-        <message>
-            <source>From the eye to the target, in the units of the data</source>
-            <translation>Vom Auge zum Ziel, in den Einheiten der Daten</translation>
-        </message>
-        <message>
-            <source>Field of view</source>
-            <translation>Blickwinkel</translation>
-        </message>
-        <message>
-            <source>Angle that the shorter side of the picture spans, in degrees</source>
-            <translation>Winkel, den die kürzere Seite des Bildes umfasst, in Grad</translation>
-        </message>
-        <message>
-            <source>Perspective</source>
-            <translation>Perspektivisch</translation>
-        </message>
-        <message>
-            <source>Parallel</source>
-            <translation>Parallel</translation>
-        </message>
-        <message>
-            <source>Projection</source>
-            <translation>Projektion</translation>
-        </message>
-        <message>
-            <source>Whether what is farther away looks smaller (Ctrl+P)</source>
-            <translation>Ob kleiner aussieht, was weiter weg ist (Strg+P)</translation>
-        </message>
-        <message>
-            <source>Target</source>
-            <translation>Ziel</translation>
-        </message>
-        <message>
-            <source>The point that is looked at, in the units of the data</source>
-            <translation>Der Punkt, auf den geblickt wird, in den Einheiten der Daten</translation>
-        </message>
-        <message>
-            <source>A&amp;zimuth</source>
-            <translation>A&amp;zimut</translation>
-        </message>
-        <message>
-            <source>E&amp;levation</source>
-            <translation>H&amp;öhe</translation>
-        </message>
-        <message>
-            <source>D&amp;istance</source>
-            <translation>Abs&amp;tand</translation>
-        </message>
-        <message>
-            <source>&amp;Angle</source>
-            <translation>W&amp;inkel</translation>
-        </message>
-        <message>
-            <source>Pro&amp;jection</source>
-            <translation>Pro&amp;jektion</translation>
-        </message>
-        <message>
-            <source>Look from this side</source>
-            <translation>Von dieser Seite blicken</translation>
-        </message>
-        <message>
-            <source>Fit</source>
-            <translation>Einpassen</translation>
-        </message>
-        <message>
-            <source>Show the whole domain (Home)</source>
-            <translation>Das ganze Gebiet zeigen (Pos1)</translation>
-        </message>
-        <message>
-            <source>Colour behind what is shown, also in saved pictures</source>
-            <translation>Farbe hinter dem Gezeigten, auch in gespeicherten Bildern</translation>
-        </message>
-        <message>
-            <source>Background colour</source>
-            <translation>Hintergrundfarbe</translation>
-        </message>
-        <message>
-            <source>Usual</source>
-            <translation>Üblich</translation>
-        </message>
-        <message>
-            <source>The colour that fits the window, light or dark</source>
-            <translation>Die Farbe, die zum Fenster passt, hell oder dunkel</translation>
-        </message>
-        <message>
-            <source>Take the camera from a JSON file</source>
-            <translation>Die Kamera aus einer JSON-Datei nehmen</translation>
-        </message>
-        <message>
-            <source>Save the camera as a JSON file, which “tan render --camera” takes, too</source>
-            <translation>Die Kamera als JSON-Datei speichern, die auch „tan render --camera“ nimmt</translation>
-        </message>
-        <message>
-            <source>Bac&amp;kground</source>
-            <translation>Hinter&amp;grund</translation>
-        </message>
-        <message>
-            <source>Load Camera</source>
-            <translation>Kamera laden</translation>
-        </message>
-        <message>
-            <source>Cameras (*.json)</source>
-            <translation>Kameras (*.json)</translation>
-        </message>
-        <message>
-            <source>Save Camera</source>
-            <translation>Kamera speichern</translation>
-        </message>
-        <message>
-            <source>Front</source>
-            <translation>Vorn</translation>
-        </message>
-        <message>
-            <source>Left</source>
-            <translation>Links</translation>
-        </message>
-        <message>
-            <source>Top</source>
-            <translation>Oben</translation>
-        </message>
-        <message>
-            <source>Corner</source>
-            <translation>Ecke</translation>
-        </message>
-        <message>
-            <source>Back</source>
-            <translation>Hinten</translation>
-        </message>
-        <message>
-            <source>Right</source>
-            <translation>Rechts</translation>
-        </message>
-        <message>
-            <source>Bottom</source>
-            <translation>Unten</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::Viewport</name>
-        <message>
-            <source>OpenGL cannot be used, the picture is drawn by the processor instead. %1</source>
-            <translation>OpenGL ist nicht benutzbar, stattdessen zeichnet der Prozessor das Bild. %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::Workbench</name>
-        <message>
-            <source>Models (*.tan)</source>
-            <translation>Modelle (*.tan)</translation>
-        </message>
-        <message>
-            <source>All that can be opened (%1)</source>
-            <translation>Alles, was sich öffnen lässt (%1)</translation>
-        </message>
-        <message>
-            <source>All files (*)</source>
-            <translation>Alle Dateien (*)</translation>
-        </message>
-        <message>
-            <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
-            <translation>Kein Plugin zur Darstellung konnte geladen werden; so lässt sich kein Modell zeigen. %1</translation>
-        </message>
-        <message>
-            <source>Sessions (*.tansession)</source>
-            <translation>Sitzungen (*.tansession)</translation>
-        </message>
-        <message>
-            <source>The model %1 is another one than when the session was saved: it was built anew, or replaced. It is shown as the session says, as far as that fits.</source>
-            <translation>Das Modell %1 ist ein anderes als beim Speichern der Sitzung: Es wurde neu gebaut oder ersetzt. Es wird so gezeigt, wie die Sitzung sagt, soweit das passt.</translation>
-        </message>
-        <message>
-            <source>Pictures with their sessions (*.png)</source>
-            <translation>Bilder mit ihren Sitzungen (*.png)</translation>
-        </message>
-    </context>
-    <context>
-        <name>EditorPage</name>
-        <message>
-            <source>The editor cannot be used. %1</source>
-            <translation>Der Editor kann nicht verwendet werden. %1</translation>
-        </message>
-        <message>
-            <source>Help › Plugins lists all plugins and where they are looked for.</source>
-            <translation>Hilfe › Plugins zeigt alle Plugins und wo nach ihnen gesucht wird.</translation>
-        </message>
-    </context>
-    <context>
-        <name>PointClipboard</name>
-        <message>
-            <source>The clipboard holds no points of a transfer function. Copy some here or in another window. %1</source>
-            <translation>Die Zwischenablage enthält keine Punkte einer Transferfunktion. Kopieren Sie welche hier oder in einem anderen Fenster. %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>PresetNames</name>
-        <message>
-            <source>Cool to warm</source>
-            <translation>Kalt bis warm</translation>
-        </message>
-        <message>
-            <source>Grey</source>
-            <translation>Grau</translation>
-        </message>
-        <message>
-            <source>Sequential: opaque where values are large</source>
-            <translation>Sequentiell: deckend, wo die Werte groß sind</translation>
-        </message>
-        <message>
-            <source>Diverging: opaque at both ends</source>
-            <translation>Divergierend: deckend an beiden Enden</translation>
-        </message>
-    </context>
-    <context>
-        <name>ValueReadOut</name>
-        <message>
-            <source>%1: %2, %3</source>
-            <translation>%1: %2, %3</translation>
-        </message>
-        <message>
-            <source>%1 vertices</source>
-            <translation>%1 Eckpunkte</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::EditMenu</name>
-        <message>
-            <source>&amp;More opaque</source>
-            <translation>&amp;Deckender</translation>
-        </message>
-        <message>
-            <source>&amp;Less opaque</source>
-            <translation>Durch&amp;sichtiger</translation>
-        </message>
-        <message>
-            <source>Swap &amp;ends</source>
-            <translation>&amp;Enden vertauschen</translation>
-        </message>
-        <message>
-            <source>Spread over all &amp;values</source>
-            <translation>Über alle &amp;Werte spreizen</translation>
-        </message>
-        <message>
-            <source>Select &amp;all points</source>
-            <translation>&amp;Alle Punkte auswählen</translation>
-        </message>
-        <message>
-            <source>&amp;Copy points</source>
-            <translation>Punkte &amp;kopieren</translation>
-        </message>
-        <message>
-            <source>&amp;Paste points</source>
-            <translation>Punkte e&amp;infügen</translation>
-        </message>
-        <message>
-            <source>D&amp;uplicate points</source>
-            <translation>Punkte &amp;verdoppeln</translation>
-        </message>
-        <message>
-            <source>&amp;Remove points</source>
-            <translation>Punkte &amp;entfernen</translation>
-        </message>
-        <message>
-            <source>&amp;Distribute values evenly</source>
-            <translation>Werte &amp;gleichmäßig verteilen</translation>
-        </message>
-        <message>
-            <source>&amp;Flip left to right</source>
-            <translation>&amp;Links und rechts vertauschen</translation>
-        </message>
-        <message>
-            <source>&amp;Invert opacities</source>
-            <translation>Deckkraft &amp;umkehren</translation>
-        </message>
-        <message>
-            <source>Ramp from first to last</source>
-            <translation>Rampe vom ersten zum letzten</translation>
-        </message>
-        <message>
-            <source>&amp;Simplify: fewer points, same look</source>
-            <translation>Ver&amp;einfachen: weniger Punkte, gleiches Aussehen</translation>
-        </message>
-        <message>
-            <source>Add a pea&amp;k</source>
-            <translation>S&amp;pitze hinzufügen</translation>
-        </message>
-        <message>
-            <source>Ali&amp;gn</source>
-            <translation>A&amp;usrichten</translation>
-        </message>
-        <message>
-            <source>Opacities to the &amp;first</source>
-            <translation>Deckkraft wie beim &amp;ersten</translation>
-        </message>
-        <message>
-            <source>Opacities to the &amp;mean</source>
-            <translation>Deckkraft im &amp;Mittel</translation>
-        </message>
-        <message>
-            <source>Opacities to the &amp;least</source>
-            <translation>Deckkraft wie beim &amp;niedrigsten</translation>
-        </message>
-        <message>
-            <source>Opacities to the l&amp;argest</source>
-            <translation>Deckkraft wie beim &amp;höchsten</translation>
-        </message>
-        <message>
-            <source>&amp;Values of two neighbours: a step</source>
-            <translation>&amp;Werte zweier Nachbarn: eine Stufe</translation>
-        </message>
-        <message>
-            <source>Make a gr&amp;oup</source>
-            <translation>&amp;Gruppe bilden</translation>
-        </message>
-        <message>
-            <source>Select a group</source>
-            <translation>Gruppe auswählen</translation>
-        </message>
-        <message>
-            <source>&amp;No group</source>
-            <translation>&amp;Keine Gruppe</translation>
-        </message>
-        <message>
-            <source>Poi&amp;nts in the way</source>
-            <translation>Punkte im &amp;Weg</translation>
-        </message>
-        <message>
-            <source>&amp;Stop what is moved</source>
-            <translation>&amp;Halten Bewegtes auf</translation>
-        </message>
-        <message>
-            <source>Are &amp;pushed along</source>
-            <translation>Werden mit&amp;geschoben</translation>
-        </message>
-        <message>
-            <source>Are passed &amp;by</source>
-            <translation>Werden &amp;überholt</translation>
-        </message>
-        <message>
-            <source>Mas&amp;k: show some values only</source>
-            <translation>&amp;Maske: nur einige Werte zeigen</translation>
-        </message>
-        <message>
-            <source>Add an iso&amp;value</source>
-            <translation>&amp;Isowert hinzufügen</translation>
-        </message>
-        <message>
-            <source>Group &amp;%1</source>
-            <translation>Gruppe &amp;%1</translation>
-        </message>
-        <message>
-            <source>&amp;Wider</source>
-            <translation>&amp;Breiter</translation>
-        </message>
-        <message>
-            <source>Na&amp;rrower</source>
-            <translation>S&amp;chmaler</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::PointNumbers</name>
-        <message>
-            <source>Value</source>
-            <translation>Wert</translation>
-        </message>
-        <message>
-            <source>Value of what is selected, in the units of the data; selected points move together</source>
-            <translation>Wert des Ausgewählten in den Einheiten der Daten; ausgewählte Punkte bewegen sich gemeinsam</translation>
-        </message>
-        <message>
-            <source>Opacity</source>
-            <translation>Deckkraft</translation>
-        </message>
-        <message>
-            <source>Opacity of the selected points, in percent of the light that a unit distance takes away</source>
-            <translation>Deckkraft der ausgewählten Punkte in Prozent des Lichts, das eine Einheitslänge wegnimmt</translation>
-        </message>
-        <message>
-            <source> %</source>
-            <translation> %</translation>
-        </message>
-        <message>
-            <source>Colour of what is selected</source>
-            <translation>Farbe des Ausgewählten</translation>
-        </message>
-        <message>
-            <source>Unit distance</source>
-            <translation>Einheitslänge</translation>
-        </message>
-        <message>
-            <source>The thickness, in the units of the data, that a layer must have for the opacities to hold: less makes everything denser</source>
-            <translation>Die Dicke, in den Einheiten der Daten, bei der eine Schicht die Deckkraft hat: weniger macht alles dichter</translation>
-        </message>
-        <message>
-            <source>Val&amp;ue</source>
-            <translation>&amp;Wert</translation>
-        </message>
-        <message>
-            <source>O&amp;pacity</source>
-            <translation>&amp;Deckkraft</translation>
-        </message>
-        <message>
-            <source>U&amp;nit distance</source>
-            <translation>Ein&amp;heitslänge</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::PointTable</name>
-        <message>
-            <source>Points of the transfer function</source>
-            <translation>Punkte der Transferfunktion</translation>
-        </message>
-        <message>
-            <source>Double click or F2 edits a cell; Del removes the selected points</source>
-            <translation>Doppelklick oder F2 bearbeitet eine Zelle; Entf entfernt die ausgewählten Punkte</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::PointTableModel</name>
-        <message>
-            <source>Value</source>
-            <translation>Wert</translation>
-        </message>
-        <message>
-            <source>Opacity, %</source>
-            <translation>Deckkraft, %</translation>
-        </message>
-        <message>
-            <source>Colour</source>
-            <translation>Farbe</translation>
-        </message>
-        <message>
-            <source>Group</source>
-            <translation>Gruppe</translation>
-        </message>
-        <message>
-            <source>In the units of the data</source>
-            <translation>In den Einheiten der Daten</translation>
-        </message>
-        <message>
-            <source>Of the light that a unit distance takes away</source>
-            <translation>Des Lichts, das eine Einheitslänge wegnimmt</translation>
-        </message>
-        <message>
-            <source>As a name or as #rrggbb</source>
-            <translation>Als Name oder als #rrggbb</translation>
-        </message>
-        <message>
-            <source>0 to 9, or empty</source>
-            <translation>0 bis 9, oder leer</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::PresetPopup</name>
-        <message>
-            <source>&amp;Save as preset…</source>
-            <translation>Als Vorlage &amp;speichern…</translation>
-        </message>
-        <message>
-            <source>&amp;Delete</source>
-            <translation>&amp;Löschen</translation>
-        </message>
-        <message>
-            <source>Search</source>
-            <translation>Suchen</translation>
-        </message>
-        <message>
-            <source>Search for a preset</source>
-            <translation>Nach einer Vorlage suchen</translation>
-        </message>
-        <message>
-            <source>What to take of a preset</source>
-            <translation>Was von einer Vorlage übernommen wird</translation>
-        </message>
-        <message>
-            <source>Colours and opacities</source>
-            <translation>Farben und Deckkraft</translation>
-        </message>
-        <message>
-            <source>Colours alone</source>
-            <translation>Nur die Farben</translation>
-        </message>
-        <message>
-            <source>Opacities alone</source>
-            <translation>Nur die Deckkraft</translation>
-        </message>
-        <message>
-            <source>Presets</source>
-            <translation>Vorlagen</translation>
-        </message>
-        <message>
-            <source>Keep the transfer function as it is now, for this and for other models</source>
-            <translation>Die Transferfunktion, wie sie jetzt ist, für dieses und andere Modelle behalten</translation>
-        </message>
-        <message>
-            <source>Delete the chosen preset, if it is one of your own</source>
-            <translation>Die gewählte Vorlage löschen, wenn es eine eigene ist</translation>
-        </message>
-        <message>
-            <source>One of your own</source>
-            <translation>Eine eigene</translation>
-        </message>
-        <message>
-            <source>Save as Preset</source>
-            <translation>Als Vorlage speichern</translation>
-        </message>
-        <message>
-            <source>Name of the preset:</source>
-            <translation>Name der Vorlage:</translation>
-        </message>
-    </context>
-    <context>
-        <name>ChangeView</name>
-        <message>
-            <source>change of background</source>
-            <translation>Änderung des Hintergrunds</translation>
-        </message>
-        <message>
-            <source>change of view</source>
-            <translation>Änderung der Ansicht</translation>
-        </message>
-    </context>
-    <context>
-        <name>HelpActions</name>
-        <message>
-            <source>The language changes when TAn starts the next time.</source>
-            <translation>Die Sprache wechselt, wenn TAn das nächste Mal startet.</translation>
-        </message>
-        <message>
-            <source>&amp;As the System</source>
-            <translation>&amp;Wie das System</translation>
-        </message>
-    </context>
-    <context>
-        <name>PaletteCommands</name>
-        <message>
-            <source>%1: %2</source>
-            <translation>%1: %2</translation>
-        </message>
-        <message>
-            <source>Not possible now</source>
-            <translation>Jetzt nicht möglich</translation>
-        </message>
-        <message>
-            <source>Panel</source>
-            <translation>Feld</translation>
-        </message>
-        <message>
-            <source>Accuracy</source>
-            <translation>Genauigkeit</translation>
-        </message>
-        <message>
-            <source>Open a model first</source>
-            <translation>Erst ein Modell öffnen</translation>
-        </message>
-    </context>
-    <context>
-        <name>Statistics</name>
-        <message>
-            <source>Error</source>
-            <translation>Fehler</translation>
-        </message>
-        <message>
-            <source>± value</source>
-            <translation>± Wert</translation>
-        </message>
-        <message>
-            <source>Sites</source>
-            <translation>Punkte</translation>
-        </message>
-        <message>
-            <source>Tetrahedra</source>
-            <translation>Tetraeder</translation>
-        </message>
-        <message>
-            <source>Share</source>
-            <translation>Anteil</translation>
-        </message>
-        <message>
-            <source>Time</source>
-            <translation>Zeit</translation>
-        </message>
-        <message>
-            <source>Memory</source>
-            <translation>Speicher</translation>
-        </message>
-        <message>
-            <source>Model</source>
-            <translation>Modell</translation>
-        </message>
-        <message>
-            <source>Values</source>
-            <translation>Werte</translation>
-        </message>
-        <message>
-            <source>%1 to %2</source>
-            <translation>%1 bis %2</translation>
-        </message>
-        <message>
-            <source>Sites in all</source>
-            <translation>Punkte insgesamt</translation>
-        </message>
-        <message>
-            <source>File</source>
-            <translation>Datei</translation>
-        </message>
-        <message>
-            <source>Shown</source>
-            <translation>Gezeigt</translation>
-        </message>
-        <message>
-            <source>%1 sites, %2 tetrahedra</source>
-            <translation>%1 Punkte, %2 Tetraeder</translation>
-        </message>
-        <message>
-            <source>Kept</source>
-            <translation>Eingehalten</translation>
-        </message>
-        <message>
-            <source>Triangles</source>
-            <translation>Dreiecke</translation>
-        </message>
-        <message>
-            <source>Extraction</source>
-            <translation>Extraktion</translation>
-        </message>
-        <message>
-            <source>Preparation</source>
-            <translation>Vorbereitung</translation>
-        </message>
-        <message>
-            <source>A frame</source>
-            <translation>Ein Bild</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::CommandPalette</name>
-        <message>
-            <source>Type what you want to do</source>
-            <translation>Eingeben, was zu tun ist</translation>
-        </message>
-        <message>
-            <source>Command</source>
-            <translation>Befehl</translation>
-        </message>
-        <message>
-            <source>A few letters of a command are enough. Enter does it, Esc leaves.</source>
-            <translation>Ein paar Buchstaben eines Befehls genügen. Enter führt ihn aus, Esc schließt.</translation>
-        </message>
-        <message>
-            <source>Commands</source>
-            <translation>Befehle</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::HistogramView</name>
-        <message>
-            <source>Histogram</source>
-            <translation>Histogramm</translation>
-        </message>
-        <message>
-            <source>How often the values of the mesh that is shown occur, on a logarithmic scale; from the least to the largest value, in the units of the data</source>
-            <translation>Wie oft die Werte des gezeigten Netzes vorkommen, logarithmisch, vom kleinsten bis zum größten Wert, in den Einheiten der Daten</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::StatisticsPanel</name>
-        <message>
-            <source>Mesh sizes</source>
-            <translation>Netzgrößen</translation>
-        </message>
-        <message>
-            <source>What the mesh of each error costs: its error in percent of the range of values and in their units, its size, the time to extract it, as measured here, and the memory that it occupies. Choose a line to see that mesh.</source>
-            <translation>Was das Netz jedes Fehlers kostet: der Fehler in Prozent des Wertebereichs und in den Einheiten der Werte, die Größe, die Zeit für die Extraktion, wie hier gemessen, und der Speicher, den es belegt. Eine Zeile wählen, um dieses Netz zu sehen.</translation>
-        </message>
-        <message>
-            <source>Cop&amp;y</source>
-            <translation>&amp;Kopieren</translation>
-        </message>
-        <message>
-            <source>&amp;Save…</source>
-            <translation>&amp;Speichern …</translation>
-        </message>
-        <message>
-            <source>Copy all of this as text, with tabs between the columns</source>
-            <translation>Kopiert all das als Text, mit Tabulatoren zwischen den Spalten</translation>
-        </message>
-        <message>
-            <source>Save the table as CSV or JSON, in % and under no locale</source>
-            <translation>Speichert die Tabelle als CSV oder JSON, in % und ohne Spracheinstellung</translation>
-        </message>
-    </context>
-    <context>
-        <name>Annotations</name>
-        <message>
-            <source>Value</source>
-            <translation>Wert</translation>
-        </message>
-        <message>
-            <source>%1 units at the target</source>
-            <translation>%1 Einheiten am Blickziel</translation>
-        </message>
-        <message>
-            <source>%1 units</source>
-            <translation>%1 Einheiten</translation>
-        </message>
-        <message>
-            <source>Colour &amp;bar</source>
-            <translation>Far&amp;bskala</translation>
-        </message>
-        <message>
-            <source>A&amp;xes</source>
-            <translation>A&amp;chsen</translation>
-        </message>
-        <message>
-            <source>&amp;Scale bar</source>
-            <translation>Maß&amp;stab</translation>
-        </message>
-        <message>
-            <source>&amp;Title</source>
-            <translation>&amp;Titel</translation>
-        </message>
-        <message>
-            <source>A&amp;ccuracy</source>
-            <translation>Gena&amp;uigkeit</translation>
-        </message>
-        <message>
-            <source>Values and their colours, in the units of the data; right their opacity, with marks at the isovalues</source>
-            <translation>Werte und ihre Farben, in den Einheiten der Daten; rechts ihre Deckkraft, mit Marken an den Isowerten</translation>
-        </message>
-        <message>
-            <source>The directions of x, y and z</source>
-            <translation>Die Richtungen von x, y und z</translation>
-        </message>
-        <message>
-            <source>A length in the units of the data; in perspective that of things as far away as the target</source>
-            <translation>Eine Länge in den Einheiten der Daten; in der Perspektive die von Dingen in der Entfernung des Blickziels</translation>
-        </message>
-        <message>
-            <source>The name of the model</source>
-            <translation>Der Name des Modells</translation>
-        </message>
-        <message>
-            <source>The error that what is shown keeps, in % of the value range</source>
-            <translation>Der Fehler, den das Gezeigte einhält, in % des Wertebereichs</translation>
-        </message>
-    </context>
-    <context>
-        <name>ChangeAnimation</name>
-        <message>
-            <source>change of animation</source>
-            <translation>Änderung der Animation</translation>
-        </message>
-    </context>
-    <context>
-        <name>ChangeAnnotations</name>
-        <message>
-            <source>change of annotations</source>
-            <translation>Änderung der Beschriftung</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::AnimationPanel</name>
-        <message>
-            <source>&amp;Save Film…</source>
-            <translation>Film spe&amp;ichern…</translation>
-        </message>
-        <message>
-            <source>Turntable</source>
-            <translation>Drehteller</translation>
-        </message>
-        <message>
-            <source>Key frames</source>
-            <translation>Schlüsselbilder</translation>
-        </message>
-        <message>
-            <source>The camera goes round what is shown, or from view to view</source>
-            <translation>Die Kamera fährt um das Gezeigte herum oder von Ansicht zu Ansicht</translation>
-        </message>
-        <message>
-            <source> frames/s</source>
-            <translation> Bilder/s</translation>
-        </message>
-        <message>
-            <source>Pictures a second of the film</source>
-            <translation>Bilder pro Sekunde des Films</translation>
-        </message>
-        <message>
-            <source>Write it as pictures or a video</source>
-            <translation>Als Bilder oder als Video schreiben</translation>
-        </message>
-        <message>
-            <source>&amp;Kind</source>
-            <translation>&amp;Art</translation>
-        </message>
-        <message>
-            <source>Ra&amp;te</source>
-            <translation>&amp;Tempo</translation>
-        </message>
-        <message>
-            <source>Round the vertical axis</source>
-            <translation>Um die senkrechte Achse</translation>
-        </message>
-        <message>
-            <source>Up and down</source>
-            <translation>Auf und ab</translation>
-        </message>
-        <message>
-            <source>Up and down the camera comes back to where it began, and stops at the poles</source>
-            <translation>Auf und ab kommt die Kamera an ihren Anfang zurück und hält an den Polen</translation>
-        </message>
-        <message>
-            <source>°</source>
-            <translation>°</translation>
-        </message>
-        <message>
-            <source>Angle to turn by, in degrees; negative the other way round</source>
-            <translation>Drehwinkel in Grad; negativ anders herum</translation>
-        </message>
-        <message>
-            <source>Pictures of the whole film</source>
-            <translation>Bilder des ganzen Films</translation>
-        </message>
-        <message>
-            <source>A&amp;xis</source>
-            <translation>A&amp;chse</translation>
-        </message>
-        <message>
-            <source>An&amp;gle</source>
-            <translation>&amp;Winkel</translation>
-        </message>
-        <message>
-            <source>&amp;Frames</source>
-            <translation>B&amp;ilder</translation>
-        </message>
-        <message>
-            <source>Frame</source>
-            <translation>Bild</translation>
-        </message>
-        <message>
-            <source>The frame that is shown</source>
-            <translation>Das Bild, das gezeigt wird</translation>
-        </message>
-        <message>
-            <source>Add two views or more.</source>
-            <translation>Fügen Sie zwei oder mehr Ansichten hinzu.</translation>
-        </message>
-        <message>
-            <source>St&amp;op</source>
-            <translation>&amp;Halt</translation>
-        </message>
-        <message>
-            <source>&amp;Play</source>
-            <translation>Ab&amp;spielen</translation>
-        </message>
-        <message>
-            <source>%1 frames, %2</source>
-            <translation>%1 Bilder, %2</translation>
-        </message>
-        <message>
-            <source>Kind of film</source>
-            <translation>Art des Films</translation>
-        </message>
-        <message>
-            <source>Frames a second</source>
-            <translation>Bilder pro Sekunde</translation>
-        </message>
-        <message>
-            <source>Axis to turn around</source>
-            <translation>Achse der Drehung</translation>
-        </message>
-        <message>
-            <source>Angle to turn by</source>
-            <translation>Drehwinkel</translation>
-        </message>
-        <message>
-            <source>Number of frames</source>
-            <translation>Zahl der Bilder</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::AnnotationRows</name>
-        <message>
-            <source>Top left</source>
-            <translation>Oben links</translation>
-        </message>
-        <message>
-            <source>Top right</source>
-            <translation>Oben rechts</translation>
-        </message>
-        <message>
-            <source>Bottom left</source>
-            <translation>Unten links</translation>
-        </message>
-        <message>
-            <source>Bottom right</source>
-            <translation>Unten rechts</translation>
-        </message>
-        <message>
-            <source>Corner of the picture where it stands</source>
-            <translation>Ecke des Bildes, in der es steht</translation>
-        </message>
-        <message>
-            <source>%1: corner</source>
-            <translation>%1: Ecke</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::FilmDialog</name>
-        <message>
-            <source>Numbered PNG pictures</source>
-            <translation>Nummerierte PNG-Bilder</translation>
-        </message>
-        <message>
-            <source>MP4 video (H.264)</source>
-            <translation>MP4-Video (H.264)</translation>
-        </message>
-        <message>
-            <source>WebM video (VP9)</source>
-            <translation>WebM-Video (VP9)</translation>
-        </message>
-        <message>
-            <source>&amp;Browse…</source>
-            <translation>&amp;Durchsuchen…</translation>
-        </message>
-        <message>
-            <source>Save Film</source>
-            <translation>Film speichern</translation>
-        </message>
-        <message>
-            <source>Videos can be made where the program ffmpeg is installed</source>
-            <translation>Videos gibt es, wo das Programm ffmpeg installiert ist</translation>
-        </message>
-        <message>
-            <source>Videos are made by %1</source>
-            <translation>Videos macht %1</translation>
-        </message>
-        <message>
-            <source>The video, or the name that numbers are added to</source>
-            <translation>Das Video oder der Name, an den Nummern gehängt werden</translation>
-        </message>
-        <message>
-            <source>&amp;Format</source>
-            <translation>&amp;Format</translation>
-        </message>
-        <message>
-            <source>Fil&amp;e</source>
-            <translation>Dat&amp;ei</translation>
-        </message>
-        <message>
-            <source>Film</source>
-            <translation>Film</translation>
-        </message>
-        <message>
-            <source>&amp;Save</source>
-            <translation>&amp;Speichern</translation>
-        </message>
-        <message>
-            <source>&amp;Cancel</source>
-            <translation>&amp;Abbrechen</translation>
-        </message>
-        <message>
-            <source>Cl&amp;ose</source>
-            <translation>Schl&amp;ießen</translation>
-        </message>
-        <message>
-            <source>A film that is being written goes on</source>
-            <translation>Ein Film, der geschrieben wird, läuft weiter</translation>
-        </message>
-        <message>
-            <source>Saved.</source>
-            <translation>Gespeichert.</translation>
-        </message>
-        <message>
-            <source>It has no frames yet: add two views or more in the panel Animation.</source>
-            <translation>Er hat noch keine Bilder: Fügen Sie im Bereich Animation zwei oder mehr Ansichten hinzu.</translation>
-        </message>
-        <message>
-            <source>%1; writing takes about %2</source>
-            <translation>%1; das Schreiben dauert etwa %2</translation>
-        </message>
-        <message>
-            <source>%1 and so on</source>
-            <translation>%1 und so weiter</translation>
-        </message>
-        <message>
-            <source>&amp;Replace and Save</source>
-            <translation>E&amp;rsetzen und speichern</translation>
-        </message>
-        <message>
-            <source>Beginning…</source>
-            <translation>Beginnt…</translation>
-        </message>
-        <message>
-            <source>Frame %1 of %2</source>
-            <translation>Bild %1 von %2</translation>
-        </message>
-        <message>
-            <source>%1, about %2 left</source>
-            <translation>%1, noch etwa %2</translation>
-        </message>
-        <message>
-            <source>%1 frames, %2</source>
-            <translation>%1 Bilder, %2</translation>
-        </message>
-        <message>
-            <source>Files of this name are there already and will be replaced: %1.</source>
-            <translation>Dateien dieses Namens gibt es schon, sie werden ersetzt: %1.</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::KeyFrameList</name>
-        <message>
-            <source>%1°, %2° at %3</source>
-            <translation>%1°, %2° bei %3</translation>
-        </message>
-        <message>
-            <source>%1, %2 tetrahedra</source>
-            <translation>%1, %2 Tetraeder</translation>
-        </message>
-        <message>
-            <source>%1, error %2</source>
-            <translation>%1, Fehler %2</translation>
-        </message>
-        <message>
-            <source>Key frames</source>
-            <translation>Schlüsselbilder</translation>
-        </message>
-        <message>
-            <source>Enter shows a key frame, Delete removes it, Alt with an arrow moves it</source>
-            <translation>Eingabe zeigt ein Schlüsselbild, Entf entfernt es, Alt mit einem Pfeil verschiebt es</translation>
-        </message>
-        <message>
-            <source>Time (s)</source>
-            <translation>Zeit (s)</translation>
-        </message>
-        <message>
-            <source>&amp;Add View</source>
-            <translation>Ansicht hin&amp;zufügen</translation>
-        </message>
-        <message>
-            <source>Add what is seen now as the next key frame</source>
-            <translation>Was jetzt zu sehen ist, als nächstes Schlüsselbild hinzufügen</translation>
-        </message>
-        <message>
-            <source>&amp;Replace</source>
-            <translation>&amp;Ersetzen</translation>
-        </message>
-        <message>
-            <source>Put what is seen now in the place of this key frame</source>
-            <translation>Was jetzt zu sehen ist, an die Stelle dieses Schlüsselbilds setzen</translation>
-        </message>
-        <message>
-            <source>S&amp;how</source>
-            <translation>Zei&amp;gen</translation>
-        </message>
-        <message>
-            <source>Show this key frame (Enter)</source>
-            <translation>Dieses Schlüsselbild zeigen (Eingabe)</translation>
-        </message>
-        <message>
-            <source>Re&amp;move</source>
-            <translation>E&amp;ntfernen</translation>
-        </message>
-        <message>
-            <source>Remove this key frame (Delete)</source>
-            <translation>Dieses Schlüsselbild entfernen (Entf)</translation>
-        </message>
-        <message>
-            <source>&amp;Earlier</source>
-            <translation>&amp;Früher</translation>
-        </message>
-        <message>
-            <source>Exchange it with the key frame before it (Alt+Up)</source>
-            <translation>Mit dem Schlüsselbild davor tauschen (Alt+Auf)</translation>
-        </message>
-        <message>
-            <source>La&amp;ter</source>
-            <translation>S&amp;päter</translation>
-        </message>
-        <message>
-            <source>Exchange it with the key frame after it (Alt+Down)</source>
-            <translation>Mit dem Schlüsselbild danach tauschen (Alt+Ab)</translation>
-        </message>
-        <message>
-            <source>show of a key frame</source>
-            <translation>Zeigen eines Schlüsselbilds</translation>
-        </message>
-        <message>
-            <source>View</source>
-            <translation>Ansicht</translation>
-        </message>
-        <message>
-            <source>Azimuth and elevation, distance in the units of the data, accuracy</source>
-            <translation>Azimut und Höhe, Abstand in den Einheiten der Daten, Genauigkeit</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::PictureDialog</name>
-        <message>
-            <source>Say in the &amp;file how it was made</source>
-            <translation>In der &amp;Datei sagen, wie es entstand</translation>
-        </message>
-        <message>
-            <source>Save Picture</source>
-            <translation>Bild speichern</translation>
-        </message>
-        <message>
-            <source>Program, model, accuracy, camera, transfer function and isovalues, so that the picture can be made again: opening it offers its view</source>
-            <translation>Programm, Modell, Genauigkeit, Kamera, Transferfunktion und Isowerte, sodass das Bild noch einmal gemacht werden kann: Beim Öffnen wird seine Ansicht angeboten</translation>
-        </message>
-        <message>
-            <source>&amp;Save…</source>
-            <translation>&amp;Speichern…</translation>
-        </message>
-        <message>
-            <source>&amp;Copy</source>
-            <translation>&amp;Kopieren</translation>
-        </message>
-        <message>
-            <source>Cl&amp;ose</source>
-            <translation>Schl&amp;ießen</translation>
-        </message>
-        <message>
-            <source>Put it on the clipboard</source>
-            <translation>In die Zwischenablage legen</translation>
-        </message>
-    </context>
-    <context>
-        <name>tetra::PictureForm</name>
-        <message>
-            <source> px</source>
-            <translation> px</translation>
-        </message>
-        <message>
-            <source>Width</source>
-            <translation>Breite</translation>
-        </message>
-        <message>
-            <source>Width in pixels</source>
-            <translation>Breite in Pixeln</translation>
-        </message>
-        <message>
-            <source>Height</source>
-            <translation>Höhe</translation>
-        </message>
-        <message>
-            <source>Height in pixels</source>
-            <translation>Höhe in Pixeln</translation>
-        </message>
-        <message>
-            <source> dpi</source>
-            <translation> dpi</translation>
-        </message>
-        <message>
-            <source>Resolution</source>
-            <translation>Auflösung</translation>
-        </message>
-        <message>
-            <source>Pixels an inch when it is printed; the number of pixels does not change</source>
-            <translation>Pixel pro Zoll, wenn es gedruckt wird; die Zahl der Pixel ändert sich nicht</translation>
-        </message>
-        <message>
-            <source>Trans&amp;parent background</source>
-            <translation>&amp;Durchsichtiger Hintergrund</translation>
-        </message>
-        <message>
-            <source>As seen</source>
-            <translation>Wie zu sehen</translation>
-        </message>
-        <message>
-            <source>Twice as seen</source>
-            <translation>Doppelt so groß</translation>
-        </message>
-        <message>
-            <source>HD</source>
-            <translation>HD</translation>
-        </message>
-        <message>
-            <source>Full HD</source>
-            <translation>Full HD</translation>
-        </message>
-        <message>
-            <source>4K</source>
-            <translation>4K</translation>
-        </message>
-        <message>
-            <source>Custom</source>
-            <translation>Eigene</translation>
-        </message>
-        <message>
-            <source>Annotations and lines take as much of the picture as they do of the view</source>
-            <translation>Beschriftung und Linien nehmen so viel vom Bild ein wie von der Ansicht</translation>
-        </message>
-        <message>
-            <source>Si&amp;ze</source>
-            <translation>&amp;Größe</translation>
-        </message>
-        <message>
-            <source>Only what is shown, to be laid over something else</source>
-            <translation>Nur das Gezeigte, um es über anderes zu legen</translation>
-        </message>
-        <message>
-            <source>Background</source>
-            <translation>Hintergrund</translation>
-        </message>
-        <message>
-            <source>Annotations</source>
-            <translation>Beschriftung</translation>
-        </message>
-        <message>
-            <source>%1 × %2 cm</source>
-            <translation>%1 × %2 cm</translation>
-        </message>
-        <message>
-            <source>Pixe&amp;ls</source>
-            <translation>Pi&amp;xel</translation>
-        </message>
-        <message>
-            <source>Pri&amp;nted</source>
-            <translation>Gedruck&amp;t</translation>
-        </message>
-    </context>
+    </message>
+</context>
+<context>
+    <name>tetra::AccuracySlider</name>
+    <message>
+        <source>Error in percent of the value range</source>
+        <translation>Fehler in Prozent des Wertebereichs</translation>
+    </message>
+    <message>
+        <source>Error in percent of the value range: coarse on the left, every sample exact on the right</source>
+        <translation>Fehler in Prozent des Wertebereichs: links grob, ganz rechts jeder Abtastwert genau</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::AnimationPanel</name>
+    <message>
+        <source>&amp;Save Film…</source>
+        <translation>Film spe&amp;ichern…</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Drehteller</translation>
+    </message>
+    <message>
+        <source>Key frames</source>
+        <translation>Schlüsselbilder</translation>
+    </message>
+    <message>
+        <source>The camera goes round what is shown, or from view to view</source>
+        <translation>Die Kamera fährt um das Gezeigte herum oder von Ansicht zu Ansicht</translation>
+    </message>
+    <message>
+        <source> frames/s</source>
+        <translation> Bilder/s</translation>
+    </message>
+    <message>
+        <source>Pictures a second of the film</source>
+        <translation>Bilder pro Sekunde des Films</translation>
+    </message>
+    <message>
+        <source>Write it as pictures or a video</source>
+        <translation>Als Bilder oder als Video schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Kind</source>
+        <translation>&amp;Art</translation>
+    </message>
+    <message>
+        <source>Ra&amp;te</source>
+        <translation>&amp;Tempo</translation>
+    </message>
+    <message>
+        <source>Round the vertical axis</source>
+        <translation>Um die senkrechte Achse</translation>
+    </message>
+    <message>
+        <source>Up and down</source>
+        <translation>Auf und ab</translation>
+    </message>
+    <message>
+        <source>Up and down the camera comes back to where it began, and stops at the poles</source>
+        <translation>Auf und ab kommt die Kamera an ihren Anfang zurück und hält an den Polen</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Angle to turn by, in degrees; negative the other way round</source>
+        <translation>Drehwinkel in Grad; negativ anders herum</translation>
+    </message>
+    <message>
+        <source>Pictures of the whole film</source>
+        <translation>Bilder des ganzen Films</translation>
+    </message>
+    <message>
+        <source>A&amp;xis</source>
+        <translation>A&amp;chse</translation>
+    </message>
+    <message>
+        <source>An&amp;gle</source>
+        <translation>&amp;Winkel</translation>
+    </message>
+    <message>
+        <source>&amp;Frames</source>
+        <translation>B&amp;ilder</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>The frame that is shown</source>
+        <translation>Das Bild, das gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Add two views or more.</source>
+        <translation>Fügen Sie zwei oder mehr Ansichten hinzu.</translation>
+    </message>
+    <message>
+        <source>St&amp;op</source>
+        <translation>&amp;Halt</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>Ab&amp;spielen</translation>
+    </message>
+    <message>
+        <source>%1 frames, %2</source>
+        <translation>%1 Bilder, %2</translation>
+    </message>
+    <message>
+        <source>Kind of film</source>
+        <translation>Art des Films</translation>
+    </message>
+    <message>
+        <source>Frames a second</source>
+        <translation>Bilder pro Sekunde</translation>
+    </message>
+    <message>
+        <source>Axis to turn around</source>
+        <translation>Achse der Drehung</translation>
+    </message>
+    <message>
+        <source>Angle to turn by</source>
+        <translation>Drehwinkel</translation>
+    </message>
+    <message>
+        <source>Number of frames</source>
+        <translation>Zahl der Bilder</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::AnnotationRows</name>
+    <message>
+        <source>Top left</source>
+        <translation>Oben links</translation>
+    </message>
+    <message>
+        <source>Top right</source>
+        <translation>Oben rechts</translation>
+    </message>
+    <message>
+        <source>Bottom left</source>
+        <translation>Unten links</translation>
+    </message>
+    <message>
+        <source>Bottom right</source>
+        <translation>Unten rechts</translation>
+    </message>
+    <message>
+        <source>Corner of the picture where it stands</source>
+        <translation>Ecke des Bildes, in der es steht</translation>
+    </message>
+    <message>
+        <source>%1: corner</source>
+        <translation>%1: Ecke</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::BudgetBox</name>
+    <message>
+        <source>Most tetrahedra</source>
+        <translation>Höchstzahl der Tetraeder</translation>
+    </message>
+    <message>
+        <source>The mesh is as good as so many tetrahedra allow</source>
+        <translation>Das Netz ist so gut, wie es so viele Tetraeder erlauben</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::BuildPanel</name>
+    <message>
+        <source>Open a dataset to build a model of it.</source>
+        <translation>Öffnen Sie einen Datensatz, um sein Modell zu bauen.</translation>
+    </message>
+    <message>
+        <source>Builder</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>How the model is built</source>
+        <translation>Wie das Modell gebaut wird</translation>
+    </message>
+    <message>
+        <source>B&amp;uilder</source>
+        <translation>&amp;Verfahren</translation>
+    </message>
+    <message>
+        <source>Model file</source>
+        <translation>Modelldatei</translation>
+    </message>
+    <message>
+        <source>The file that the model is written to</source>
+        <translation>Die Datei, in die das Modell geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen …</translation>
+    </message>
+    <message>
+        <source>&amp;Model file</source>
+        <translation>&amp;Modelldatei</translation>
+    </message>
+    <message>
+        <source>Progress of the build</source>
+        <translation>Fortschritt des Bauens</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Ends the build and throws away what it has made</source>
+        <translation>Beendet den Aufbau und verwirft, was er gemacht hat</translation>
+    </message>
+    <message>
+        <source>Stop and &amp;Keep</source>
+        <translation>Anhalten und &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Ends the build; what is finished becomes the model, with the accuracy that it has reached</source>
+        <translation>Beendet den Aufbau; was fertig ist, wird zum Modell, so genau, wie es bis dahin ist</translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Wird abgebrochen …</translation>
+    </message>
+    <message>
+        <source>Keeping what is finished…</source>
+        <translation>Das Fertige wird behalten …</translation>
+    </message>
+    <message>
+        <source>&amp;Build and Replace</source>
+        <translation>&amp;Bauen und ersetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Build</source>
+        <translation>&amp;Bauen</translation>
+    </message>
+    <message>
+        <source>This file exists; it is replaced when the build is done.</source>
+        <translation>Diese Datei gibt es schon; sie wird ersetzt, wenn das Modell fertig ist.</translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation>Beginnt …</translation>
+    </message>
+    <message>
+        <source>%1, %2 left</source>
+        <translation>%1, noch %2</translation>
+    </message>
+    <message>
+        <source>Model File</source>
+        <translation>Modelldatei</translation>
+    </message>
+    <message>
+        <source>Models (*.tan)</source>
+        <translation>Modelle (*.tan)</translation>
+    </message>
+    <message>
+        <source>%1 scattered points</source>
+        <translation>%1 verstreute Punkte</translation>
+    </message>
+    <message>
+        <source>irregular mesh of %1 points, %2 tetrahedra</source>
+        <translation>unregelmäßiges Netz aus %1 Punkten, %2 Tetraedern</translation>
+    </message>
+    <message>
+        <source>curvilinear grid of %1 points, %2 cells</source>
+        <translation>krummliniges Gitter mit %1 Punkten, %2 Zellen</translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation>%1 Abtastwerte</translation>
+    </message>
+    <message>
+        <source>%1, %2, values %3 to %4</source>
+        <translation>%1, %2, Werte %3 bis %4</translation>
+    </message>
+    <message>
+        <source>Read &amp;Differently…</source>
+        <translation>&amp;Anders lesen …</translation>
+    </message>
+    <message>
+        <source>Reads the file again in another way: other values, a part of it, every so many points</source>
+        <translation>Liest die Datei noch einmal auf andere Weise: andere Werte, einen Teil davon, jeden wievielten Punkt</translation>
+    </message>
+    <message>
+        <source>Measured on other data; a larger error takes less. Half or twice as much is possible.</source>
+        <translation>An anderen Daten gemessen; ein größerer Fehler braucht weniger. Die Hälfte oder das Doppelte ist möglich.</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ColourButton</name>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Other Colour…</source>
+        <translation>Andere Farbe …</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::CommandPalette</name>
+    <message>
+        <source>Type what you want to do</source>
+        <translation>Eingeben, was zu tun ist</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>A few letters of a command are enough. Enter does it, Esc leaves.</source>
+        <translation>Ein paar Buchstaben eines Befehls genügen. Enter führt ihn aus, Esc schließt.</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::CpuCanvas</name>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::EditMenu</name>
+    <message>
+        <source>&amp;More opaque</source>
+        <translation>&amp;Deckender</translation>
+    </message>
+    <message>
+        <source>&amp;Less opaque</source>
+        <translation>Durch&amp;sichtiger</translation>
+    </message>
+    <message>
+        <source>Swap &amp;ends</source>
+        <translation>&amp;Enden vertauschen</translation>
+    </message>
+    <message>
+        <source>Spread over all &amp;values</source>
+        <translation>Über alle &amp;Werte spreizen</translation>
+    </message>
+    <message>
+        <source>Select &amp;all points</source>
+        <translation>&amp;Alle Punkte auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy points</source>
+        <translation>Punkte &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste points</source>
+        <translation>Punkte e&amp;infügen</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate points</source>
+        <translation>Punkte &amp;verdoppeln</translation>
+    </message>
+    <message>
+        <source>&amp;Remove points</source>
+        <translation>Punkte &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Distribute values evenly</source>
+        <translation>Werte &amp;gleichmäßig verteilen</translation>
+    </message>
+    <message>
+        <source>&amp;Flip left to right</source>
+        <translation>&amp;Links und rechts vertauschen</translation>
+    </message>
+    <message>
+        <source>&amp;Invert opacities</source>
+        <translation>Deckkraft &amp;umkehren</translation>
+    </message>
+    <message>
+        <source>Ramp from first to last</source>
+        <translation>Rampe vom ersten zum letzten</translation>
+    </message>
+    <message>
+        <source>&amp;Simplify: fewer points, same look</source>
+        <translation>Ver&amp;einfachen: weniger Punkte, gleiches Aussehen</translation>
+    </message>
+    <message>
+        <source>Add a pea&amp;k</source>
+        <translation>S&amp;pitze hinzufügen</translation>
+    </message>
+    <message>
+        <source>Ali&amp;gn</source>
+        <translation>A&amp;usrichten</translation>
+    </message>
+    <message>
+        <source>Opacities to the &amp;first</source>
+        <translation>Deckkraft wie beim &amp;ersten</translation>
+    </message>
+    <message>
+        <source>Opacities to the &amp;mean</source>
+        <translation>Deckkraft im &amp;Mittel</translation>
+    </message>
+    <message>
+        <source>Opacities to the &amp;least</source>
+        <translation>Deckkraft wie beim &amp;niedrigsten</translation>
+    </message>
+    <message>
+        <source>Opacities to the l&amp;argest</source>
+        <translation>Deckkraft wie beim &amp;höchsten</translation>
+    </message>
+    <message>
+        <source>&amp;Values of two neighbours: a step</source>
+        <translation>&amp;Werte zweier Nachbarn: eine Stufe</translation>
+    </message>
+    <message>
+        <source>Make a gr&amp;oup</source>
+        <translation>&amp;Gruppe bilden</translation>
+    </message>
+    <message>
+        <source>Select a group</source>
+        <translation>Gruppe auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;No group</source>
+        <translation>&amp;Keine Gruppe</translation>
+    </message>
+    <message>
+        <source>Poi&amp;nts in the way</source>
+        <translation>Punkte im &amp;Weg</translation>
+    </message>
+    <message>
+        <source>&amp;Stop what is moved</source>
+        <translation>&amp;Halten Bewegtes auf</translation>
+    </message>
+    <message>
+        <source>Are &amp;pushed along</source>
+        <translation>Werden mit&amp;geschoben</translation>
+    </message>
+    <message>
+        <source>Are passed &amp;by</source>
+        <translation>Werden &amp;überholt</translation>
+    </message>
+    <message>
+        <source>Mas&amp;k: show some values only</source>
+        <translation>&amp;Maske: nur einige Werte zeigen</translation>
+    </message>
+    <message>
+        <source>Add an iso&amp;value</source>
+        <translation>&amp;Isowert hinzufügen</translation>
+    </message>
+    <message>
+        <source>Group &amp;%1</source>
+        <translation>Gruppe &amp;%1</translation>
+    </message>
+    <message>
+        <source>&amp;Wider</source>
+        <translation>&amp;Breiter</translation>
+    </message>
+    <message>
+        <source>Na&amp;rrower</source>
+        <translation>S&amp;chmaler</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::EmptyPage</name>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Opened last</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Open a dataset or a model</source>
+        <translation>Datensatz oder Modell öffnen</translation>
+    </message>
+    <message>
+        <source>Drop a file here: a dataset (a volume, a grid, a mesh or points) to build a model of, a finished .tan model or a session.</source>
+        <translation>Legen Sie hier eine Datei ab: einen Datensatz (ein Volumen, ein Gitter, ein Netz oder Punkte), aus dem ein Modell gebaut wird, ein fertiges .tan-Modell oder eine Sitzung.</translation>
+    </message>
+    <message>
+        <source>Open a dataset, a model or a session (Ctrl+O)</source>
+        <translation>Einen Datensatz, ein Modell oder eine Sitzung öffnen (Strg+O)</translation>
+    </message>
+    <message>
+        <source>Or look at a sample, which is made now</source>
+        <translation>Oder ein Beispiel ansehen, das jetzt gemacht wird</translation>
+    </message>
+    <message>
+        <source>Making the sample</source>
+        <translation>Das Beispiel wird gemacht</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::FilmDialog</name>
+    <message>
+        <source>Numbered PNG pictures</source>
+        <translation>Nummerierte PNG-Bilder</translation>
+    </message>
+    <message>
+        <source>MP4 video (H.264)</source>
+        <translation>MP4-Video (H.264)</translation>
+    </message>
+    <message>
+        <source>WebM video (VP9)</source>
+        <translation>WebM-Video (VP9)</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Save Film</source>
+        <translation>Film speichern</translation>
+    </message>
+    <message>
+        <source>Videos can be made where the program ffmpeg is installed</source>
+        <translation>Videos gibt es, wo das Programm ffmpeg installiert ist</translation>
+    </message>
+    <message>
+        <source>Videos are made by %1</source>
+        <translation>Videos macht %1</translation>
+    </message>
+    <message>
+        <source>The video, or the name that numbers are added to</source>
+        <translation>Das Video oder der Name, an den Nummern gehängt werden</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Format</translation>
+    </message>
+    <message>
+        <source>Fil&amp;e</source>
+        <translation>Dat&amp;ei</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cl&amp;ose</source>
+        <translation>Schl&amp;ießen</translation>
+    </message>
+    <message>
+        <source>A film that is being written goes on</source>
+        <translation>Ein Film, der geschrieben wird, läuft weiter</translation>
+    </message>
+    <message>
+        <source>Saved.</source>
+        <translation>Gespeichert.</translation>
+    </message>
+    <message>
+        <source>It has no frames yet: add two views or more in the panel Animation.</source>
+        <translation>Er hat noch keine Bilder: Fügen Sie im Bereich Animation zwei oder mehr Ansichten hinzu.</translation>
+    </message>
+    <message>
+        <source>%1; writing takes about %2</source>
+        <translation>%1; das Schreiben dauert etwa %2</translation>
+    </message>
+    <message>
+        <source>%1 and so on</source>
+        <translation>%1 und so weiter</translation>
+    </message>
+    <message>
+        <source>&amp;Replace and Save</source>
+        <translation>E&amp;rsetzen und speichern</translation>
+    </message>
+    <message>
+        <source>Beginning…</source>
+        <translation>Beginnt…</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1, about %2 left</source>
+        <translation>%1, noch etwa %2</translation>
+    </message>
+    <message>
+        <source>%1 frames, %2</source>
+        <translation>%1 Bilder, %2</translation>
+    </message>
+    <message>
+        <source>Files of this name are there already and will be replaced: %1.</source>
+        <translation>Dateien dieses Namens gibt es schon, sie werden ersetzt: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::FocusPanel</name>
+    <message>
+        <source>A part of the domain with an error of its own. Choose a shape, then drag its handles in the picture; a double click on a surface brings the focus there.</source>
+        <translation>Ein Teil des Gebiets mit eigenem Fehler. Eine Form wählen, dann die Griffe im Bild ziehen; ein Doppelklick auf eine Fläche holt den Fokus dorthin.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
+    </message>
+    <message>
+        <source>The same error everywhere</source>
+        <translation>Überall derselbe Fehler</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>A box with an error of its own (B)</source>
+        <translation>Ein Quader mit eigenem Fehler (B)</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>A sphere with an error of its own (F)</source>
+        <translation>Eine Kugel mit eigenem Fehler (F)</translation>
+    </message>
+    <message>
+        <source>&amp;Centre</source>
+        <translation>&amp;Mitte</translation>
+    </message>
+    <message>
+        <source>Centre of the focus, in the coordinates of the data</source>
+        <translation>Mitte des Fokus, in den Koordinaten der Daten</translation>
+    </message>
+    <message>
+        <source>&amp;Size</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>Edges of the box, in the lengths of the data</source>
+        <translation>Kanten des Quaders, in den Längen der Daten</translation>
+    </message>
+    <message>
+        <source>Radius of the sphere</source>
+        <translation>Radius der Kugel</translation>
+    </message>
+    <message>
+        <source>Radius of the sphere, in the lengths of the data</source>
+        <translation>Radius der Kugel, in den Längen der Daten</translation>
+    </message>
+    <message>
+        <source>Fall-off</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>The length over which the error grows from that in the focus to that outside, in the lengths of the data; 0 is a sharp border</source>
+        <translation>Die Länge, über die der Fehler von dem im Fokus auf den außerhalb wächst, in den Längen der Daten; 0 ist eine scharfe Grenze</translation>
+    </message>
+    <message>
+        <source>Error in the focus</source>
+        <translation>Fehler im Fokus</translation>
+    </message>
+    <message>
+        <source>Error in the focus, in percent of the value range</source>
+        <translation>Fehler im Fokus in Prozent des Wertebereichs</translation>
+    </message>
+    <message>
+        <source>Move the focus to what the camera looks at (C)</source>
+        <translation>Den Fokus dorthin holen, wohin die Kamera blickt (C)</translation>
+    </message>
+    <message>
+        <source>Place, size, error and fall-off as they were at first</source>
+        <translation>Ort, Größe, Fehler und Übergang wie am Anfang</translation>
+    </message>
+    <message>
+        <source>Outside %1, as chosen under Accuracy.</source>
+        <translation>Außerhalb %1, wie unter Genauigkeit gewählt.</translation>
+    </message>
+    <message>
+        <source>Between %1 and %2 tetrahedra.</source>
+        <translation>Zwischen %1 und %2 Tetraedern.</translation>
+    </message>
+    <message>
+        <source>Rad&amp;ius</source>
+        <translation>Rad&amp;ius</translation>
+    </message>
+    <message>
+        <source>Error i&amp;nside</source>
+        <translation>Fehler i&amp;nnen</translation>
+    </message>
+    <message>
+        <source>Fa&amp;ll-off</source>
+        <translation>&amp;Übergang</translation>
+    </message>
+    <message>
+        <source>&amp;To Centre of View</source>
+        <translation>&amp;Zur Bildmitte</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>With the budget the error outside is %1 times this one.</source>
+        <translation>Mit dem Budget ist der Fehler außerhalb das %1-fache davon.</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::GlCanvas</name>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::HistogramView</name>
+    <message>
+        <source>Histogram</source>
+        <translation>Histogramm</translation>
+    </message>
+    <message>
+        <source>How often the values of the mesh that is shown occur, on a logarithmic scale; from the least to the largest value, in the units of the data</source>
+        <translation>Wie oft die Werte des gezeigten Netzes vorkommen, logarithmisch, vom kleinsten bis zum größten Wert, in den Einheiten der Daten</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ImportDialog</name>
+    <message>
+        <source>&amp;Read</source>
+        <translation>&amp;Lesen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Reader</source>
+        <translation>Leser</translation>
+    </message>
+    <message>
+        <source>Who reads the file</source>
+        <translation>Wer die Datei liest</translation>
+    </message>
+    <message>
+        <source>R&amp;eader</source>
+        <translation>L&amp;eser</translation>
+    </message>
+    <message>
+        <source>How it is read</source>
+        <translation>Wie sie gelesen wird</translation>
+    </message>
+    <message>
+        <source>Which part of it</source>
+        <translation>Welcher Teil davon</translation>
+    </message>
+    <message>
+        <source>Layouts that fit</source>
+        <translation>Passende Anordnungen</translation>
+    </message>
+    <message>
+        <source>Sizes and types that would fill the file exactly, the likeliest first</source>
+        <translation>Größen und Typen, die die Datei genau füllen würden, die wahrscheinlichsten zuerst</translation>
+    </message>
+    <message>
+        <source>Measured on other data; a larger error takes less. Half or twice as much is possible.</source>
+        <translation>An anderen Daten gemessen; ein größerer Fehler braucht weniger. Die Hälfte oder das Doppelte ist möglich.</translation>
+    </message>
+    <message>
+        <source>Progress of reading</source>
+        <translation>Fortschritt des Lesens</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>%1 importieren</translation>
+    </message>
+    <message>
+        <source>%1, %2 bytes</source>
+        <translation>%1, %2 Bytes</translation>
+    </message>
+    <message>
+        <source>None is known</source>
+        <translation>Keine bekannt</translation>
+    </message>
+    <message>
+        <source>Give the number of points along x, y and z, as in 64x64x32.</source>
+        <translation>Geben Sie die Zahl der Punkte entlang x, y und z an, wie in 64x64x32.</translation>
+    </message>
+    <message>
+        <source>Whether that fits</source>
+        <translation>Ob das passt</translation>
+    </message>
+    <message>
+        <source>&amp;Suggestion</source>
+        <translation>&amp;Vorschlag</translation>
+    </message>
+    <message>
+        <source>Opens the dataset so</source>
+        <translation>Öffnet den Datensatz so</translation>
+    </message>
+    <message>
+        <source>Stops reading, or closes this window</source>
+        <translation>Bricht das Lesen ab oder schließt dieses Fenster</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ImportRegion</name>
+    <message>
+        <source>&amp;All Points</source>
+        <translation>&amp;Alle Punkte</translation>
+    </message>
+    <message>
+        <source>Only a &amp;box in space</source>
+        <translation>Nur ein &amp;Quader im Raum</translation>
+    </message>
+    <message>
+        <source>Takes every point of the whole dataset</source>
+        <translation>Nimmt jeden Punkt des ganzen Datensatzes</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>Erster</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Letzter</translation>
+    </message>
+    <message>
+        <source>Stride</source>
+        <translation>Schrittweite</translation>
+    </message>
+    <message>
+        <source>First point along %1</source>
+        <translation>Erster Punkt entlang %1</translation>
+    </message>
+    <message>
+        <source>The first point that is taken, counted from 0</source>
+        <translation>Der erste Punkt, der genommen wird, von 0 an gezählt</translation>
+    </message>
+    <message>
+        <source>Last point along %1</source>
+        <translation>Letzter Punkt entlang %1</translation>
+    </message>
+    <message>
+        <source>The last point that is taken, counted from 0</source>
+        <translation>Der letzte Punkt, der genommen wird, von 0 an gezählt</translation>
+    </message>
+    <message>
+        <source>Stride along %1</source>
+        <translation>Schrittweite entlang %1</translation>
+    </message>
+    <message>
+        <source>Takes every so many points: 2 takes every second one</source>
+        <translation>Nimmt jeden so vielten Punkt: 2 nimmt jeden zweiten</translation>
+    </message>
+    <message>
+        <source>Takes only what lies in a box; of irregular meshes whole tetrahedra</source>
+        <translation>Nimmt nur, was in einem Quader liegt; von unregelmäßigen Netzen ganze Tetraeder</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>From %1</source>
+        <translation>Von %1</translation>
+    </message>
+    <message>
+        <source>To %1</source>
+        <translation>Bis %1</translation>
+    </message>
+    <message>
+        <source>A corner of the box, in the coordinates of the data</source>
+        <translation>Eine Ecke des Quaders, in den Koordinaten der Daten</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::IsovaluePanel</name>
+    <message>
+        <source>&amp;Add Isovalue</source>
+        <translation>&amp;Isowert hinzufügen</translation>
+    </message>
+    <message>
+        <source>No isovalue: there is nothing to draw but the outline.</source>
+        <translation>Kein Isowert: Außer dem Umriss ist nichts zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>Add an isosurface at another value (Ctrl+I)</source>
+        <translation>Fügt eine Isofläche bei einem weiteren Wert hinzu (Strg+I)</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::IsovalueRow</name>
+    <message>
+        <source>Isovalue</source>
+        <translation>Isowert</translation>
+    </message>
+    <message>
+        <source>Isovalue, in the units of the data: %1 to %2</source>
+        <translation>Isowert, in den Einheiten der Daten: %1 bis %2</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Opacity in percent; below 100 % what lies behind shows through</source>
+        <translation>Deckkraft in Prozent; unter 100 % scheint durch, was dahinter liegt</translation>
+    </message>
+    <message>
+        <source>Show this isosurface</source>
+        <translation>Diese Isofläche zeigen</translation>
+    </message>
+    <message>
+        <source>Remove this isovalue (Del)</source>
+        <translation>Diesen Isowert entfernen (Entf)</translation>
+    </message>
+    <message>
+        <source>Remove this isovalue</source>
+        <translation>Diesen Isowert entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::KeepSession</name>
+    <message>
+        <source>Save Session</source>
+        <translation>Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Sessions (*.tansession)</source>
+        <translation>Sitzungen (*.tansession)</translation>
+    </message>
+    <message>
+        <source>TAn ended unexpectedly while %1 was open. How it was seen can be restored.</source>
+        <translation>TAn wurde unerwartet beendet, während %1 geöffnet war. Die Ansicht kann wiederhergestellt werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>%1 holds the view that it shows, which can be restored.</source>
+        <translation>%1 enthält die Ansicht, die es zeigt; sie kann wiederhergestellt werden.</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::KeyFrameList</name>
+    <message>
+        <source>%1°, %2° at %3</source>
+        <translation>%1°, %2° bei %3</translation>
+    </message>
+    <message>
+        <source>%1, %2 tetrahedra</source>
+        <translation>%1, %2 Tetraeder</translation>
+    </message>
+    <message>
+        <source>%1, error %2</source>
+        <translation>%1, Fehler %2</translation>
+    </message>
+    <message>
+        <source>Key frames</source>
+        <translation>Schlüsselbilder</translation>
+    </message>
+    <message>
+        <source>Enter shows a key frame, Delete removes it, Alt with an arrow moves it</source>
+        <translation>Eingabe zeigt ein Schlüsselbild, Entf entfernt es, Alt mit einem Pfeil verschiebt es</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>&amp;Add View</source>
+        <translation>Ansicht hin&amp;zufügen</translation>
+    </message>
+    <message>
+        <source>Add what is seen now as the next key frame</source>
+        <translation>Was jetzt zu sehen ist, als nächstes Schlüsselbild hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>Put what is seen now in the place of this key frame</source>
+        <translation>Was jetzt zu sehen ist, an die Stelle dieses Schlüsselbilds setzen</translation>
+    </message>
+    <message>
+        <source>S&amp;how</source>
+        <translation>Zei&amp;gen</translation>
+    </message>
+    <message>
+        <source>Show this key frame (Enter)</source>
+        <translation>Dieses Schlüsselbild zeigen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>E&amp;ntfernen</translation>
+    </message>
+    <message>
+        <source>Remove this key frame (Delete)</source>
+        <translation>Dieses Schlüsselbild entfernen (Entf)</translation>
+    </message>
+    <message>
+        <source>&amp;Earlier</source>
+        <translation>&amp;Früher</translation>
+    </message>
+    <message>
+        <source>Exchange it with the key frame before it (Alt+Up)</source>
+        <translation>Mit dem Schlüsselbild davor tauschen (Alt+Auf)</translation>
+    </message>
+    <message>
+        <source>La&amp;ter</source>
+        <translation>S&amp;päter</translation>
+    </message>
+    <message>
+        <source>Exchange it with the key frame after it (Alt+Down)</source>
+        <translation>Mit dem Schlüsselbild danach tauschen (Alt+Ab)</translation>
+    </message>
+    <message>
+        <source>show of a key frame</source>
+        <translation>Zeigen eines Schlüsselbilds</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Azimuth and elevation, distance in the units of the data, accuracy</source>
+        <translation>Azimut und Höhe, Abstand in den Einheiten der Daten, Genauigkeit</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::MainWindow</name>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>One file can be open at a time; of those dropped, %1 was opened.</source>
+        <translation>Es kann nur eine Datei zugleich offen sein; von den abgelegten wurde %1 geöffnet.</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>&amp;Clear List</source>
+        <translation>Liste &amp;leeren</translation>
+    </message>
+    <message>
+        <source>%1 – TAn</source>
+        <translation>%1 – TAn</translation>
+    </message>
+    <message>
+        <source>TAn</source>
+        <translation>TAn</translation>
+    </message>
+    <message>
+        <source>The dataset is open. Build its model to look at it: the panel on the left has the options.</source>
+        <translation>Der Datensatz ist offen. Bauen Sie sein Modell, um ihn anzusehen: Das Feld links hat die Einstellungen.</translation>
+    </message>
+    <message>
+        <source>About TAn</source>
+        <translation>Über TAn</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;TAn %1&lt;/h3&gt;&lt;p&gt;Tetrahedra Analyzer: multiresolution volume data with a known error.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;TAn %1&lt;/h3&gt;&lt;p&gt;Tetrahedra Analyzer: Volumendaten in vielen Auflösungen mit bekanntem Fehler.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Saving</source>
+        <translation>Wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Drawing the picture</source>
+        <translation>Das Bild wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Drawing the film</source>
+        <translation>Der Film wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Picture copied, %1 × %2 pixels</source>
+        <translation>Bild kopiert, %1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source>Drawing the picture, %1 more waiting</source>
+        <translation>Das Bild wird gezeichnet, %1 weitere warten</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::MessageBar</name>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 weitere</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::MessageRow</name>
+    <message>
+        <source>Dismiss this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1-mal</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ModeActions</name>
+    <message>
+        <source>Show %1 (%2)</source>
+        <translation>%1 zeigen (%2)</translation>
+    </message>
+    <message>
+        <source>Open a model first</source>
+        <translation>Erst ein Modell öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ParameterForm</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::PictureDialog</name>
+    <message>
+        <source>Say in the &amp;file how it was made</source>
+        <translation>In der &amp;Datei sagen, wie es entstand</translation>
+    </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Program, model, accuracy, camera, transfer function and isovalues, so that the picture can be made again: opening it offers its view</source>
+        <translation>Programm, Modell, Genauigkeit, Kamera, Transferfunktion und Isowerte, sodass das Bild noch einmal gemacht werden kann: Beim Öffnen wird seine Ansicht angeboten</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Speichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Cl&amp;ose</source>
+        <translation>Schl&amp;ießen</translation>
+    </message>
+    <message>
+        <source>Put it on the clipboard</source>
+        <translation>In die Zwischenablage legen</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::PictureForm</name>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Width in pixels</source>
+        <translation>Breite in Pixeln</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Height in pixels</source>
+        <translation>Höhe in Pixeln</translation>
+    </message>
+    <message>
+        <source> dpi</source>
+        <translation> dpi</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>Pixels an inch when it is printed; the number of pixels does not change</source>
+        <translation>Pixel pro Zoll, wenn es gedruckt wird; die Zahl der Pixel ändert sich nicht</translation>
+    </message>
+    <message>
+        <source>Trans&amp;parent background</source>
+        <translation>&amp;Durchsichtiger Hintergrund</translation>
+    </message>
+    <message>
+        <source>As seen</source>
+        <translation>Wie zu sehen</translation>
+    </message>
+    <message>
+        <source>Twice as seen</source>
+        <translation>Doppelt so groß</translation>
+    </message>
+    <message>
+        <source>HD</source>
+        <translation>HD</translation>
+    </message>
+    <message>
+        <source>Full HD</source>
+        <translation>Full HD</translation>
+    </message>
+    <message>
+        <source>4K</source>
+        <translation>4K</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>Annotations and lines take as much of the picture as they do of the view</source>
+        <translation>Beschriftung und Linien nehmen so viel vom Bild ein wie von der Ansicht</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>Only what is shown, to be laid over something else</source>
+        <translation>Nur das Gezeigte, um es über anderes zu legen</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>Annotations</source>
+        <translation>Beschriftung</translation>
+    </message>
+    <message>
+        <source>%1 × %2 cm</source>
+        <translation>%1 × %2 cm</translation>
+    </message>
+    <message>
+        <source>Pixe&amp;ls</source>
+        <translation>Pi&amp;xel</translation>
+    </message>
+    <message>
+        <source>Pri&amp;nted</source>
+        <translation>Gedruck&amp;t</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::PluginWindow</name>
+    <message>
+        <source>Plugins</source>
+        <translation>Plugins</translation>
+    </message>
+    <message>
+        <source>Plugin</source>
+        <translation>Plugin</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>Looked for in: %1</source>
+        <translation>Gesucht in: %1</translation>
+    </message>
+    <message>
+        <source>The plugin %1 cannot be used. %2</source>
+        <translation>Das Plugin %1 kann nicht benutzt werden. %2</translation>
+    </message>
+    <message>
+        <source>What was found, and why something is not used. Space switches a plugin on or off.</source>
+        <translation>Was gefunden wurde, und warum etwas nicht benutzt wird. Die Leertaste schaltet ein Plugin ein oder aus.</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>What was switched on or off counts when TAn starts the next time.</source>
+        <translation>Was ein- oder ausgeschaltet wurde, gilt, wenn TAn das nächste Mal startet.</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy all of this as text, for a report of an error</source>
+        <translation>Kopiert all das als Text, für einen Fehlerbericht</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::PointNumbers</name>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Value of what is selected, in the units of the data; selected points move together</source>
+        <translation>Wert des Ausgewählten in den Einheiten der Daten; ausgewählte Punkte bewegen sich gemeinsam</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Opacity of the selected points, in percent of the light that a unit distance takes away</source>
+        <translation>Deckkraft der ausgewählten Punkte in Prozent des Lichts, das eine Einheitslänge wegnimmt</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Colour of what is selected</source>
+        <translation>Farbe des Ausgewählten</translation>
+    </message>
+    <message>
+        <source>Unit distance</source>
+        <translation>Einheitslänge</translation>
+    </message>
+    <message>
+        <source>The thickness, in the units of the data, that a layer must have for the opacities to hold: less makes everything denser</source>
+        <translation>Die Dicke, in den Einheiten der Daten, bei der eine Schicht die Deckkraft hat: weniger macht alles dichter</translation>
+    </message>
+    <message>
+        <source>Val&amp;ue</source>
+        <translation>&amp;Wert</translation>
+    </message>
+    <message>
+        <source>O&amp;pacity</source>
+        <translation>&amp;Deckkraft</translation>
+    </message>
+    <message>
+        <source>U&amp;nit distance</source>
+        <translation>Ein&amp;heitslänge</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::PointTable</name>
+    <message>
+        <source>Points of the transfer function</source>
+        <translation>Punkte der Transferfunktion</translation>
+    </message>
+    <message>
+        <source>Double click or F2 edits a cell; Del removes the selected points</source>
+        <translation>Doppelklick oder F2 bearbeitet eine Zelle; Entf entfernt die ausgewählten Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::PointTableModel</name>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Opacity, %</source>
+        <translation>Deckkraft, %</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>In the units of the data</source>
+        <translation>In den Einheiten der Daten</translation>
+    </message>
+    <message>
+        <source>Of the light that a unit distance takes away</source>
+        <translation>Des Lichts, das eine Einheitslänge wegnimmt</translation>
+    </message>
+    <message>
+        <source>As a name or as #rrggbb</source>
+        <translation>Als Name oder als #rrggbb</translation>
+    </message>
+    <message>
+        <source>0 to 9, or empty</source>
+        <translation>0 bis 9, oder leer</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::PresetPopup</name>
+    <message>
+        <source>&amp;Save as preset…</source>
+        <translation>Als Vorlage &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Search for a preset</source>
+        <translation>Nach einer Vorlage suchen</translation>
+    </message>
+    <message>
+        <source>What to take of a preset</source>
+        <translation>Was von einer Vorlage übernommen wird</translation>
+    </message>
+    <message>
+        <source>Colours and opacities</source>
+        <translation>Farben und Deckkraft</translation>
+    </message>
+    <message>
+        <source>Colours alone</source>
+        <translation>Nur die Farben</translation>
+    </message>
+    <message>
+        <source>Opacities alone</source>
+        <translation>Nur die Deckkraft</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>Keep the transfer function as it is now, for this and for other models</source>
+        <translation>Die Transferfunktion, wie sie jetzt ist, für dieses und andere Modelle behalten</translation>
+    </message>
+    <message>
+        <source>Delete the chosen preset, if it is one of your own</source>
+        <translation>Die gewählte Vorlage löschen, wenn es eine eigene ist</translation>
+    </message>
+    <message>
+        <source>One of your own</source>
+        <translation>Eine eigene</translation>
+    </message>
+    <message>
+        <source>Save as Preset</source>
+        <translation>Als Vorlage speichern</translation>
+    </message>
+    <message>
+        <source>Name of the preset:</source>
+        <translation>Name der Vorlage:</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::RegionActions</name>
+    <message>
+        <source>Focus: &amp;Sphere</source>
+        <translation>Fokus: &amp;Kugel</translation>
+    </message>
+    <message>
+        <source>More accurate in a sphere</source>
+        <translation>Genauer in einer Kugel</translation>
+    </message>
+    <message>
+        <source>Focus: &amp;Box</source>
+        <translation>Fokus: &amp;Quader</translation>
+    </message>
+    <message>
+        <source>More accurate in a box</source>
+        <translation>Genauer in einem Quader</translation>
+    </message>
+    <message>
+        <source>Focus to &amp;Centre of View</source>
+        <translation>Fokus zur Bild&amp;mitte</translation>
+    </message>
+    <message>
+        <source>Move the focus to what the camera looks at</source>
+        <translation>Den Fokus dorthin holen, wohin die Kamera blickt</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Fenster</translation>
+    </message>
+    <message>
+        <source>Show the part of the domain in a box only</source>
+        <translation>Nur den Teil des Gebiets in einem Quader zeigen</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Switch on a focus first</source>
+        <translation>Erst einen Fokus einschalten</translation>
+    </message>
+    <message>
+        <source>Open a model first</source>
+        <translation>Erst ein Modell öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::RegionPanel</name>
+    <message>
+        <source>Only a &amp;window</source>
+        <translation>Nur ein &amp;Fenster</translation>
+    </message>
+    <message>
+        <source>Show the part of the domain in a box only (W)</source>
+        <translation>Nur den Teil des Gebiets in einem Quader zeigen (W)</translation>
+    </message>
+    <message>
+        <source>Where the window ends, in the coordinates of the data</source>
+        <translation>Wo das Fenster endet, in den Koordinaten der Daten</translation>
+    </message>
+    <message>
+        <source>&amp;To</source>
+        <translation>B&amp;is</translation>
+    </message>
+    <message>
+        <source>Cut off</source>
+        <translation>Abgeschnitten</translation>
+    </message>
+    <message>
+        <source>All that touch the window</source>
+        <translation>Alle, die es berühren</translation>
+    </message>
+    <message>
+        <source>Only those inside</source>
+        <translation>Nur die ganz innen</translation>
+    </message>
+    <message>
+        <source>Tetrahedra at the border</source>
+        <translation>Tetraeder am Rand</translation>
+    </message>
+    <message>
+        <source>What becomes of the tetrahedra at the border of the window: cut off, it ends exactly there; whole, it is ragged</source>
+        <translation>Was aus den Tetraedern am Rand des Fensters wird: abgeschnitten endet es genau dort; mit ganzen ist es gezackt</translation>
+    </message>
+    <message>
+        <source>&amp;Border</source>
+        <translation>&amp;Rand</translation>
+    </message>
+    <message>
+        <source>Make the window as large as the domain</source>
+        <translation>Das Fenster so groß machen wie das Gebiet</translation>
+    </message>
+    <message>
+        <source>In the units of the data: %1 to %2</source>
+        <translation>In der Einheit der Daten: %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Smallest value</source>
+        <translation>Kleinster Wert</translation>
+    </message>
+    <message>
+        <source>Largest value</source>
+        <translation>Größter Wert</translation>
+    </message>
+    <message>
+        <source>Onl&amp;y some values</source>
+        <translation>Nur manche &amp;Werte</translation>
+    </message>
+    <message>
+        <source>Fro&amp;m</source>
+        <translation>&amp;Von</translation>
+    </message>
+    <message>
+        <source>Whole Domai&amp;n</source>
+        <translation>Ganzes Gebie&amp;t</translation>
+    </message>
+    <message>
+        <source>&amp;Smallest</source>
+        <translation>&amp;Kleinster</translation>
+    </message>
+    <message>
+        <source>&amp;Largest</source>
+        <translation>&amp;Größter</translation>
+    </message>
+    <message>
+        <source>Show only tetrahedra that can contain a value of a range. Isosurfaces of other values are not seen, or only in part.</source>
+        <translation>Nur Tetraeder zeigen, die einen Wert eines Bereichs enthalten können. Isoflächen anderer Werte sind nicht oder nur teilweise zu sehen.</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::RenderingPanel</name>
+    <message>
+        <source>What is shown of the data</source>
+        <translation>Was von den Daten gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Rendering mode</source>
+        <translation>Darstellungsart</translation>
+    </message>
+    <message>
+        <source>Automatic (%1 frames/s)</source>
+        <translation>Automatisch (%1 Bilder/s)</translation>
+    </message>
+    <message>
+        <source> frames/s</source>
+        <translation> Bilder/s</translation>
+    </message>
+    <message>
+        <source>Pictures a second while something moves. If there is not time enough they are drawn smaller and of fewer tetrahedra; the picture at rest is always the full one.</source>
+        <translation>Bilder in der Sekunde, während sich etwas bewegt. Reicht die Zeit nicht, werden sie kleiner und aus weniger Tetraedern gezeichnet; das ruhende Bild ist immer das volle.</translation>
+    </message>
+    <message>
+        <source>Frame rate while moving</source>
+        <translation>Bildrate in Bewegung</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>While movin&amp;g</source>
+        <translation>In Bewe&amp;gung</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::SlicePreview</name>
+    <message>
+        <source>Preview of a layer</source>
+        <translation>Vorschau einer Schicht</translation>
+    </message>
+    <message>
+        <source>Axis of the layers</source>
+        <translation>Achse der Schichten</translation>
+    </message>
+    <message>
+        <source>The axis across which the layer lies</source>
+        <translation>Die Achse, quer zu der die Schicht liegt</translation>
+    </message>
+    <message>
+        <source>Across %1</source>
+        <translation>Quer zu %1</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Schicht</translation>
+    </message>
+    <message>
+        <source>The layer that is shown, counted from 0</source>
+        <translation>Die gezeigte Schicht, von 0 an gezählt</translation>
+    </message>
+    <message>
+        <source>No layout that could be shown</source>
+        <translation>Keine Anordnung, die sich zeigen ließe</translation>
+    </message>
+    <message>
+        <source>%1 to the right, %2 up; black %3, white %4</source>
+        <translation>%1 nach rechts, %2 nach oben; schwarz %3, weiß %4</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::StatisticsPanel</name>
+    <message>
+        <source>Mesh sizes</source>
+        <translation>Netzgrößen</translation>
+    </message>
+    <message>
+        <source>What the mesh of each error costs: its error in percent of the range of values and in their units, its size, the time to extract it, as measured here, and the memory that it occupies. Choose a line to see that mesh.</source>
+        <translation>Was das Netz jedes Fehlers kostet: der Fehler in Prozent des Wertebereichs und in den Einheiten der Werte, die Größe, die Zeit für die Extraktion, wie hier gemessen, und der Speicher, den es belegt. Eine Zeile wählen, um dieses Netz zu sehen.</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Speichern …</translation>
+    </message>
+    <message>
+        <source>Copy all of this as text, with tabs between the columns</source>
+        <translation>Kopiert all das als Text, mit Tabulatoren zwischen den Spalten</translation>
+    </message>
+    <message>
+        <source>Save the table as CSV or JSON, in % and under no locale</source>
+        <translation>Speichert die Tabelle als CSV oder JSON, in % und ohne Spracheinstellung</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::StatusLine</name>
+    <message>
+        <source>The picture at the chosen accuracy is being made</source>
+        <translation>Das Bild in der gewählten Genauigkeit entsteht gerade</translation>
+    </message>
+    <message>
+        <source>Data points in the mesh that is shown</source>
+        <translation>Datenpunkte im gezeigten Netz</translation>
+    </message>
+    <message>
+        <source>Tetrahedra in the mesh that is shown</source>
+        <translation>Tetraeder im gezeigten Netz</translation>
+    </message>
+    <message>
+        <source>Triangles of all isosurfaces that are shown</source>
+        <translation>Dreiecke aller gezeigten Isoflächen</translation>
+    </message>
+    <message>
+        <source>Time for taking the mesh out of the model</source>
+        <translation>Zeit, um das Netz aus dem Modell zu holen</translation>
+    </message>
+    <message>
+        <source>Memory that the program occupies, mapped files included</source>
+        <translation>Speicher, den das Programm belegt, eingeblendete Dateien eingeschlossen</translation>
+    </message>
+    <message>
+        <source>What draws the picture: OpenGL or the processor</source>
+        <translation>Was das Bild zeichnet: OpenGL oder der Prozessor</translation>
+    </message>
+    <message>
+        <source>%1 sites</source>
+        <translation>%1 Stützpunkte</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra</source>
+        <translation>%1 Tetraeder</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 Dreiecke</translation>
+    </message>
+    <message>
+        <source>extracted in %1</source>
+        <translation>geholt in %1</translation>
+    </message>
+    <message>
+        <source>%1 a frame</source>
+        <translation>%1 je Bild</translation>
+    </message>
+    <message>
+        <source>Time for drawing the last picture; while it moves the frames a second, and how much smaller and of how many tetrahedra they are</source>
+        <translation>Zeit für das Zeichnen des letzten Bildes; in Bewegung die Bilder in der Sekunde, und wie viel kleiner und aus wie vielen Tetraedern sie sind</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 Bilder/s</translation>
+    </message>
+    <message>
+        <source>size 1/%1</source>
+        <translation>Größe 1/%1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+</context>
+<context>
+    <name>tetra::TaskLine</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::TransferCanvas</name>
+    <message>
+        <source>Transfer function</source>
+        <translation>Transferfunktion</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>Point %1 of %2: value %3, opacity %4</source>
+        <translation>Punkt %1 von %2: Wert %3, Deckkraft %4</translation>
+    </message>
+    <message>
+        <source>Opacity against value. Drag points, click the curve or double click to add one, Delete removes; arrow keys move (finer with Ctrl, farther with Shift), Tab goes to the next. A frame or Ctrl+click selects several. The wheel zooms the values, with Ctrl the opacities; Home shows all. Ctrl+digit makes a group, the digit selects it. Behind: how often the values occur in the mesh.</source>
+        <translation>Deckkraft über dem Wert. Punkte ziehen, mit Klick auf die Kurve oder Doppelklick einen hinzufügen, Entf entfernt; Pfeiltasten bewegen (feiner mit Strg, weiter mit Umschalt), Tab geht zum nächsten. Ein Rahmen oder Strg+Klick wählt mehrere aus. Das Rad vergrößert die Werte, mit Strg die Deckkraft; Pos1 zeigt alles. Strg+Ziffer bildet eine Gruppe, die Ziffer wählt sie aus. Dahinter: wie oft die Werte im Netz vorkommen.</translation>
+    </message>
+    <message>
+        <source>%1 points are selected</source>
+        <translation>%1 Punkte sind ausgewählt</translation>
+    </message>
+    <message>
+        <source>Value %1, opacity %2</source>
+        <translation>Wert %1, Deckkraft %2</translation>
+    </message>
+    <message>
+        <source>group %1</source>
+        <translation>Gruppe %1</translation>
+    </message>
+    <message>
+        <source>Isovalue %1 of %2: %3</source>
+        <translation>Isowert %1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>Lower end of the mask: %1</source>
+        <translation>Unteres Ende der Maske: %1</translation>
+    </message>
+    <message>
+        <source>Upper end of the mask: %1</source>
+        <translation>Oberes Ende der Maske: %1</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::TransferPanel</name>
+    <message>
+        <source>S&amp;tep</source>
+        <translation>S&amp;tufe</translation>
+    </message>
+    <message>
+        <source>Lo&amp;garithmic</source>
+        <translation>Lo&amp;garithmisch</translation>
+    </message>
+    <message>
+        <source>Give the point two sides: what lies below its value ends there, and what lies above begins</source>
+        <translation>Dem Punkt zwei Seiten geben: was unter seinem Wert liegt, endet dort, und was darüber liegt, beginnt</translation>
+    </message>
+    <message>
+        <source>Show how often values occur on a logarithmic scale, so that rare ones are seen</source>
+        <translation>Die Häufigkeit der Werte logarithmisch zeigen, damit man auch seltene sieht</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>Transfer functions to begin with</source>
+        <translation>Transferfunktionen zum Anfangen</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Laden …</translation>
+    </message>
+    <message>
+        <source>Take a transfer function from a file: one of TAn or presets of ParaView (JSON or XML)</source>
+        <translation>Eine Transferfunktion aus einer Datei nehmen: eine von TAn oder Vorlagen von ParaView (JSON oder XML)</translation>
+    </message>
+    <message>
+        <source>The file holds several presets:</source>
+        <translation>Die Datei enthält mehrere Vorlagen:</translation>
+    </message>
+    <message>
+        <source>Save for &amp;ParaView…</source>
+        <translation>Für &amp;ParaView speichern …</translation>
+    </message>
+    <message>
+        <source>Save Transfer Function for ParaView</source>
+        <translation>Transferfunktion für ParaView speichern</translation>
+    </message>
+    <message>
+        <source>ParaView presets (*.json)</source>
+        <translation>ParaView-Vorlagen (*.json)</translation>
+    </message>
+    <message>
+        <source>Transfer functions (*.json *.xml)</source>
+        <translation>Transferfunktionen (*.json *.xml)</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern …</translation>
+    </message>
+    <message>
+        <source>Save the transfer function as a JSON file, which “tan render” takes, too</source>
+        <translation>Die Transferfunktion als JSON-Datei speichern, die auch „tan render“ nimmt</translation>
+    </message>
+    <message>
+        <source>Load Transfer Function</source>
+        <translation>Transferfunktion laden</translation>
+    </message>
+    <message>
+        <source>Transfer functions (*.json)</source>
+        <translation>Transferfunktionen (*.json)</translation>
+    </message>
+    <message>
+        <source>Save Transfer Function</source>
+        <translation>Transferfunktion speichern</translation>
+    </message>
+    <message>
+        <source>Axis of opacities</source>
+        <translation>Achse der Deckkraft</translation>
+    </message>
+    <message>
+        <source>&amp;Linear</source>
+        <translation>&amp;Linear</translation>
+    </message>
+    <message>
+        <source>S&amp;quare root</source>
+        <translation>&amp;Quadratwurzel</translation>
+    </message>
+    <message>
+        <source>L&amp;ogarithmic: fine near zero</source>
+        <translation>L&amp;ogarithmisch: fein nahe null</translation>
+    </message>
+    <message>
+        <source>Zoom to the &amp;selected points</source>
+        <translation>Auf die &amp;ausgewählten Punkte vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom to the &amp;values of the data</source>
+        <translation>Auf die &amp;Werte der Daten vergrößern</translation>
+    </message>
+    <message>
+        <source>Show &amp;all</source>
+        <translation>A&amp;lles zeigen</translation>
+    </message>
+    <message>
+        <source>Value, opacity, colour and how often it occurs, at the pointer</source>
+        <translation>Wert, Deckkraft, Farbe und Häufigkeit unter dem Mauszeiger</translation>
+    </message>
+    <message>
+        <source>Add a point after the selected one, or click on the curve, or double click in the plot</source>
+        <translation>Einen Punkt nach dem ausgewählten hinzufügen; oder auf die Kurve klicken, oder doppelt in das Diagramm</translation>
+    </message>
+    <message>
+        <source>Remove what is selected (Del)</source>
+        <translation>Das Ausgewählte entfernen (Entf)</translation>
+    </message>
+    <message>
+        <source>Change the selected points, or all</source>
+        <translation>Die ausgewählten Punkte ändern, oder alle</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>How the plot is shown</source>
+        <translation>Wie das Diagramm gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maske</translation>
+    </message>
+    <message>
+        <source>Show some values only: between two lines that can be dragged</source>
+        <translation>Nur einige Werte zeigen: zwischen zwei Linien, die sich ziehen lassen</translation>
+    </message>
+    <message>
+        <source>Show all points in a table to be edited</source>
+        <translation>Alle Punkte in einer Tabelle zum Bearbeiten zeigen</translation>
+    </message>
+    <message>
+        <source>Read-out</source>
+        <translation>Anzeige</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Einen Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove what is selected</source>
+        <translation>Das Ausgewählte entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ViewPanel</name>
+    <message>
+        <source>&amp;Load…</source>
+        <translation>&amp;Laden …</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve…</source>
+        <translation>Spei&amp;chern …</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Azimuth</source>
+        <translation>Azimut</translation>
+    </message>
+    <message>
+        <source>Direction around the z axis, in degrees; 0 looks along y</source>
+        <translation>Richtung um die z-Achse, in Grad; 0 blickt entlang y</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Height above the xy plane, in degrees</source>
+        <translation>Höhe über der xy-Ebene, in Grad</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>From the eye to the target, in the units of the data</source>
+        <translation>Vom Auge zum Ziel, in den Einheiten der Daten</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Blickwinkel</translation>
+    </message>
+    <message>
+        <source>Angle that the shorter side of the picture spans, in degrees</source>
+        <translation>Winkel, den die kürzere Seite des Bildes umfasst, in Grad</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektivisch</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>Parallel</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>Whether what is farther away looks smaller (Ctrl+P)</source>
+        <translation>Ob kleiner aussieht, was weiter weg ist (Strg+P)</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>The point that is looked at, in the units of the data</source>
+        <translation>Der Punkt, auf den geblickt wird, in den Einheiten der Daten</translation>
+    </message>
+    <message>
+        <source>A&amp;zimuth</source>
+        <translation>A&amp;zimut</translation>
+    </message>
+    <message>
+        <source>E&amp;levation</source>
+        <translation>H&amp;öhe</translation>
+    </message>
+    <message>
+        <source>D&amp;istance</source>
+        <translation>Abs&amp;tand</translation>
+    </message>
+    <message>
+        <source>&amp;Angle</source>
+        <translation>W&amp;inkel</translation>
+    </message>
+    <message>
+        <source>Pro&amp;jection</source>
+        <translation>Pro&amp;jektion</translation>
+    </message>
+    <message>
+        <source>Look from this side</source>
+        <translation>Von dieser Seite blicken</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Show the whole domain (Home)</source>
+        <translation>Das ganze Gebiet zeigen (Pos1)</translation>
+    </message>
+    <message>
+        <source>Colour behind what is shown, also in saved pictures</source>
+        <translation>Farbe hinter dem Gezeigten, auch in gespeicherten Bildern</translation>
+    </message>
+    <message>
+        <source>Background colour</source>
+        <translation>Hintergrundfarbe</translation>
+    </message>
+    <message>
+        <source>Usual</source>
+        <translation>Üblich</translation>
+    </message>
+    <message>
+        <source>The colour that fits the window, light or dark</source>
+        <translation>Die Farbe, die zum Fenster passt, hell oder dunkel</translation>
+    </message>
+    <message>
+        <source>Take the camera from a JSON file</source>
+        <translation>Die Kamera aus einer JSON-Datei nehmen</translation>
+    </message>
+    <message>
+        <source>Save the camera as a JSON file, which “tan render --camera” takes, too</source>
+        <translation>Die Kamera als JSON-Datei speichern, die auch „tan render --camera“ nimmt</translation>
+    </message>
+    <message>
+        <source>Bac&amp;kground</source>
+        <translation>Hinter&amp;grund</translation>
+    </message>
+    <message>
+        <source>Load Camera</source>
+        <translation>Kamera laden</translation>
+    </message>
+    <message>
+        <source>Cameras (*.json)</source>
+        <translation>Kameras (*.json)</translation>
+    </message>
+    <message>
+        <source>Save Camera</source>
+        <translation>Kamera speichern</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::Viewport</name>
+    <message>
+        <source>OpenGL cannot be used, the picture is drawn by the processor instead. %1</source>
+        <translation>OpenGL ist nicht benutzbar, stattdessen zeichnet der Prozessor das Bild. %1</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::Workbench</name>
+    <message>
+        <source>Models (*.tan)</source>
+        <translation>Modelle (*.tan)</translation>
+    </message>
+    <message>
+        <source>All that can be opened (%1)</source>
+        <translation>Alles, was sich öffnen lässt (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
+        <translation>Kein Plugin zur Darstellung konnte geladen werden; so lässt sich kein Modell zeigen. %1</translation>
+    </message>
+    <message>
+        <source>Sessions (*.tansession)</source>
+        <translation>Sitzungen (*.tansession)</translation>
+    </message>
+    <message>
+        <source>The model %1 is another one than when the session was saved: it was built anew, or replaced. It is shown as the session says, as far as that fits.</source>
+        <translation>Das Modell %1 ist ein anderes als beim Speichern der Sitzung: Es wurde neu gebaut oder ersetzt. Es wird so gezeigt, wie die Sitzung sagt, soweit das passt.</translation>
+    </message>
+    <message>
+        <source>Pictures with their sessions (*.png)</source>
+        <translation>Bilder mit ihren Sitzungen (*.png)</translation>
+    </message>
+</context>
 </TS>

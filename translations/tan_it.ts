@@ -271,12 +271,109 @@
         <source>There is nothing to redo</source>
         <translation>Non c&apos;è nulla da ripetere</translation>
     </message>
+    <message>
+        <source>Save &amp;Film…</source>
+        <translation>Salva &amp;filmato…</translation>
+    </message>
+    <message>
+        <source>Save the animation as pictures or a video</source>
+        <translation>Salva l&apos;animazione come immagini o come video</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Picture</source>
+        <translation>&amp;Copia immagine</translation>
+    </message>
+    <message>
+        <source>Put what is seen on the clipboard, in the size that it is seen in</source>
+        <translation>Mette negli appunti ciò che si vede, nella grandezza in cui si vede</translation>
+    </message>
+    <message>
+        <source>&amp;Annotations</source>
+        <translation>&amp;Annotazioni</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Manuale</translation>
+    </message>
+    <message>
+        <source>Read how everything works, in the web browser</source>
+        <translation>Leggere nel browser come funziona tutto</translation>
+    </message>
 </context>
 <context>
     <name>AddIsovalue</name>
     <message>
         <source>new isovalue</source>
         <translation>nuovo isovalore</translation>
+    </message>
+</context>
+<context>
+    <name>Annotations</name>
+    <message>
+        <source>Value</source>
+        <translation>Valore</translation>
+    </message>
+    <message>
+        <source>%1 units at the target</source>
+        <translation>%1 unità alla distanza del punto mirato</translation>
+    </message>
+    <message>
+        <source>%1 units</source>
+        <translation>%1 unità</translation>
+    </message>
+    <message>
+        <source>Colour &amp;bar</source>
+        <translation>&amp;Barra dei colori</translation>
+    </message>
+    <message>
+        <source>A&amp;xes</source>
+        <translation>A&amp;ssi</translation>
+    </message>
+    <message>
+        <source>&amp;Scale bar</source>
+        <translation>Barra di &amp;scala</translation>
+    </message>
+    <message>
+        <source>&amp;Title</source>
+        <translation>&amp;Titolo</translation>
+    </message>
+    <message>
+        <source>A&amp;ccuracy</source>
+        <translation>A&amp;ccuratezza</translation>
+    </message>
+    <message>
+        <source>Values and their colours, in the units of the data; right their opacity, with marks at the isovalues</source>
+        <translation>I valori e i loro colori, nelle unità dei dati; a destra l&apos;opacità, con segni agli isovalori</translation>
+    </message>
+    <message>
+        <source>The directions of x, y and z</source>
+        <translation>Le direzioni di x, y e z</translation>
+    </message>
+    <message>
+        <source>A length in the units of the data; in perspective that of things as far away as the target</source>
+        <translation>Una lunghezza nelle unità dei dati; in prospettiva quella delle cose distanti quanto il punto mirato</translation>
+    </message>
+    <message>
+        <source>The name of the model</source>
+        <translation>Il nome del modello</translation>
+    </message>
+    <message>
+        <source>The error that what is shown keeps, in % of the value range</source>
+        <translation>L&apos;errore che ciò che si vede non supera, in % dell&apos;intervallo dei valori</translation>
+    </message>
+</context>
+<context>
+    <name>ChangeAnimation</name>
+    <message>
+        <source>change of animation</source>
+        <translation>modifica dell&apos;animazione</translation>
+    </message>
+</context>
+<context>
+    <name>ChangeAnnotations</name>
+    <message>
+        <source>change of annotations</source>
+        <translation>modifica delle annotazioni</translation>
     </message>
 </context>
 <context>
@@ -333,17 +430,6 @@
     <message>
         <source>change of view</source>
         <translation>modifica della vista</translation>
-    </message>
-</context>
-<context>
-    <name>ColourMapNames</name>
-    <message>
-        <source>&amp;Cool to warm</source>
-        <translation>Da fre&amp;ddo a caldo</translation>
-    </message>
-    <message>
-        <source>&amp;Grey</source>
-        <translation>&amp;Grigio</translation>
     </message>
 </context>
 <context>
@@ -434,6 +520,25 @@
     <message>
         <source>Which part of the domain is shown at all: a box, and a range of values.</source>
         <translation>Quale parte del dominio si mostra: un parallelepipedo e un intervallo di valori.</translation>
+    </message>
+    <message>
+        <source>Animation</source>
+        <translation>Animazione</translation>
+    </message>
+    <message>
+        <source>Films of the model: a turntable, or a path through key frames that you choose.</source>
+        <translation>Filmati del modello: un giro completo, o un percorso tra fotogrammi chiave scelti da voi.</translation>
+    </message>
+</context>
+<context>
+    <name>EditorPage</name>
+    <message>
+        <source>The editor cannot be used. %1</source>
+        <translation>L&apos;editor non si può usare. %1</translation>
+    </message>
+    <message>
+        <source>Help › Plugins lists all plugins and where they are looked for.</source>
+        <translation>Aiuto › Plugin elenca tutti i plugin e dove vengono cercati.</translation>
     </message>
 </context>
 <context>
@@ -598,6 +703,17 @@
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>Manual</name>
+    <message>
+        <source>The manual is not installed. Install the package tan again with its documentation, or build TAn with the package python3-markdown; the same texts are in the folder docs of its sources.</source>
+        <translation>Il manuale non è installato. Installare di nuovo il pacchetto tan con la sua documentazione, oppure compilare TAn con il pacchetto python3-markdown; gli stessi testi sono nella cartella docs dei sorgenti.</translation>
+    </message>
+    <message>
+        <source>No program opens web pages here. Install a web browser, or read %1.</source>
+        <translation>Qui nessun programma apre pagine web. Installare un browser, oppure leggere %1.</translation>
     </message>
 </context>
 <context>
@@ -1422,6 +1538,40 @@
         <source>stress in a plate with five holes and a closed cavity: an irregular mesh</source>
         <translation>tensione in una piastra con cinque fori e una cavità chiusa: una mesh irregolare</translation>
     </message>
+    <message>
+        <source>Transfer function editor</source>
+        <translation>Editor della funzione di trasferimento</translation>
+    </message>
+    <message>
+        <source>Edits the colour and the opacity of each value, over how often the values occur.</source>
+        <translation>Modifica il colore e l&apos;opacità di ogni valore, sopra la frequenza dei valori.</translation>
+    </message>
+</context>
+<context>
+    <name>PointClipboard</name>
+    <message>
+        <source>The clipboard holds no points of a transfer function. Copy some here or in another window. %1</source>
+        <translation>Gli appunti non contengono punti di una funzione di trasferimento. Copiarne alcuni qui o in un&apos;altra finestra. %1</translation>
+    </message>
+</context>
+<context>
+    <name>PresetNames</name>
+    <message>
+        <source>Cool to warm</source>
+        <translation>Da freddo a caldo</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grigi</translation>
+    </message>
+    <message>
+        <source>Sequential: opaque where values are large</source>
+        <translation>Crescente: opaca dove i valori sono grandi</translation>
+    </message>
+    <message>
+        <source>Diverging: opaque at both ends</source>
+        <translation>Divergente: opaca ai due estremi</translation>
+    </message>
 </context>
 <context>
     <name>RemoveIsovalue</name>
@@ -1507,6 +1657,17 @@
     <message>
         <source>A frame</source>
         <translation>Un&apos;immagine</translation>
+    </message>
+</context>
+<context>
+    <name>ValueReadOut</name>
+    <message>
+        <source>%1: %2, %3</source>
+        <translation>%1: %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 vertices</source>
+        <translation>%1 vertici</translation>
     </message>
 </context>
 <context>
@@ -1625,6 +1786,152 @@ deformazione %2</translation>
     <message>
         <source>Error in percent of the value range: coarse on the left, every sample exact on the right</source>
         <translation>Errore in percento dell&apos;intervallo dei valori: grossolano a sinistra, ogni campione esatto a destra</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::AnimationPanel</name>
+    <message>
+        <source>&amp;Save Film…</source>
+        <translation>&amp;Salva filmato…</translation>
+    </message>
+    <message>
+        <source>Kind of film</source>
+        <translation>Tipo di filmato</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Giro completo</translation>
+    </message>
+    <message>
+        <source>Key frames</source>
+        <translation>Fotogrammi chiave</translation>
+    </message>
+    <message>
+        <source>The camera goes round what is shown, or from view to view</source>
+        <translation>La camera gira attorno a ciò che si vede, o va da vista a vista</translation>
+    </message>
+    <message>
+        <source>Frames a second</source>
+        <translation>Fotogrammi al secondo</translation>
+    </message>
+    <message>
+        <source> frames/s</source>
+        <translation> immagini/s</translation>
+    </message>
+    <message>
+        <source>Pictures a second of the film</source>
+        <translation>Immagini al secondo nel filmato</translation>
+    </message>
+    <message>
+        <source>Write it as pictures or a video</source>
+        <translation>Lo scrive come immagini o come video</translation>
+    </message>
+    <message>
+        <source>&amp;Kind</source>
+        <translation>&amp;Tipo</translation>
+    </message>
+    <message>
+        <source>Ra&amp;te</source>
+        <translation>&amp;Cadenza</translation>
+    </message>
+    <message>
+        <source>Axis to turn around</source>
+        <translation>Asse di rotazione</translation>
+    </message>
+    <message>
+        <source>Round the vertical axis</source>
+        <translation>Attorno all&apos;asse verticale</translation>
+    </message>
+    <message>
+        <source>Up and down</source>
+        <translation>In su e in giù</translation>
+    </message>
+    <message>
+        <source>Up and down the camera comes back to where it began, and stops at the poles</source>
+        <translation>In su e in giù la camera torna da dove è partita, e si ferma ai poli</translation>
+    </message>
+    <message>
+        <source>Angle to turn by</source>
+        <translation>Angolo di rotazione</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Angle to turn by, in degrees; negative the other way round</source>
+        <translation>Angolo di rotazione, in gradi; negativo nel verso opposto</translation>
+    </message>
+    <message>
+        <source>Number of frames</source>
+        <translation>Numero di fotogrammi</translation>
+    </message>
+    <message>
+        <source>Pictures of the whole film</source>
+        <translation>Immagini di tutto il filmato</translation>
+    </message>
+    <message>
+        <source>A&amp;xis</source>
+        <translation>A&amp;sse</translation>
+    </message>
+    <message>
+        <source>An&amp;gle</source>
+        <translation>An&amp;golo</translation>
+    </message>
+    <message>
+        <source>&amp;Frames</source>
+        <translation>&amp;Fotogrammi</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Fotogramma</translation>
+    </message>
+    <message>
+        <source>The frame that is shown</source>
+        <translation>Il fotogramma mostrato</translation>
+    </message>
+    <message>
+        <source>Add two views or more.</source>
+        <translation>Aggiungere due viste o più.</translation>
+    </message>
+    <message>
+        <source>%1 frames, %2</source>
+        <translation>%1 fotogrammi, %2</translation>
+    </message>
+    <message>
+        <source>St&amp;op</source>
+        <translation>Fer&amp;ma</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Riproduci</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::AnnotationRows</name>
+    <message>
+        <source>Top left</source>
+        <translation>In alto a sinistra</translation>
+    </message>
+    <message>
+        <source>Top right</source>
+        <translation>In alto a destra</translation>
+    </message>
+    <message>
+        <source>Bottom left</source>
+        <translation>In basso a sinistra</translation>
+    </message>
+    <message>
+        <source>Bottom right</source>
+        <translation>In basso a destra</translation>
+    </message>
+    <message>
+        <source>Corner of the picture where it stands</source>
+        <translation>Angolo dell&apos;immagine in cui si trova</translation>
+    </message>
+    <message>
+        <source>%1: corner</source>
+        <translation>%1: angolo</translation>
     </message>
 </context>
 <context>
@@ -1799,6 +2106,141 @@ deformazione %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::EditMenu</name>
+    <message>
+        <source>&amp;More opaque</source>
+        <translation>&amp;Più opaca</translation>
+    </message>
+    <message>
+        <source>&amp;Less opaque</source>
+        <translation>&amp;Meno opaca</translation>
+    </message>
+    <message>
+        <source>Swap &amp;ends</source>
+        <translation>Scambia gli &amp;estremi</translation>
+    </message>
+    <message>
+        <source>&amp;Wider</source>
+        <translation>Più &amp;larga</translation>
+    </message>
+    <message>
+        <source>Na&amp;rrower</source>
+        <translation>Più st&amp;retta</translation>
+    </message>
+    <message>
+        <source>Spread over all &amp;values</source>
+        <translation>Estendi a tutti i &amp;valori</translation>
+    </message>
+    <message>
+        <source>Select &amp;all points</source>
+        <translation>Seleziona &amp;tutti i punti</translation>
+    </message>
+    <message>
+        <source>&amp;Copy points</source>
+        <translation>&amp;Copia punti</translation>
+    </message>
+    <message>
+        <source>&amp;Paste points</source>
+        <translation>&amp;Incolla punti</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate points</source>
+        <translation>D&amp;uplica punti</translation>
+    </message>
+    <message>
+        <source>&amp;Remove points</source>
+        <translation>&amp;Elimina punti</translation>
+    </message>
+    <message>
+        <source>&amp;Distribute values evenly</source>
+        <translation>&amp;Distribuisci i valori uniformemente</translation>
+    </message>
+    <message>
+        <source>&amp;Flip left to right</source>
+        <translation>&amp;Capovolgi da sinistra a destra</translation>
+    </message>
+    <message>
+        <source>&amp;Invert opacities</source>
+        <translation>Inverti le o&amp;pacità</translation>
+    </message>
+    <message>
+        <source>Ramp from first to last</source>
+        <translation>Rampa dal primo all&apos;ultimo</translation>
+    </message>
+    <message>
+        <source>&amp;Simplify: fewer points, same look</source>
+        <translation>&amp;Semplifica: meno punti, stesso aspetto</translation>
+    </message>
+    <message>
+        <source>Add a pea&amp;k</source>
+        <translation>Aggiungi un picc&amp;o</translation>
+    </message>
+    <message>
+        <source>Ali&amp;gn</source>
+        <translation>Alli&amp;nea</translation>
+    </message>
+    <message>
+        <source>Opacities to the &amp;first</source>
+        <translation>Opacità come la &amp;prima</translation>
+    </message>
+    <message>
+        <source>Opacities to the &amp;mean</source>
+        <translation>Opacità alla &amp;media</translation>
+    </message>
+    <message>
+        <source>Opacities to the &amp;least</source>
+        <translation>Opacità alla mi&amp;nima</translation>
+    </message>
+    <message>
+        <source>Opacities to the l&amp;argest</source>
+        <translation>Opacità alla mas&amp;sima</translation>
+    </message>
+    <message>
+        <source>&amp;Values of two neighbours: a step</source>
+        <translation>&amp;Valori di due vicini: un gradino</translation>
+    </message>
+    <message>
+        <source>Make a gr&amp;oup</source>
+        <translation>Forma un &amp;gruppo</translation>
+    </message>
+    <message>
+        <source>Select a group</source>
+        <translation>Seleziona un gruppo</translation>
+    </message>
+    <message>
+        <source>Group &amp;%1</source>
+        <translation>Gruppo &amp;%1</translation>
+    </message>
+    <message>
+        <source>&amp;No group</source>
+        <translation>&amp;Nessun gruppo</translation>
+    </message>
+    <message>
+        <source>Poi&amp;nts in the way</source>
+        <translation>Punti sul percorso</translation>
+    </message>
+    <message>
+        <source>&amp;Stop what is moved</source>
+        <translation>&amp;Fermano ciò che si muove</translation>
+    </message>
+    <message>
+        <source>Are &amp;pushed along</source>
+        <translation>Vengono &amp;spinti</translation>
+    </message>
+    <message>
+        <source>Are passed &amp;by</source>
+        <translation>Vengono &amp;oltrepassati</translation>
+    </message>
+    <message>
+        <source>Mas&amp;k: show some values only</source>
+        <translation>&amp;Maschera: mostra solo alcuni valori</translation>
+    </message>
+    <message>
+        <source>Add an iso&amp;value</source>
+        <translation>Aggiungi un iso&amp;valore</translation>
+    </message>
+</context>
+<context>
     <name>tetra::EmptyPage</name>
     <message>
         <source>Open…</source>
@@ -1827,6 +2269,109 @@ deformazione %2</translation>
     <message>
         <source>Making the sample</source>
         <translation>Creazione dell&apos;esempio</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::FilmDialog</name>
+    <message>
+        <source>Numbered PNG pictures</source>
+        <translation>Immagini PNG numerate</translation>
+    </message>
+    <message>
+        <source>MP4 video (H.264)</source>
+        <translation>Video MP4 (H.264)</translation>
+    </message>
+    <message>
+        <source>WebM video (VP9)</source>
+        <translation>Video WebM (VP9)</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Sfoglia…</translation>
+    </message>
+    <message>
+        <source>Save Film</source>
+        <translation>Salva filmato</translation>
+    </message>
+    <message>
+        <source>Videos can be made where the program ffmpeg is installed</source>
+        <translation>I video si possono fare dove è installato il programma ffmpeg</translation>
+    </message>
+    <message>
+        <source>Videos are made by %1</source>
+        <translation>I video sono fatti da %1</translation>
+    </message>
+    <message>
+        <source>The video, or the name that numbers are added to</source>
+        <translation>Il video, o il nome a cui si aggiungono i numeri</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Formato</translation>
+    </message>
+    <message>
+        <source>Fil&amp;e</source>
+        <translation>Fil&amp;e</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Filmato</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Salva</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;nnulla</translation>
+    </message>
+    <message>
+        <source>Cl&amp;ose</source>
+        <translation>&amp;Chiudi</translation>
+    </message>
+    <message>
+        <source>A film that is being written goes on</source>
+        <translation>Un filmato che si sta scrivendo continua</translation>
+    </message>
+    <message>
+        <source>Saved.</source>
+        <translation>Salvato.</translation>
+    </message>
+    <message>
+        <source>It has no frames yet: add two views or more in the panel Animation.</source>
+        <translation>Non ha ancora fotogrammi: aggiungere due viste o più nel pannello Animazione.</translation>
+    </message>
+    <message>
+        <source>%1 frames, %2</source>
+        <translation>%1 fotogrammi, %2</translation>
+    </message>
+    <message>
+        <source>%1; writing takes about %2</source>
+        <translation>%1; la scrittura richiede circa %2</translation>
+    </message>
+    <message>
+        <source>%1 and so on</source>
+        <translation>%1 e così via</translation>
+    </message>
+    <message>
+        <source>Files of this name are there already and will be replaced: %1.</source>
+        <translation>Esistono già file con questo nome e verranno sostituiti: %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace and Save</source>
+        <translation>Sostituisci e &amp;salva</translation>
+    </message>
+    <message>
+        <source>Beginning…</source>
+        <translation>Si comincia…</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation>Fotogramma %1 di %2</translation>
+    </message>
+    <message>
+        <source>%1, about %2 left</source>
+        <translation>%1, restano circa %2</translation>
     </message>
 </context>
 <context>
@@ -2180,6 +2725,97 @@ deformazione %2</translation>
         <source>&amp;Restore</source>
         <translation>&amp;Ripristina</translation>
     </message>
+    <message>
+        <source>%1 holds the view that it shows, which can be restored.</source>
+        <translation>%1 contiene la vista che mostra; si può ripristinare.</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::KeyFrameList</name>
+    <message>
+        <source>%1°, %2° at %3</source>
+        <translation>%1°, %2° a %3</translation>
+    </message>
+    <message>
+        <source>%1, %2 tetrahedra</source>
+        <translation>%1, %2 tetraedri</translation>
+    </message>
+    <message>
+        <source>%1, error %2</source>
+        <translation>%1, errore %2</translation>
+    </message>
+    <message>
+        <source>Key frames</source>
+        <translation>Fotogrammi chiave</translation>
+    </message>
+    <message>
+        <source>Enter shows a key frame, Delete removes it, Alt with an arrow moves it</source>
+        <translation>Invio mostra un fotogramma chiave, Canc lo elimina, Alt con una freccia lo sposta</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Tempo (s)</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>Azimuth and elevation, distance in the units of the data, accuracy</source>
+        <translation>Azimut ed elevazione, distanza nelle unità dei dati, accuratezza</translation>
+    </message>
+    <message>
+        <source>&amp;Add View</source>
+        <translation>&amp;Aggiungi vista</translation>
+    </message>
+    <message>
+        <source>Add what is seen now as the next key frame</source>
+        <translation>Aggiunge ciò che si vede ora come prossimo fotogramma chiave</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Sostituisci</translation>
+    </message>
+    <message>
+        <source>Put what is seen now in the place of this key frame</source>
+        <translation>Mette ciò che si vede ora al posto di questo fotogramma chiave</translation>
+    </message>
+    <message>
+        <source>S&amp;how</source>
+        <translation>&amp;Mostra</translation>
+    </message>
+    <message>
+        <source>Show this key frame (Enter)</source>
+        <translation>Mostra questo fotogramma chiave (Invio)</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>&amp;Elimina</translation>
+    </message>
+    <message>
+        <source>Remove this key frame (Delete)</source>
+        <translation>Elimina questo fotogramma chiave (Canc)</translation>
+    </message>
+    <message>
+        <source>&amp;Earlier</source>
+        <translation>&amp;Prima</translation>
+    </message>
+    <message>
+        <source>Exchange it with the key frame before it (Alt+Up)</source>
+        <translation>Lo scambia con il fotogramma chiave precedente (Alt+Su)</translation>
+    </message>
+    <message>
+        <source>La&amp;ter</source>
+        <translation>&amp;Dopo</translation>
+    </message>
+    <message>
+        <source>Exchange it with the key frame after it (Alt+Down)</source>
+        <translation>Lo scambia con il fotogramma chiave seguente (Alt+Giù)</translation>
+    </message>
+    <message>
+        <source>show of a key frame</source>
+        <translation>visione di un fotogramma chiave</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MainWindow</name>
@@ -2223,6 +2859,22 @@ deformazione %2</translation>
         <source>Saving</source>
         <translation>Salvataggio</translation>
     </message>
+    <message>
+        <source>Drawing the picture</source>
+        <translation>Si disegna l&apos;immagine</translation>
+    </message>
+    <message>
+        <source>Drawing the film</source>
+        <translation>Si disegna il filmato</translation>
+    </message>
+    <message>
+        <source>Drawing the picture, %1 more waiting</source>
+        <translation>Si disegna l&apos;immagine, altre %1 in attesa</translation>
+    </message>
+    <message>
+        <source>Picture copied, %1 × %2 pixels</source>
+        <translation>Immagine copiata, %1 × %2 pixel</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -2258,6 +2910,132 @@ deformazione %2</translation>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::PictureDialog</name>
+    <message>
+        <source>Say in the &amp;file how it was made</source>
+        <translation>Scrivi nel &amp;file come è stata fatta</translation>
+    </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>Salva immagine</translation>
+    </message>
+    <message>
+        <source>Program, model, accuracy, camera, transfer function and isovalues, so that the picture can be made again: opening it offers its view</source>
+        <translation>Programma, modello, accuratezza, camera, funzione di trasferimento e isovalori, così che l&apos;immagine si possa rifare: aprendola viene offerta la sua vista</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Salva…</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copia</translation>
+    </message>
+    <message>
+        <source>Cl&amp;ose</source>
+        <translation>&amp;Chiudi</translation>
+    </message>
+    <message>
+        <source>Put it on the clipboard</source>
+        <translation>La mette negli appunti</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::PictureForm</name>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Larghezza</translation>
+    </message>
+    <message>
+        <source>Width in pixels</source>
+        <translation>Larghezza in pixel</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altezza</translation>
+    </message>
+    <message>
+        <source>Height in pixels</source>
+        <translation>Altezza in pixel</translation>
+    </message>
+    <message>
+        <source> dpi</source>
+        <translation> dpi</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Risoluzione</translation>
+    </message>
+    <message>
+        <source>Pixels an inch when it is printed; the number of pixels does not change</source>
+        <translation>Pixel per pollice nella stampa; il numero di pixel non cambia</translation>
+    </message>
+    <message>
+        <source>Trans&amp;parent background</source>
+        <translation>Sfondo tras&amp;parente</translation>
+    </message>
+    <message>
+        <source>As seen</source>
+        <translation>Come si vede</translation>
+    </message>
+    <message>
+        <source>Twice as seen</source>
+        <translation>Il doppio di come si vede</translation>
+    </message>
+    <message>
+        <source>HD</source>
+        <translation>HD</translation>
+    </message>
+    <message>
+        <source>Full HD</source>
+        <translation>Full HD</translation>
+    </message>
+    <message>
+        <source>4K</source>
+        <translation>4K</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>A scelta</translation>
+    </message>
+    <message>
+        <source>Annotations and lines take as much of the picture as they do of the view</source>
+        <translation>Annotazioni e linee occupano nell&apos;immagine quanto nella vista</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Grandezza</translation>
+    </message>
+    <message>
+        <source>Pixe&amp;ls</source>
+        <translation>Pi&amp;xel</translation>
+    </message>
+    <message>
+        <source>Pri&amp;nted</source>
+        <translation>&amp;Stampa</translation>
+    </message>
+    <message>
+        <source>Only what is shown, to be laid over something else</source>
+        <translation>Solo ciò che si vede, da sovrapporre ad altro</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Sfondo</translation>
+    </message>
+    <message>
+        <source>Annotations</source>
+        <translation>Annotazioni</translation>
+    </message>
+    <message>
+        <source>%1 × %2 cm</source>
+        <translation>%1 × %2 cm</translation>
     </message>
 </context>
 <context>
@@ -2313,6 +3091,158 @@ deformazione %2</translation>
     <message>
         <source>Copy all of this as text, for a report of an error</source>
         <translation>Copia tutto come testo, per segnalare un errore</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::PointNumbers</name>
+    <message>
+        <source>Value</source>
+        <translation>Valore</translation>
+    </message>
+    <message>
+        <source>Value of what is selected, in the units of the data; selected points move together</source>
+        <translation>Valore di ciò che è selezionato, nelle unità dei dati; i punti selezionati si muovono insieme</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacità</translation>
+    </message>
+    <message>
+        <source>Opacity of the selected points, in percent of the light that a unit distance takes away</source>
+        <translation>Opacità dei punti selezionati, in percento della luce che la distanza unitaria assorbe</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Colour of what is selected</source>
+        <translation>Colore di ciò che è selezionato</translation>
+    </message>
+    <message>
+        <source>Unit distance</source>
+        <translation>Distanza unitaria</translation>
+    </message>
+    <message>
+        <source>The thickness, in the units of the data, that a layer must have for the opacities to hold: less makes everything denser</source>
+        <translation>Lo spessore, nelle unità dei dati, che uno strato deve avere perché valgano le opacità: meno rende tutto più denso</translation>
+    </message>
+    <message>
+        <source>Val&amp;ue</source>
+        <translation>Val&amp;ore</translation>
+    </message>
+    <message>
+        <source>O&amp;pacity</source>
+        <translation>O&amp;pacità</translation>
+    </message>
+    <message>
+        <source>U&amp;nit distance</source>
+        <translation>Dista&amp;nza unitaria</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::PointTable</name>
+    <message>
+        <source>Points of the transfer function</source>
+        <translation>Punti della funzione di trasferimento</translation>
+    </message>
+    <message>
+        <source>Double click or F2 edits a cell; Del removes the selected points</source>
+        <translation>Doppio clic o F2 modifica una cella; Canc elimina i punti selezionati</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::PointTableModel</name>
+    <message>
+        <source>Value</source>
+        <translation>Valore</translation>
+    </message>
+    <message>
+        <source>Opacity, %</source>
+        <translation>Opacità, %</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Colore</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppo</translation>
+    </message>
+    <message>
+        <source>In the units of the data</source>
+        <translation>Nelle unità dei dati</translation>
+    </message>
+    <message>
+        <source>Of the light that a unit distance takes away</source>
+        <translation>Della luce che la distanza unitaria assorbe</translation>
+    </message>
+    <message>
+        <source>As a name or as #rrggbb</source>
+        <translation>Come nome o come #rrggbb</translation>
+    </message>
+    <message>
+        <source>0 to 9, or empty</source>
+        <translation>Da 0 a 9, o vuoto</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::PresetPopup</name>
+    <message>
+        <source>&amp;Save as preset…</source>
+        <translation>&amp;Salva come predefinita…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Elimina</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Cerca</translation>
+    </message>
+    <message>
+        <source>Search for a preset</source>
+        <translation>Cerca una predefinita</translation>
+    </message>
+    <message>
+        <source>What to take of a preset</source>
+        <translation>Che cosa prendere di una predefinita</translation>
+    </message>
+    <message>
+        <source>Colours and opacities</source>
+        <translation>Colori e opacità</translation>
+    </message>
+    <message>
+        <source>Colours alone</source>
+        <translation>Solo i colori</translation>
+    </message>
+    <message>
+        <source>Opacities alone</source>
+        <translation>Solo le opacità</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Preimpostate</translation>
+    </message>
+    <message>
+        <source>Keep the transfer function as it is now, for this and for other models</source>
+        <translation>Conserva la funzione di trasferimento com&apos;è ora, per questo e per altri modelli</translation>
+    </message>
+    <message>
+        <source>Delete the chosen preset, if it is one of your own</source>
+        <translation>Elimina la predefinita scelta, se è una delle vostre</translation>
+    </message>
+    <message>
+        <source>One of your own</source>
+        <translation>Una delle vostre</translation>
+    </message>
+    <message>
+        <source>Save as Preset</source>
+        <translation>Salva come predefinita</translation>
+    </message>
+    <message>
+        <source>Name of the preset:</source>
+        <translation>Nome della predefinita:</translation>
     </message>
 </context>
 <context>
@@ -2623,16 +3553,40 @@ deformazione %2</translation>
         <translation>Funzione di trasferimento</translation>
     </message>
     <message>
-        <source>Opacity against value. Drag points, double click to add one, Delete removes it; arrow keys move it (finer with Ctrl), Tab goes to the next. Behind: how often the values occur in the mesh.</source>
-        <translation>Opacità rispetto al valore. Trascinare i punti, doppio clic per aggiungerne uno, Canc lo rimuove; i tasti freccia lo spostano (più finemente con Ctrl), Tab va al successivo. Dietro: quanto spesso i valori si presentano nella mesh.</translation>
-    </message>
-    <message>
         <source>%1 points</source>
         <translation>%1 punti</translation>
     </message>
     <message>
         <source>Point %1 of %2: value %3, opacity %4</source>
         <translation>Punto %1 di %2: valore %3, opacità %4</translation>
+    </message>
+    <message>
+        <source>Opacity against value. Drag points, click the curve or double click to add one, Delete removes; arrow keys move (finer with Ctrl, farther with Shift), Tab goes to the next. A frame or Ctrl+click selects several. The wheel zooms the values, with Ctrl the opacities; Home shows all. Ctrl+digit makes a group, the digit selects it. Behind: how often the values occur in the mesh.</source>
+        <translation>L&apos;opacità secondo il valore. Trascinare i punti, fare clic sulla curva o doppio clic per aggiungerne uno, Canc elimina; le frecce spostano (più fine con Ctrl, più lontano con Maiusc), Tab va al prossimo. Un riquadro o Ctrl+clic ne seleziona più d&apos;uno. La rotella ingrandisce i valori, con Ctrl le opacità; Inizio mostra tutto. Ctrl+cifra forma un gruppo, la cifra lo seleziona. Sullo sfondo: quanto sono frequenti i valori nella mesh.</translation>
+    </message>
+    <message>
+        <source>%1 points are selected</source>
+        <translation>%1 punti selezionati</translation>
+    </message>
+    <message>
+        <source>Value %1, opacity %2</source>
+        <translation>Valore %1, opacità %2</translation>
+    </message>
+    <message>
+        <source>group %1</source>
+        <translation>gruppo %1</translation>
+    </message>
+    <message>
+        <source>Isovalue %1 of %2: %3</source>
+        <translation>Isovalore %1 di %2: %3</translation>
+    </message>
+    <message>
+        <source>Lower end of the mask: %1</source>
+        <translation>Estremo inferiore della maschera: %1</translation>
+    </message>
+    <message>
+        <source>Upper end of the mask: %1</source>
+        <translation>Estremo superiore della maschera: %1</translation>
     </message>
 </context>
 <context>
@@ -2642,60 +3596,12 @@ deformazione %2</translation>
         <translation>&amp;Gradino</translation>
     </message>
     <message>
-        <source>Ad&amp;d</source>
-        <translation>Aggiun&amp;gi</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Rimuovi</translation>
-    </message>
-    <message>
         <source>Lo&amp;garithmic</source>
         <translation>Lo&amp;garitmico</translation>
     </message>
     <message>
-        <source>Value of the point</source>
-        <translation>Valore del punto</translation>
-    </message>
-    <message>
-        <source>Value of the selected point, in the units of the data</source>
-        <translation>Valore del punto selezionato, nelle unità dei dati</translation>
-    </message>
-    <message>
-        <source>Opacity of the point</source>
-        <translation>Opacità del punto</translation>
-    </message>
-    <message>
-        <source>Opacity of the selected point, in percent of the light that a unit distance takes away</source>
-        <translation>Opacità del punto selezionato, in percento della luce che una distanza unitaria toglie</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Colour of the selected point</source>
-        <translation>Colore del punto selezionato</translation>
-    </message>
-    <message>
         <source>Give the point two sides: what lies below its value ends there, and what lies above begins</source>
         <translation>Dà al punto due lati: ciò che sta sotto il suo valore finisce lì, e ciò che sta sopra vi comincia</translation>
-    </message>
-    <message>
-        <source>Add a point after the selected one, or double click in the plot</source>
-        <translation>Aggiunge un punto dopo quello selezionato, o doppio clic nel grafico</translation>
-    </message>
-    <message>
-        <source>Remove the selected point (Del)</source>
-        <translation>Rimuove il punto selezionato (Canc)</translation>
-    </message>
-    <message>
-        <source>Unit distance</source>
-        <translation>Distanza unitaria</translation>
-    </message>
-    <message>
-        <source>The thickness, in the units of the data, that a layer must have for the opacities to hold: less makes everything denser</source>
-        <translation>Lo spessore, nelle unità dei dati, che uno strato deve avere perché valgano le opacità: meno rende tutto più denso</translation>
     </message>
     <message>
         <source>Show how often values occur on a logarithmic scale, so that rare ones are seen</source>
@@ -2714,10 +3620,6 @@ deformazione %2</translation>
         <translation>Cambia</translation>
     </message>
     <message>
-        <source>Change all points</source>
-        <translation>Cambia tutti i punti</translation>
-    </message>
-    <message>
         <source>Load…</source>
         <translation>Carica…</translation>
     </message>
@@ -2728,10 +3630,6 @@ deformazione %2</translation>
     <message>
         <source>The file holds several presets:</source>
         <translation>Il file contiene più preimpostazioni:</translation>
-    </message>
-    <message>
-        <source>Colours alone</source>
-        <translation>Solo i colori</translation>
     </message>
     <message>
         <source>Save for &amp;ParaView…</source>
@@ -2758,42 +3656,6 @@ deformazione %2</translation>
         <translation>Salva la funzione di trasferimento come file JSON, accettato anche da “tan render”</translation>
     </message>
     <message>
-        <source>Val&amp;ue</source>
-        <translation>Val&amp;ore</translation>
-    </message>
-    <message>
-        <source>O&amp;pacity</source>
-        <translation>O&amp;pacità</translation>
-    </message>
-    <message>
-        <source>U&amp;nit distance</source>
-        <translation>Dista&amp;nza unitaria</translation>
-    </message>
-    <message>
-        <source>&amp;Sequential: opaque where values are large</source>
-        <translation>&amp;Sequenziale: opaca dove i valori sono grandi</translation>
-    </message>
-    <message>
-        <source>&amp;Diverging: opaque at both ends</source>
-        <translation>&amp;Divergente: opaca ai due estremi</translation>
-    </message>
-    <message>
-        <source>&amp;More opaque</source>
-        <translation>&amp;Più opaca</translation>
-    </message>
-    <message>
-        <source>&amp;Less opaque</source>
-        <translation>&amp;Meno opaca</translation>
-    </message>
-    <message>
-        <source>Swap &amp;ends</source>
-        <translation>Scambia gli &amp;estremi</translation>
-    </message>
-    <message>
-        <source>Spread over all &amp;values</source>
-        <translation>Estendi a tutti i &amp;valori</translation>
-    </message>
-    <message>
         <source>Load Transfer Function</source>
         <translation>Carica funzione di trasferimento</translation>
     </message>
@@ -2804,6 +3666,86 @@ deformazione %2</translation>
     <message>
         <source>Save Transfer Function</source>
         <translation>Salva funzione di trasferimento</translation>
+    </message>
+    <message>
+        <source>Axis of opacities</source>
+        <translation>Asse delle opacità</translation>
+    </message>
+    <message>
+        <source>&amp;Linear</source>
+        <translation>&amp;Lineare</translation>
+    </message>
+    <message>
+        <source>S&amp;quare root</source>
+        <translation>Radice &amp;quadrata</translation>
+    </message>
+    <message>
+        <source>L&amp;ogarithmic: fine near zero</source>
+        <translation>L&amp;ogaritmico: fine vicino allo zero</translation>
+    </message>
+    <message>
+        <source>Zoom to the &amp;selected points</source>
+        <translation>Ingrandisci i punti &amp;selezionati</translation>
+    </message>
+    <message>
+        <source>Zoom to the &amp;values of the data</source>
+        <translation>Ingrandisci i &amp;valori dei dati</translation>
+    </message>
+    <message>
+        <source>Show &amp;all</source>
+        <translation>Mostra &amp;tutto</translation>
+    </message>
+    <message>
+        <source>Value, opacity, colour and how often it occurs, at the pointer</source>
+        <translation>Valore, opacità, colore e frequenza, al puntatore</translation>
+    </message>
+    <message>
+        <source>Add a point after the selected one, or click on the curve, or double click in the plot</source>
+        <translation>Aggiunge un punto dopo quello selezionato; oppure fare clic sulla curva, o doppio clic nel grafico</translation>
+    </message>
+    <message>
+        <source>Remove what is selected (Del)</source>
+        <translation>Elimina ciò che è selezionato (Canc)</translation>
+    </message>
+    <message>
+        <source>Change the selected points, or all</source>
+        <translation>Modifica i punti selezionati, o tutti</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>How the plot is shown</source>
+        <translation>Come si mostra il grafico</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maschera</translation>
+    </message>
+    <message>
+        <source>Show some values only: between two lines that can be dragged</source>
+        <translation>Mostra solo alcuni valori: tra due linee che si possono trascinare</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabella</translation>
+    </message>
+    <message>
+        <source>Show all points in a table to be edited</source>
+        <translation>Mostra tutti i punti in una tabella modificabile</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Aggiungi un punto</translation>
+    </message>
+    <message>
+        <source>Remove what is selected</source>
+        <translation>Elimina ciò che è selezionato</translation>
+    </message>
+    <message>
+        <source>Read-out</source>
+        <translation>Lettura</translation>
     </message>
 </context>
 <context>
@@ -3009,6 +3951,10 @@ deformazione %2</translation>
     <message>
         <source>The model %1 is another one than when the session was saved: it was built anew, or replaced. It is shown as the session says, as far as that fits.</source>
         <translation>Il modello %1 non è lo stesso di quando la sessione fu salvata: è stato ricostruito o sostituito. Lo si mostra come dice la sessione, per quanto possibile.</translation>
+    </message>
+    <message>
+        <source>Pictures with their sessions (*.png)</source>
+        <translation>Immagini con le loro sessioni (*.png)</translation>
     </message>
 </context>
 </TS>

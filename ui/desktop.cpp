@@ -6,6 +6,7 @@
 #include "ui/session/plugin_choice.h"
 #include "ui/window/main_window.h"
 #include "ui/window/screenshots.h"
+#include "ui/work/steady_heap.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -44,6 +45,7 @@ std::optional<BackendChoice> backendNamed(const QString& name)
 
 int runDesktop(int argc, char** argv)
 {
+    keepHeapSteady();
     QApplication application(argc, argv);
     // QApplication takes over the user's locale; libraries that read or write numbers must not see its decimal comma.
     std::setlocale(LC_NUMERIC, "C");
