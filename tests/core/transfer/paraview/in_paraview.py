@@ -12,6 +12,7 @@ import json
 import os
 import sys
 import tempfile
+import uuid
 
 from paraview import servermanager, simple
 
@@ -84,13 +85,17 @@ def looks():
     with open(0, encoding="utf-8") as stdin:  # pvpython has another sys.stdin
         requests = json.load(stdin)
     for number, request in enumerate(requests):
-        name = presets_of(request["file"])[0]
+        named = json.loads(request["file"])
+        named[0]["Name"] = uuid.uuid4().hex  # ParaView may know others of the same name, from before
+        name = presets_of(json.dumps(named))[0]
         colours, opacities = proxies(number)
         colours.ApplyPreset(name, False)
         has_opacities = bool(json.loads(request["file"])[0].get("Points"))
         if has_opacities:
             opacities.ApplyPreset(name, False)
         answers.append(sampled(colours, opacities if has_opacities else None, request["values"]))
+        presets = servermanager.vtkSMTransferFunctionPresets.GetInstance()
+        presets.RemovePreset(presets.GetNumberOfPresets() - 1)
     return answers
 
 

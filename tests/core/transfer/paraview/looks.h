@@ -61,9 +61,11 @@ inline double worstDifference(const TransferFunction& function, const std::vecto
     double worst = looks.size() == sampleCount ? 0 : 1;
     for (std::size_t sample = 0; sample < values.size(); ++sample) {
         const TransferSample ours = evaluate(function, values[sample]);
+        // What a mask hides has a colour there that nobody sees.
+        const auto colour = evaluateUnmasked(function, values[sample]).colour;
         const QJsonArray theirs = looks[qsizetype(sample)].toArray();
         for (qsizetype channel = 0; channel < 3; ++channel)
-            worst = std::max(worst, std::abs(ours.colour[std::size_t(channel)] - theirs[channel].toDouble(9)));
+            worst = std::max(worst, std::abs(colour[std::size_t(channel)] - theirs[channel].toDouble(9)));
         if (!theirs[3].isNull())
             worst = std::max(worst,
                              std::abs(-std::expm1(-ours.extinction * function.unitDistance) - theirs[3].toDouble(9)));
