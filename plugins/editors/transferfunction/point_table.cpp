@@ -33,6 +33,7 @@ PointTable::PointTable(EditorState& state, QWidget* parent)
     horizontalHeader()->setHighlightSections(false);
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     verticalHeader()->setHighlightSections(false);
+    setMinimumHeight(horizontalHeader()->sizeHint().height() + shownRows * verticalHeader()->defaultSectionSize());
     setTabKeyNavigation(false);
     connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, &PointTable::takeSelection);
     connect(&state, &EditorState::selectionChanged, this, &PointTable::showSelection);

@@ -12,6 +12,7 @@
 
 #include <QBoxLayout>
 #include <QCheckBox>
+#include <QCoreApplication>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
@@ -44,7 +45,14 @@ TransferPanel::TransferPanel(EditorHost& host, QWidget* parent)
     column->addWidget(table_);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins({});
-    outer->addWidget(new ScrolledColumn(content));
+    auto* scrolled = new ScrolledColumn(content);
+    outer->addWidget(scrolled);
+    connect(showTable_, &QToolButton::toggled, scrolled, [this, scrolled](bool on) {
+        table_->setVisible(on);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // so that it has its place
+        if (on)
+            scrolled->ensureWidgetVisible(table_);
+    });
     fillViewMenu();
     connectControls();
     showModel();
@@ -131,7 +139,6 @@ void TransferPanel::connectControls()
     });
     connect(presets_, &QToolButton::clicked, this, [this] { presetPopup_->showAt(*presets_); });
     connect(mask_, &QToolButton::clicked, this, [this](bool on) { setMasked(state_, on); });
-    connect(showTable_, &QToolButton::toggled, table_, &QWidget::setVisible);
     connect(load_, &QToolButton::clicked, this, [this] {
         host_.loadText(this,
                        {"transferDialog", tr("Load Transfer Function"), tr("Transfer functions (*.json *.xml)"), {}},

@@ -4,7 +4,7 @@
 // installed, it is asked anew.
 #include "core/transfer/editing/whole_function.h"
 #include "core/transfer/transfer_import.h"
-#include "looks.h"
+#include "tests/core/transfer/paraview/looks.h"
 
 #include <QFile>
 #include <QStandardPaths>

@@ -2,7 +2,7 @@
 // ParaView's colour maps and opacities: what they look like there, they look like here, and the other way round. The
 // judge is VTK, whose classes ParaView uses.
 #include "core/transfer/paraview/preset_text.h"
-#include "looks.h"
+#include "tests/core/transfer/paraview/looks.h"
 
 #include <QTest>
 

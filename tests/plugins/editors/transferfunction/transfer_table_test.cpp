@@ -24,6 +24,7 @@ private slots:
         editor_.reset();
     }
     void theTableIsShownAndHidden();
+    void theTableIsSeenInASmallPanel();
     void cellsAreEdited();
     void numbersAreInTheUsersLocale();
     void whatIsWrongChangesNothing_data();
@@ -64,6 +65,15 @@ void TransferTableTest::theTableIsShownAndHidden()
     QVERIFY(table().isVisible());
     editor_->find<QToolButton>("transfer.table.show").click();
     QVERIFY(!table().isVisible());
+}
+
+void TransferTableTest::theTableIsSeenInASmallPanel()
+{
+    auto& show = editor_->find<QToolButton>("transfer.table.show");
+    show.click();
+    table().window()->resize(372, 280);
+    show.click();
+    QTRY_COMPARE(table().visibleRegion().boundingRect().height(), table().height());
 }
 
 void TransferTableTest::cellsAreEdited()
