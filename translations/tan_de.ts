@@ -41,7 +41,7 @@
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation>&amp;Beenden</translation>
+        <translation>B&amp;eenden</translation>
     </message>
     <message>
         <source>Leave the program</source>
@@ -281,7 +281,7 @@
     </message>
     <message>
         <source>Save &amp;Film…</source>
-        <translation>&amp;Film speichern…</translation>
+        <translation>Fil&amp;m speichern…</translation>
     </message>
     <message>
         <source>Save the animation as pictures or a video</source>
@@ -297,7 +297,7 @@
     </message>
     <message>
         <source>&amp;Annotations</source>
-        <translation>&amp;Beschriftung</translation>
+        <translation>Beschr&amp;iftung</translation>
     </message>
 </context>
 <context>
@@ -1875,12 +1875,12 @@ Verwerfung %2</translation>
         <translation>Fügen Sie zwei oder mehr Ansichten hinzu.</translation>
     </message>
     <message>
-        <source>St&amp;op</source>
-        <translation>&amp;Halt</translation>
+        <source>Stop</source>
+        <translation>Halt</translation>
     </message>
     <message>
-        <source>&amp;Play</source>
-        <translation>Ab&amp;spielen</translation>
+        <source>Play</source>
+        <translation>Abspielen</translation>
     </message>
     <message>
         <source>%1 frames, %2</source>
@@ -1985,7 +1985,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>&amp;Cancel</source>
-        <translation>&amp;Abbrechen</translation>
+        <translation>Abbre&amp;chen</translation>
     </message>
     <message>
         <source>Ends the build and throws away what it has made</source>
@@ -1993,7 +1993,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>Stop and &amp;Keep</source>
-        <translation>Anhalten und &amp;behalten</translation>
+        <translation>Anhalten und behal&amp;ten</translation>
     </message>
     <message>
         <source>Ends the build; what is finished becomes the model, with the accuracy that it has reached</source>
@@ -2009,11 +2009,11 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>&amp;Build and Replace</source>
-        <translation>&amp;Bauen und ersetzen</translation>
+        <translation>Ba&amp;uen und ersetzen</translation>
     </message>
     <message>
         <source>&amp;Build</source>
-        <translation>&amp;Bauen</translation>
+        <translation>Ba&amp;uen</translation>
     </message>
     <message>
         <source>This file exists; it is replaced when the build is done.</source>
@@ -2057,7 +2057,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>Read &amp;Differently…</source>
-        <translation>&amp;Anders lesen …</translation>
+        <translation>A&amp;nders lesen …</translation>
     </message>
     <message>
         <source>Reads the file again in another way: other values, a part of it, every so many points</source>

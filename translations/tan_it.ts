@@ -289,7 +289,7 @@
     </message>
     <message>
         <source>&amp;Annotations</source>
-        <translation>&amp;Annotazioni</translation>
+        <translation>Annota&amp;zioni</translation>
     </message>
     <message>
         <source>&amp;Manual</source>
@@ -331,7 +331,7 @@
     </message>
     <message>
         <source>&amp;Scale bar</source>
-        <translation>Barra di &amp;scala</translation>
+        <translation>Barra &amp;di scala</translation>
     </message>
     <message>
         <source>&amp;Title</source>
@@ -1899,12 +1899,12 @@ deformazione %2</translation>
         <translation>%1 fotogrammi, %2</translation>
     </message>
     <message>
-        <source>St&amp;op</source>
-        <translation>Fer&amp;ma</translation>
+        <source>Stop</source>
+        <translation>Ferma</translation>
     </message>
     <message>
-        <source>&amp;Play</source>
-        <translation>&amp;Riproduci</translation>
+        <source>Play</source>
+        <translation>Riproduci</translation>
     </message>
 </context>
 <context>

@@ -212,13 +212,13 @@ void AnimationPanel::showFrame(int frame)
     if (animation.kind == Animation::Kind::KeyFrames)
         workbench_.previewFrame(shown);
     viewport_.setPreview(shown.camera);
-    play_->setText(tr("St&op"));
+    play_->setText(tr("Stop"));
 }
 
 void AnimationPanel::stop()
 {
     playing_.stop();
-    play_->setText(tr("&Play"));
+    play_->setText(tr("Play"));
     viewport_.setPreview(std::nullopt);
     workbench_.previewFrame(std::nullopt);
     const QSignalBlocker blocker(position_);

@@ -33,6 +33,7 @@ PresetPopup::PresetPopup(EditorState& state, QWidget* parent)
     search_->setObjectName("transfer.presetPopup.search");
     search_->setPlaceholderText(tr("Search"));
     search_->setAccessibleName(tr("Search for a preset"));
+    search_->setToolTip(search_->accessibleName());
     search_->setClearButtonEnabled(true);
     search_->installEventFilter(this);
     part_->setObjectName("transfer.presetPopup.part");
