@@ -217,7 +217,7 @@
     </message>
     <message>
         <source>&amp;Manual</source>
-        <translation>&amp;Handbuch</translation>
+        <translation>Ha&amp;ndbuch</translation>
     </message>
     <message>
         <source>Read how everything works, in the web browser</source>
