@@ -172,7 +172,7 @@ void EmptyPage::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QColor colour = palette().color(dropping_ ? QPalette::Highlight : QPalette::Mid);
+    const QColor colour = palette().color(dropping_ ? QPalette::Highlight : QPalette::PlaceholderText);
     painter.setPen(QPen(colour, dropping_ ? 3 : 1.5, Qt::DashLine));
     if (dropping_) {
         QColor filling = colour;
