@@ -177,8 +177,9 @@ void RelatedCheck::checkOutside(const Related& related)
         });
 }
 
-/// A point that lies on a face, but for rounding, may count for the cell on its other side, whose interpolation there
-/// is the same. Looks at all cells, for the few that need it.
+/// A point that lies on a face or an edge, but for rounding, may count for a cell on its other side, whose
+/// interpolation there is the same; so may one that rounding has put outside of an edge of the boundary. Looks at all
+/// cells, for the few that need it.
 bool RelatedCheck::isGrantedNextToIt(const Related& related) const
 {
     constexpr std::array<std::array<std::size_t, 3>, 4> faces = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
@@ -213,7 +214,8 @@ void RelatedCheck::checkOwn(const Related& related, bool covered)
     };
     if (grants(related.nearest.triangle))
         return;
-    bool granted = needsError && covered && isGrantedNextToIt(related);
+    const bool onCells = covered || related.nearest.place.distance <= original_.allowance;
+    bool granted = needsError && onCells && isGrantedNextToIt(related);
     const double farthest = largestOwnWarping_ / related.weight + original_.allowance;
     mesh_.boundary.tree.visitWithin(related.place, farthest,
                                     [&](std::uint32_t triangle) { granted = granted || grants(triangle); });
