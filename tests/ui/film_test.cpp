@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Films of what the window shows: key frames, the preview, and what is written.
-#include "tests/ui/window_fixture.h"
+#include "tests/ui/sample_window.h"
 #include "ui/session/film_file.h"
 #include "ui/session/video_encoding.h"
 #include "ui/window/picture_orders.h"
@@ -48,12 +48,7 @@ void FilmTest::initTestCase()
 
 void FilmTest::init()
 {
-    QSettings().clear();
-    window_ = std::make_unique<WindowFixture>();
-    window_->window.show();
-    const auto path = buildSampleModel(*window_->host, sampleDataset(16), window_->folderPath());
-    window_->window.open(QString::fromStdString(path));
-    QTRY_VERIFY(session().model() && window_->settled());
+    window_ = windowOnSample();
 }
 
 void FilmTest::cleanup()

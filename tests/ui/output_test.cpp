@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures and films of what the window shows: dialogs, files and what they say of themselves.
-#include "tests/ui/window_fixture.h"
+#include "tests/ui/sample_window.h"
 #include "ui/session/picture_texts.h"
 #include "ui/window/picture_orders.h"
 
@@ -52,12 +52,7 @@ void OutputTest::initTestCase()
 
 void OutputTest::init()
 {
-    QSettings().clear();
-    window_ = std::make_unique<WindowFixture>();
-    window_->window.show();
-    const auto path = buildSampleModel(*window_->host, sampleDataset(16), window_->folderPath());
-    window_->window.open(QString::fromStdString(path));
-    QTRY_VERIFY(session().model() && window_->settled());
+    window_ = windowOnSample();
 }
 
 void OutputTest::cleanup()

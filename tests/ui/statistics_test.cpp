@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/extraction.h"
-#include "tests/ui/window_fixture.h"
+#include "tests/ui/sample_window.h"
 #include "ui/session/accuracy_scale.h"
 #include "ui/session/model_statistics.h"
 
@@ -41,12 +41,7 @@ void StatisticsTest::initTestCase()
 
 void StatisticsTest::init()
 {
-    QSettings().clear();
-    window_ = std::make_unique<WindowFixture>();
-    window_->window.show();
-    const auto path = buildSampleModel(*window_->host, sampleDataset(16), window_->folderPath());
-    window_->window.open(QString::fromStdString(path));
-    QTRY_VERIFY(session().model() && window_->settled());
+    window_ = windowOnSample();
 }
 
 void StatisticsTest::cleanup()
