@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Draws the pictures of the paper's Figures 14 and 15 again, for the manual, with the program that was built:
+# Makes the pictures of the manual with the programs that were built (./dev pictures does both): the paper's Figures 14 and 15
+# drawn again, and the window.
 #   docs/make_pictures.sh [DATA [MODELS]]
-# DATA: the folder with bluntfin and buckyball (default: ../shared/data beside the repository). MODELS: where the models are
+# DATA: the folder with bluntfin, buckyball, regular and sod (default: ../shared/data beside the repository). MODELS: where the models are
 # built, once (default: build/pictures).
 set -euo pipefail
 
@@ -37,3 +38,10 @@ view=("$models/buckyball.tan" --error 0.6 --mode hybrid --camera "$pictures/buck
 draw "${view[@]}" --isovalue 170:gold -o "$pictures/buckyball-exact.png"
 draw "${view[@]}" --isovalue 170:gold --order with-cell -o "$pictures/buckyball-with-cell.png"
 draw "${view[@]}" --isovalue 170:gold --clip 0,1,0,63.5 -o "$pictures/buckyball-cut.png"
+
+# The window, in a home of its own and without a display.
+build engine regular/engine_256x256x128_uint8.nrrd 0.5
+home=$(mktemp -d)
+trap 'rm -rf "$home"' EXIT
+env HOME="$home" XDG_CONFIG_HOME="$home/config" XDG_CACHE_HOME="$home/cache" XDG_DATA_HOME="$home/data" XDG_RUNTIME_DIR="$home" \
+    QT_QPA_PLATFORM=offscreen QT_SCALE_FACTOR=1 LC_ALL=C.UTF-8 build/release/bin/manual-pictures docs/images "$models" "$data"

@@ -4,6 +4,7 @@
 #include "ui/session/sample_models.h"
 #include "ui/session/target_path.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/dark_palette.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
@@ -29,20 +30,6 @@ template <class Condition> bool waitFor(const Condition& done)
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     QCoreApplication::processEvents();
     return done();
-}
-
-QPalette darkPalette()
-{
-    QPalette palette(QColor(53, 54, 58), QColor(42, 43, 46));
-    palette.setColor(QPalette::Base, QColor(32, 33, 36));
-    palette.setColor(QPalette::AlternateBase, QColor(42, 43, 46));
-    palette.setColor(QPalette::Highlight, QColor(64, 120, 192));
-    palette.setColor(QPalette::HighlightedText, Qt::white);
-    palette.setColor(QPalette::ToolTipBase, QColor(53, 54, 58));
-    palette.setColor(QPalette::ToolTipText, Qt::white);
-    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-        palette.setColor(QPalette::Disabled, role, QColor(128, 128, 128));
-    return palette;
 }
 
 /// One window of one palette, and its pictures.
