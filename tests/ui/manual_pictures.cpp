@@ -9,13 +9,15 @@
 #include "ui/window/docks.h"
 
 #include <QApplication>
-#include <QComboBox>
 #include <QDir>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QLineEdit>
 #include <QStyle>
 #include <QStyleFactory>
 #include <QTextStream>
+
+#include <cmath>
 
 namespace tetra {
 namespace {
@@ -98,6 +100,13 @@ public:
         QImage picture = widget.grab().toImage().convertToFormat(QImage::Format_RGB32);
         if (!picture.save(path, "PNG", 0))
             fail("cannot write " + path);
+    }
+    void takeDialog(const char* name, const char* dialog)
+    {
+        if (auto* widget = fixture_.window.findChild<QWidget*>(dialog))
+            take(name, *widget);
+        else
+            fail(QString("there is no ") + dialog);
     }
     const QStringList& failures() const { return failures_; }
 
@@ -226,11 +235,10 @@ void build(Sitting& sitting)
 
 void import(Sitting& sitting)
 {
-    sitting.window().open(sitting.dataset("sod/Molecule_U8_X100_Y100_Z120.binary"));
-    QWidget* dialog = nullptr;
-    sitting.await([&] { return (dialog = sitting.window().findChild<QWidget*>("importDialog")) != nullptr; });
+    sitting.workbench().openWithOptions(sitting.dataset("sod/Molecule_U8_X100_Y100_Z120.binary"));
+    sitting.await([&] { return sitting.window().findChild<QWidget*>("importDialog") != nullptr; });
     QTest::qWait(1500); // the layer is read beside
-    sitting.take("import", *dialog);
+    sitting.takeDialog("import", "importDialog");
 }
 
 void savePicture(Sitting& sitting)

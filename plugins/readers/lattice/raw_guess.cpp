@@ -5,8 +5,11 @@
 #include "plugins/readers/lattice/field_text.h"
 #include "plugins/readers/lattice/nrrd_types.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace tetra {
 
@@ -42,6 +45,38 @@ std::optional<std::array<std::uint32_t, 3>> sizeInName(std::string_view word)
     return size;
 }
 
+/// The axis that a word like Z120 gives the size of, and the size.
+std::optional<std::pair<std::size_t, std::uint32_t>> axisInName(std::string_view word)
+{
+    const std::size_t axis = word.empty() ? std::string_view::npos : std::string_view("xyzXYZ").find(word.front());
+    if (axis == std::string_view::npos)
+        return {};
+    const auto points = parseNumber<std::uint32_t>(word.substr(1));
+    return points ? std::optional(std::pair(axis % 3, *points)) : std::nullopt;
+}
+
+/// As types are called in a description, or shorter, as in head_u16.raw.
+std::optional<SampleType> typeInName(std::string_view word)
+{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 10> shortNames{{{"u8", "uint8"},
+                                                                                               {"s8", "int8"},
+                                                                                               {"i8", "int8"},
+                                                                                               {"u16", "uint16"},
+                                                                                               {"s16", "int16"},
+                                                                                               {"i16", "int16"},
+                                                                                               {"u32", "uint32"},
+                                                                                               {"i32", "int32"},
+                                                                                               {"f32", "float"},
+                                                                                               {"f64", "double"}}};
+    std::string lower(word);
+    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (const auto& [shortName, name] : shortNames)
+        if (lower == shortName)
+            lower = name;
+    const auto found = parseSampleType(lower);
+    return found ? std::optional(*found) : std::nullopt;
+}
+
 void add(std::vector<RawGuess>& guesses, const RawGuess& guess, std::uint64_t bytes)
 {
     if (guesses.size() < mostGuesses && fills(guess, bytes))
@@ -51,13 +86,18 @@ void add(std::vector<RawGuess>& guesses, const RawGuess& guess, std::uint64_t by
 void addFromName(std::vector<RawGuess>& guesses, std::string_view fileName, std::uint64_t bytes)
 {
     std::optional<std::array<std::uint32_t, 3>> size;
+    std::array<std::uint32_t, 3> byAxis{};
     std::optional<SampleType> type;
     for (const std::string_view word : split(fileName, "_-. ()")) {
         if (const auto found = sizeInName(word))
             size = found;
-        if (const auto found = parseSampleType(word))
+        if (const auto found = axisInName(word))
+            byAxis[found->first] = found->second;
+        if (const auto found = typeInName(word))
             type = *found;
     }
+    if (!size && std::ranges::count(byAxis, 0u) == 0)
+        size = byAxis;
     if (!size)
         return;
     if (type)

@@ -238,6 +238,9 @@ void RawReaderTest::guesses_data()
     row("bonsai_256x256x128_uint8.raw", 8388608, {"256x256x128 uint8"});
     row("head.64x64x93-int16.raw", 761856, {"64x64x93 int16"});
     row("headed_64X64X93.raw", 1523712, {"64x64x93 float"});
+    row("Molecule_U8_X100_Y100_Z120.binary", 1200000, {"100x100x120 uint8"});
+    row("head-z93-x64-y64.f32.raw", 1523712, {"64x64x93 float"});
+    row("only_X100_Z120_u8.raw", 12000, {});
     row("wrong_10x10x10_uint8.raw", 68921, {"41x41x41 uint8"});
     row("cube.raw", 262144,
         {"64x64x64 uint8", "32x32x32 double", "128x128x16 uint8", "64x64x32 uint16", "64x64x16 float"});
