@@ -42,9 +42,10 @@ def describe_machine(build):
 
 
 def describe_revision(source):
-    changed = [line for line in output_of("git", "status", "--porcelain", "--untracked-files=no", folder=source).splitlines()
-               if not line[2:].strip().startswith("docs/")]
-    return {"revision": output_of("git", "rev-parse", "--short=10", "HEAD", folder=source) or "unknown", "changed": bool(changed)}
+    """The revision, and whether what is measured was changed since."""
+    measured = ("app", "core", "plugins", "ui", "tests/bench/*.cpp", "tests/bench/*.h", "CMakeLists.txt", "CMakePresets.json")
+    return {"revision": output_of("git", "rev-parse", "--short=10", "HEAD", folder=source) or "unknown",
+            "changed": bool(output_of("git", "status", "--porcelain", "--untracked-files=no", "--", *measured, folder=source))}
 
 
 def now():
