@@ -45,7 +45,7 @@ class Runner:
     def available(self):
         """Which data and programs there are; a trial leaves the large ones out."""
         there = {name: (self.data / file).exists() for name, file in DATA.items()}
-        there["VTK"] = self.has_vtk
+        there["VTK"] = self.has_vtk and not self.sizes["vtk"]
         for name in FULL["meshes"].split(","):
             if name not in self.sizes["meshes"].split(","):
                 there[f"{name}'s tetrahedra"] = False
@@ -54,7 +54,8 @@ class Runner:
         return there
 
     def command(self, step):
-        words = [word.format(**self.sizes, data=self.data, folder=self.options.folder) for word in step.words.split()]
+        values = {**self.sizes, "data": self.data, "folder": self.options.folder}
+        words = [value for word in step.words.split() if (value := word.format(**values))]
         return [str(self.options.build / "bin" / step.program), *words] + ([] if step.program == "tan" else ["--json"])
 
     def report_of(self, step):

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 # quickly; it shows that everything fits together, and its figures mean nothing.
 FULL = {"small": 32, "middle": 64, "large": 128, "block": 16, "large_block": 32, "cells": 64, "picture": 512, "large_picture": 1024,
         "repeats": 5, "large_repeats": 2, "extractions": 9, "frames": 3, "surfaces": 7,
-        "meshes": "BluntFin,Post,bracket,Bucky", "models": "c60,engine", "tables": "1,2,3,4"}
+        "meshes": "BluntFin,Post,bracket,Bucky", "models": "c60,engine", "tables": "1,2,3,4", "vtk": ""}
 TRIAL = {"small": 9, "middle": 17, "large": 18, "block": 4, "large_block": 8, "cells": 6, "picture": 32, "large_picture": 64,
          "repeats": 1, "large_repeats": 1, "extractions": 5, "frames": 3, "surfaces": 3,
-         "meshes": "Bucky", "models": "c60", "tables": "2,4"}
+         "meshes": "Bucky", "models": "c60", "tables": "2,4", "vtk": "--without-vtk"}
 
 
 @dataclass(frozen=True)
@@ -33,9 +33,9 @@ STEPS = (
     Step("extraction", "meshes and foci out of a model", "tan-bench-extraction",
          "--size {large} --repeats {extractions}", 1.5),
     Step("volume", "pictures of volumes beside VTK", "tan-bench-rendering",
-         "--parts volume --cells {cells} --frames {frames} --sizes {picture},{large_picture}", 3, one_core=False),
+         "--parts volume --cells {cells} --frames {frames} --sizes {picture},{large_picture} {vtk}", 3, one_core=False),
     Step("surfaces", "isosurfaces beside VTK, and visibility orders", "tan-bench-rendering",
-         "--parts isosurface,order --cells {cells} --frames {surfaces}", 0.8, one_core=False),
+         "--parts isosurface,order --cells {cells} --frames {surfaces} {vtk}", 0.8, one_core=False),
     Step("hybrid", "volumes with surfaces, clip planes and light", "tan-bench-rendering",
          "--parts hybrid --cells {cells} --sizes {picture}", 0.6, one_core=False),
     Step("interaction", "a turntable, and edits in the window", "tan-bench-interaction",

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""make_page.py RESULTS PAGE PICTURES: writes the page of what was measured, and its plots as SVG into the folder PICTURES, from what
-`./dev bench all` left in the folder RESULTS. Where a result is missing or broken it says which, and writes nothing."""
+"""Writes the page of what was measured, and its plots as SVG into a folder, from what `./dev bench all` left in another one. Where a
+result is missing or broken it says which, and writes nothing."""
+import argparse
 import os
 import pathlib
 import sys
@@ -20,13 +21,24 @@ SECTIONS = (building.REFINEMENT, building.DECIMATION, queries.QUERIES, pictures.
             pictures.INTERACTION)
 
 
+def read_options():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("results", type=pathlib.Path, help="the folder with what the steps found")
+    parser.add_argument("page", type=pathlib.Path, help="the page to write, as Markdown")
+    parser.add_argument("pictures", type=pathlib.Path, help="the folder for the plots; other SVG files in it are removed")
+    parser.add_argument("--without", metavar="NAME[,NAME]", default="", help="steps that were not run; the page says so")
+    options = parser.parse_args()
+    without = [name for name in options.without.split(",") if name]
+    for name in without:
+        if name not in [step.name for step in STEPS]:
+            parser.error(f"there is no step '{name}'; there are {', '.join(step.name for step in STEPS)}")
+    return options.results, options.page, options.pictures, without
+
+
 def main():
-    if len(sys.argv) != 4:
-        print(__doc__, file=sys.stderr)
-        return 2
-    folder, page, drawings = map(pathlib.Path, sys.argv[1:])
+    folder, page, drawings, without = read_options()
     try:
-        results = Results(folder, STEPS)
+        results = Results(folder, STEPS, without)
         plots = plots_of(SECTIONS, results)
         text = page_text(SECTIONS, results, plots, os.path.relpath(drawings, page.parent))
     except Unusable as error:

@@ -101,6 +101,9 @@ def machine_text(results):
             f"{about['system']}; {about['compiler']}.\n\n")
     rows, loud, changed = [], [], False
     for step in STEPS:
+        if step.name in results.without:
+            rows.append(row(step.name, step.what, "left out", "", "", ""))
+            continue
         run = results.steps[step.name]["run"]
         changed |= run["changed"]
         loud += [step.name] if run["others_share"] > QUIET else []

@@ -65,9 +65,13 @@ def read_step(folder, step):
 
 
 class Results:
-    def __init__(self, folder, steps):
-        mistakes, self.steps = [], {}
+    """`without`: names of steps that were not run, of which the page then says so."""
+
+    def __init__(self, folder, steps, without=()):
+        mistakes, self.steps, self.without = [], {}, without
         for step in steps:
+            if step.name in without:
+                continue
             try:
                 self.steps[step.name] = read_step(folder, step)
             except Unusable as error:
@@ -96,6 +100,8 @@ class Results:
 
     def number(self, source):
         """The figure, or NotMeasured where there is a reason for that. Raises Unusable where there is none."""
+        if source.step in self.without:
+            return NotMeasured(f"step {source.step} was left out")
         step = self.steps[source.step]
         lacking = [what for what in source.needs if not step["available"].get(what, False)]
         if lacking:
