@@ -27,6 +27,7 @@ DEVELOPERS = [
     ("CONTRIBUTING.md", "contributing"),
     ("docs/tetrahedral-graphics.md", "tetrahedral-graphics"),
     ("core/model/FORMAT.md", "model-file"),
+    ("docs/measured.md", "measured"),
     ("docs/performance.md", "performance"),
     ("docs/dependencies.md", "dependencies"),
 ]
@@ -103,7 +104,7 @@ class Manual:
             return f'{attribute}="{self.by_path[goal].name}.html{"#" + anchor if anchor else ""}"'
         if not goal.exists():
             self.mistakes.append(f"{page.path}: {url} does not exist")
-        elif goal.is_file() and goal.suffix == ".png":
+        elif goal.is_file() and goal.suffix in (".png", ".svg"):
             name = goal.relative_to(self.source / "docs")
             (self.target / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(goal, self.target / name)

@@ -25,7 +25,8 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tan)
 # Loaded at run time, so that no link says so.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libegl1, libgl1-mesa-dri, libopengl0")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS qt6-translations-l10n)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS tan-vtk-readers)
+# ffmpeg makes videos of films.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ffmpeg, tan-vtk-readers")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}")
 set(CPACK_DEBIAN_VTK_PACKAGE_NAME tan-vtk-readers)
 set(CPACK_DEBIAN_VTK_PACKAGE_DEPENDS "${same_version}")
@@ -43,6 +44,9 @@ set(CPACK_RPM_FILE_NAME RPM-DEFAULT)
 set(CPACK_RPM_MAIN_COMPONENT program)
 set(CPACK_RPM_PACKAGE_LICENSE "GPL-3.0-or-later")
 set(CPACK_RPM_PACKAGE_GROUP "Applications/Engineering")
+# The files of the .deb as they are: rpmbuild would strip them once more, and link to them for packages of debugging symbols, which
+# there are none of.
+set(CPACK_RPM_SPEC_MORE_DEFINE "%define _build_id_links none\n%define __os_install_post %{nil}")
 set(CPACK_RPM_VTK_PACKAGE_NAME tan-vtk-readers)
 set(CPACK_RPM_VTK_PACKAGE_REQUIRES "tan = ${PROJECT_VERSION}")
 set(CPACK_RPM_DEVELOPMENT_PACKAGE_NAME tan-devel)

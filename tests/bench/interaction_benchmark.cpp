@@ -205,17 +205,22 @@ Result<std::shared_ptr<const Model>> modelOf(PluginHost& host, const Dataset& da
 }
 
 std::vector<std::pair<QString, Result<std::shared_ptr<const Model>>>>
-modelsOf(PluginHost& host, const QStringList& files, const QTemporaryDir& folder)
+modelsOf(PluginHost& host, const QCommandLineParser& parser, const QTemporaryDir& folder)
 {
     std::vector<std::pair<QString, Result<std::shared_ptr<const Model>>>> models;
-    for (const QString& file : files)
+    for (const QString& file : parser.values("model"))
         models.emplace_back(QFileInfo(file).fileName(), Model::open(file.toStdString()));
-    if (!files.isEmpty())
+    if (!models.empty())
         return models;
-    const auto c60 = makeSample({"c60", 128, SampleType::UInt8});
-    models.emplace_back("c60 128^3", modelOf(host, *c60, folder.filePath("c60.tan")));
-    const std::filesystem::path engine = TAN_SOURCE_DIR "/../shared/data/regular/engine_256x256x128_uint8.nrrd";
-    if (std::filesystem::exists(engine))
+    const QStringList names = parser.value("models").split(',');
+    if (names.contains("c60")) {
+        const std::uint32_t size = std::max(2u, parser.value("size").toUInt());
+        models.emplace_back(QString("c60 %1^3").arg(size),
+                            modelOf(host, *makeSample({"c60", size, SampleType::UInt8}), folder.filePath("c60.tan")));
+    }
+    const std::filesystem::path engine =
+        (parser.value("data") + "/regular/engine_256x256x128_uint8.nrrd").toStdString();
+    if (names.contains("engine") && std::filesystem::exists(engine))
         if (const auto dataset = openDataset(host, engine, {}, {}))
             models.emplace_back("engine 256x256x128", modelOf(host, *dataset, folder.filePath("engine.tan")));
     return models;
@@ -237,13 +242,16 @@ int main(int argc, char** argv)
     parser.addHelpOption();
     parser.addOption({"json", "Print one JSON object."});
     parser.addOption({"threads", "Of the back end.", "N", "2"});
-    parser.addOption({"model", "Turn this model in place of C60 and the engine; may be repeated.", "FILE.tan"});
+    parser.addOption({"models", "What to turn, with commas between.", "LIST", "c60,engine"});
+    parser.addOption({"size", "Points of C60 along an axis.", "N", "128"});
+    parser.addOption({"data", "The folder of the datasets.", "DIR", TAN_SOURCE_DIR "/../shared/data"});
+    parser.addOption({"model", "Turn this model in place of these; may be repeated.", "FILE.tan"});
     parser.addOption({"error", "The mesh's, in %; without it what the window shows at first.", "PERCENT"});
     parser.addOption({"edits-only", "Measure edits alone."});
     parser.process(application);
     const QTemporaryDir folder;
     std::vector<BenchCase> cases;
-    for (const auto& [name, model] : modelsOf(host, parser.values("model"), folder)) {
+    for (const auto& [name, model] : modelsOf(host, parser, folder)) {
         if (!model) {
             std::fprintf(stderr, "%s\n", model.error().text.c_str());
             return 4;

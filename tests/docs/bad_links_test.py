@@ -23,9 +23,9 @@ def run_with(line):
                               capture_output=True, text=True, check=False)
 
 
-for good in ("[a](formats.md#meshes)", "![a](images/window.png)", "[a](https://example.org)"):
+for good in ("[a](formats.md#meshes)", "![a](images/window.png)", "![a](images/performance/refinement.svg)", "[a](https://example.org)"):
     run = run_with(good)
     assert run.returncode == 0, (good, run.stderr)
-for bad in ("[a](gone.md)", "[a](formats.md#gone)", "[a](#gone)", "![a](images/gone.png)"):
+for bad in ("[a](gone.md)", "[a](formats.md#gone)", "[a](#gone)", "![a](images/gone.png)", "![a](images/performance/gone.svg)"):
     run = run_with(bad)
     assert run.returncode == 1 and "recipes.md" in run.stderr, (bad, run.stderr)

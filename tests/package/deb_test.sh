@@ -14,6 +14,8 @@ cp "$packages"/*.deb "$system/packages/"
 
 seconds install /packages/tan_*.deb
 echo "install time: tan_*.deb $seconds s, all that it needs included"
+check 'ffmpeg is suggested, and neither needed nor installed' \
+    "dpkg -s tan | grep '^Suggests:.*ffmpeg'; ! dpkg -s tan | grep -E '^(Depends|Recommends):.*ffmpeg'; ! command -v ffmpeg"
 check_command_line
 check 'without the VTK readers: told what to install' \
     "! '$bin/tan' info /work/image.vti 2>/work/message; grep -F 'apt install tan-vtk-readers' /work/message"

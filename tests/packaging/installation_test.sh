@@ -20,7 +20,10 @@ for file in bin/tan bin/tan-desktop lib/tan/libtan-ui.so.0 lib/tan/plugins inclu
     share/applications/org.tan.TAn.desktop share/mime/packages/org.tan.TAn.xml share/icons/hicolor/scalable/apps/org.tan.TAn.svg; do
     installed "$file"
 done
-[ ! -e "$build/share/doc/tan/manual" ] || installed share/doc/tan/manual/index.html
+if [ -e "$build/share/doc/tan/manual" ]; then
+    installed share/doc/tan/manual/index.html
+    installed share/doc/tan/manual/images/performance/refinement.svg
+fi
 # Headers of sources that are not interfaces stay at home, and so does what belongs to the VTK readers.
 check test ! -e "$place/include/tan/plugins/host"
 check test ! -e "$place/lib/tan/plugins/tan-read-vtk"

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The section of the page about meshes out of models: extraction, changes of accuracy, foci."""
+from figures import AskedPlot, Figure, Section
+from results import Source
+
+TYPES = ("uint8", "float")
+BOXES = ("1", "5", "12.5", "25")
+FOCI = ("1", "2", "5", "12.5", "25")
+
+
+def of(kind, case, key, scale=1.0):
+    return Source("extraction", f"c60 {{large}}^3 {kind}, {case}", key, scale=scale)
+
+
+def changes():
+    return tuple(Figure(f"{kind}, from {start} to {end} %", of(kind, f"from {start} to {end} %", "ratio"), 0.2)
+                 for kind in TYPES for start, end in (("1", "0.9"), ("0.9", "1"), ("0.5", "0.45"), ("0.45", "0.5")))
+
+
+def closed_sets():
+    figures = []
+    for kind in TYPES:
+        for case, label in [(f"box of {box} % by closed set", f"{kind}, box of {box} %") for box in BOXES] + [
+                ("graded", f"{kind}, graded over the domain"), ("isovalue", f"{kind}, near an isovalue")]:
+            figures.append(Figure(label, of(kind, case, "sites_per_second", 1e-6), 2, least=True))
+    return tuple(figures)
+
+
+def foci(what, key, asked):
+    return tuple(Figure(f"{kind}, {box} % {place}", of(kind, f"focus of {box} % {place}, {what}", key), asked)
+                 for kind in TYPES for place in ("at the centre", "on detail") for box in FOCI)
+
+
+QUERIES = Section(
+    "Meshes out of a model",
+    "From the model of C60 at {large}^3, one thread, the file's pages in memory. Extraction stands beside copying as many bytes; a change of "
+    "accuracy beside making the mesh afresh; a focus (0.5 % in a box, 4 % elsewhere; the box's share of the volume is given) beside "
+    "extracting the uniform mesh of 0.5 % into fresh buffers.",
+    (AskedPlot("extraction", "Extraction beside memcpy", "Share of the bandwidth of copying as many bytes; larger is better.", "% of memcpy",
+               tuple(Figure(f"{kind}, mesh of {error} %", of(kind, f"extraction at {error} %", "share_of_copy_bandwidth", 100), 60, least=True)
+                     for kind in TYPES for error in ("1", "0"))),
+     AskedPlot("accuracy", "Changing the accuracy", "Time of going from one mesh to the next over making that afresh; smaller is better.",
+               "seconds / seconds afresh", changes()),
+     AskedPlot("closed-sets", "Closed sets", "Meshes whose accuracy varies, out of the history alone; larger is better.",
+               "million sites a second", closed_sets()),
+     AskedPlot("focus", "A focus, afresh", "Time over that of the uniform fine mesh; smaller is better.", "seconds / seconds of the uniform mesh",
+               foci("afresh", "ratio", 0.5), logarithmic=True),
+     AskedPlot("focus-moved", "A focus that is dragged by 2 %", "Time of a step over that of the uniform fine mesh; smaller is better.",
+               "seconds / seconds of the uniform mesh", foci("dragged by 2 %", "ratio", 0.25), logarithmic=True),
+     AskedPlot("overhead", "What a focus costs in tetrahedra",
+               "Over the uniform fine ones that meet the box and the coarse ones that do not; smaller is better.",
+               "tetrahedra / fewest possible", foci("afresh", "overhead", 1.5)),
+     AskedPlot("first-mesh", "From a file to a first mesh", "Opening it and extracting the best mesh of so many tetrahedra; smaller is better.",
+               "milliseconds",
+               tuple(Figure(f"{kind}, {label} tetrahedra, {state}",
+                            of(kind, f"opening and a first mesh of {number} tetrahedra, {state}", "seconds", 1e3))
+                     for kind in TYPES for number, label in (("100000", "100,000"), ("1000000", "1,000,000")) for state in ("cold", "warm")))))
