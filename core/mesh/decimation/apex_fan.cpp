@@ -2,6 +2,7 @@
 #include "core/mesh/decimation/apex_fan.h"
 
 #include "core/base/simd.h"
+#include "core/mesh/decimation/fan_location.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,36 +57,6 @@ TETRA_SIMD_CLONES void computeColumns(const double* corners, const double* value
     }
 }
 
-/// The tetrahedra of a fan as the loops below see them.
-struct Tetrahedra {
-    const double* columns;
-    std::size_t columnLength;
-    const std::uint32_t* faces;
-    std::size_t count;
-};
-
-/// For eight places, in what place of the list of faces that is whose tetrahedron has each: the one whose smallest
-/// weight is largest, so that rounding leaves no place without one.
-TETRA_SIMD_INLINE void locateEight(const Tetrahedra& tetrahedra, const Double8& x, const Double8& y, const Double8& z,
-                                   Double8& owner)
-{
-    const std::size_t count = tetrahedra.columnLength;
-    Double8 deepest = x * 0 - 1e300;
-    Double8 number = x * 0;
-    owner = number;
-    for (std::size_t i = 0; i < tetrahedra.count; ++i) {
-        const double* row = tetrahedra.columns + tetrahedra.faces[i];
-        const Double8 a = row[0] * x + row[count] * y + row[2 * count] * z;
-        const Double8 b = row[3 * count] * x + row[4 * count] * y + row[5 * count] * z;
-        const Double8 c = row[6 * count] * x + row[7 * count] * y + row[8 * count] * z;
-        const Double8 lower = a < b ? a : b;
-        const Double8 depth = lower < c ? lower : c;
-        owner = depth > deepest ? number : owner;
-        deepest = depth > deepest ? depth : deepest;
-        number = number + 1;
-    }
-}
-
 /// For each lane the deepest of every eighth tetrahedron around a place, by its smallest weight, and its face. Faces
 /// without a tetrahedron, whose weights are no numbers, never are.
 TETRA_SIMD_CLONES void findDeepest(const double* columns, std::size_t count, const double* place, double tolerance,
@@ -114,39 +85,14 @@ TETRA_SIMD_CLONES void findDeepest(const double* columns, std::size_t count, con
     std::memcpy(owners, &owner, sizeof owner);
 }
 
-/// Adds a column's numbers of eight faces, times the factors.
-TETRA_SIMD_INLINE void addTaken(const double* column, const std::uint32_t* faces, const Double8& factors, Double8& sum)
-{
-    sum += factors * Double8{column[faces[0]], column[faces[1]], column[faces[2]], column[faces[3]],
-                             column[faces[4]], column[faces[5]], column[faces[6]], column[faces[7]]};
-}
-
-/// The faces that eight places belong to, and how far the values there are from the apex's.
-TETRA_SIMD_CLONES void locatePlaces(const Tetrahedra& tetrahedra, const std::array<const double*, 3>& places,
-                                    const double* apex, std::uint32_t* owners, double* steps)
-{
-    Double8 from[3], owner;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::memcpy(&from[axis], places[axis], sizeof owner);
-        from[axis] = from[axis] - apex[axis];
-    }
-    locateEight(tetrahedra, from[0], from[1], from[2], owner);
-    for (std::size_t lane = 0; lane < lanes; ++lane)
-        owners[lane] = tetrahedra.faces[static_cast<std::size_t>(owner[lane])];
-    Double8 step{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        addTaken(tetrahedra.columns + (9 + axis) * tetrahedra.columnLength, owners, from[axis], step);
-    std::memcpy(steps, &step, sizeof step);
-}
-
 double withoutRounding(double measured, double least)
 {
     return measured > least ? measured : 0;
 }
 
-Tetrahedra tetrahedraOf(const ApexFan& fan)
+FanTetrahedra tetrahedraOf(const ApexFan& fan)
 {
-    return {fan.columns().data(), fan.columnLength(), fan.faces().data(), fan.faces().size()};
+    return {fan.columns(), fan.columnLength(), fan.faces(), fan.apex()};
 }
 
 } // namespace
@@ -234,12 +180,12 @@ std::uint32_t faceAt(const ApexFan& fan, const Vector& place, double tolerance)
 double evaluateFan(const ApexFan& fan, const FanMeasure& measure, double bound, StarPoints& points)
 {
     double largest = 0;
-    const Tetrahedra tetrahedra = tetrahedraOf(fan);
+    FanLocation location(tetrahedraOf(fan), points.count());
     double steps[lanes];
     for (std::size_t first = 0; first < points.count() && largest <= bound; first += lanes) {
-        locatePlaces(tetrahedra,
-                     {points.place[0].data() + first, points.place[1].data() + first, points.place[2].data() + first},
-                     fan.apex().data(), points.owner.data() + first, steps);
+        location.locateEight(
+            {points.place[0].data() + first, points.place[1].data() + first, points.place[2].data() + first},
+            points.owner.data() + first, steps);
         // What is beyond the last point is a copy of the first.
         for (std::size_t lane = 0; lane < lanes; ++lane) {
             const std::size_t point = first + lane;
@@ -271,7 +217,7 @@ void vertexErrors(const VertexStar& star, const ApexFan& fan, const FanMeasure& 
                   std::span<const std::uint32_t> linkPlaces, std::vector<double>& errors)
 {
     errors.clear();
-    const Tetrahedra tetrahedra = tetrahedraOf(fan);
+    FanLocation location(tetrahedraOf(fan), linkPlaces.size());
     double places[3][lanes], steps[lanes];
     std::uint32_t owners[lanes];
     for (std::size_t first = 0; first < linkPlaces.size(); first += lanes) {
@@ -279,7 +225,7 @@ void vertexErrors(const VertexStar& star, const ApexFan& fan, const FanMeasure& 
         for (std::size_t lane = 0; lane < lanes; ++lane)
             for (std::size_t axis = 0; axis < 3; ++axis)
                 places[axis][lane] = -star.place(linkPlaces[first + (lane < count ? lane : 0)])[axis];
-        locatePlaces(tetrahedra, {places[0], places[1], places[2]}, fan.apex().data(), owners, steps);
+        location.locateEight({places[0], places[1], places[2]}, owners, steps);
         for (std::size_t lane = 0; lane < count; ++lane) {
             // Opposite to the target the corners have these weights, so the vertex is the mean of all with its own, 1.
             const auto [a, b, c] = fan.weightsAt(owners[lane], {places[0][lane], places[1][lane], places[2][lane]});

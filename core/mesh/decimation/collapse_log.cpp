@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/decimation/collapse_log.h"
 
+#include "core/base/buffer.h"
+
 #include <algorithm>
 #include <limits>
+#include <ranges>
 
 namespace tetra {
 
@@ -13,35 +16,53 @@ constexpr std::uint32_t none = CollapseLog::none;
 /// Numbers sites and tetrahedra in the order of the history and hands them to a sink.
 class Emission {
 public:
-    Emission(std::span<const std::uint32_t> points, std::uint32_t collapseCount, std::uint64_t tetrahedronCount,
-             HistorySink& sink)
-        : sink_(sink), points_(points), siteOfPoint_(points.size(), none), latestOfCollapse_(collapseCount, none)
+    /// `madeCounts`: for each collapse how many tetrahedra it made.
+    template <class Counts> Emission(std::span<const std::uint32_t> points, const Counts& madeCounts, HistorySink& sink)
+        : sink_(sink), points_(points), siteOfPoint_(points.size(), none)
     {
-        next_.reserve(tetrahedronCount);
+        nextMade_.reserve(madeCounts.size());
+        std::uint32_t total = 0;
+        for (const std::uint32_t count : madeCounts) {
+            nextMade_.push_back(total);
+            total += count;
+        }
+        made_.resize(total);
     }
 
     std::uint32_t siteOf(std::uint32_t point) const { return siteOfPoint_[point]; }
     void number(std::uint32_t point) { siteOfPoint_[point] = siteCount_++; }
 
+    /// Ask for what add() needs of a tetrahedron, the second some time after the first.
+    void prefetch(const std::array<std::uint32_t, 3>& others, std::uint32_t madeBy) const
+    {
+        for (const std::uint32_t other : others)
+            __builtin_prefetch(&siteOfPoint_[other]);
+        if (madeBy != none)
+            __builtin_prefetch(&nextMade_[madeBy]);
+    }
+    void prefetchMade(std::uint32_t madeBy) const
+    {
+        if (madeBy != none)
+            __builtin_prefetch(&made_[nextMade_[madeBy]]);
+    }
+
     /// A tetrahedron of the step to come.
     void add(const std::array<std::uint32_t, 3>& others, float error, float warping, std::uint32_t madeBy)
     {
         star_.push_back({{siteOf(others[0]), siteOf(others[1]), siteOf(others[2])}, error, warping});
-        next_.push_back(none);
-        if (madeBy == none)
-            return;
-        next_.back() = latestOfCollapse_[madeBy];
-        latestOfCollapse_[madeBy] = static_cast<std::uint32_t>(next_.size() - 1);
+        if (madeBy != none)
+            made_[nextMade_[madeBy]++] = tetrahedronCount_;
+        ++tetrahedronCount_;
     }
 
-    /// The step that ends with what was added; it undoes `collapse`, or none.
-    Status step(std::uint32_t point, float keyBefore, std::uint32_t collapse)
+    /// The step that ends with what was added; it destroys the `madeCount` tetrahedra that `collapse`, which it undoes,
+    /// made. All of them have been added.
+    Status step(std::uint32_t point, float keyBefore, std::uint32_t collapse, std::uint32_t madeCount)
     {
-        destroyed_.clear();
-        for (std::uint32_t i = collapse == none ? none : latestOfCollapse_[collapse]; i != none; i = next_[i])
-            destroyed_.push_back(i);
-        std::ranges::reverse(destroyed_);
-        Status status = sink_.add({points_[point], keyBefore, star_, destroyed_});
+        const std::span<const std::uint32_t> destroyed =
+            madeCount == 0 ? std::span<const std::uint32_t>()
+                           : std::span(made_).subspan(nextMade_[collapse] - madeCount, madeCount);
+        Status status = sink_.add({points_[point], keyBefore, star_, destroyed});
         star_.clear();
         return status;
     }
@@ -50,13 +71,13 @@ private:
     HistorySink& sink_;
     std::span<const std::uint32_t> points_;
     std::uint32_t siteCount_ = 0;
+    std::uint32_t tetrahedronCount_ = 0;
     std::vector<std::uint32_t> siteOfPoint_;
-    /// By collapse, the latest tetrahedron of the history that it made, and for each the one before: what the vertex
-    /// split that undoes it destroys.
-    std::vector<std::uint32_t> latestOfCollapse_;
-    std::vector<std::uint32_t> next_;
+    /// The tetrahedra of the history that each collapse made, side by side: what the vertex split that undoes it
+    /// destroys; and for each collapse the place for its next one.
+    Buffer<std::uint32_t> made_;
+    std::vector<std::uint32_t> nextMade_;
     std::vector<HistoryTetrahedron> star_;
-    std::vector<std::uint32_t> destroyed_;
 };
 
 /// The coarsest mesh, each tetrahedron with the latest of its sites.
@@ -93,7 +114,7 @@ Status emitCoarsest(std::span<const CollapseLog::Coarsest> coarsest, std::span<c
                 others[i] = tetrahedron.vertices[order[next->latest][i]];
             emission.add(others, tetrahedron.error, tetrahedron.warping, tetrahedron.madeBy);
         }
-        if (Status status = emission.step(points[site], std::numeric_limits<float>::infinity(), none); !status)
+        if (Status status = emission.step(points[site], std::numeric_limits<float>::infinity(), none, 0); !status)
             return status;
     }
     return {};
@@ -107,9 +128,9 @@ void CollapseLog::reserve(std::uint64_t collapses, std::uint64_t tetrahedra)
     tetrahedra_.reserve(tetrahedra);
 }
 
-void CollapseLog::add(std::uint32_t vertex, float keyAfter, std::span<const Tetrahedron> star)
+void CollapseLog::add(std::uint32_t vertex, float keyAfter, std::span<const Tetrahedron> star, std::uint32_t madeCount)
 {
-    collapses_.push_back({vertex, keyAfter, tetrahedra_.size()});
+    collapses_.push_back({vertex, keyAfter, static_cast<std::uint32_t>(star.size()), madeCount});
     tetrahedra_.insert(tetrahedra_.end(), star.begin(), star.end());
 }
 
@@ -119,17 +140,25 @@ Status CollapseLog::emit(std::span<const std::uint32_t> points, std::span<const 
     std::vector<std::uint8_t> removed(points.size(), 0);
     for (const Collapse& collapse : collapses_)
         removed[collapse.vertex] = 1;
-    Emission emission(points, collapseCount(), tetrahedra_.size() + coarsest.size(), sink);
+    Emission emission(points, std::views::transform(collapses_, &Collapse::madeCount), sink);
     if (Status status = emitCoarsest(coarsest, removed, emission); !status)
         return status;
-    std::uint64_t end = tetrahedra_.size();
+    // What is added lies all over the memory, and is asked for about so many tetrahedra ahead.
+    constexpr std::size_t ahead = 96, madeAhead = 48;
+    const std::span<const Tetrahedron> tetrahedra = tetrahedra_;
+    std::size_t first = tetrahedra.size();
     for (std::uint32_t number = collapseCount(); number-- > 0;) {
         const Collapse& collapse = collapses_[number];
         emission.number(collapse.vertex);
-        for (std::uint64_t i = collapse.firstTetrahedron; i < end; ++i)
-            emission.add(tetrahedra_[i].others, tetrahedra_[i].error, tetrahedra_[i].warping, tetrahedra_[i].madeBy);
-        end = collapse.firstTetrahedron;
-        if (Status status = emission.step(collapse.vertex, collapse.keyAfter, number); !status)
+        first -= collapse.starSize;
+        for (std::size_t i = first; i < first + collapse.starSize; ++i) {
+            if (i >= ahead)
+                emission.prefetch(tetrahedra[i - ahead].others, tetrahedra[i - ahead].madeBy);
+            if (i >= madeAhead)
+                emission.prefetchMade(tetrahedra[i - madeAhead].madeBy);
+            emission.add(tetrahedra[i].others, tetrahedra[i].error, tetrahedra[i].warping, tetrahedra[i].madeBy);
+        }
+        if (Status status = emission.step(collapse.vertex, collapse.keyAfter, number, collapse.madeCount); !status)
             return status;
         if (number % 4096 != 0)
             continue;

@@ -28,9 +28,9 @@ public:
     /// For about so many tetrahedra, so that nothing is copied while they come in. May throw std::bad_alloc.
     void reserve(std::uint64_t collapses, std::uint64_t tetrahedra);
 
-    /// A collapse that takes `vertex` out with the tetrahedra around it, in a mesh of `keyAfter` then. May throw
-    /// std::bad_alloc.
-    void add(std::uint32_t vertex, float keyAfter, std::span<const Tetrahedron> star);
+    /// A collapse that takes `vertex` out with the tetrahedra around it and makes `madeCount`, in a mesh of `keyAfter`
+    /// then. May throw std::bad_alloc.
+    void add(std::uint32_t vertex, float keyAfter, std::span<const Tetrahedron> star, std::uint32_t madeCount);
 
     std::uint32_t collapseCount() const noexcept { return static_cast<std::uint32_t>(collapses_.size()); }
     std::uint64_t tetrahedronCount() const noexcept { return tetrahedra_.size(); }
@@ -52,7 +52,8 @@ private:
     struct Collapse {
         std::uint32_t vertex;
         float keyAfter;
-        std::uint64_t firstTetrahedron;
+        std::uint32_t starSize;  ///< of tetrahedra_, how many are its own
+        std::uint32_t madeCount; ///< how many it made
     };
     std::vector<Collapse> collapses_;
     std::vector<Tetrahedron> tetrahedra_;

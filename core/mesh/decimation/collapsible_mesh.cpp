@@ -6,17 +6,20 @@
 namespace tetra {
 
 CollapsibleMesh::CollapsibleMesh(std::uint32_t vertexCount, std::span<const Four> tetrahedra, bool withNeighbours)
-    : vertices_(tetrahedra.begin(), tetrahedra.end()), stars_(vertexCount)
+    : stars_(vertexCount)
 {
+    tetrahedra_.reserve(tetrahedra.size());
+    for (const Four& vertices : tetrahedra)
+        tetrahedra_.push_back({vertices, {}});
     if (withNeighbours)
-        findNeighbours();
+        findNeighbours(tetrahedra);
     setStars(vertexCount);
 }
 
-void CollapsibleMesh::findNeighbours()
+void CollapsibleMesh::findNeighbours(std::span<const Four> tetrahedra)
 {
-    neighbours_.resize(vertices_.size());
-    const FaceAdjacency adjacency = matchFaces(vertices_);
+    neighbours_.resize(tetrahedra.size());
+    const FaceAdjacency adjacency = matchFaces(tetrahedra);
     for (std::uint32_t slot = 0; slot < slotCount(); ++slot)
         for (std::size_t i = 0; i < 4; ++i) {
             const std::uint32_t neighbour = adjacency.neighbours[slot][i];
@@ -31,13 +34,13 @@ void CollapsibleMesh::findNeighbours()
 
 void CollapsibleMesh::setStars(std::uint32_t vertexCount)
 {
-    for (const Four& vertices : vertices_)
-        for (const std::uint32_t vertex : vertices)
+    for (const Tetrahedron& tetrahedron : tetrahedra_)
+        for (const std::uint32_t vertex : tetrahedron.vertices)
             ++stars_[vertex].count;
     for (std::uint32_t vertex = 0; vertex < vertexCount; ++vertex)
         stars_[vertex] = {pool_.allocate(stars_[vertex].count).place, 0};
     for (std::uint32_t slot = 0; slot < slotCount(); ++slot)
-        for (const std::uint32_t vertex : vertices_[slot]) {
+        for (const std::uint32_t vertex : vertices(slot)) {
             ++stars_[vertex].count;
             pool_[stars_[vertex]].back() = slot;
         }
@@ -53,7 +56,7 @@ void CollapsibleMesh::collapse(std::uint32_t vertex, std::uint32_t target)
 {
     moved_.clear();
     for (const std::uint32_t slot : star(vertex)) {
-        Four& vertices = vertices_[slot];
+        Four& vertices = tetrahedra_[slot].vertices;
         if (vertices[indexOf(vertices, target)] == target) {
             remove(slot, vertex, target);
             continue;
@@ -69,7 +72,7 @@ void CollapsibleMesh::collapse(std::uint32_t vertex, std::uint32_t target)
 /// Takes a tetrahedron out and puts its two neighbours, which differ by `vertex` and `target`, against one another.
 void CollapsibleMesh::remove(std::uint32_t slot, std::uint32_t vertex, std::uint32_t target)
 {
-    Four& vertices = vertices_[slot];
+    Four& vertices = tetrahedra_[slot].vertices;
     if (!neighbours_.empty()) {
         const std::uint32_t ofTarget = neighbours_[slot][indexOf(vertices, vertex)];
         const std::uint32_t ofVertex = neighbours_[slot][indexOf(vertices, target)];

@@ -11,6 +11,13 @@
 
 namespace tetra {
 
+/// What decimation keeps with a tetrahedron besides its geometry.
+struct TetrahedronState {
+    IndexPool::List inside;            ///< the removed points that it has
+    float error = 0;                   ///< its own: of these and of the points outside that are related to it
+    std::uint32_t madeBy = 0xffffffff; ///< the collapse that made it; CollapseLog::none if none did
+};
+
 /// Tetrahedra that half-edge collapses keep conforming, with those around each vertex. Each has a slot; what survives a
 /// collapse stays in its slot, with another vertex. Looking at a star touches few places in memory, and all at once.
 class CollapsibleMesh {
@@ -26,11 +33,14 @@ public:
     /// keep them takes a third of a collapse. May throw std::bad_alloc.
     CollapsibleMesh(std::uint32_t vertexCount, std::span<const Four> tetrahedra, bool withNeighbours);
 
-    std::uint32_t slotCount() const noexcept { return static_cast<std::uint32_t>(vertices_.size()); }
-    bool alive(std::uint32_t slot) const noexcept { return vertices_[slot][0] != none; }
+    std::uint32_t slotCount() const noexcept { return static_cast<std::uint32_t>(tetrahedra_.size()); }
+    bool alive(std::uint32_t slot) const noexcept { return vertices(slot)[0] != none; }
     /// Positive; the first is none where the slot is empty.
-    const Four& vertices(std::uint32_t slot) const noexcept { return vertices_[slot]; }
-    void prefetch(std::uint32_t slot) const { __builtin_prefetch(&vertices_[slot]); }
+    const Four& vertices(std::uint32_t slot) const noexcept { return tetrahedra_[slot].vertices; }
+    /// Only kept here: it shares a line of the cache with the vertices, and is nearly always wanted with them.
+    TetrahedronState& state(std::uint32_t slot) noexcept { return tetrahedra_[slot].state; }
+    const TetrahedronState& state(std::uint32_t slot) const noexcept { return tetrahedra_[slot].state; }
+    void prefetch(std::uint32_t slot) const { __builtin_prefetch(&tetrahedra_[slot]); }
     void prefetchStar(std::uint32_t vertex) const { __builtin_prefetch(star(vertex).data()); }
     void prefetchStarsPlace(std::uint32_t vertex) const { __builtin_prefetch(&stars_[vertex]); }
     /// Slots or boundary triangles, each opposite to the vertex.
@@ -52,7 +62,8 @@ public:
     std::array<std::uint32_t, 3> cornersOfFaceOf(std::uint32_t slot, std::size_t corner) const noexcept
     {
         const auto& [a, b, c] = cornersOfFace[corner];
-        return {vertices_[slot][a], vertices_[slot][b], vertices_[slot][c]};
+        const Four& four = vertices(slot);
+        return {four[a], four[b], four[c]};
     }
 
     /// Moves `vertex` onto its neighbour `target`: tetrahedra that hold both vanish. None may have both of its faces
@@ -60,12 +71,17 @@ public:
     void collapse(std::uint32_t vertex, std::uint32_t target);
 
 private:
-    void findNeighbours();
+    struct alignas(32) Tetrahedron {
+        Four vertices;
+        TetrahedronState state;
+    };
+
+    void findNeighbours(std::span<const Four> tetrahedra);
     void setStars(std::uint32_t vertexCount);
     void remove(std::uint32_t slot, std::uint32_t vertex, std::uint32_t target);
     void replaceNeighbour(std::uint32_t slot, std::uint32_t before, std::uint32_t after);
 
-    std::vector<Four> vertices_;
+    std::vector<Tetrahedron> tetrahedra_; ///< by slot
     std::vector<Four> neighbours_;
     std::vector<IndexPool::List> stars_; ///< by vertex
     IndexPool pool_;

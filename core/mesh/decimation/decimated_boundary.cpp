@@ -74,9 +74,9 @@ void DecimatedMesh::relateToBoundary()
         if (error.keptBy != none)
             boundaryPoints_.takeOutside(error.keptBy, error.point);
         if (error.inFan != none) {
-            State& state = states_[star_.slots()[error.inFan]];
+            TetrahedronState& state = mesh_.state(star_.slots()[error.inFan]);
             state.inside = pool_.appended(state.inside, {&error.point, 1});
-            state.insideError = std::max(state.insideError, roundedUp(error.error));
+            state.error = std::max(state.error, roundedUp(error.error));
         } else {
             boundaryPoints_.addOutside(error.triangle, error.point, roundedUp(error.error), roundedUp(error.warping));
         }

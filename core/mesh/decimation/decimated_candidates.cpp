@@ -61,7 +61,7 @@ void DecimatedMesh::boundCandidates()
         return;
     }
     gatherSamples();
-    around_.setStar(star_, input_.values[vertex], samples_);
+    around_.setStar(star_, placedValues_[vertex].value, samples_);
     vertexErrors(star_, around_, measure_, samples_, candidates_, leastKeys_);
     constexpr double beyondRounding = 1 - 1e-12;
     const double weight = input_.weights.empty() ? 1 : static_cast<double>(input_.weights[vertex]);

@@ -16,6 +16,9 @@ namespace {
 /// The mark of vertices on an irregular boundary.
 constexpr std::uint8_t boundaryMark = 1;
 
+/// How many points are asked for before the first of them is read: about what the nearest cache holds.
+constexpr std::size_t pointsAhead = 128;
+
 std::array<double, 3> arrayOf(const Eigen::Vector3d& vector)
 {
     return {vector.x(), vector.y(), vector.z()};
@@ -56,7 +59,8 @@ std::vector<PlacedValue> placedValuesOf(const DecimationMesh& mesh)
 
 DecimatedMesh::DecimatedMesh(const DecimationMesh& mesh, const DecimationOptions& options)
     : input_(mesh), placedValues_(placedValuesOf(mesh)), options_(options),
-      mesh_(vertexCount(), mesh.tetrahedra, !mesh.box), states_(mesh_.slotCount()), keys_(mesh_.slotCount()),
+      mesh_(vertexCount(), mesh.tetrahedra, !mesh.box),
+      warpings_(mesh.box && mesh.lifted.empty() ? 0 : mesh_.slotCount()), keys_(mesh_.slotCount()),
       boundaryPoints_(mesh_.triangleCount()), live_(mesh_.slotCount()),
       star_(placedValues_, exactVolumes(mesh.positions)), boundaryJudge_(input_, measure_)
 {
@@ -125,9 +129,11 @@ int DecimatedMesh::handednessOfInput() const
 
 bool DecimatedMesh::mayMove(std::uint32_t vertex, std::uint32_t target) const
 {
+    if (sides_[vertex] == 0)
+        return true;
     if (input_.box)
         return (sides_[vertex] & ~sides_[target]) == 0;
-    return sides_[vertex] == 0 || (sides_[vertex] != locked && sides_[target] != 0);
+    return sides_[vertex] != locked && sides_[target] != 0;
 }
 
 float DecimatedMesh::keyOf(float error, float warping) const
@@ -141,30 +147,12 @@ void DecimatedMesh::fetchAhead(std::uint32_t vertex, int step) const
         return mesh_.prefetchStarsPlace(vertex);
     if (step == 1)
         return mesh_.prefetchStar(vertex);
-    for (const std::uint32_t slot : mesh_.star(vertex)) {
-        if (step == 2) {
-            mesh_.prefetch(slot);
-            __builtin_prefetch(&states_[slot]);
-            continue;
-        }
-        const auto inside = pool_[states_[slot].inside];
-        if (step == 3) {
-            __builtin_prefetch(inside.data());
-            for (const std::uint32_t corner : mesh_.vertices(slot))
-                __builtin_prefetch(&input_.positions[corner]);
-            continue;
-        }
-        for (const std::uint32_t point : inside) {
-            __builtin_prefetch(&input_.positions[point]);
-            __builtin_prefetch(&input_.values[point]);
-        }
-    }
+    for (const std::uint32_t slot : mesh_.star(vertex))
+        mesh_.prefetch(slot);
 }
 
 void DecimatedMesh::setStar(std::uint32_t vertex)
 {
-    for (const std::uint32_t slot : mesh_.star(vertex))
-        __builtin_prefetch(&states_[slot]);
     star_.set(mesh_, vertex, movesOnBoundary(vertex));
     star_.measure();
     gathered_ = judging_ = sampled_ = false;
@@ -194,16 +182,16 @@ void DecimatedMesh::gatherPoints()
         return;
     gathered_ = true;
     for (const std::uint32_t slot : star_.slots())
-        __builtin_prefetch(std::as_const(pool_)[states_[slot].inside].data());
+        __builtin_prefetch(std::as_const(pool_)[mesh_.state(slot).inside].data());
     points_.points.clear();
     points_.points.push_back(star_.vertex());
     for (const std::uint32_t slot : star_.slots()) {
-        const auto inside = std::as_const(pool_)[states_[slot].inside];
+        const auto inside = std::as_const(pool_)[mesh_.state(slot).inside];
         points_.points.insert(points_.points.end(), inside.begin(), inside.end());
     }
-    for (const std::uint32_t point : points_.points)
-        __builtin_prefetch(&placedValues_[point]);
     const std::size_t count = points_.count();
+    for (std::size_t i = 0; i < std::min(count, pointsAhead); ++i)
+        __builtin_prefetch(&placedValues_[points_.points[i]]);
     const std::size_t room = (count + StarPoints::lanes - 1) / StarPoints::lanes * StarPoints::lanes;
     const std::array<double, 3> origin = placedValues_[star_.vertex()].place;
     const bool lifted = !input_.lifted.empty(), weighted = !input_.weights.empty();
@@ -215,6 +203,8 @@ void DecimatedMesh::gatherPoints()
     for (auto& coordinates : points_.lifted)
         coordinates.resize(lifted ? room : 0);
     for (std::size_t i = 0; i < room; ++i) {
+        if (i + pointsAhead < count)
+            __builtin_prefetch(&placedValues_[points_.points[i + pointsAhead]]);
         const std::uint32_t point = points_.points[i < count ? i : 0];
         const PlacedValue& placed = placedValues_[point];
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -238,6 +228,8 @@ bool DecimatedMesh::collapse(std::uint32_t vertex, std::uint32_t target)
         mesh_.prefetchStar(around);
     if (!known)
         setFan(place);
+    for (const std::uint32_t slot : star_.slots())
+        keys_.prefetch(slot);
     touched_.assign(link.begin(), link.end());
     logStar();
     if (movesOnBoundary(vertex)) {
@@ -253,7 +245,7 @@ bool DecimatedMesh::collapse(std::uint32_t vertex, std::uint32_t target)
     for (const std::uint32_t face : fan_.faces())
         raiseOwn(star_.slots()[face]);
     live_ -= star_.slots().size() - fan_.faces().size();
-    log_.add(vertex, key(), logged_);
+    log_.add(vertex, key(), logged_, static_cast<std::uint32_t>(fan_.faces().size()));
     return true;
 }
 
@@ -262,12 +254,13 @@ void DecimatedMesh::logStar()
 {
     logged_.clear();
     for (std::size_t i = 0; i < star_.slots().size(); ++i) {
-        const State& state = states_[star_.slots()[i]];
+        const std::uint32_t slot = star_.slots()[i];
+        const TetrahedronState& state = mesh_.state(slot);
         CollapseLog::Tetrahedron& entry = logged_.emplace_back();
         for (std::size_t k = 0; k < 3; ++k)
             entry.others[k] = star_.link()[star_.faces()[i][k]];
         entry.error = state.error;
-        entry.warping = state.warping;
+        entry.warping = warpingOf(slot);
         entry.madeBy = state.madeBy;
     }
 }
@@ -275,9 +268,10 @@ void DecimatedMesh::logStar()
 void DecimatedMesh::clearStates()
 {
     for (const std::uint32_t slot : star_.slots()) {
-        pool_.release(states_[slot].inside);
-        states_[slot] = {};
-        states_[slot].madeBy = log_.collapseCount();
+        pool_.release(mesh_.state(slot).inside);
+        mesh_.state(slot) = {.inside = {}, .error = 0, .madeBy = log_.collapseCount()};
+        if (!warpings_.empty())
+            warpings_[slot] = 0;
         if (!mesh_.alive(slot)) // the keys of the others are set when they are known
             keys_.set(slot, 0);
     }
@@ -286,34 +280,40 @@ void DecimatedMesh::clearStates()
 /// Gives the points of the star to the tetrahedra of the fan, as they were evaluated.
 void DecimatedMesh::giveOutPoints()
 {
-    for (std::size_t i = 0; i < points_.count(); ++i)
-        ++states_[star_.slots()[points_.owner[i]]].inside.count;
+    shares_.assign(star_.slots().size(), {});
+    const std::span owners = std::span(points_.owner).first(points_.count());
+    for (const std::uint32_t owner : owners)
+        ++shares_[owner].count;
+    for (const std::uint32_t face : fan_.faces())
+        mesh_.state(star_.slots()[face]).inside = pool_.allocate(shares_[face].count);
+    for (const std::uint32_t face : fan_.faces())
+        shares_[face].next = pool_[mesh_.state(star_.slots()[face]).inside].data();
+    for (std::size_t i = 0; i < owners.size(); ++i) {
+        Share& share = shares_[owners[i]];
+        *share.next++ = points_.points[i];
+        share.error = std::max(share.error, points_.error[i]);
+        if (!points_.warping.empty())
+            share.warping = std::max(share.warping, points_.warping[i]);
+    }
     for (const std::uint32_t face : fan_.faces()) {
         const std::uint32_t slot = star_.slots()[face];
-        states_[slot].inside = {pool_.allocate(states_[slot].inside.count).place, 0};
-    }
-    for (std::size_t i = 0; i < points_.count(); ++i) {
-        State& state = states_[star_.slots()[points_.owner[i]]];
-        ++state.inside.count;
-        pool_[state.inside].back() = points_.points[i];
-        state.insideError = std::max(state.insideError, roundedUp(points_.error[i]));
-        if (!points_.warping.empty())
-            state.warping = std::max(state.warping, roundedUp(points_.warping[i]));
+        mesh_.state(slot).error = roundedUp(shares_[face].error);
+        if (!warpings_.empty())
+            warpings_[slot] = roundedUp(shares_[face].warping);
     }
 }
 
 /// Brings a tetrahedron's own error and warping up to what is related to it.
 void DecimatedMesh::raiseOwn(std::uint32_t slot)
 {
-    State& state = states_[slot];
-    state.error = std::max(state.error, state.insideError);
+    float& error = mesh_.state(slot).error;
     if (!input_.box)
         for (const std::uint32_t neighbour : mesh_.neighbours(slot))
             if (CollapsibleMesh::isTriangle(neighbour)) {
-                state.error = std::max(state.error, boundaryPoints_[neighbour].error);
-                state.warping = std::max(state.warping, boundaryPoints_[neighbour].warping);
+                error = std::max(error, boundaryPoints_[neighbour].error);
+                warpings_[slot] = std::max(warpings_[slot], boundaryPoints_[neighbour].warping);
             }
-    keys_.set(slot, keyOf(state.error, state.warping));
+    keys_.set(slot, keyOf(error, warpingOf(slot)));
 }
 
 std::vector<CollapseLog::Coarsest> DecimatedMesh::coarsest() const
@@ -322,7 +322,7 @@ std::vector<CollapseLog::Coarsest> DecimatedMesh::coarsest() const
     for (std::uint32_t slot = 0; slot < mesh_.slotCount(); ++slot)
         if (mesh_.alive(slot))
             tetrahedra.push_back(
-                {mesh_.vertices(slot), states_[slot].error, states_[slot].warping, states_[slot].madeBy});
+                {mesh_.vertices(slot), mesh_.state(slot).error, warpingOf(slot), mesh_.state(slot).madeBy});
     return tetrahedra;
 }
 

@@ -76,13 +76,12 @@ public:
     std::vector<CollapseLog::Coarsest> coarsest() const;
 
 private:
-    /// What is known of a tetrahedron besides its geometry.
-    struct State {
-        IndexPool::List inside; ///< the removed points that it has
-        float insideError = 0;  ///< bound on their errors
-        float error = 0;        ///< its own: also on those of the points outside that are related to it
-        float warping = 0;      ///< its own
-        std::uint32_t madeBy = CollapseLog::none;
+    /// What a tetrahedron that a collapse makes gets of the star's points.
+    struct Share {
+        std::uint32_t* next = nullptr; ///< where the next one's number goes
+        double error = 0;              ///< the largest
+        double warping = 0;
+        std::uint32_t count = 0;
     };
 
     static constexpr std::uint8_t locked = 0xff; ///< the mark of a vertex that stays
@@ -112,6 +111,7 @@ private:
     void logStar();
     void clearStates();
     void giveOutPoints();
+    float warpingOf(std::uint32_t slot) const { return warpings_.empty() ? 0 : warpings_[slot]; }
     float keyOf(float error, float warping) const;
 
     const DecimationMesh input_;
@@ -119,7 +119,7 @@ private:
     const DecimationOptions options_;
     FanMeasure measure_;
     CollapsibleMesh mesh_;
-    std::vector<State> states_; ///< by slot
+    std::vector<float> warpings_; ///< own ones, by slot; empty where there are none
     IndexPool pool_;
     KeyTournament keys_;
     CollapseLog log_;
@@ -146,6 +146,7 @@ private:
     std::vector<std::uint32_t> candidates_; ///< places in the star's link
     std::vector<double> leastKeys_;         ///< of each candidate: a bound from below
     std::vector<std::uint32_t> touched_;
+    std::vector<Share> shares_; ///< by face of the star
     std::vector<CollapseLog::Tetrahedron> logged_;
 };
 

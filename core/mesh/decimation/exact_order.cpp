@@ -66,6 +66,8 @@ void ExactOrder::collapse(const Entry& entry)
         return;
     }
     states_[entry.vertex].queued = false;
+    for (const std::uint32_t vertex : mesh_.touched())
+        __builtin_prefetch(&states_[vertex]);
     for (const std::uint32_t vertex : mesh_.touched()) {
         VertexState& state = states_[vertex];
         state.changed = true;

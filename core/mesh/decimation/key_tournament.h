@@ -39,6 +39,7 @@ public:
         }
         largest_ = key;
     }
+    void prefetch(std::size_t index) const { __builtin_prefetch(&levels_.front()[index]); }
     float largest() const noexcept { return largest_; }
 
 private:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/buffer.h"
+
 #include <array>
 
 #include <cstddef>
@@ -14,15 +16,15 @@ namespace tetra {
 struct StarPoints {
     static constexpr std::size_t lanes = 8;
 
-    std::vector<std::uint32_t> points;        ///< their numbers; count() of them
-    std::array<std::vector<double>, 3> place; ///< where errors are measured, from the star's vertex
-    std::vector<double> value;
-    std::vector<double> weight;                ///< empty: 1
-    std::array<std::vector<double>, 3> lifted; ///< in physical space; empty: no warping
+    std::vector<std::uint32_t> points;   ///< their numbers; count() of them
+    std::array<Buffer<double>, 3> place; ///< where errors are measured, from the star's vertex
+    Buffer<double> value;
+    Buffer<double> weight;                ///< empty: 1
+    std::array<Buffer<double>, 3> lifted; ///< in physical space; empty: no warping
 
-    std::vector<std::uint32_t> owner; ///< by the last evaluation: which tetrahedron has the point
-    std::vector<double> error;        ///< by the last evaluation, weighted
-    std::vector<double> warping;      ///< likewise, where points are lifted
+    Buffer<std::uint32_t> owner; ///< by the last evaluation: which tetrahedron has the point
+    Buffer<double> error;        ///< by the last evaluation, weighted
+    Buffer<double> warping;      ///< likewise, where points are lifted
 
     std::size_t count() const noexcept { return points.size(); }
 };
