@@ -439,8 +439,8 @@
         <translation>Zeigt Volumendaten in jeder Genauigkeit.</translation>
     </message>
     <message>
-        <source>What draws the picture: auto, cpu or gl.</source>
-        <translation>Was das Bild zeichnet: auto, cpu oder gl.</translation>
+        <source>What draws the picture: auto, cpu, gl or gl33 (no newer OpenGL than 3.3).</source>
+        <translation>Was das Bild zeichnet: auto, cpu, gl oder gl33 (kein neueres OpenGL als 3.3).</translation>
     </message>
     <message>
         <source>A dataset or a .tan model to open.</source>
@@ -2490,6 +2490,11 @@ Verwerfung %2</translation>
     <message>
         <source>OpenGL</source>
         <translation>OpenGL</translation>
+    </message>
+    <message>
+        <source>OpenGL %1</source>
+        <comment>a version</comment>
+        <translation>OpenGL %1</translation>
     </message>
 </context>
 <context>

@@ -34,8 +34,8 @@ double secondsSince(Clock::time_point start)
 
 Result<std::unique_ptr<RenderBackend>> makeBackend(const std::string& id)
 {
-    if (id == "gl")
-        return makeGlBackend();
+    if (id == "gl" || id == "gl33")
+        return makeGlBackend(id == "gl" ? GlLevel::Gl43 : GlLevel::Gl33);
     return makeCpuBackend();
 }
 
@@ -154,14 +154,20 @@ std::size_t triangleCount(const Scene& scene)
     return count;
 }
 
-void addStatistics(QJsonObject& figures, const RenderStatistics& statistics)
+void addStatistics(QJsonObject& figures, const RenderBackend& backend)
 {
+    const RenderStatistics statistics = backend.statistics();
     figures["cells_drawn"] = static_cast<qint64>(statistics.cells);
     figures["fragments"] = static_cast<qint64>(statistics.fragments);
     figures["broken_cycles"] = static_cast<qint64>(statistics.brokenCycles);
     figures["order_seconds"] = statistics.orderSeconds;
     figures["set_up_seconds"] = statistics.setUpSeconds;
     figures["fill_seconds"] = statistics.fillSeconds;
+    figures["cells_on_card"] = statistics.cellsOnCard;
+    figures["order_on_card"] = statistics.orderOnCard;
+    figures["sent_bytes"] = static_cast<qint64>(statistics.sentBytes);
+    if (const std::string note = backend.note(); !note.empty())
+        figures["backend_note"] = QString::fromStdString(note);
 }
 
 /// "19752 triangles and a volume of 222642 tetrahedra".
@@ -250,7 +256,7 @@ Result<Outcome> runRender(const Invocation& invocation)
         return picture.error();
     QJsonObject figures = prepared->figures;
     figures["picture_seconds"] = secondsSince(pictureStart);
-    addStatistics(figures, (*backend)->statistics());
+    addStatistics(figures, **backend);
     if (const Status written = writeFiles(*request, *picture, figures); !written)
         return written.error();
 

@@ -121,8 +121,9 @@ std::vector<Option> pictureOptions()
              .explanation = "transparent, #rrggbb, or one of " + colourNames() + ".",
              .byDefault = "white"},
             {.name = "backend",
-             .placeholder = "cpu|gl",
-             .explanation = "Who draws: the processor, or OpenGL 3.3.",
+             .placeholder = "cpu|gl|gl33",
+             .explanation = "Who draws: the processor, or OpenGL. With OpenGL 4.3 the graphics card orders a volume's "
+                            "cells, too, where it can; gl33 does without.",
              .byDefault = std::string(defaultBackend)},
             threadsOption(),
             {.name = "depth",
@@ -148,8 +149,9 @@ Result<RenderRequest> renderRequestOf(const Arguments& arguments)
         return picture.error();
     request.picture = *picture;
     request.backend = arguments.value("backend").value_or(std::string(defaultBackend));
-    if (request.backend != "cpu" && request.backend != "gl")
-        return Error{ErrorKind::WrongUsage, "'" + request.backend + "' does not fit '--backend': it takes cpu or gl."};
+    if (request.backend != "cpu" && request.backend != "gl" && request.backend != "gl33")
+        return Error{ErrorKind::WrongUsage,
+                     "'" + request.backend + "' does not fit '--backend': it takes cpu, gl or gl33."};
     if (const Status files = checkFiles(request); !files)
         return files.error();
     return request;

@@ -107,7 +107,7 @@ private slots:
         QCOMPARE(offeredByBash({"tan", "re"}), QStringList({"render", "reproduce"}));
         for (const QString& subcommand : names)
             QCOMPARE(offeredByBash({"tan", subcommand, "--"}), optionsInHelp(tanHelp(subcommand)));
-        QCOMPARE(offeredByBash({"tan", "render", "a.tan", "--backend", ""}), QStringList({"cpu", "gl"}));
+        QCOMPARE(offeredByBash({"tan", "render", "a.tan", "--backend", ""}), QStringList({"cpu", "gl", "gl33"}));
         QCOMPARE(offeredByBash({"tan", "render", "a.tan", "-o", ""}), QStringList()); // files, by the shell itself
     }
 
@@ -128,7 +128,7 @@ private slots:
             found.sort();
             QCOMPARE(found, expected);
         }
-        QCOMPARE(offered("tan render --backend "), QStringList({"cpu", "gl"}));
+        QCOMPARE(offered("tan render --backend "), QStringList({"cpu", "gl", "gl33"}));
     }
 
     void zshKnowsEveryOption()

@@ -93,7 +93,7 @@ private:
 private slots:
     void initTestCase()
     {
-        auto backend = makeGlBackend();
+        auto backend = makeGlBackend(TAN_GL_LEVEL);
         if (!backend)
             QSKIP(("skipped: " + backend.error().text).c_str());
         gl_ = std::move(*backend);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Volumes and hybrids of the OpenGL back end against the CPU's (B4, R20, R21). Skipped where EGL gives no OpenGL 3.3.
+// Volumes and hybrids of the OpenGL back end against the CPU's (B4, R20, R21), by TAN_GL_LEVEL at most: built for both.
+// Skipped where EGL gives no OpenGL 3.3.
 #include "tests/core/graphics/lattice_mesh.h"
 #include "tests/render/gl_volume_scenes.h"
 #include "tests/render/same_picture.h"
@@ -34,7 +35,7 @@ private:
 private slots:
     void initTestCase()
     {
-        auto backend = makeGlBackend();
+        auto backend = makeGlBackend(TAN_GL_LEVEL);
         if (!backend)
             QSKIP(("skipped: " + backend.error().text).c_str());
         gl_ = std::move(*backend);

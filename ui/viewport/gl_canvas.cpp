@@ -42,7 +42,7 @@ bool isSoftware(const QString& renderer)
 
 } // namespace
 
-GlCanvas::GlCanvas(QWidget* parent) : QOpenGLWidget(parent)
+GlCanvas::GlCanvas(GlLevel level, QWidget* parent) : QOpenGLWidget(parent), level_(level)
 {
     setFormat(wantedFormat());
     pacer_.setFrameRate(usualFrameRate());
@@ -64,7 +64,15 @@ void GlCanvas::release()
 
 QString GlCanvas::backendName() const
 {
-    return tr("OpenGL");
+    if (!painter_)
+        return tr("OpenGL");
+    const bool newest = painter_->level() == GlLevel::Gl43 && painter_->note().empty();
+    return tr("OpenGL %1", "a version").arg(newest ? "4.3" : "3.3");
+}
+
+QString GlCanvas::backendNote() const
+{
+    return painter_ ? QString::fromStdString(painter_->note()) : QString();
 }
 
 void GlCanvas::show(const View& view)
@@ -85,9 +93,11 @@ void GlCanvas::initializeGL()
 {
     // The context goes when the widget moves to another window.
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlCanvas::release, Qt::UniqueConnection);
-    auto painter = ScenePainter::make([](const char* name) {
-        return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name));
-    });
+    auto painter = ScenePainter::make(
+        [](const char* name) {
+            return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name));
+        },
+        level_);
     if (painter)
         painter_ = *std::move(painter);
     else

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/graphics/render_backend.h"
 #include "ui/viewport/canvas.h"
 #include "ui/viewport/frame_clock.h"
 
@@ -9,17 +10,18 @@
 namespace tetra {
 
 class ScenePainter;
-struct PictureOptions;
 
 /// Draws with OpenGL into the window.
 class GlCanvas : public QOpenGLWidget, public Canvas {
     Q_OBJECT
 public:
-    explicit GlCanvas(QWidget* parent = nullptr);
+    /// `level`: the newest OpenGL that it may use.
+    explicit GlCanvas(GlLevel level, QWidget* parent = nullptr);
     ~GlCanvas() override;
 
     QWidget* widget() override { return this; }
     QString backendName() const override;
+    QString backendNote() const override;
     void show(const View& view) override;
     void setFrameRate(double perSecond) override { pacer_.setFrameRate(perSecond); }
     double usualFrameRate() const override { return 30; }
@@ -36,6 +38,7 @@ private:
     void giveUp(const QString& text);
     void release();
 
+    GlLevel level_;
     View view_;
     bool settled_ = false;
     bool givenUp_ = false;

@@ -9,8 +9,9 @@ namespace tetra {
 Canvas* makeCanvas(BackendChoice choice)
 {
     const GlSupport support = choice == BackendChoice::Cpu ? GlSupport::None : glSupport();
-    if (support == GlSupport::Hardware || (support == GlSupport::Software && choice == BackendChoice::Gl))
-        return new GlCanvas;
+    const bool wanted = choice == BackendChoice::Gl || choice == BackendChoice::Gl33;
+    if (support == GlSupport::Hardware || (support == GlSupport::Software && wanted))
+        return new GlCanvas(choice == BackendChoice::Gl33 ? GlLevel::Gl33 : GlLevel::Gl43);
     return new CpuCanvas;
 }
 

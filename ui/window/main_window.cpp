@@ -80,7 +80,7 @@ MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
     connectWorkbench();
     connectFollowing();
     connectHelp(*this, actions_, workbench_.session(), *messages_);
-    status_->setBackend(viewport_->backendName());
+    showBackend();
     showModel();
     for (const QString& error : pluginErrors(workbench_.host()))
         messages_->add(error);
@@ -238,13 +238,19 @@ void MainWindow::connectWorkbench()
     connect(&scenes, &SceneBuilder::busyChanged, status_, &StatusLine::setBusy);
     connect(&workbench_.draftBuilder(), &DraftBuilder::draftsReady, this, &MainWindow::showDrafts);
     connect(viewport_, &Viewport::framePainted, this, [this](const FrameReport& report) {
+        showBackend();
         if (viewport_->scene())
             status_->setFrame(report);
     });
     connect(viewport_, &Viewport::failed, this, [this](const QString& text) {
         messages_->add(text);
-        status_->setBackend(viewport_->backendName());
+        showBackend();
     });
+}
+
+void MainWindow::showBackend()
+{
+    status_->setBackend(viewport_->backendName(), viewport_->backendNote());
 }
 
 void MainWindow::saveMesh()

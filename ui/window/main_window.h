@@ -50,6 +50,7 @@ private:
     void copyPicture();
     void saveFilm();
     void saveMesh();
+    void showBackend();
     void saveSurfaces();
     void saveStatistics();
     void fillRecent();

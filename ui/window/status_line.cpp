@@ -43,7 +43,7 @@ StatusLine::StatusLine(QStatusBar* bar) : QObject(bar), bar_(bar), file_(new QLa
             tr("Time for drawing the last picture; while it moves the frames a second, and how much smaller and of "
                "how many tetrahedra they are"));
     memory_ = add("status.memory", tr("Memory that the program occupies, mapped files included"));
-    backend_ = add("status.backend", tr("What draws the picture: OpenGL or the processor"));
+    backend_ = add("status.backend", {});
 
     busyShown_.setSingleShot(true);
     busyShown_.setInterval(busyAfter);
@@ -107,9 +107,11 @@ QString StatusLine::movingText(const FrameReport& report)
     return parts.join(tr(", "));
 }
 
-void StatusLine::setBackend(const QString& name)
+void StatusLine::setBackend(const QString& name, const QString& note)
 {
+    const QString toolTip = tr("What draws the picture: OpenGL or the processor");
     backend_->setText(name);
+    backend_->setToolTip(note.isEmpty() ? toolTip : toolTip + "\n" + note);
     backend_->show();
 }
 

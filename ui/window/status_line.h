@@ -23,7 +23,8 @@ public:
     void setFile(const QString& name, const QString& path);
     void setScene(const BuiltScene& scene);
     void setFrame(const FrameReport& report);
-    void setBackend(const QString& name);
+    /// `note`: what there is to say of it, for the tool tip.
+    void setBackend(const QString& name, const QString& note);
     void setBusy(bool busy);
 
 private:

@@ -51,6 +51,20 @@ Result<std::unique_ptr<GlProgram>> GlProgram::make(const GlFunctions& gl, const 
             status = attach(gl, program->name_, gl::fragmentShader, shader);
     if (!status)
         return status.error();
+    return linked(std::move(program));
+}
+
+Result<std::unique_ptr<GlProgram>> GlProgram::makeCompute(const GlFunctions& gl, const char* computeShader)
+{
+    std::unique_ptr<GlProgram> program(new GlProgram(gl, gl.createProgram()));
+    if (Status status = attach(gl, program->name_, gl::computeShader, computeShader); !status)
+        return status.error();
+    return linked(std::move(program));
+}
+
+Result<std::unique_ptr<GlProgram>> GlProgram::linked(std::unique_ptr<GlProgram> program)
+{
+    const GlFunctions& gl = program->gl_;
     gl.linkProgram(program->name_);
     int linked = 0;
     gl.getProgramiv(program->name_, gl::linkStatus, &linked);

@@ -22,6 +22,8 @@ public:
     /// driver's own text.
     static Result<std::unique_ptr<GlProgram>> make(const GlFunctions& gl, const char* vertexShader,
                                                    std::span<const char* const> fragmentShaders);
+    /// From the text of a compute shader, in a context that has them.
+    static Result<std::unique_ptr<GlProgram>> makeCompute(const GlFunctions& gl, const char* computeShader);
     ~GlProgram();
     GlProgram(const GlProgram&) = delete;
     GlProgram& operator=(const GlProgram&) = delete;
@@ -57,6 +59,7 @@ public:
     void setTexture(const char* uniform, int unit, unsigned texture, unsigned target = gl::texture2D) const;
 
 private:
+    static Result<std::unique_ptr<GlProgram>> linked(std::unique_ptr<GlProgram> program);
     GlProgram(const GlFunctions& gl, unsigned name) : gl_(gl), name_(name) {}
     int location(const char* uniform) const { return gl_.getUniformLocation(name_, uniform); }
 

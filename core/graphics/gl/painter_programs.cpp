@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/graphics/gl/painter_programs.h"
 
+#include "core/graphics/gl/volume_shaders.h"
+
 #include <array>
 #include <tan_shaders.h>
 
@@ -28,7 +30,7 @@ Result<PainterPrograms> makePainterPrograms(const GlFunctions& gl)
     make(programs.resolve, shaders::screenVert, std::array{shaders::resolveFrag});
     make(programs.saturated, shaders::screenVert, std::array{shaders::saturatedFrag});
     make(programs.bisect, shaders::screenVert, std::array{shaders::bisectFrag});
-    make(programs.volume, shaders::volumeVert, std::array{shaders::volumeFrag, shaders::slabFrag, shaders::focusFrag});
+    make(programs.volume, cellVertexShader(shaders::volumeVert).c_str(), volumeFragmentShaders());
     if (!status)
         return status.error();
     return programs;

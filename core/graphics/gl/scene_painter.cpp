@@ -34,13 +34,14 @@ constexpr float farthest = 1;
 
 class ScenePainter::Implementation {
 public:
-    explicit Implementation(const GetProcAddress& getProcAddress) : gl_(getProcAddress) {}
+    explicit Implementation(const GetProcAddress& getProcAddress) : gl_(getProcAddress), volume_(gl_, getProcAddress) {}
 
-    Status initialise();
+    Status initialise(GlLevel level);
     Status draw(const Scene& scene, const Camera& camera, const PictureOptions& options, unsigned framebuffer,
                 const Progress& progress);
     const std::string& rendererName() const noexcept { return rendererName_; }
     const RenderStatistics& statistics() const noexcept { return statistics_; }
+    const VolumePainter& volume() const noexcept { return volume_; }
     std::vector<float> takeDepth() noexcept { return std::move(depth_); }
 
 private:
@@ -58,7 +59,7 @@ private:
     const GlFunctions gl_;
     PainterPrograms programs_;
     std::optional<SurfacePainter> surfaces_;
-    VolumePainter volume_{gl_};
+    VolumePainter volume_;
     SampleTargets targets_;
     HalfLight halfLight_{gl_};
     GlObject emptyVertexArray_;
@@ -69,7 +70,7 @@ private:
     std::vector<float> depth_;
 };
 
-Status ScenePainter::Implementation::initialise()
+Status ScenePainter::Implementation::initialise(GlLevel level)
 {
     if (!gl_.find.missing().empty())
         return Error{ErrorKind::OutOfResource, "The OpenGL driver has no function " + gl_.find.missing() +
@@ -93,6 +94,8 @@ Status ScenePainter::Implementation::initialise()
     layerQuery_ = {gl_.genQueries, gl_.deleteQueries};
     fragmentQuery_ = {gl_.genQueries, gl_.deleteQueries};
     surfaces_.emplace(gl_, programs_);
+    if (level == GlLevel::Gl43)
+        volume_.useCompute();
     return {};
 }
 
@@ -312,10 +315,10 @@ ScenePainter::ScenePainter(std::unique_ptr<Implementation> implementation) : imp
 
 ScenePainter::~ScenePainter() = default;
 
-Result<std::unique_ptr<ScenePainter>> ScenePainter::make(const GetProcAddress& getProcAddress)
+Result<std::unique_ptr<ScenePainter>> ScenePainter::make(const GetProcAddress& getProcAddress, GlLevel level)
 {
     auto implementation = std::make_unique<Implementation>(getProcAddress);
-    if (Status status = implementation->initialise(); !status)
+    if (Status status = implementation->initialise(level); !status)
         return status.error();
     return std::unique_ptr<ScenePainter>(new ScenePainter(std::move(implementation)));
 }
@@ -334,6 +337,16 @@ Status ScenePainter::draw(const Scene& scene, const Camera& camera, const Pictur
 const std::string& ScenePainter::rendererName() const noexcept
 {
     return implementation_->rendererName();
+}
+
+GlLevel ScenePainter::level() const noexcept
+{
+    return implementation_->volume().level();
+}
+
+std::string ScenePainter::note() const
+{
+    return implementation_->volume().note();
 }
 
 RenderStatistics ScenePainter::statistics() const noexcept

@@ -83,12 +83,14 @@ Status fillCells(const GlFunctions& gl, const TetrahedralMesh& mesh, const Volum
     std::erase_if(data, [](const ChunkData& chunk) { return chunk.corners.empty(); });
     buffers.chunks.resize(data.size());
     buffers.cells = 0;
+    buffers.sentBytes = 0;
     for (std::size_t i = 0; i < data.size(); ++i) {
         CellChunk& chunk = buffers.chunks[i];
         fillTextureBuffer(gl, chunk.corners, gl::rgba32ui, bytesOf(data[i].corners), gl::streamDraw);
         fillTextureBuffer(gl, chunk.segments, gl::rg16ui, bytesOf(data[i].segments), gl::streamDraw);
         chunk.count = static_cast<int>(data[i].corners.size());
         buffers.cells += data[i].corners.size();
+        buffers.sentBytes += bytesOf(data[i].corners).size() + bytesOf(data[i].segments).size();
     }
     return gl.getError() == gl::outOfMemory ? Status(outOfMemory()) : Status();
 }

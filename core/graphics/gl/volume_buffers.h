@@ -25,8 +25,9 @@ struct CellChunk {
 struct VolumeBuffers {
     TextureBuffer vertices; ///< places and values, as they are
     std::vector<CellChunk> chunks;
-    std::size_t cells = 0; ///< in all chunks
-    KeptOrder order;       ///< that the chunks are in
+    std::size_t cells = 0;     ///< in all chunks
+    std::size_t sentBytes = 0; ///< for them
+    KeptOrder order;           ///< that the chunks are in
     std::weak_ptr<const VolumeTransfer> transfer;
 };
 

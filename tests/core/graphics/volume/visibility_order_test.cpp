@@ -3,10 +3,9 @@
 #include "core/graphics/volume/boundary_convexity.h"
 #include "core/graphics/volume/order_drift.h"
 #include "core/graphics/volume/volume_renderer.h"
-#include "core/mesh/exact_orientation.h"
-#include "core/mesh/scattered_delaunay.h"
 #include "core/mesh/spatial_order.h"
 #include "tests/core/graphics/lattice_mesh.h"
+#include "tests/core/graphics/volume/exact_order.h"
 #include "tests/core/graphics/volume/volume_meshes.h"
 
 #include <QTest>
@@ -27,10 +26,11 @@ VolumeMesh volumeOf(const TetrahedralMesh& mesh)
     return makeVolumeMesh(std::make_shared<const TetrahedralMesh>(mesh)).value();
 }
 
-std::vector<std::size_t> ranksOf(const VisibilityOrder& order)
+std::vector<std::uint32_t> ranksOf(const VisibilityOrder& order)
 {
-    std::vector<std::size_t> ranks(order.cells.size(), order.cells.size());
-    for (std::size_t i = 0; i < order.cells.size(); ++i)
+    const auto count = static_cast<std::uint32_t>(order.cells.size());
+    std::vector<std::uint32_t> ranks(count, count);
+    for (std::uint32_t i = 0; i < count; ++i)
         ranks[order.cells[i]] = i;
     return ranks;
 }
@@ -44,69 +44,6 @@ double heightOfEye(const TetrahedralMesh& mesh, std::size_t cell, std::size_t fa
     const Vector3d normal = (at(1) - at(0)).cross(at(2) - at(0)).normalized();
     const Vector3d back = viewMatrix(camera).block<1, 3>(2, 0).transpose();
     return camera.perspective ? normal.dot((eyePosition(camera) - at(0)).normalized()) : normal.dot(back);
-}
-
-/// The Delaunay mesh of points, those on one sphere in an order of their own.
-TetrahedralMesh delaunayMesh(const std::vector<Vector3d>& points)
-{
-    ScatteredDelaunay builder(points);
-    if (const Status status = builder.start(); !status)
-        qFatal("%s", status.error().text.c_str());
-    std::map<std::uint32_t, std::array<std::uint32_t, 4>> cells;
-    std::vector<bool> inserted(points.size(), false);
-    std::uint32_t hint = 0;
-    const auto follow = [&] {
-        for (const std::uint32_t slot : builder.destroyed())
-            cells.erase(slot);
-        for (const ScatteredDelaunay::Cell& cell : builder.created()) {
-            cells[cell.slot] = cell.points;
-            hint = cell.slot;
-            for (const std::uint32_t point : cell.points)
-                inserted[point] = true;
-        }
-    };
-    follow();
-    for (std::uint32_t point = 0; point < points.size(); ++point)
-        if (!inserted[point]) {
-            builder.insert(point, builder.locate(point, hint));
-            follow();
-        }
-    TetrahedralMesh mesh;
-    for (const Vector3d& point : points)
-        mesh.positions.push_back(point.cast<float>());
-    mesh.values.assign(points.size(), 0.5f);
-    for (const auto& [slot, cell] : cells)
-        mesh.tetrahedra.push_back(cell);
-    return mesh;
-}
-
-/// Delaunay meshes of points on a lattice, most of them cospherical with others, and of points anywhere.
-std::vector<NamedMesh> delaunayMeshes()
-{
-    std::mt19937 random(12);
-    std::vector<Vector3d> lattice, anywhere;
-    for (int i = 0; i < 10 * 10 * 10; ++i)
-        if (random() % 3 != 0)
-            lattice.emplace_back(i % 10, i / 10 % 10, i / 100);
-    std::uniform_real_distribution<float> coordinate(0, 1);
-    for (int i = 0; i < 900; ++i) {
-        const float x = coordinate(random), y = coordinate(random), z = coordinate(random);
-        anywhere.emplace_back(x, y, z * z * z);
-    }
-    return {{"lattice", delaunayMesh(lattice)}, {"anywhere", delaunayMesh(anywhere)}};
-}
-
-/// 1 if the eye sees a face of a cell from outside, -1 from inside, 0 if it lies in its plane.
-int exactSide(const TetrahedralMesh& mesh, std::size_t cell, std::size_t face, const EyePoint& eye)
-{
-    const auto exact = [](const Vector3d& point) { return std::array{point.x(), point.y(), point.z()}; };
-    std::array<Vector3d, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i)
-        corners[i] = mesh.positions[mesh.tetrahedra[cell][cornersOfFace[face][i]]].cast<double>();
-    if (eye.perspective)
-        return orientationSign(exact(corners[0]), exact(corners[1]), exact(corners[2]), exact(eye.place));
-    // Differences of floats of about the same size are exact.
-    return orientationSign({0, 0, 0}, exact(corners[1] - corners[0]), exact(corners[2] - corners[0]), exact(eye.place));
 }
 
 /// Three blades around an axis, each before the next.
@@ -196,7 +133,7 @@ void VisibilityOrderTest::everyFaceIsRight()
             const VisibilityOrder order = orderForCamera(volume, camera, {64, 64}).value();
             QCOMPARE(order.brokenCycles, std::size_t(0));
             const auto ranks = ranksOf(order);
-            QVERIFY(std::ranges::none_of(ranks, [&](std::size_t rank) { return rank == ranks.size(); }));
+            QVERIFY(std::ranges::none_of(ranks, [&](std::uint32_t rank) { return rank == ranks.size(); }));
             for (std::size_t cell = 0; cell < ranks.size(); ++cell)
                 for (std::size_t face = 0; face < 4; ++face) {
                     const std::uint32_t neighbour = volume.adjacency.neighbours[cell][face];
@@ -212,34 +149,15 @@ void VisibilityOrderTest::everyFaceIsRight()
 void VisibilityOrderTest::everyFaceIsExactlyRight()
 {
     std::mt19937 random(16);
-    std::uniform_real_distribution<double> share(-1, 2);
     for (const NamedMesh& named : delaunayMeshes())
         for (const bool spatial : {false, true}) {
             const VolumeMesh volume = volumeOf(spatial ? inSpatialOrder(named.mesh).value() : named.mesh);
-            const TetrahedralMesh& mesh = *volume.mesh;
-            for (int round = 0; round < 40; ++round) {
-                EyePoint eye;
-                eye.perspective = round % 2 == 0;
-                for (int axis = 0; axis < 3; ++axis) {
-                    const double extent = volume.bounds.sizes()[axis];
-                    const double place = volume.bounds.min()[axis] + share(random) * extent;
-                    eye.place[axis] = random() % 3 != 0 ? place : std::round(place) + (random() % 2 == 0 ? 0 : 1e-9);
-                }
-                const VisibilityOrder order = orderByAdjacency(mesh, volume.adjacency, eye);
+            for (const EyePoint& eye : eyesAround(volume.bounds, 40, random)) {
+                const VisibilityOrder order = orderByAdjacency(*volume.mesh, volume.adjacency, eye);
                 QCOMPARE(order.brokenCycles, std::size_t(0));
-                const auto ranks = ranksOf(order);
-                std::size_t wrong = 0, compared = 0;
-                for (std::size_t cell = 0; cell < ranks.size(); ++cell)
-                    for (std::size_t face = 0; face < 4; ++face) {
-                        const std::uint32_t neighbour = volume.adjacency.neighbours[cell][face];
-                        const int side = exactSide(mesh, cell, face, eye);
-                        if (neighbour == FaceAdjacency::none || side == 0)
-                            continue;
-                        ++compared;
-                        wrong += (ranks[neighbour / 4] < ranks[cell]) != (side > 0) ? 1 : 0;
-                    }
-                QVERIFY(compared > ranks.size());
-                QCOMPARE(wrong, std::size_t(0));
+                const FacesInOrder faces = checkFaces(*volume.mesh, volume.adjacency, eye, ranksOf(order));
+                QVERIFY(faces.compared > order.cells.size());
+                QCOMPARE(faces.wrong, std::size_t(0));
             }
         }
 }
