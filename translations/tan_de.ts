@@ -299,6 +299,10 @@
         <source>&amp;Annotations</source>
         <translation>Beschr&amp;iftung</translation>
     </message>
+    <message>
+        <source>Picked &amp;Value</source>
+        <translation>&amp;Gewählter Wert</translation>
+    </message>
 </context>
 <context>
     <name>AddIsovalue</name>
@@ -2239,6 +2243,26 @@ Verwerfung %2</translation>
         <source>Na&amp;rrower</source>
         <translation>S&amp;chmaler</translation>
     </message>
+    <message>
+        <source>Add a &amp;point</source>
+        <translation>&amp;Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add an &amp;isovalue</source>
+        <translation>&amp;Isowert hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Forget it</source>
+        <translation>&amp;Vergessen</translation>
+    </message>
+    <message>
+        <source>Follow the logarit&amp;hm of the value</source>
+        <translation>Dem &amp;Logarithmus des Wertes folgen</translation>
+    </message>
+    <message>
+        <source>Picked in &amp;the picture</source>
+        <translation>Im &amp;Bild gewählt</translation>
+    </message>
 </context>
 <context>
     <name>tetra::EmptyPage</name>
@@ -2734,6 +2758,10 @@ Verwerfung %2</translation>
         <source>%1 holds the view that it shows, which can be restored.</source>
         <translation>%1 enthält die Ansicht, die es zeigt; sie kann wiederhergestellt werden.</translation>
     </message>
+    <message>
+        <source>Kept on %1. The model lies in %2.</source>
+        <translation>Behalten am %1. Das Modell liegt in %2.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::KeyFrameList</name>
@@ -2820,6 +2848,41 @@ Verwerfung %2</translation>
     <message>
         <source>Azimuth and elevation, distance in the units of the data, accuracy</source>
         <translation>Azimut und Höhe, Abstand in den Einheiten der Daten, Genauigkeit</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::LostOffers</name>
+    <message>
+        <source>Sessions to restore</source>
+        <translation>Sitzungen zum Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>TAn ended unexpectedly while %1 was open.</source>
+        <translation>TAn endete unerwartet, während %1 geöffnet war.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Open the model, seen as it was. What was kept stays until that has worked.</source>
+        <translation>Öffnet das Modell, so gesehen wie zuvor. Das Behaltene bleibt, bis das gelungen ist.</translation>
+    </message>
+    <message>
+        <source>Restore %1</source>
+        <translation>%1 wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>Ver&amp;werfen</translation>
+    </message>
+    <message>
+        <source>Forget how the model was seen. The model itself stays.</source>
+        <translation>Vergisst, wie das Modell gesehen wurde. Das Modell selbst bleibt.</translation>
+    </message>
+    <message>
+        <source>Discard %1</source>
+        <translation>%1 verwerfen</translation>
     </message>
 </context>
 <context>
@@ -2912,6 +2975,53 @@ Verwerfung %2</translation>
 </context>
 <context>
     <name>tetra::ParameterForm</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::PickActions</name>
+    <message>
+        <source>&amp;Pick</source>
+        <translation>W&amp;ählen</translation>
+    </message>
+    <message>
+        <source>Find the value that is seen at the pointer, or in the middle of the picture</source>
+        <translation>Findet den Wert, der am Zeiger oder in der Mitte des Bildes zu sehen ist</translation>
+    </message>
+    <message>
+        <source>&amp;Isovalue Here</source>
+        <translation>&amp;Isowert hier</translation>
+    </message>
+    <message>
+        <source>Add an isosurface of the picked value</source>
+        <translation>Fügt eine Isofläche des gewählten Wertes hinzu</translation>
+    </message>
+    <message>
+        <source>Point of &amp;Transfer Function Here</source>
+        <translation>Punkt der &amp;Transferfunktion hier</translation>
+    </message>
+    <message>
+        <source>Add a point to the transfer function at the picked value</source>
+        <translation>Fügt der Transferfunktion beim gewählten Wert einen Punkt hinzu</translation>
+    </message>
+    <message>
+        <source>&amp;Forget</source>
+        <translation>&amp;Vergessen</translation>
+    </message>
+    <message>
+        <source>Take the mark of the picked value away</source>
+        <translation>Nimmt die Markierung des gewählten Wertes weg</translation>
+    </message>
+    <message>
+        <source>Open a model first</source>
+        <translation>Erst ein Modell öffnen</translation>
+    </message>
+    <message>
+        <source>Click a place in the picture first, or pick one</source>
+        <translation>Erst eine Stelle im Bild anklicken oder wählen</translation>
+    </message>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
@@ -3543,6 +3653,10 @@ Verwerfung %2</translation>
         <source>, </source>
         <translation>, </translation>
     </message>
+    <message>
+        <source>Value and place that were picked in the picture, in the units of the data. Click elsewhere to pick another one, Esc takes the mark away.</source>
+        <translation>Wert und Ort, die im Bild gewählt wurden, in den Einheiten der Daten. Ein Klick anderswo wählt einen anderen, Esc nimmt die Markierung weg.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::TaskLine</name>
@@ -3751,6 +3865,29 @@ Verwerfung %2</translation>
     <message>
         <source>Remove what is selected</source>
         <translation>Das Ausgewählte entfernen</translation>
+    </message>
+    <message>
+        <source>Axis of values</source>
+        <translation>Achse der Werte</translation>
+    </message>
+    <message>
+        <source>Li&amp;near</source>
+        <translation>Li&amp;near</translation>
+    </message>
+    <message>
+        <source>Logarithmic: by &amp;factors</source>
+        <translation>Logarithmisch: nach &amp;Faktoren</translation>
+    </message>
+    <message>
+        <source>The axis of values stays linear: a logarithmic one has no place for zero and less, and the data or the points begin at %1. Move the points above zero, or choose data of positive values.</source>
+        <translation>Die Achse der Werte bleibt linear: eine logarithmische hat keinen Platz für null und weniger, und die Daten oder die Punkte beginnen bei %1. Die Punkte über null schieben oder Daten mit positiven Werten wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ValuePick</name>
+    <message>
+        <source>%1 at (%2, %3, %4)</source>
+        <translation>%1 bei (%2, %3, %4)</translation>
     </message>
 </context>
 <context>

@@ -299,6 +299,10 @@
         <source>Read how everything works, in the web browser</source>
         <translation>Leggere nel browser come funziona tutto</translation>
     </message>
+    <message>
+        <source>Picked &amp;Value</source>
+        <translation>&amp;Valore scelto</translation>
+    </message>
 </context>
 <context>
     <name>AddIsovalue</name>
@@ -2239,6 +2243,26 @@ deformazione %2</translation>
         <source>Add an iso&amp;value</source>
         <translation>Aggiungi un iso&amp;valore</translation>
     </message>
+    <message>
+        <source>Add a &amp;point</source>
+        <translation>Aggiungi un &amp;punto</translation>
+    </message>
+    <message>
+        <source>Add an &amp;isovalue</source>
+        <translation>Aggiungi un &amp;isovalore</translation>
+    </message>
+    <message>
+        <source>&amp;Forget it</source>
+        <translation>&amp;Dimentica</translation>
+    </message>
+    <message>
+        <source>Follow the logarit&amp;hm of the value</source>
+        <translation>Segui il &amp;logaritmo del valore</translation>
+    </message>
+    <message>
+        <source>Picked in &amp;the picture</source>
+        <translation>Scelto nell&apos;imma&amp;gine</translation>
+    </message>
 </context>
 <context>
     <name>tetra::EmptyPage</name>
@@ -2734,6 +2758,10 @@ deformazione %2</translation>
         <source>%1 holds the view that it shows, which can be restored.</source>
         <translation>%1 contiene la vista che mostra; si può ripristinare.</translation>
     </message>
+    <message>
+        <source>Kept on %1. The model lies in %2.</source>
+        <translation>Conservata il %1. Il modello si trova in %2.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::KeyFrameList</name>
@@ -2820,6 +2848,41 @@ deformazione %2</translation>
     <message>
         <source>show of a key frame</source>
         <translation>visione di un fotogramma chiave</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::LostOffers</name>
+    <message>
+        <source>Sessions to restore</source>
+        <translation>Sessioni da ripristinare</translation>
+    </message>
+    <message>
+        <source>TAn ended unexpectedly while %1 was open.</source>
+        <translation>TAn è terminato inaspettatamente mentre %1 era aperto.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Ripristina</translation>
+    </message>
+    <message>
+        <source>Open the model, seen as it was. What was kept stays until that has worked.</source>
+        <translation>Apre il modello, visto com&apos;era. Ciò che è conservato resta finché l&apos;operazione non riesce.</translation>
+    </message>
+    <message>
+        <source>Restore %1</source>
+        <translation>Ripristina %1</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Scarta</translation>
+    </message>
+    <message>
+        <source>Forget how the model was seen. The model itself stays.</source>
+        <translation>Dimentica come era visto il modello. Il modello stesso resta.</translation>
+    </message>
+    <message>
+        <source>Discard %1</source>
+        <translation>Scarta %1</translation>
     </message>
 </context>
 <context>
@@ -2912,6 +2975,53 @@ deformazione %2</translation>
 </context>
 <context>
     <name>tetra::ParameterForm</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::PickActions</name>
+    <message>
+        <source>&amp;Pick</source>
+        <translation>&amp;Scegli</translation>
+    </message>
+    <message>
+        <source>Find the value that is seen at the pointer, or in the middle of the picture</source>
+        <translation>Trova il valore che si vede al puntatore o al centro dell&apos;immagine</translation>
+    </message>
+    <message>
+        <source>&amp;Isovalue Here</source>
+        <translation>&amp;Isovalore qui</translation>
+    </message>
+    <message>
+        <source>Add an isosurface of the picked value</source>
+        <translation>Aggiunge un&apos;isosuperficie del valore scelto</translation>
+    </message>
+    <message>
+        <source>Point of &amp;Transfer Function Here</source>
+        <translation>Punto della funzione di &amp;trasferimento qui</translation>
+    </message>
+    <message>
+        <source>Add a point to the transfer function at the picked value</source>
+        <translation>Aggiunge un punto alla funzione di trasferimento al valore scelto</translation>
+    </message>
+    <message>
+        <source>&amp;Forget</source>
+        <translation>&amp;Dimentica</translation>
+    </message>
+    <message>
+        <source>Take the mark of the picked value away</source>
+        <translation>Toglie il segno del valore scelto</translation>
+    </message>
+    <message>
+        <source>Open a model first</source>
+        <translation>Aprire prima un modello</translation>
+    </message>
+    <message>
+        <source>Click a place in the picture first, or pick one</source>
+        <translation>Fare prima clic su un punto dell&apos;immagine o sceglierne uno</translation>
+    </message>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
@@ -3543,6 +3653,10 @@ deformazione %2</translation>
         <source>, </source>
         <translation>, </translation>
     </message>
+    <message>
+        <source>Value and place that were picked in the picture, in the units of the data. Click elsewhere to pick another one, Esc takes the mark away.</source>
+        <translation>Valore e posizione scelti nell&apos;immagine, nelle unità dei dati. Un clic altrove ne sceglie un altro, Esc toglie il segno.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::TaskLine</name>
@@ -3751,6 +3865,29 @@ deformazione %2</translation>
     <message>
         <source>Read-out</source>
         <translation>Lettura</translation>
+    </message>
+    <message>
+        <source>Axis of values</source>
+        <translation>Asse dei valori</translation>
+    </message>
+    <message>
+        <source>Li&amp;near</source>
+        <translation>Li&amp;neare</translation>
+    </message>
+    <message>
+        <source>Logarithmic: by &amp;factors</source>
+        <translation>Logaritmico: per &amp;fattori</translation>
+    </message>
+    <message>
+        <source>The axis of values stays linear: a logarithmic one has no place for zero and less, and the data or the points begin at %1. Move the points above zero, or choose data of positive values.</source>
+        <translation>L&apos;asse dei valori resta lineare: uno logaritmico non ha posto per lo zero e i valori inferiori, e i dati o i punti cominciano da %1. Spostare i punti sopra lo zero o scegliere dati con valori positivi.</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ValuePick</name>
+    <message>
+        <source>%1 at (%2, %3, %4)</source>
+        <translation>%1 in (%2, %3, %4)</translation>
     </message>
 </context>
 <context>

@@ -26,6 +26,19 @@ ValueHistogram valueHistogram(std::span<const float> values, double least, doubl
     return histogram;
 }
 
+ValueHistogram logarithmicHistogram(std::span<const float> values, double least, double largest, int parts)
+{
+    if (!(least > 0))
+        return {};
+    std::vector<float> logarithms;
+    logarithms.reserve(values.size());
+    for (const float value : values)
+        logarithms.push_back(std::log(value));
+    // The ends are rounded as the values are, so that none of the values at the ends is lost.
+    return valueHistogram(logarithms, std::log(static_cast<float>(least)), std::log(static_cast<float>(largest)),
+                          parts);
+}
+
 double barHeight(std::uint64_t count, std::uint64_t highest, bool logarithmic) noexcept
 {
     if (highest == 0)

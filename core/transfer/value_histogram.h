@@ -21,6 +21,10 @@ struct ValueHistogram {
 /// O(values).
 ValueHistogram valueHistogram(std::span<const float> values, double least, double largest, int parts);
 
+/// The same over the natural logarithms of values: `least` and `largest` are values, those of the histogram logarithms.
+/// No counts if `least` is not above zero. O(values).
+ValueHistogram logarithmicHistogram(std::span<const float> values, double least, double largest, int parts);
+
 /// The height of a bar, in [0, 1] of the highest: linear, or logarithmic so that rare values are seen, too.
 double barHeight(std::uint64_t count, std::uint64_t highest, bool logarithmic) noexcept;
 

@@ -7,11 +7,14 @@
 #include "core/transfer/transfer_function.h"
 #include "core/transfer/value_histogram.h"
 
+#include <Eigen/Core>
+
 #include <QString>
 #include <QtPlugin>
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +29,15 @@ enum class EditorChange {
     Function,  ///< the transfer function, by whatever hand
     Isovalues, ///< one or all of them
     Mesh,      ///< and with it the histogram
+    Picked,    ///< the value that was picked in the picture
+};
+
+/// A value of the data that was pointed at in the picture, and where it was seen; both in the units of the dataset.
+struct PickedValue {
+    double value = 0;
+    Eigen::Vector3d place{0, 0, 0};
+    bool onSurface = false; ///< of that isovalue; else in the volume
+    bool operator==(const PickedValue&) const = default;
 };
 
 /// Which file an editor wants to read or write.
@@ -50,6 +62,8 @@ public:
     virtual double diagonal() const = 0;
     /// How often values occur in the mesh of the picture; none before the first one.
     virtual std::shared_ptr<const ValueHistogram> histogram() const = 0;
+    /// The same of the values' natural logarithms, for an axis that goes by them; none if not all values are positive.
+    virtual std::shared_ptr<const ValueHistogram> logarithmicHistogram() const = 0;
     virtual const TransferFunction& function() const = 0;
     virtual const std::vector<Isovalue>& isovalues() const = 0;
     /// Calls `call` after every change, as long as `receiver` lives.
@@ -71,6 +85,12 @@ public:
                           const std::function<std::string(const std::string& name)>& make) = 0;
     /// A message in the window: what went wrong, and what to do.
     virtual void tell(const QString& message) = 0;
+
+    /// None before the user picks one, and after the mark was taken away. It stays what it is when isovalues or the
+    /// mesh change.
+    virtual std::optional<PickedValue> picked() const = 0;
+    /// Takes the mark away, here and in the picture.
+    virtual void forgetPicked() = 0;
 };
 
 /// A widget over a value of the window.

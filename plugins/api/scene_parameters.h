@@ -20,7 +20,8 @@ inline constexpr const char* shadedId = "shaded";
 inline constexpr const char* outlineId = "outline";
 inline constexpr const char* clipId = "clip";
 
-/// std::vector<Isovalue>; by default the middle of the range.
+/// std::vector<Isovalue>; by default the middle of the range. A scene has one surface for each that is visible, in
+/// their order and in their colours, so that the shell knows which one was clicked.
 inline Parameter isovaluesParameter(const ValueRange& range)
 {
     const auto [red, green, blue] = distinctColour(0);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A scripted turntable, as if somebody dragged the picture round once and let go (R23): how many pictures a second the
 // CPU back end shows, how many of them keep within the budget of 15, and how long the full picture takes afterwards.
-// The choice of mesh and picture size is the window's own, without the window. Then, with the window, how long it is
-// from an edit of the transfer function to a picture of it.
+// The choice of mesh and picture size is the window's own, without the window. Then, with the window, what the undo
+// step of a drag costs beside its pictures, and how long it is from an edit of the transfer function to a picture of
+// it.
 
 #include "tests/bench/bench_report.h"
+#include "tests/bench/camera_drag.h"
 #include "tests/bench/edit_to_picture.h"
 
 #include "core/data/analytic_fields.h"
@@ -259,6 +261,7 @@ int main(int argc, char** argv)
         const double error = parser.isSet("error") ? parser.value("error").toDouble() : startingError(**model);
         if (!parser.isSet("edits-only"))
             cases.push_back(measure(*model, name, error, parser.value("threads").toInt()));
+        cases.push_back(cameraDrag(host, (*model)->path(), name));
         std::ranges::move(editToPicture(host, (*model)->path(), name), std::back_inserter(cases));
     }
     printReport("interaction", cases, parser.isSet("json"));

@@ -7,6 +7,8 @@
 #include "ui/session/text_file.h"
 
 #include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
 #include <QProcess>
 #include <QPushButton>
 #include <QStandardPaths>
@@ -25,7 +27,10 @@ private slots:
     void aModelThatWasReplacedIsTold();
     void aModelThatIsGoneIsTold();
     void whatAProgramLeftBehindIsOffered();
+    void theStartPageSaysWhatAndWhen();
     void whatIsDeclinedIsNotOfferedAgain();
+    void whatIsIgnoredIsOfferedInTheBarAndStays();
+    void whatCannotBeRestoredStays();
     void aKilledProgramLosesAtMostTenSeconds();
 
 private:
@@ -33,6 +38,9 @@ private:
     void open(const QString& path) const;
     void edit() const;
     void choose(const QString& path) const;
+    static SessionDocument ofModel(const QString& path);
+    /// As a program that ended unexpectedly does. Returns the file.
+    static std::filesystem::path leave(const SessionDocument& document);
     /// What the edits of edit() have made.
     bool showsEdits() const;
 
@@ -87,6 +95,22 @@ bool KeepSessionTest::showsEdits() const
     return session().model() && view.error() == 3.5 && view.isovalueCount() > 1 && view.look().mode == "hybrid" &&
            view.look().transfer.unitDistance == 2 && window_->viewport().camera().azimuth == 123 &&
            window_->viewport().background() == Colour{0, 0.5F, 0};
+}
+
+SessionDocument KeepSessionTest::ofModel(const QString& path)
+{
+    SessionDocument document;
+    document.model = filePath(path);
+    return document;
+}
+
+std::filesystem::path KeepSessionTest::leave(const SessionDocument& document)
+{
+    std::filesystem::create_directories(recoveryFolder());
+    const std::filesystem::path left = recoveryFolder() / "left.tansession";
+    if (!writeTextFile(left, sessionToText(document, recoveryFolder())))
+        qFatal("the session could not be left");
+    return left;
 }
 
 void KeepSessionTest::choose(const QString& path) const
@@ -164,32 +188,92 @@ void KeepSessionTest::whatAProgramLeftBehindIsOffered()
     document->camera = window_->viewport().camera();
     document->background = window_->viewport().background();
     window_.reset();
-    QVERIFY(QDir(pathText(recoveryFolder())).mkpath("."));
-    const std::filesystem::path left = recoveryFolder() / "left.tansession";
-    QVERIFY(writeTextFile(left, sessionToText(*document, recoveryFolder())));
+    const std::filesystem::path left = leave(*document);
 
     window_ = std::make_unique<WindowFixture>();
     window_->window.show();
-    QCOMPARE(window_->messages().size(), 1);
-    window_->find<QPushButton>("message.answer").click();
+    QCOMPARE(window_->messages(), QStringList());
+    auto& restore = window_->find<QPushButton>("lost.restore");
+    QVERIFY(restore.isVisible());
+    restore.setFocus();
+    QTest::keyClick(&restore, Qt::Key_Space);
     QTRY_VERIFY(showsEdits());
     QVERIFY(!std::filesystem::exists(left));
+    QVERIFY(!window_->find<QWidget>("lost").isVisible());
+    QCoreApplication::processEvents();
     QVERIFY(window_->workbench.sessionFile().empty());
     QCOMPARE(window_->messages(), QStringList());
+}
+
+void KeepSessionTest::theStartPageSaysWhatAndWhen()
+{
+    window_.reset();
+    leave(ofModel(model_));
+    window_ = std::make_unique<WindowFixture>();
+    window_->window.show();
+    const QString text = window_->find<QLabel>("lost.text").text();
+    QVERIFY2(text.contains("c60.tan"), qPrintable(text));
+    QVERIFY2(text.contains(QLocale().toString(QDate::currentDate(), QLocale::ShortFormat)), qPrintable(text));
+    QVERIFY2(text.contains(QDir::toNativeSeparators(QFileInfo(model_).absolutePath())), qPrintable(text));
+    for (const char* name : {"lost.restore", "lost.discard"}) {
+        auto& button = window_->find<QPushButton>(name);
+        QVERIFY(button.isVisible() && button.focusPolicy() != Qt::NoFocus && !button.toolTip().isEmpty());
+        QVERIFY(button.accessibleName().contains("c60.tan"));
+        QVERIFY(!QKeySequence::mnemonic(button.text()).isEmpty());
+    }
+    QVERIFY(window_->find<QPushButton>("empty.open").isEnabled()); // nobody is stopped
 }
 
 void KeepSessionTest::whatIsDeclinedIsNotOfferedAgain()
 {
     window_.reset();
-    SessionDocument document;
-    document.model = filePath(model_);
-    QVERIFY(QDir(pathText(recoveryFolder())).mkpath("."));
-    QVERIFY(writeTextFile(recoveryFolder() / "left.tansession", sessionToText(document, recoveryFolder())));
+    leave(ofModel(model_));
     window_ = std::make_unique<WindowFixture>();
     window_->window.show();
-    window_->find<QToolButton>("message.close").click();
+    QVERIFY(window_->find<QWidget>("lost").isVisible());
+    window_->find<QPushButton>("lost.discard").click();
+    QVERIFY(!window_->find<QWidget>("lost").isVisible());
     QCOMPARE(window_->messages(), QStringList());
     QVERIFY(lostSessions(recoveryFolder()).empty());
+}
+
+void KeepSessionTest::whatIsIgnoredIsOfferedInTheBarAndStays()
+{
+    window_.reset();
+    const std::filesystem::path left = leave(ofModel(model_));
+    window_ = std::make_unique<WindowFixture>();
+    window_->window.show();
+    open(model_);
+    QTRY_COMPARE(window_->messages().size(), 1);
+    QVERIFY(!window_->find<QWidget>("lost").isVisible());
+    QVERIFY(std::filesystem::exists(left));
+    window_ = std::make_unique<WindowFixture>(); // ignored again
+    QVERIFY(std::filesystem::exists(left));
+    window_->window.show();
+    open(model_);
+    QTRY_COMPARE(window_->messages().size(), 1);
+    window_->find<QPushButton>("message.answer").click();
+    QTRY_VERIFY_WITH_TIMEOUT(!std::filesystem::exists(left), 30'000);
+    window_ = std::make_unique<WindowFixture>();
+    QVERIFY(lostSessions(recoveryFolder()).empty());
+}
+
+void KeepSessionTest::whatCannotBeRestoredStays()
+{
+    window_.reset();
+    const std::filesystem::path left = leave(ofModel("/nowhere/gone.tan"));
+    window_ = std::make_unique<WindowFixture>();
+    window_->window.show();
+    window_->find<QPushButton>("lost.restore").click();
+    QTRY_COMPARE(window_->messages().size(), 1);
+    QVERIFY(std::filesystem::exists(left));
+    QVERIFY(window_->find<QPushButton>("lost.restore").isVisible());
+    // Another session is no proof that this one is not needed any more.
+    const std::filesystem::path other = filePath(window_->folder.filePath("other.tansession"));
+    QVERIFY(writeTextFile(other, sessionToText(ofModel(model_), other.parent_path())));
+    open(pathText(other));
+    QCoreApplication::processEvents();
+    QVERIFY(std::filesystem::exists(left));
 }
 
 void KeepSessionTest::aKilledProgramLosesAtMostTenSeconds()
@@ -205,8 +289,7 @@ void KeepSessionTest::aKilledProgramLosesAtMostTenSeconds()
     QVERIFY(program.waitForFinished());
     window_ = std::make_unique<WindowFixture>();
     window_->window.show();
-    QCOMPARE(window_->messages().size(), 1);
-    window_->find<QPushButton>("message.answer").click();
+    window_->find<QPushButton>("lost.restore").click();
     QTRY_VERIFY_WITH_TIMEOUT(session().model() != nullptr, 30'000);
     QCOMPARE(session().model()->path(), filePath(model_));
 }

@@ -267,6 +267,12 @@ void RegionHandlesTest::aPixelShowsTheNearestSurface()
         const auto found = placeSeenAt(scene, projection, *projection.pixelOf(wanted));
         QVERIFY(found && (*found - wanted).norm() < 1e-6);
         QVERIFY(!placeSeenAt(scene, projection, {2, 2}));
+        // What a clip plane cuts away is not seen.
+        Scene cut = scene;
+        cut.clipPlanes = {{{0, 1, 0}, -5}};
+        const Eigen::Vector3d behind(3, 5, -7);
+        const auto next = placeSeenAt(cut, projection, *projection.pixelOf(behind));
+        QVERIFY(next && (*next - behind).norm() < 1e-6);
     }
 }
 

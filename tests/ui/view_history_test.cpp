@@ -22,6 +22,7 @@ private slots:
     void cleanup();
     void openingIsNoStep();
     void aDragIsOneStep();
+    void aLongDragCostsNothingButThePictures();
     void aSeriesIsOneStepAndAPauseEndsIt();
     void jumpsAreStepsOfTheirOwn();
     void theBackgroundIsUndone();
@@ -112,6 +113,28 @@ void ViewHistoryTest::aDragIsOneStep()
     window_->find<QAction>("action.redo").trigger();
     QVERIFY(window_->viewport().camera() == after);
     QCOMPARE(stack().count(), 2);
+}
+
+/// However many moves a drag has, they make one step of two views, and nothing is made anew but pictures.
+void ViewHistoryTest::aLongDragCostsNothingButThePictures()
+{
+    Viewport& viewport = window_->viewport();
+    const Camera before = viewport.camera();
+    const QSignalSpy scenes(&window_->workbench.sceneBuilder(), &SceneBuilder::busyChanged);
+    QTest::mousePress(&viewport, Qt::LeftButton, {}, {100, 100});
+    constexpr int moves = 300;
+    for (int part = 1; part <= moves; ++part) {
+        const QPointF place(100 + part % 120, 100 + part / 3.0);
+        QMouseEvent move(QEvent::MouseMove, place, viewport.mapToGlobal(place), Qt::NoButton, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&viewport, &move);
+        QCOMPARE(stack().count(), 1);
+    }
+    QTest::mouseRelease(&viewport, Qt::LeftButton, {}, {150, 150});
+    QCOMPARE(stack().count(), 1);
+    QCOMPARE(stack().command(0)->childCount(), 0);
+    QCOMPARE(scenes.count(), 0);
+    stack().undo();
+    QVERIFY(viewport.camera() == before);
 }
 
 void ViewHistoryTest::aSeriesIsOneStepAndAPauseEndsIt()

@@ -29,12 +29,12 @@ QWidget* makeReasonPage(const std::string& reason)
 
 } // namespace
 
-QWidget* makeEditorPage(Workbench& workbench, const std::string& id)
+QWidget* makeEditorPage(Workbench& workbench, ValuePick& pick, const std::string& id)
 {
     const auto editor = workbench.host().editor(id);
     if (!editor)
         return makeReasonPage(editor.error().text);
-    return editor->plugin->makeWidget(*new SessionEditorHost(workbench, &workbench));
+    return editor->plugin->makeWidget(*new SessionEditorHost(workbench, pick, &workbench));
 }
 
 } // namespace tetra

@@ -5,8 +5,10 @@
 
 namespace tetra {
 
-/// The widget of the editor plugin `id` over the workbench's session. Where the plugin cannot be used, a page named
-/// "transfer.missing" says why, and what mends it.
-QWidget* makeEditorPage(Workbench& workbench, const std::string& id);
+class ValuePick;
+
+/// The widget of the editor plugin `id` over the workbench's session and what is picked in the picture. Where the
+/// plugin cannot be used, a page named "transfer.missing" says why, and what mends it.
+QWidget* makeEditorPage(Workbench& workbench, ValuePick& pick, const std::string& id);
 
 } // namespace tetra

@@ -2,16 +2,19 @@
 #include "ui/panels/session_editor_host.h"
 
 #include "ui/session/target_path.h"
+#include "ui/viewport/value_pick.h"
 #include "ui/widgets/file_dialogs.h"
 
 #include <QFileInfo>
 
 namespace tetra {
 
-SessionEditorHost::SessionEditorHost(Workbench& workbench, QObject* parent)
-    : QObject(parent), workbench_(workbench), session_(workbench.session())
+SessionEditorHost::SessionEditorHost(Workbench& workbench, ValuePick& pick, QObject* parent)
+    : QObject(parent), workbench_(workbench), session_(workbench.session()), pick_(&pick)
 {
 }
+
+SessionEditorHost::~SessionEditorHost() = default;
 
 bool SessionEditorHost::hasModel() const
 {
@@ -31,6 +34,11 @@ double SessionEditorHost::diagonal() const
 std::shared_ptr<const ValueHistogram> SessionEditorHost::histogram() const
 {
     return session_.shown() ? session_.shown()->histogram : nullptr;
+}
+
+std::shared_ptr<const ValueHistogram> SessionEditorHost::logarithmicHistogram() const
+{
+    return session_.shown() ? session_.shown()->logarithmicHistogram : nullptr;
 }
 
 const TransferFunction& SessionEditorHost::function() const
@@ -53,6 +61,7 @@ void SessionEditorHost::whenChanged(QObject* receiver, const std::function<void(
     connect(&view, &ViewState::isovalueInserted, receiver, tells(EditorChange::Isovalues));
     connect(&view, &ViewState::isovalueRemoved, receiver, tells(EditorChange::Isovalues));
     connect(&view, &ViewState::isovalueChanged, receiver, tells(EditorChange::Isovalues));
+    connect(pick_, &ValuePick::pickedChanged, receiver, tells(EditorChange::Picked));
 }
 
 void SessionEditorHost::beginGesture()
@@ -106,6 +115,17 @@ void SessionEditorHost::saveText(QWidget* parent, const EditorFile& file,
 void SessionEditorHost::tell(const QString& message)
 {
     emit workbench_.failed(message);
+}
+
+std::optional<PickedValue> SessionEditorHost::picked() const
+{
+    return pick_ ? pick_->picked() : std::nullopt;
+}
+
+void SessionEditorHost::forgetPicked()
+{
+    if (pick_)
+        pick_->forget();
 }
 
 } // namespace tetra

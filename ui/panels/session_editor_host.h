@@ -4,19 +4,25 @@
 #include "plugins/api/editor.h"
 #include "ui/session/workbench.h"
 
+#include <QPointer>
+
 namespace tetra {
 
+class ValuePick;
+
 /// The window as editor plugins see it: the workbench's session, whose undo stack takes the edits, and the window's
-/// file dialogs. Outlived by the workbench.
+/// file dialogs, and what is picked in the picture. Outlived by the workbench.
 class SessionEditorHost : public QObject, public EditorHost {
     Q_OBJECT
 public:
-    explicit SessionEditorHost(Workbench& workbench, QObject* parent = nullptr);
+    SessionEditorHost(Workbench& workbench, ValuePick& pick, QObject* parent = nullptr);
+    ~SessionEditorHost() override;
 
     bool hasModel() const override;
     ValueRange range() const override;
     double diagonal() const override;
     std::shared_ptr<const ValueHistogram> histogram() const override;
+    std::shared_ptr<const ValueHistogram> logarithmicHistogram() const override;
     const TransferFunction& function() const override;
     const std::vector<Isovalue>& isovalues() const override;
     void whenChanged(QObject* receiver, const std::function<void(EditorChange)>& call) override;
@@ -31,10 +37,13 @@ public:
     void saveText(QWidget* parent, const EditorFile& file,
                   const std::function<std::string(const std::string& name)>& make) override;
     void tell(const QString& message) override;
+    std::optional<PickedValue> picked() const override;
+    void forgetPicked() override;
 
 private:
     Workbench& workbench_;
     Session& session_;
+    QPointer<ValuePick> pick_; ///< goes with the window
 };
 
 } // namespace tetra

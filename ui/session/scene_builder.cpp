@@ -65,7 +65,8 @@ struct SceneBuilder::Workshop {
     std::shared_ptr<const ExtractedMesh> fineMesh; ///< in the focus
     std::unique_ptr<RendererSession> session;
     std::shared_ptr<const ValueHistogram> histogram; ///< of the mesh
-    std::mutex mutex;                                ///< guards the next one
+    std::shared_ptr<const ValueHistogram> logarithmic;
+    std::mutex mutex; ///< guards the next one
     std::shared_ptr<const ExtractedMesh> mesh;
 
     void setMesh(std::shared_ptr<const ExtractedMesh> next);
@@ -108,6 +109,10 @@ Status SceneBuilder::Workshop::extract(const SceneRequest& request, const Needed
     const ValueRange range = request.model->description().range;
     histogram = std::make_shared<const ValueHistogram>(
         valueHistogram(mesh->mesh.values, range.minimum, range.maximum, histogramParts));
+    logarithmic.reset();
+    if (range.minimum > 0)
+        logarithmic = std::make_shared<const ValueHistogram>(
+            logarithmicHistogram(mesh->mesh.values, range.minimum, range.maximum, histogramParts));
     return {};
 }
 
@@ -171,7 +176,8 @@ try {
                   mesh->wholeSites,
                   mesh->wholeTetrahedra,
                   mesh->scale,
-                  histogram};
+                  histogram,
+                  logarithmic};
     for (const Surface& surface : built.scene->surfaces)
         built.triangles += surface.mesh->triangles.size();
     built.sceneSeconds = secondsSince(start) - built.extractionSeconds;

@@ -18,6 +18,8 @@ struct ShownMesh {
     std::uint64_t wholeTetrahedra = 0;
     double scale = 1;                                  ///< as in ExtractedMesh
     std::shared_ptr<const ValueHistogram> histogram{}; ///< of its vertices' values, over the model's range
+    /// The same of the values' natural logarithms; none if the range is not positive.
+    std::shared_ptr<const ValueHistogram> logarithmicHistogram{};
 };
 
 } // namespace tetra

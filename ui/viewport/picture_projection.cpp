@@ -56,12 +56,12 @@ Eigen::Vector3d PictureProjection::movement(const Eigen::Vector3d& place, QPoint
     return (right() * pixels.x() - up() * pixels.y()) * unitsPerPixel(place);
 }
 
-PictureProjection::SightLine PictureProjection::sightLine(QPointF pixel) const
+SightLine PictureProjection::sightLine(QPointF pixel) const
 {
     const Eigen::Vector3d target = eye_ - distance_ * towardsViewer();
     const Eigen::Vector3d seen = target + movement(target, pixel - middle_);
     if (perspective_)
-        return {eye_, seen - eye_};
+        return {eye_, (seen - eye_).normalized(), 0};
     return {seen, -towardsViewer()};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/graphics/camera.h"
+#include "core/graphics/sight/sight_line.h"
 
 #include <QPointF>
 #include <QSizeF>
@@ -25,14 +26,8 @@ public:
     /// The movement in the plane of the view through a place that is seen as one by these pixels.
     Eigen::Vector3d movement(const Eigen::Vector3d& place, QPointF pixels) const;
 
-    /// A line of sight: what is seen at a pixel lies at origin + t * direction, the nearer to the viewer the smaller t.
-    struct SightLine {
-        Eigen::Vector3d origin;
-        Eigen::Vector3d direction;
-    };
+    /// What is seen at a pixel lies on this line.
     SightLine sightLine(QPointF pixel) const;
-    /// Then t > 0 is before the eye.
-    bool perspective() const noexcept { return perspective_; }
 
     Eigen::Vector3d right() const { return axes_.col(0); }
     Eigen::Vector3d up() const { return axes_.col(1); }

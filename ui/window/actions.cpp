@@ -90,6 +90,8 @@ void addEditMenu(QMainWindow& window, QUndoStack& undoStack, Actions& actions)
     actions.addIsovalue = add(menu, "addIsovalue", Texts::tr("&Add Isovalue"), QKeySequence("Ctrl+I"),
                               Texts::tr("Add an isosurface at another value"));
     actions.addIsovalue->setIcon(glyphIcon(Glyph::Add));
+    actions.picked = menu->addMenu(Texts::tr("Picked &Value"));
+    actions.picked->setObjectName("menu.picked");
     menu->addSeparator();
     actions.palette = add(menu, "palette", Texts::tr("&Find Command…"), QKeySequence("Ctrl+Shift+P"),
                           Texts::tr("Find whatever the program can do by a few letters of its name"));

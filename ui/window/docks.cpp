@@ -32,7 +32,7 @@ constexpr int lowerHeight = 360;
 
 } // namespace
 
-Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport& viewport)
+Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport& viewport, ValuePick& pick)
 {
     const auto add = [&](const char* name, const QString& title, const QString& help, QWidget* content) {
         auto* dock = new QDockWidget(title);
@@ -74,7 +74,7 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
                           new IsovaluePanel(session));
     docks.transfer = add("transfer", Texts::tr("Transfer"),
                          Texts::tr("The transfer function gives each value a colour and an opacity for the volume."),
-                         makeEditorPage(workbench, "transferfunction"));
+                         makeEditorPage(workbench, pick, "transferfunction"));
     docks.focus =
         add("focus", Texts::tr("Focus"),
             Texts::tr("A sphere or a box in which the mesh is more accurate than outside."), docks.focusPanel);

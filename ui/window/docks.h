@@ -13,6 +13,7 @@ class AnimationPanel;
 class FocusPanel;
 class RenderingPanel;
 class StatisticsPanel;
+class ValuePick;
 class Viewport;
 
 /// The window's panels in docks, named dock.NAME; the actions that show and hide them are action.dock.NAME. Owned by
@@ -34,8 +35,8 @@ struct Docks {
     StatisticsPanel* statisticsPanel = nullptr;
 };
 
-/// Makes them and puts their actions into `menu`. Workbench and viewport outlive the window's widgets.
-Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport& viewport);
+/// Makes them and puts their actions into `menu`. Workbench, viewport and pick outlive the window's widgets.
+Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport& viewport, ValuePick& pick);
 
 /// Puts all docks where they are at first; the one for builds is seen only with a dataset to build of.
 void layOutDocks(QMainWindow& window, const Docks& docks, bool showBuild);

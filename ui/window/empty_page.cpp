@@ -4,6 +4,7 @@
 #include "core/data/analytic_fields.h"
 #include "plugins/widgets/icons.h"
 #include "ui/session/plugin_texts.h"
+#include "ui/window/lost_offers.h"
 #include "ui/window/task_line.h"
 
 #include <QCommandLinkButton>
@@ -21,6 +22,7 @@ namespace {
 constexpr qsizetype mostRecent = 4;
 constexpr int signSide = 56;
 constexpr int textWidth = 440;
+constexpr int lostWidth = 560;
 constexpr int samplesInRow = 5;
 constexpr int frameInset = 14;
 
@@ -44,7 +46,7 @@ QLabel* makeHeading(const QString& text)
 
 EmptyPage::EmptyPage(LongTask& sampling, QWidget* parent)
     : QWidget(parent), title_(new QLabel), text_(new QLabel), open_(new QPushButton(tr("Open…"))),
-      recentBox_(new QWidget), recent_(new QVBoxLayout), samples_(makeSamples(sampling))
+      lost_(new LostOffers), recentBox_(new QWidget), recent_(new QVBoxLayout), samples_(makeSamples(sampling))
 {
     setObjectName("empty");
     title_->setObjectName("empty.title");
@@ -80,6 +82,12 @@ EmptyPage::EmptyPage(LongTask& sampling, QWidget* parent)
     textRow->addStretch();
     layout->addLayout(textRow);
     layout->addWidget(open_, 0, Qt::AlignHCenter);
+    lost_->setFixedWidth(lostWidth);
+    auto* lostRow = new QHBoxLayout;
+    lostRow->addStretch();
+    lostRow->addWidget(lost_);
+    lostRow->addStretch();
+    layout->addLayout(lostRow);
     layout->addSpacing(8);
     layout->addWidget(recentBox_, 0, Qt::AlignHCenter);
     layout->addWidget(samples_, 0, Qt::AlignHCenter);

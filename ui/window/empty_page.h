@@ -10,6 +10,7 @@ class QVBoxLayout;
 namespace tetra {
 
 class LongTask;
+class LostOffers;
 
 /// What is seen instead of a picture while there is none: what to do next, the files opened last, and samples to begin
 /// with. The whole page takes files that are dropped, and says so.
@@ -25,6 +26,8 @@ public:
     void tell(const QString& title, const QString& text);
     /// Whether something is held over the window that could be dropped.
     void setDropping(bool dropping);
+    /// What programs that ended unexpectedly have left; seen while nothing is open.
+    LostOffers& lost() noexcept { return *lost_; }
 
 signals:
     void openClicked();
@@ -41,6 +44,7 @@ private:
     QLabel* title_;
     QLabel* text_;
     QPushButton* open_;
+    LostOffers* lost_;
     QWidget* recentBox_;
     QVBoxLayout* recent_;
     QWidget* samples_;

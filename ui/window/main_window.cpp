@@ -10,6 +10,7 @@
 #include "ui/session/target_path.h"
 #include "ui/viewport/region_tools.h"
 #include "ui/viewport/transfer_drag.h"
+#include "ui/viewport/value_pick.h"
 #include "ui/viewport/view_history.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
@@ -22,6 +23,7 @@
 #include "ui/window/keep_session.h"
 #include "ui/window/manual.h"
 #include "ui/window/mode_actions.h"
+#include "ui/window/pick_actions.h"
 #include "ui/window/plugin_window.h"
 #include "ui/window/region_actions.h"
 #include "ui/window/status_line.h"
@@ -73,7 +75,7 @@ MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
     setAcceptDrops(true);
     resize(firstSize.boundedTo(screen()->availableSize() - frameOfWindows));
     setCentralWidget(makeCentre());
-    docks_ = makeDocks(*this, *actions_.panels, workbench_, *viewport_);
+    docks_ = makeDocks(*this, *actions_.panels, workbench_, *viewport_, *pick_);
     layOutDocks(*this, docks_, workbench_.dataset() != nullptr);
     connectActions();
     connectRegions();
@@ -92,6 +94,7 @@ QWidget* MainWindow::makeCentre()
     viewport_->setObjectName("viewport");
     viewport_->setAccessibleName(tr("Picture"));
     new AnnotationOverlay(workbench_, *viewport_); // below the tools
+    pick_ = new ValuePick(workbench_, *viewport_);
     new TransferDrag(workbench_, *viewport_);
     new RegionTools(workbench_.session(), *viewport_); // the last one comes first: its handles go before
     new ViewHistory(*viewport_, workbench_.session().undoStack(), this);
@@ -161,7 +164,7 @@ void MainWindow::connectActions()
                    [this](const QString& path) { workbench_.openWithOptions(path); });
     });
     connect(actions_.recent, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
-    keptSession_ = new KeepSession(workbench_, *viewport_, *messages_, this);
+    keptSession_ = new KeepSession(workbench_, *viewport_, *messages_, empty_->lost(), this);
     connect(actions_.saveSession, &QAction::triggered, keptSession_, &KeepSession::save);
     connect(actions_.saveSessionAs, &QAction::triggered, keptSession_, &KeepSession::saveAs);
     connectPictures();
@@ -182,6 +185,8 @@ void MainWindow::connectActions()
     auto* modes = new ModeActions(workbench_, *actions_.modes, *actions_.toolBar, this);
     connect(modes, &ModeActions::chosen, docks_.renderingPanel, &RenderingPanel::chooseMode);
     new AnnotationActions(workbench_.session(), *actions_.annotations, this);
+    new PickActions(workbench_.session(), *pick_, *actions_.picked);
+    connect(pick_, &ValuePick::pickedChanged, status_, [this] { status_->setPicked(pick_->text()); });
     connect(viewport_, &Viewport::cameraChanged, actions_.perspective,
             [this] { actions_.perspective->setChecked(viewport_->camera().perspective); });
     connect(actions_.fullScreen, &QAction::toggled, this,

@@ -20,6 +20,7 @@ class MessageBar;
 class PictureDialog;
 class RegionActions;
 class StatusLine;
+class ValuePick;
 class Viewport;
 
 /// The program's window: puts panels, viewport and menus around the workbench.
@@ -69,6 +70,7 @@ private:
     MessageBar* messages_;
     EmptyPage* empty_;
     Viewport* viewport_;
+    ValuePick* pick_ = nullptr;
     QStackedWidget* pages_;
     ImportDialog* import_ = nullptr;   ///< once a file needed it
     PictureDialog* picture_ = nullptr; ///< once it was asked for

@@ -33,6 +33,8 @@ StatusLine::StatusLine(QStatusBar* bar) : QObject(bar), bar_(bar), file_(new QLa
     busy_->setToolTip(tr("The picture at the chosen accuracy is being made"));
     bar_->addPermanentWidget(busy_);
     busy_->hide();
+    picked_ = add("status.picked", tr("Value and place that were picked in the picture, in the units of the data. "
+                                      "Click elsewhere to pick another one, Esc takes the mark away."));
     errors_ = add("status.errors", {});
     sites_ = add("status.sites", tr("Data points in the mesh that is shown"));
     tetrahedra_ = add("status.tetrahedra", tr("Tetrahedra in the mesh that is shown"));
@@ -113,6 +115,12 @@ void StatusLine::setBackend(const QString& name, const QString& note)
     backend_->setText(name);
     backend_->setToolTip(note.isEmpty() ? toolTip : toolTip + "\n" + note);
     backend_->show();
+}
+
+void StatusLine::setPicked(const QString& text)
+{
+    picked_->setText(text);
+    picked_->setVisible(!text.isEmpty());
 }
 
 void StatusLine::setBusy(bool busy)

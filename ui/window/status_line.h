@@ -12,8 +12,8 @@ class QStatusBar;
 
 namespace tetra {
 
-/// Fills the status bar: the file, what is drawn and what it costs. Its labels are named status.file, .errors, .sites,
-/// .tetrahedra, .triangles, .frame, .extraction, .memory and .backend.
+/// Fills the status bar: the file, what is drawn and what it costs. Its labels are named status.file, .picked, .errors,
+/// .sites, .tetrahedra, .triangles, .frame, .extraction, .memory and .backend.
 class StatusLine : public QObject {
     Q_OBJECT
 public:
@@ -25,6 +25,8 @@ public:
     void setFrame(const FrameReport& report);
     /// `note`: what there is to say of it, for the tool tip.
     void setBackend(const QString& name, const QString& note);
+    /// The value that was picked in the picture and where it is; empty: none.
+    void setPicked(const QString& text);
     void setBusy(bool busy);
 
 private:
@@ -35,6 +37,7 @@ private:
     QStatusBar* bar_;
     QLabel* file_;
     QProgressBar* busy_;
+    QLabel* picked_;
     QLabel* errors_;
     QLabel* sites_;
     QLabel* tetrahedra_;

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <ranges>
 
 namespace tetra {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double rounding = 1e-12; ///< of a number from its logarithm and back
 
 /// The columns seen in the direction of a move: `sign` is -1 for one downward, where all is mirrored, and 1 otherwise.
 struct Way {
@@ -84,6 +86,31 @@ TransferFunction withHeights(TransferFunction function, const TransferSelection&
     return function;
 }
 
+/// The function with its values' logarithms moved instead. What has not moved keeps its value to the last bit.
+EditedSelection movedByFactor(const TransferFunction& function, const TransferSelection& selection,
+                              const SelectionMove& move, NeighbourRule rule, const TransferLimits& limits)
+{
+    if (!(limits.least > 0) || (!function.points.empty() && !(function.points.front().value > 0)))
+        return {function, selection};
+    TransferFunction logarithms = function;
+    std::map<double, double> values; // by their logarithms
+    for (TransferPoint& point : logarithms.points) {
+        const double value = point.value;
+        point.value = std::log(value);
+        values.emplace(point.value, value);
+    }
+    EditedSelection edited =
+        moveSelected(logarithms, selection, {.value = move.value}, rule, placesOnAxis(limits, ValueAxis::Logarithmic));
+    for (TransferPoint& point : edited.function.points) {
+        const auto unmoved = values.find(point.value);
+        point.value = unmoved != values.end() ? unmoved->second : std::exp(point.value);
+        for (const double limit : {limits.least, limits.largest})
+            if (std::abs(point.value - limit) <= rounding * limit)
+                point.value = limit;
+    }
+    return checkTransferFunction(edited.function) ? edited : EditedSelection{function, selection};
+}
+
 } // namespace
 
 EditedSelection moveSelected(const TransferFunction& function, const TransferSelection& selection,
@@ -92,6 +119,8 @@ EditedSelection moveSelected(const TransferFunction& function, const TransferSel
     const TransferFunction higher = withHeights(function, selection, move);
     if (move.value == 0 || !std::isfinite(move.value) || selection.empty())
         return {higher, selection};
+    if (move.valueAxis == ValueAxis::Logarithmic)
+        return movedByFactor(higher, selection, move, rule, limits);
     Way way = wayOf(higher, selection, move.value, limits);
     const double by = allowed(way, std::abs(move.value), rule);
     if (by == 0)

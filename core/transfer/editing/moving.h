@@ -3,6 +3,7 @@
 
 #include "core/transfer/editing/opacity_axis.h"
 #include "core/transfer/editing/selection.h"
+#include "core/transfer/editing/value_axis.h"
 
 #include <cstdint>
 
@@ -15,17 +16,18 @@ enum class NeighbourRule : std::uint8_t {
     Pass  ///< the selection goes past them; points change places
 };
 
-/// By how much points move: in value, and in height on the axis of opacities, which is what a pointer moves by.
+/// By how much points move along the axes of values and of opacities, which is what a pointer moves by.
 struct SelectionMove {
-    double value = 0;
+    double value = 0; ///< a difference of places on its axis (placeOnAxis())
     double height = 0;
     OpacityAxis axis = OpacityAxis::Linear;
+    ValueAxis valueAxis = ValueAxis::Linear; ///< by logarithms nothing moves in value unless all values are positive
 };
 
-/// The selected points moved. In value all move by the same, as much of it as limits and neighbours allow; what lies
-/// outside of the limits may come in and go no farther out. In height each goes as far as the axis does. Both sides of
-/// a step move along in value, and each has an opacity of its own. Points keep a small distance from each other, so
-/// nothing is lost by coming near. Numbers that are not finite count as 0. O(points log points).
+/// The selected points moved. Along the values all move by the same, as much of it as limits and neighbours allow; what
+/// lies outside of the limits may come in and go no farther out. In height each goes as far as the axis does. Both
+/// sides of a step move along in value, and each has an opacity of its own. Points keep a small distance from each
+/// other, so nothing is lost by coming near. Numbers that are not finite count as 0. O(points log points).
 ///
 /// A drag is made of moves of the function as it was when the drag began, so that what stopped on the way does not add
 /// up.

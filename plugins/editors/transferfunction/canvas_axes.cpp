@@ -9,11 +9,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace tetra {
 namespace {
 
 constexpr double halfHandle = 5;
+constexpr double mostDecadesWithMultiples = 8;
 
 void paintOpacities(QPainter& painter, const CanvasScene& scene, const QColor& text)
 {
@@ -35,11 +37,29 @@ void paintOpacities(QPainter& painter, const CanvasScene& scene, const QColor& t
     }
 }
 
+/// Lines as on logarithmic paper: at the powers of ten, and fainter ones at their multiples if these are not too many.
+void paintDecades(QPainter& painter, const TransferPlot& plot, const QColor& text)
+{
+    const double first = std::floor(std::log10(plot.limits.least));
+    const double last = std::log10(plot.limits.largest);
+    const bool showsMultiples = last - first < mostDecadesWithMultiples;
+    for (double power = first; power <= last; ++power)
+        for (int multiple = 1; multiple < (showsMultiples ? 10 : 2); ++multiple) {
+            const double x = plot.x(multiple * std::pow(10, power));
+            if (x < plot.area.left() || x > plot.area.right())
+                continue;
+            painter.setPen(QPen(faded(text, multiple == 1 ? 0.3 : 0.1), 1));
+            painter.drawLine(QPointF(x, plot.area.top()), QPointF(x, plot.area.bottom()));
+        }
+}
+
 void paintValues(QPainter& painter, const CanvasScene& scene, const QColor& text)
 {
     const TransferPlot& plot = scene.plot;
+    if (plot.valueAxis == ValueAxis::Logarithmic)
+        paintDecades(painter, plot, text);
     painter.setPen(text);
-    const double middle = (plot.limits.least + plot.limits.largest) / 2;
+    const double middle = plot.valueAt(plot.area.center().x());
     const QRectF labels(plot.area.left(), plot.area.bottom() + stripHeight + 5, plot.area.width(),
                         painter.fontMetrics().height());
     painter.drawText(labels, Qt::AlignLeft, textOfValue(plot.limits.least, plot.limits));
@@ -119,6 +139,37 @@ void paintMarkers(QPainter& painter, const CanvasScene& scene)
         }
         paintMarker(painter, scene, item, colour);
     }
+}
+
+void paintPicked(QPainter& painter, const CanvasScene& scene)
+{
+    const auto value = pickedValue(scene.state);
+    if (!value)
+        return;
+    const QRectF& area = scene.plot.area;
+    const QColor highlight = scene.palette.color(QPalette::Highlight);
+    const bool isLeft = *value<scene.plot.limits.least, isRight = *value> scene.plot.limits.largest;
+    const double x = isLeft ? area.left() : isRight ? area.right() : scene.plot.x(*value);
+    if (!isLeft && !isRight) {
+        painter.setPen(QPen(scene.palette.color(QPalette::Base), 4));
+        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+        painter.setPen(QPen(highlight, 2, Qt::DashLine));
+        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    }
+    QString text = textOfValue(*value, scene.plot.limits);
+    if (isLeft)
+        text.prepend("◂ ");
+    if (isRight)
+        text.append(" ▸");
+    QRectF label(x + 4, area.top() + 4, painter.fontMetrics().horizontalAdvance(text) + 10,
+                 painter.fontMetrics().height() + 2);
+    if (label.right() > area.right())
+        label.moveRight(x - 4);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(highlight);
+    painter.drawRoundedRect(label, 3, 3);
+    painter.setPen(scene.palette.color(QPalette::HighlightedText));
+    painter.drawText(label, Qt::AlignCenter, text);
 }
 
 OutsideCounts countOutside(const EditorState& state)

@@ -121,8 +121,9 @@ void TransferCanvas::dragPoints(QPointF to, bool oneWay)
     if (oneWay)
         by = std::abs(by.x()) >= std::abs(by.y()) ? QPointF(by.x(), 0) : QPointF(0, by.y());
     const QRectF& area = grab_.plot.area;
-    const SelectionMove move{by.x() / area.width() * extentOf(grab_.plot.limits),
-                             -by.y() / area.height() * extentOf(grab_.plot.heights), grab_.plot.axis};
+    const SelectionMove move{by.x() / area.width() * grab_.plot.extent(),
+                             -by.y() / area.height() * extentOf(grab_.plot.heights), grab_.plot.axis,
+                             grab_.plot.valueAxis};
     state_.apply(moveSelected(grab_.function, grab_.selection, move, state_.rule(), grab_.limits));
 }
 
@@ -145,7 +146,8 @@ void TransferCanvas::dragView(QPointF to)
     const QRectF& area = grab_.plot.area;
     const QPointF by = grab_.from - to;
     EditorView view = grab_.view;
-    view.values = moved(grab_.plot.limits, by.x() / area.width() * extentOf(grab_.plot.limits));
+    const double share = by.x() / area.width();
+    view.values = grab_.plot.between(share, 1 + share);
     view.heights = moved(grab_.plot.heights, -by.y() / area.height() * extentOf(grab_.plot.heights));
     state_.setView(view);
 }
@@ -182,10 +184,14 @@ void TransferCanvas::wheelEvent(QWheelEvent* event)
     EditorView view = state_.view();
     if (event->modifiers().testFlag(Qt::ControlModifier))
         view.heights = zoomed(view.heights, there.heightAt(event->position().y()), std::pow(zoomPerNotch, turned.y()));
-    else if (event->modifiers().testFlag(Qt::ShiftModifier) || std::abs(turned.x()) > std::abs(turned.y()))
-        view.values = moved(there.limits, -(turned.x() + turned.y()) * panPerNotch * extentOf(there.limits));
-    else
-        view.values = zoomed(there.limits, there.valueAt(event->position().x()), std::pow(zoomPerNotch, turned.y()));
+    else if (event->modifiers().testFlag(Qt::ShiftModifier) || std::abs(turned.x()) > std::abs(turned.y())) {
+        const double share = -(turned.x() + turned.y()) * panPerNotch;
+        view.values = there.between(share, 1 + share);
+    } else {
+        const double share = std::clamp(there.shareAt(event->position().x()), 0.0, 1.0);
+        const TransferLimits shares = zoomed({0, 1}, share, std::pow(zoomPerNotch, turned.y()));
+        view.values = there.between(shares.least, shares.largest);
+    }
     state_.setView(view);
     event->accept();
 }

@@ -64,9 +64,11 @@ bool TransferCanvas::editByKey(const QKeyEvent& event)
     else if (event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace)
         state_.removeCurrent();
     else if (event.key() == Qt::Key_Insert)
-        addPoint(state_, pointed_);
+        addPoint(state_, pointed_ ? pointed_ : pickedValue(state_));
     else if (event.key() == Qt::Key_Escape && state_.current().kind != EditorItem::Kind::None)
         state_.setCurrent({});
+    else if (event.key() == Qt::Key_Escape && state_.host().picked())
+        state_.host().forgetPicked();
     else
         return false;
     return true;
@@ -90,13 +92,13 @@ bool TransferCanvas::moveByKey(const QKeyEvent& event)
 void TransferCanvas::moveCurrent(int right, int up, double step)
 {
     const TransferPlot there = plot();
-    const double value = right * step * (there.limits.largest - there.limits.least);
+    const double along = right * step * there.extent();
     if (state_.currentPoint()) {
         const double height = up * step * (there.heights.largest - there.heights.least);
-        state_.apply(
-            moveSelected(function(), state_.selection(), {value, height, there.axis}, state_.rule(), state_.limits()));
+        state_.apply(moveSelected(function(), state_.selection(), {along, height, there.axis, there.valueAxis},
+                                  state_.rule(), state_.limits()));
     } else if (const auto present = state_.valueOf(state_.current()); present && right != 0) {
-        state_.setCurrentValue(*present + value);
+        state_.setCurrentValue(valueOnAxis(placeOnAxis(*present, there.valueAxis) + along, there.valueAxis));
     }
 }
 
@@ -108,13 +110,9 @@ bool TransferCanvas::lookByKey(const QKeyEvent& event)
         if (event.modifiers().testFlag(Qt::ControlModifier))
             view.heights = zoomed(view.heights, factor);
         else
-            view.values = zoomed(state_.shown(), factor);
+            view.values = plot().between((1 - factor) / 2, (1 + factor) / 2);
     };
-    const auto pan = [&](int right) {
-        const TransferLimits seen = state_.shown();
-        const double by = right * panPerKey * (seen.largest - seen.least);
-        view.values = TransferLimits{seen.least + by, seen.largest + by};
-    };
+    const auto pan = [&](int right) { view.values = plot().between(right * panPerKey, 1 + right * panPerKey); };
     switch (event.key()) {
     case Qt::Key_Plus:
     case Qt::Key_Equal: zoom(zoomPerKey); break;

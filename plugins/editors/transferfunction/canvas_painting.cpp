@@ -14,18 +14,18 @@ constexpr double pointRadius = 5;
 
 void paintHistogram(QPainter& painter, const CanvasScene& scene)
 {
-    const auto histogram = scene.state.host().histogram();
+    const TransferPlot& plot = scene.plot;
+    const auto histogram = histogramOn(plot.valueAxis, scene.state.host());
     if (!histogram || histogram->counts.empty())
         return;
-    const TransferPlot& plot = scene.plot;
     const double extent = histogram->largest - histogram->least;
     const auto parts = static_cast<double>(histogram->counts.size());
     painter.setRenderHint(QPainter::Antialiasing, false);
     const QColor colour = faded(scene.palette.color(QPalette::WindowText), 0.18);
     for (std::size_t part = 0; part < histogram->counts.size(); ++part) {
         const auto index = static_cast<double>(part);
-        const double left = plot.x(histogram->least + extent * index / parts);
-        const double right = plot.x(histogram->least + extent * (index + 1) / parts);
+        const double left = plot.xOfPlace(histogram->least + extent * index / parts);
+        const double right = plot.xOfPlace(histogram->least + extent * (index + 1) / parts);
         const double height =
             barHeight(histogram->counts[part], histogram->highest(), scene.state.view().logarithmicCounts) *
             plot.area.height();
@@ -128,6 +128,23 @@ void paintPoints(QPainter& painter, const CanvasScene& scene)
     }
 }
 
+/// The group of each point that has one, beside it.
+void paintGroups(QPainter& painter, const CanvasScene& scene)
+{
+    QFont font = painter.font();
+    font.setBold(true);
+    painter.setFont(font);
+    for (std::size_t i = 0; i < scene.function().points.size(); ++i)
+        if (const auto group = scene.function().points[i].group) {
+            const QRectF label = groupLabel(scene.plot, scene.function(), i, painter.fontMetrics());
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(faded(scene.palette.color(QPalette::Base), 0.85));
+            painter.drawRoundedRect(label, 3, 3);
+            painter.setPen(scene.palette.color(QPalette::WindowText));
+            painter.drawText(label, Qt::AlignCenter, QString::number(*group));
+        }
+}
+
 void paintBand(QPainter& painter, const CanvasScene& scene)
 {
     if (!scene.band)
@@ -169,6 +186,24 @@ QRectF plotArea(const QRectF& canvas, const QFontMetrics& font)
     return canvas.adjusted(left, pointRadius + handleHeight + 3, -pointRadius - 4, -font.height() - stripHeight - 8);
 }
 
+std::shared_ptr<const ValueHistogram> histogramOn(ValueAxis axis, const EditorHost& host)
+{
+    return axis == ValueAxis::Logarithmic ? host.logarithmicHistogram() : host.histogram();
+}
+
+QRectF groupLabel(const TransferPlot& plot, const TransferFunction& function, std::size_t point,
+                  const QFontMetrics& font)
+{
+    const QPointF place = plot.place(function, point);
+    QRectF label(0, 0, font.horizontalAdvance("0") + 4, font.height());
+    label.moveBottomLeft(place + QPointF(pointRadius, -pointRadius + 2));
+    if (label.top() < 0)
+        label.moveTop(place.y() + pointRadius - 2);
+    if (label.right() > plot.area.right() + pointRadius + 4)
+        label.moveRight(place.x() - pointRadius);
+    return label;
+}
+
 void paintCanvas(QPainter& painter, const CanvasScene& scene, const QRectF& canvas)
 {
     const QRectF& area = scene.plot.area;
@@ -190,7 +225,9 @@ void paintCanvas(QPainter& painter, const CanvasScene& scene, const QRectF& canv
         painter.save();
         painter.setClipRect(area.adjusted(-pointRadius - 4, -pointRadius - 4, pointRadius + 4, pointRadius + 4));
         paintPoints(painter, scene);
+        paintGroups(painter, scene);
         painter.restore();
+        paintPicked(painter, scene);
         paintWhatIsOutside(painter, scene);
         paintBand(painter, scene);
     }

@@ -36,6 +36,16 @@ void paintAxes(QPainter& painter, const CanvasScene& scene);
 void paintWhatIsOutside(QPainter& painter, const CanvasScene& scene);
 /// The isovalues and the ends of the mask, with handles.
 void paintMarkers(QPainter& painter, const CanvasScene& scene);
+/// The value that is picked in the picture: a line, and the value as text; at an edge if it lies outside of what is
+/// seen.
+void paintPicked(QPainter& painter, const CanvasScene& scene);
+
+/// Where the group of a point is written: above it on the right, elsewhere where there is no room.
+QRectF groupLabel(const TransferPlot& plot, const TransferFunction& function, std::size_t point,
+                  const QFontMetrics& font);
+
+/// How often the values occur, in equal parts of the axis; its ends are places on it. None before the first mesh.
+std::shared_ptr<const ValueHistogram> histogramOn(ValueAxis axis, const EditorHost& host);
 
 /// How many points, isovalues and ends of the mask lie to the left and to the right of what is seen.
 struct OutsideCounts {

@@ -2,6 +2,7 @@
 #include "plugins/editors/transferfunction/edit_menu.h"
 
 #include "core/transfer/editing/arranging.h"
+#include "core/transfer/editing/logarithmic_course.h"
 #include "core/transfer/editing/peak.h"
 #include "core/transfer/editing/simplification.h"
 #include "core/transfer/editing/whole_function.h"
@@ -37,6 +38,7 @@ EditMenu::EditMenu(EditorState& state, QWidget* parent) : QMenu(parent), state_(
     addRules();
     addSeparator();
     addMaskAndIsovalues();
+    addPicked();
     connect(&state, &EditorState::selectionChanged, this, &EditMenu::enableWhatIsPossible);
     enableWhatIsPossible();
 }
@@ -109,6 +111,8 @@ void EditMenu::addArranging()
             [this](const Function& f, const Selection& s) { return flipValues(f, s, state_.limits()); });
     addEdit(*this, "invert", tr("&Invert opacities"), 1, &invertOpacities);
     addEdit(*this, "ramp", tr("Ramp from first to last"), 2, &rampOpacities);
+    addEdit(*this, "logarithm", tr("Follow the logarit&hm of the value"), 2,
+            [](const Function& f, const Selection& s) { return withLogarithmicCourse(f, s, {}); });
     addEdit(*this, "simplify", tr("&Simplify: fewer points, same look"), 3,
             [](const Function& f, const Selection& s) { return simplified(f, s, {}); });
     add(*this, "peak", tr("Add a pea&k"), [this] {
@@ -175,6 +179,25 @@ void EditMenu::addMaskAndIsovalues()
     add(*this, "addIsovalue", tr("Add an iso&value"), [this] { state_.host().addIsovalue(place()); });
 }
 
+/// What is done at the value that is picked in the picture.
+void EditMenu::addPicked()
+{
+    QMenu& menu = *addMenu(tr("Picked in &the picture"));
+    const auto here = [&](const char* name, const QString& text, const std::function<void(double)>& run) {
+        QAction* action = add(menu, name, text, [this, run] {
+            if (const auto value = pickedValue(state_))
+                run(*value);
+        });
+        needingPicked_.push_back(action);
+        return action;
+    };
+    QAction* point = here("picked.point", tr("Add a &point"), [this](double value) { addPoint(state_, value); });
+    point->setShortcut(Qt::Key_Insert); // the plot has the key; here it is only shown
+    point->setShortcutContext(Qt::WidgetShortcut);
+    here("picked.isovalue", tr("Add an &isovalue"), [this](double value) { state_.host().addIsovalue(value); });
+    here("picked.forget", tr("&Forget it"), [this](double) { state_.host().forgetPicked(); });
+}
+
 double EditMenu::place() const
 {
     const TransferLimits seen = state_.shown();
@@ -185,6 +208,8 @@ void EditMenu::enableWhatIsPossible()
 {
     for (const Needing& needing : needing_)
         needing.action->setEnabled(state_.selection().size() >= needing.points);
+    for (QAction* action : needingPicked_)
+        action->setEnabled(pickedValue(state_).has_value());
     mask_->setChecked(state_.function().mask.has_value());
 }
 

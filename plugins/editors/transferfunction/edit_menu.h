@@ -18,6 +18,8 @@ public:
     explicit EditMenu(EditorState& state, QWidget* parent = nullptr);
     /// Where the next isovalue, peak or pasted point goes; none: the middle of what is seen.
     void setPlace(std::optional<double> value) { place_ = value; }
+    /// After another selection or another picked value.
+    void enableWhatIsPossible();
 
 private:
     using Change = std::function<EditedSelection(const TransferFunction&, const TransferSelection&)>;
@@ -32,8 +34,8 @@ private:
     void addGroups();
     void addRules();
     void addMaskAndIsovalues();
+    void addPicked();
     double place() const;
-    void enableWhatIsPossible();
 
     EditorState& state_;
     std::optional<double> place_;
@@ -42,6 +44,7 @@ private:
         std::size_t points;
     };
     std::vector<Needing> needing_;
+    std::vector<QAction*> needingPicked_;
     QAction* mask_ = nullptr;
 };
 

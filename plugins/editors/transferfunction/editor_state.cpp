@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace tetra {
 namespace {
@@ -12,7 +13,13 @@ namespace {
 /// The least part of an axis that may fill the plot.
 constexpr double leastPart = 1e-6;
 
-/// Moved and cut so that it lies within `whole`.
+/// The values in the middle between two on an axis.
+double middleOf(double one, double other, ValueAxis axis)
+{
+    return valueOnAxis(std::midpoint(placeOnAxis(one, axis), placeOnAxis(other, axis)), axis);
+}
+
+/// Moved and cut so that it lies within `whole`; places on an axis.
 TransferLimits within(const TransferLimits& part, const TransferLimits& whole)
 {
     const double extent = whole.largest - whole.least;
@@ -38,6 +45,11 @@ TransferLimits EditorState::limits() const
         limits.largest = std::max(limits.largest, function().points.back().value);
     }
     return limits;
+}
+
+ValueAxis EditorState::valueAxis() const
+{
+    return hasPlaces(limits(), view_.valueAxis) ? view_.valueAxis : ValueAxis::Linear;
 }
 
 std::optional<std::size_t> EditorState::currentPoint() const
@@ -150,9 +162,13 @@ void EditorState::setView(const EditorView& view)
     view_ = view;
     view_.heights = within(view.heights, {0, 1});
     if (view.values) {
-        const TransferLimits seen = within(*view.values, limits());
-        const bool isAll = seen.least <= limits().least && seen.largest >= limits().largest;
-        view_.values = isAll ? std::nullopt : std::optional(seen);
+        const TransferLimits places = placesOnAxis(limits(), valueAxis());
+        const auto placeOf = [&](double value) {
+            return hasPlaces({value, value}, valueAxis()) ? placeOnAxis(value, valueAxis()) : places.least;
+        };
+        const TransferLimits seen = within({placeOf(view.values->least), placeOf(view.values->largest)}, places);
+        const bool isAll = seen.least <= places.least && seen.largest >= places.largest;
+        view_.values = isAll ? std::nullopt : std::optional(valuesOnAxis(seen, valueAxis()));
     }
     emit viewChanged();
 }
@@ -162,6 +178,12 @@ void EditorState::setRule(NeighbourRule rule)
     rule_ = rule;
 }
 
+std::optional<double> pickedValue(const EditorState& state)
+{
+    const auto picked = state.host().picked();
+    return picked ? std::optional(picked->value) : std::nullopt;
+}
+
 void addPoint(EditorState& state, std::optional<double> value)
 {
     const auto [least, largest] = state.shown();
@@ -169,9 +191,9 @@ void addPoint(EditorState& state, std::optional<double> value)
     if (const auto point = state.currentPoint(); point && !value) {
         const double from = points[*point].value;
         const auto next = std::ranges::upper_bound(points, from, {}, &TransferPoint::value);
-        value = (from + (next != points.end() ? next->value : largest)) / 2;
+        value = middleOf(from, next != points.end() ? next->value : largest, state.valueAxis());
     }
-    if (const auto added = withPoint(state.function(), value.value_or((least + largest) / 2)))
+    if (const auto added = withPoint(state.function(), value.value_or(middleOf(least, largest, state.valueAxis()))))
         state.apply({added->function, {added->point}});
 }
 

@@ -23,7 +23,8 @@ struct EditorView {
     std::optional<TransferLimits> values{}; ///< that are seen; none: all
     TransferLimits heights{};               ///< of the axis of opacities, in [0, 1]
     OpacityAxis axis = OpacityAxis::SquareRoot;
-    bool logarithmicCounts = true; ///< rare values are to be seen, too
+    ValueAxis valueAxis = ValueAxis::Linear; ///< that is wanted; see EditorState::valueAxis()
+    bool logarithmicCounts = true;           ///< rare values are to be seen, too
 };
 
 /// What the parts of the editor share besides the function, which is the window's: the selected points, how the plot is
@@ -42,6 +43,8 @@ public:
     TransferLimits limits() const;
     /// The values at the left and the right edge of the plot.
     TransferLimits shown() const { return view_.values.value_or(limits()); }
+    /// Linear as long as some value has no place on the one that is wanted.
+    ValueAxis valueAxis() const;
 
     const TransferSelection& selection() const noexcept { return selection_; }
     EditorItem current() const noexcept { return current_; }
@@ -82,6 +85,9 @@ private:
     EditorView view_;
     NeighbourRule rule_ = NeighbourRule::Stop;
 };
+
+/// What is picked in the picture, if anything is.
+std::optional<double> pickedValue(const EditorState& state);
 
 /// A point more on the curve, selected: at `value`, or halfway from the current point to the next, or in the middle of
 /// what is seen.

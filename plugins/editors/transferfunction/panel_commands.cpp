@@ -7,6 +7,7 @@
 
 #include <QActionGroup>
 #include <QInputDialog>
+#include <QLocale>
 #include <QMenu>
 #include <QToolButton>
 
@@ -31,6 +32,7 @@ void TransferPanel::fillViewMenu()
     axis("linear", tr("&Linear"), OpacityAxis::Linear);
     axis("squareRoot", tr("S&quare root"), OpacityAxis::SquareRoot);
     axis("logarithmic", tr("L&ogarithmic: fine near zero"), OpacityAxis::Logarithmic);
+    addValueAxes(menu);
     menu.addSeparator();
     const auto look = [&](const char* name, const QString& text, const std::function<void(EditorView&)>& change) {
         QAction* action = menu.addAction(text, this, [this, change] {
@@ -54,6 +56,35 @@ void TransferPanel::fillViewMenu()
     });
     all->setShortcut(Qt::Key_Home); // the plot has the key; here it is only shown
     all->setShortcutContext(Qt::WidgetShortcut);
+}
+
+void TransferPanel::addValueAxes(QMenu& menu)
+{
+    menu.addSection(tr("Axis of values"));
+    auto* axes = new QActionGroup(&menu);
+    const auto axis = [&](const char* name, const QString& text, ValueAxis kind) {
+        QAction* action = menu.addAction(text, this, [this, kind] { setValueAxis(kind); });
+        action->setObjectName(QString("transfer.valueAxis.") + name);
+        action->setCheckable(true);
+        axes->addAction(action);
+        const auto follow = [this, action, kind] { action->setChecked(state_.valueAxis() == kind); };
+        connect(&state_, &EditorState::viewChanged, action, follow);
+        connect(&state_, &EditorState::selectionChanged, action, follow); // and after every edit
+        follow();
+    };
+    axis("linear", tr("Li&near"), ValueAxis::Linear);
+    axis("logarithmic", tr("Logarithmic: by &factors"), ValueAxis::Logarithmic);
+}
+
+void TransferPanel::setValueAxis(ValueAxis axis)
+{
+    if (!hasPlaces(state_.limits(), axis))
+        host_.tell(tr("The axis of values stays linear: a logarithmic one has no place for zero and less, and the data "
+                      "or the points begin at %1. Move the points above zero, or choose data of positive values.")
+                       .arg(QLocale().toString(state_.limits().least, 'g', 6)));
+    EditorView view = state_.view();
+    view.valueAxis = hasPlaces(state_.limits(), axis) ? axis : ValueAxis::Linear;
+    state_.setView(view);
 }
 
 void TransferPanel::setStep(bool on)

@@ -48,7 +48,8 @@ void TransferCanvas::select(std::optional<std::size_t> point)
 
 TransferPlot TransferCanvas::plot() const
 {
-    return {plotArea(rect(), fontMetrics()), state_.shown(), state_.view().heights, state_.view().axis};
+    return {plotArea(rect(), fontMetrics()), state_.shown(), state_.view().heights, state_.view().axis,
+            state_.valueAxis()};
 }
 
 CanvasScene TransferCanvas::scene() const
@@ -105,6 +106,8 @@ void TransferCanvas::describeCurrent()
                        .arg(current.index + 1)
                        .arg(points)
                        .arg(QLocale().toString(point.value, 'g', 6), percentText(100.0 * point.opacity));
+    if (point.group)
+        text += ", " + tr("group %1").arg(*point.group);
     if (state_.selection().size() > 1)
         text += "; " + tr("%1 points are selected").arg(state_.selection().size());
     setAccessibleDescription(text);

@@ -158,6 +158,7 @@ void TransferPanel::connectControls()
         case EditorChange::Function:
         case EditorChange::Isovalues: return showFunction();
         case EditorChange::Mesh: return canvas_->update();
+        case EditorChange::Picked: return showPicked();
         }
     });
 }
@@ -166,7 +167,7 @@ void TransferPanel::showModel()
 {
     setEnabled(host_.hasModel());
     state_.setCurrent({});
-    state_.setView({{}, {}, state_.view().axis, state_.view().logarithmicCounts});
+    state_.setView({{}, {}, state_.view().axis, state_.view().valueAxis, state_.view().logarithmicCounts});
     numbers_->showModel();
     showFunction();
 }
@@ -189,10 +190,21 @@ void TransferPanel::showSelection()
     showReadOut();
 }
 
-/// At the pointer; else of what is selected, so that the keyboard has it, too.
+void TransferPanel::showPicked()
+{
+    editMenu_->enableWhatIsPossible();
+    canvas_->update();
+    showReadOut();
+}
+
+/// At the pointer; else of what is selected or picked in the picture, so that the keyboard has it, too.
 void TransferPanel::showReadOut()
 {
-    const auto value = canvas_->pointed() ? canvas_->pointed() : state_.valueOf(state_.current());
+    auto value = canvas_->pointed();
+    if (!value)
+        value = state_.valueOf(state_.current());
+    if (!value)
+        value = pickedValue(state_);
     readOut_->setText(value && host_.hasModel() ? readOutOf(state_, *value) : QString("&nbsp;"));
     readOut_->setAccessibleName(value && host_.hasModel() ? plainReadOutOf(state_, *value) : tr("Read-out"));
 }

@@ -10,6 +10,7 @@ class QAction;
 class QBoxLayout;
 class QCheckBox;
 class QLabel;
+class QMenu;
 class QPushButton;
 class QToolButton;
 
@@ -35,6 +36,8 @@ private:
     QBoxLayout* makeReadOutRow();
     void addPointTools();
     void fillViewMenu();
+    void addValueAxes(QMenu& menu);
+    void setValueAxis(ValueAxis axis);
     void connectControls();
     void setStep(bool on);
     Status load(const std::string& text);
@@ -45,6 +48,7 @@ private:
     void showFunction();
     void showSelection();
     void showReadOut();
+    void showPicked();
     void openEditMenu(QPoint place);
 
     EditorHost& host_;

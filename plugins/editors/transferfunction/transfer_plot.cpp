@@ -22,8 +22,13 @@ double distanceBetween(QPointF from, QPointF to)
 
 double TransferPlot::x(double value) const
 {
-    const double extent = limits.largest - limits.least;
-    return area.left() + (extent > 0 ? (value - limits.least) / extent : 0.5) * area.width();
+    return xOfPlace(placeOnAxis(value, valueAxis));
+}
+
+double TransferPlot::xOfPlace(double place) const
+{
+    const double share = extent() > 0 ? (place - placeOnAxis(limits.least, valueAxis)) / extent() : 0.5;
+    return area.left() + share * area.width();
 }
 
 double TransferPlot::y(double opacity) const
@@ -34,8 +39,25 @@ double TransferPlot::y(double opacity) const
 
 double TransferPlot::valueAt(double x) const
 {
-    const double part = area.width() > 0 ? std::clamp((x - area.left()) / area.width(), 0.0, 1.0) : 0.0;
-    return std::lerp(limits.least, limits.largest, part);
+    const double share = std::clamp(shareAt(x), 0.0, 1.0);
+    return std::clamp(between(share, share).least, limits.least, limits.largest);
+}
+
+double TransferPlot::shareAt(double x) const
+{
+    return area.width() > 0 ? (x - area.left()) / area.width() : 0.0;
+}
+
+TransferLimits TransferPlot::between(double from, double to) const
+{
+    const auto [first, last] = placesOnAxis(limits, valueAxis);
+    return valuesOnAxis({std::lerp(first, last, from), std::lerp(first, last, to)}, valueAxis);
+}
+
+double TransferPlot::extent() const
+{
+    const auto [first, last] = placesOnAxis(limits, valueAxis);
+    return last - first;
 }
 
 double TransferPlot::heightAt(double y) const

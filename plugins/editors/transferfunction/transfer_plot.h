@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/transfer/editing/opacity_axis.h"
-#include "core/transfer/transfer_editing.h"
+#include "core/transfer/editing/value_axis.h"
 
 #include <QPointF>
 #include <QRectF>
@@ -18,10 +18,19 @@ struct TransferPlot {
     TransferLimits limits; ///< the values at the left and the right edge
     TransferLimits heights{};
     OpacityAxis axis = OpacityAxis::SquareRoot;
+    ValueAxis valueAxis = ValueAxis::Linear;
 
     double x(double value) const;
+    /// Of a place on the axis of values (placeOnAxis()).
+    double xOfPlace(double place) const;
     double y(double opacity) const;
     double valueAt(double x) const;
+    /// On the axis of values, of the seen part; in [0, 1] within the area.
+    double shareAt(double x) const;
+    /// The values at two such shares, which may lie outside of what is seen: what is seen after a zoom or a move.
+    TransferLimits between(double from, double to) const;
+    /// How far the axis of values goes from one edge to the other.
+    double extent() const;
     /// On the axis of opacities, in [0, 1].
     double heightAt(double y) const;
     double opacityAt(double y) const;

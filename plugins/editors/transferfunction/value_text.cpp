@@ -20,11 +20,12 @@ class ValueReadOut {
 /// How many values lie in the part of the histogram that holds `value`.
 std::optional<std::uint64_t> countAt(const EditorState& state, double value)
 {
-    const auto histogram = state.host().histogram();
-    if (!histogram || histogram->counts.empty() || !(value >= histogram->least && value <= histogram->largest))
+    const auto histogram = histogramOn(state.valueAxis(), state.host());
+    const double place = placeOnAxis(value, state.valueAxis());
+    if (!histogram || histogram->counts.empty() || !(place >= histogram->least && place <= histogram->largest))
         return std::nullopt;
     const double extent = histogram->largest - histogram->least;
-    const double share = extent > 0 ? (value - histogram->least) / extent : 0;
+    const double share = extent > 0 ? (place - histogram->least) / extent : 0;
     const auto parts = static_cast<double>(histogram->counts.size());
     return histogram->counts[static_cast<std::size_t>(std::min(std::floor(share * parts), parts - 1))];
 }

@@ -47,6 +47,16 @@ private slots:
         QCOMPARE(valueHistogram(std::vector<float>{2, 2}, 2, 2, 3).counts, (std::vector<std::uint64_t>{2, 0, 0}));
     }
 
+    void logarithmsHaveEqualPartsOfFactors()
+    {
+        const std::vector<float> values{1, 5, 9.9F, 11, 99, 100, 1000, 0, -3, 1001};
+        const ValueHistogram histogram = logarithmicHistogram(values, 1, 1000, 3);
+        QCOMPARE(histogram.counts, (std::vector<std::uint64_t>{3, 2, 2}));
+        QVERIFY(std::abs(histogram.least) < 1e-12 && std::abs(histogram.largest - std::log(1000.0)) < 1e-6);
+        QVERIFY(logarithmicHistogram(values, 0, 1000, 3).counts.empty());
+        QVERIFY(logarithmicHistogram(values, -1, 1000, 3).counts.empty());
+    }
+
     void rareValuesAreHigherInLogarithms()
     {
         QCOMPARE(barHeight(0, 0, false), 0.0);

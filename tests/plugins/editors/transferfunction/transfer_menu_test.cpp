@@ -25,6 +25,8 @@ private slots:
     void whatIsNoPointsIsTold();
     void aPeakIsAdded();
     void groupsAreMadeAndSelectedByKeys();
+    void groupsAreWrittenBesideTheirPoints_data();
+    void groupsAreWrittenBesideTheirPoints();
     void theMenuOpensInThePlot();
 
 private:
@@ -160,6 +162,64 @@ void TransferMenuTest::groupsAreMadeAndSelectedByKeys()
     action("group.none").trigger();
     action("group.select.7").trigger();
     QVERIFY(selection().empty());
+}
+
+void TransferMenuTest::groupsAreWrittenBesideTheirPoints_data()
+{
+    QTest::addColumn<QColor>("window");
+    QTest::addColumn<int>("scale");
+    for (const int scale : {1, 2}) {
+        QTest::addRow("light, %d", scale) << QColor(239, 239, 239) << scale;
+        QTest::addRow("dark, %d", scale) << QColor(50, 50, 50) << scale;
+    }
+}
+
+void TransferMenuTest::groupsAreWrittenBesideTheirPoints()
+{
+    QFETCH(QColor, window);
+    QFETCH(int, scale);
+    TransferCanvas& canvas = editor_->canvas();
+    canvas.setPalette(QPalette(window));
+    const auto draw = [&] {
+        QImage image(canvas.size() * scale, QImage::Format_ARGB32);
+        image.setDevicePixelRatio(scale);
+        canvas.render(&image);
+        return image;
+    };
+    // How much the label's place differs between light and dark pixels: text can be read where both are there.
+    const auto contrastAt = [&](const QImage& image, std::size_t point) {
+        const QFont bold = [&] {
+            QFont font = canvas.font();
+            font.setBold(true);
+            return font;
+        }();
+        const QRectF label = groupLabel(canvas.plot(), function(), point, QFontMetrics(bold));
+        int least = 255, largest = 0;
+        const QRect pixels =
+            QRectF(label.topLeft() * scale, label.size() * scale).adjusted(2, 2, -2, -2).toRect() & image.rect();
+        for (int y = pixels.top(); y <= pixels.bottom(); ++y)
+            for (int x = pixels.left(); x <= pixels.right(); ++x) {
+                least = std::min(least, qGray(image.pixel(x, y)));
+                largest = std::max(largest, qGray(image.pixel(x, y)));
+            }
+        return largest - least;
+    };
+    const QImage before = draw();
+    editor_->state().select({1, 8}); // the last one at the edge
+    press(Qt::Key_7, Qt::ControlModifier);
+    QVERIFY(canvas.accessibleDescription().contains("group 7"));
+    editor_->state().setCurrent({});
+    const QImage after = draw();
+    QVERIFY(after != before);
+    for (const std::size_t point : {std::size_t{1}, std::size_t{8}})
+        QVERIFY(contrastAt(after, point) > 100);
+    QVERIFY(canvas.rect().contains(groupLabel(canvas.plot(), function(), 8, canvas.fontMetrics()).toRect()));
+    action("group.none").trigger(); // nothing is selected: they stay
+    QCOMPARE(draw(), after);
+    press(Qt::Key_7);
+    action("group.none").trigger();
+    editor_->state().setCurrent({});
+    QCOMPARE(draw(), before);
 }
 
 void TransferMenuTest::theMenuOpensInThePlot()

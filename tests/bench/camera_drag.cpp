@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/bench/camera_drag.h"
+
+#include "ui/viewport/camera_controls.h"
+#include "ui/viewport/view_history.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+
+#include <vector>
+
+namespace tetra {
+namespace {
+
+constexpr QSize windowSize(1366, 768);
+constexpr int rounds = 15; ///< of either kind, in turn, so that both meet the same noise
+constexpr int moves = 500; ///< of a drag
+
+class DraggedWindow {
+public:
+    DraggedWindow(PluginHost& host, const std::filesystem::path& model, bool undoes)
+        : workbench_(host), window_(workbench_, BackendChoice::Cpu)
+    {
+        window_.resize(windowSize);
+        window_.show();
+        window_.open(QString::fromStdString(model.string()));
+        while (!workbench_.session().model() || !viewport().scene() || !viewport().settled())
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
+        auto* history = window_.findChild<ViewHistory*>();
+        if (history == nullptr)
+            qFatal("The window has no history of views.");
+        if (!undoes)
+            viewport().disconnect(history);
+    }
+
+    /// Seconds for a move: all that the window does at once, which is everything but the picture.
+    double secondsOfMove();
+    int undoSteps() { return workbench_.session().undoStack().count(); }
+
+private:
+    Viewport& viewport() { return window_.viewport(); }
+
+    Workbench workbench_;
+    MainWindow window_;
+};
+
+double DraggedWindow::secondsOfMove()
+{
+    QElapsedTimer timer;
+    timer.start();
+    for (int move = 0; move < moves; ++move)
+        viewport().setCamera(turnedByDrag(viewport().camera(), {1, 0.1}));
+    const double seconds = static_cast<double>(timer.nsecsElapsed()) * 1e-9 / moves;
+    QCoreApplication::processEvents();
+    return seconds;
+}
+
+} // namespace
+
+BenchCase cameraDrag(PluginHost& host, const std::filesystem::path& model, const QString& name)
+{
+    DraggedWindow undoing(host, model, true), other(host, model, false);
+    std::vector<double> with, without;
+    for (int round = 0; round < rounds; ++round) {
+        with.push_back(undoing.secondsOfMove());
+        without.push_back(other.secondsOfMove());
+    }
+    BenchCase one;
+    one.name = name + ", a move of a camera drag with its undo step";
+    one.seconds = median(with);
+    one.yardstick = "the same without undo";
+    one.yardstickSeconds = median(without);
+    one.more = {{"undo_steps", undoing.undoSteps()}, {"seconds_of_undo", median(with) - median(without)}};
+    return one;
+}
+
+} // namespace tetra

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/viewport/value_pick.h"
+
+#include "core/graphics/sight/seen_place.h"
+#include "plugins/widgets/number_text.h"
+#include "ui/viewport/viewport.h"
+
+#include <QCursor>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <new>
+#include <utility>
+
+namespace tetra {
+namespace {
+
+constexpr double clickReach = 3; ///< pixels that a hand may move while it clicks
+constexpr double ringRadius = 6;
+constexpr double labelDistance = 10;
+
+/// Those of the scene's surfaces, in their order; nothing if the scene is one of other isovalues.
+std::vector<double> isovaluesOf(const Scene& scene, const std::vector<Isovalue>& isovalues)
+{
+    std::vector<double> values;
+    for (const Isovalue& isovalue : isovalues) {
+        if (!isovalue.visible)
+            continue;
+        const Colour colour{isovalue.red, isovalue.green, isovalue.blue};
+        if (values.size() == scene.surfaces.size() || scene.surfaces[values.size()].colour != colour)
+            return {};
+        values.push_back(isovalue.value);
+    }
+    return values.size() == scene.surfaces.size() ? values : std::vector<double>();
+}
+
+std::optional<SeenPlace> seenOrNothing(const Scene& scene, const SightLine& line, const Progress& progress)
+try {
+    return seenPlace(scene, line, progress);
+} catch (const std::bad_alloc&) {
+    return std::nullopt;
+}
+
+} // namespace
+
+ValuePick::ValuePick(Workbench& workbench, Viewport& viewport)
+    : QWidget(&viewport), workbench_(workbench), viewport_(viewport)
+{
+    setObjectName("viewport.pick");
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_NoSystemBackground);
+    setGeometry(viewport.rect());
+    viewport.installEventFilter(this);
+    const auto repaint = qOverload<>(&QWidget::update);
+    connect(&viewport, &Viewport::cameraChanged, this, repaint);
+    connect(&viewport, &Viewport::previewChanged, this, repaint);
+    connect(&workbench.session(), &Session::modelChanged, this, &ValuePick::forget);
+    // The viewport gets the scene by the same signal.
+    connect(&workbench.sceneBuilder(), &SceneBuilder::sceneReady, this, &ValuePick::look, Qt::QueuedConnection);
+}
+
+QString ValuePick::text() const
+{
+    const auto& model = workbench_.session().model();
+    if (!picked_ || !model)
+        return {};
+    const auto length = [&](int axis) { return valueText(picked_->place[axis], model->diagonal()); };
+    return tr("%1 at (%2, %3, %4)")
+        .arg(valueText(picked_->value, workbench_.session().range().extent()), length(0), length(1), length(2));
+}
+
+void ValuePick::pickAt(QPointF pixel)
+{
+    wanted_ = pixel;
+    look();
+}
+
+void ValuePick::pickAtPointer()
+{
+    const QPoint pointer = viewport_.mapFromGlobal(QCursor::pos());
+    pickAt(viewport_.rect().contains(pointer) && viewport_.underMouse() ? pointer : viewport_.rect().center());
+}
+
+void ValuePick::forget()
+{
+    wanted_.reset();
+    found_ = ++newest_; // what is being looked for does not matter any more
+    setPicked(std::nullopt);
+}
+
+void ValuePick::look()
+{
+    const auto scene = viewport_.scene();
+    if (!wanted_ || !scene || viewport_.previewing() || workbench_.sceneBuilder().busy())
+        return;
+    const SightLine line = viewport_.projection().sightLine(*wanted_);
+    wanted_.reset();
+    job_.submit([this, number = ++newest_, scene, line,
+                 isovalues = isovaluesOf(*scene, workbench_.session().view().isovalues())](std::stop_token stop) {
+        const auto seen = seenOrNothing(*scene, line, Progress(std::move(stop), {}));
+        QMetaObject::invokeMethod(
+            this, [this, number, seen, isovalues] { arrived(number, seen, isovalues); }, Qt::QueuedConnection);
+    });
+}
+
+void ValuePick::arrived(quint64 number, const std::optional<SeenPlace>& seen, const std::vector<double>& isovalues)
+{
+    if (number != newest_)
+        return;
+    found_ = number;
+    if (!seen || (seen->surface && *seen->surface >= isovalues.size()))
+        return setPicked(std::nullopt);
+    setPicked(
+        PickedValue{seen->surface ? isovalues[*seen->surface] : seen->value, seen->place, seen->surface.has_value()});
+}
+
+void ValuePick::setPicked(const std::optional<PickedValue>& picked)
+{
+    if (picked == picked_)
+        return;
+    picked_ = picked;
+    viewport_.setAccessibleDescription(text());
+    update();
+    emit pickedChanged();
+}
+
+bool ValuePick::eventFilter(QObject* watched, QEvent* event)
+{
+    const auto& mouse = static_cast<const QMouseEvent&>(*event); // read for mouse events alone
+    switch (event->type()) {
+    case QEvent::Resize: setGeometry(viewport_.rect()); break;
+    case QEvent::MouseButtonPress:
+        pressed_.reset();
+        if (mouse.button() == Qt::LeftButton && mouse.modifiers() == Qt::NoModifier)
+            pressed_ = mouse.position();
+        break;
+    case QEvent::MouseButtonDblClick: pressed_.reset(); break;
+    case QEvent::MouseMove:
+        if (pressed_ && (mouse.position() - *pressed_).manhattanLength() > clickReach)
+            pressed_.reset();
+        break;
+    case QEvent::MouseButtonRelease:
+        if (pressed_ && mouse.button() == Qt::LeftButton)
+            pickAt(*std::exchange(pressed_, std::nullopt));
+        break;
+    case QEvent::KeyPress:
+        if (picked_ && static_cast<const QKeyEvent&>(*event).key() == Qt::Key_Escape) {
+            forget();
+            return true;
+        }
+        break;
+    default: break;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+/// A ring around the place, whatever hides it, and the value beside.
+void ValuePick::paintEvent(QPaintEvent* event)
+{
+    Q_UNUSED(event);
+    if (!picked_ || viewport_.previewing())
+        return;
+    const auto place = viewport_.projection().pixelOf(picked_->place);
+    if (!place)
+        return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QColor highlight = palette().color(QPalette::Highlight);
+    for (const auto& [colour, width] : {std::pair(palette().color(QPalette::Base), 5.0), std::pair(highlight, 2.0)}) {
+        painter.setPen(QPen(colour, width));
+        painter.drawEllipse(*place, ringRadius, ringRadius);
+    }
+    const QString value = valueText(picked_->value, workbench_.session().range().extent());
+    QRectF label(0, 0, fontMetrics().horizontalAdvance(value) + 10, fontMetrics().height() + 4);
+    label.moveCenter(*place + QPointF(labelDistance + label.width() / 2, 0));
+    if (label.right() > width())
+        label.moveRight(place->x() - labelDistance);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(highlight);
+    painter.drawRoundedRect(label, 3, 3);
+    painter.setPen(palette().color(QPalette::HighlightedText));
+    painter.drawText(label, Qt::AlignCenter, value);
+}
+
+} // namespace tetra

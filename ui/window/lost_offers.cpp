@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/lost_offers.h"
+
+#include "plugins/widgets/icons.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace tetra {
+namespace {
+
+constexpr qsizetype mostShown = 3;
+constexpr int iconSide = 20;
+constexpr QColor amber(230, 159, 0);
+
+} // namespace
+
+LostOffers::LostOffers(QWidget* parent) : QFrame(parent), rows_(new QVBoxLayout(this))
+{
+    setObjectName("lost");
+    setAccessibleName(tr("Sessions to restore"));
+    rows_->setContentsMargins(12, 8, 8, 8);
+    hide();
+}
+
+void LostOffers::setOffers(const QList<LostOffer>& offers)
+{
+    while (QLayoutItem* item = rows_->takeAt(0)) {
+        item->widget()->hide();
+        item->widget()->deleteLater();
+        delete item;
+    }
+    for (qsizetype i = 0; i < std::min(offers.size(), mostShown); ++i)
+        rows_->addWidget(makeRow(offers[i], static_cast<int>(i)));
+    setVisible(!offers.isEmpty());
+}
+
+QWidget* LostOffers::makeRow(const LostOffer& offer, int index)
+{
+    auto* row = new QWidget;
+    auto* sign = new QLabel;
+    sign->setPixmap(glyphIcon(Glyph::Warning).pixmap(QSize(iconSide, iconSide), devicePixelRatioF()));
+    const QString what = tr("TAn ended unexpectedly while %1 was open.").arg(offer.model);
+    auto* text = new QLabel("<b>" + what.toHtmlEscaped() + "</b><br>" + offer.detail.toHtmlEscaped());
+    text->setObjectName("lost.text");
+    text->setTextFormat(Qt::RichText);
+    text->setWordWrap(true);
+    auto* restore = new QPushButton(tr("&Restore"));
+    restore->setObjectName("lost.restore");
+    restore->setToolTip(tr("Open the model, seen as it was. What was kept stays until that has worked."));
+    restore->setAccessibleName(tr("Restore %1").arg(offer.model));
+    restore->setAccessibleDescription(offer.detail);
+    auto* discard = new QPushButton(tr("&Discard"));
+    discard->setObjectName("lost.discard");
+    discard->setToolTip(tr("Forget how the model was seen. The model itself stays."));
+    discard->setAccessibleName(tr("Discard %1").arg(offer.model));
+    discard->setAccessibleDescription(offer.detail);
+    connect(restore, &QPushButton::clicked, this, [this, index] { emit restoreClicked(index); });
+    connect(discard, &QPushButton::clicked, this, [this, index] { emit discardClicked(index); });
+
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins({});
+    layout->addWidget(sign, 0, Qt::AlignTop);
+    layout->addWidget(text, 1);
+    layout->addWidget(restore);
+    layout->addWidget(discard);
+    return row;
+}
+
+/// As the bar of messages has it.
+void LostOffers::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setOpacity(0.2);
+    painter.fillRect(rect(), amber);
+    painter.setOpacity(1);
+    painter.fillRect(QRect(0, 0, 3, height()), amber);
+}
+
+} // namespace tetra

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/pick_actions.h"
+
+#include "core/transfer/transfer_editing.h"
+#include "ui/session/session.h"
+#include "ui/viewport/value_pick.h"
+#include "ui/window/palette_commands.h"
+
+#include <QMenu>
+
+namespace tetra {
+
+PickActions::PickActions(Session& session, ValuePick& pick, QMenu& menu)
+    : QObject(&menu), session_(session), pick_(pick),
+      pickValue_(add(menu, "pickValue", tr("&Pick"), "P",
+                     tr("Find the value that is seen at the pointer, or in the middle of the picture"))),
+      isovalue_(add(menu, "isovalueHere", tr("&Isovalue Here"), "I", tr("Add an isosurface of the picked value"))),
+      point_(add(menu, "pointHere", tr("Point of &Transfer Function Here"), "T",
+                 tr("Add a point to the transfer function at the picked value"))),
+      forget_(add(menu, "forgetPicked", tr("&Forget"), "", tr("Take the mark of the picked value away")))
+{
+    setNeed(*pickValue_, tr("Open a model first"));
+    for (QAction* action : {isovalue_, point_, forget_})
+        setNeed(*action, tr("Click a place in the picture first, or pick one"));
+    connect(pickValue_, &QAction::triggered, &pick, &ValuePick::pickAtPointer);
+    connect(isovalue_, &QAction::triggered, this, [this] {
+        if (pick_.picked())
+            session_.addIsovalue(pick_.picked()->value);
+    });
+    connect(point_, &QAction::triggered, this, &PickActions::addPoint);
+    connect(forget_, &QAction::triggered, &pick, &ValuePick::forget);
+    connect(&pick, &ValuePick::pickedChanged, this, &PickActions::follow);
+    connect(&session, &Session::modelChanged, this, &PickActions::follow);
+    follow();
+}
+
+QAction* PickActions::add(QMenu& menu, const char* name, const QString& text, const char* key, const QString& toolTip)
+{
+    QAction* action = menu.addAction(text);
+    action->setObjectName(QString("action.") + name);
+    action->setShortcut(QKeySequence(key));
+    action->setToolTip(*key == '\0' ? toolTip : tr("%1 (%2)").arg(toolTip, key));
+    return action;
+}
+
+/// A value that has two points already, a step, gets no third one.
+void PickActions::addPoint()
+{
+    if (!pick_.picked())
+        return;
+    if (const auto added = withPoint(session_.view().look().transfer, pick_.picked()->value))
+        session_.setTransfer(added->function);
+}
+
+void PickActions::follow()
+{
+    pickValue_->setEnabled(session_.model() != nullptr);
+    for (QAction* action : {isovalue_, point_, forget_})
+        action->setEnabled(pick_.picked().has_value());
+}
+
+} // namespace tetra
