@@ -125,25 +125,34 @@ void ValuePick::setPicked(const std::optional<PickedValue>& picked)
     emit pickedChanged();
 }
 
-bool ValuePick::eventFilter(QObject* watched, QEvent* event)
+void ValuePick::followMouse(const QMouseEvent& event)
 {
-    const auto& mouse = static_cast<const QMouseEvent&>(*event); // read for mouse events alone
-    switch (event->type()) {
-    case QEvent::Resize: setGeometry(viewport_.rect()); break;
+    switch (event.type()) {
     case QEvent::MouseButtonPress:
         pressed_.reset();
-        if (mouse.button() == Qt::LeftButton && mouse.modifiers() == Qt::NoModifier)
-            pressed_ = mouse.position();
+        if (event.button() == Qt::LeftButton && event.modifiers() == Qt::NoModifier)
+            pressed_ = event.position();
         break;
-    case QEvent::MouseButtonDblClick: pressed_.reset(); break;
     case QEvent::MouseMove:
-        if (pressed_ && (mouse.position() - *pressed_).manhattanLength() > clickReach)
+        if (pressed_ && (event.position() - *pressed_).manhattanLength() > clickReach)
             pressed_.reset();
         break;
     case QEvent::MouseButtonRelease:
-        if (pressed_ && mouse.button() == Qt::LeftButton)
+        if (pressed_ && event.button() == Qt::LeftButton)
             pickAt(*std::exchange(pressed_, std::nullopt));
         break;
+    default: pressed_.reset(); break; // the second press of a double click
+    }
+}
+
+bool ValuePick::eventFilter(QObject* watched, QEvent* event)
+{
+    switch (event->type()) {
+    case QEvent::Resize: setGeometry(viewport_.rect()); break;
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonRelease: followMouse(static_cast<const QMouseEvent&>(*event)); break;
     case QEvent::KeyPress:
         if (picked_ && static_cast<const QKeyEvent&>(*event).key() == Qt::Key_Escape) {
             forget();

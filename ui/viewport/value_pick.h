@@ -44,6 +44,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void followMouse(const QMouseEvent& event);
     void look();
     void arrived(quint64 number, const std::optional<SeenPlace>& seen, const std::vector<double>& isovalues);
     void setPicked(const std::optional<PickedValue>& picked);
