@@ -99,10 +99,8 @@ void VertexStar::set(const CollapsibleMesh& mesh, std::uint32_t vertex, bool wit
     }
     faces_.resize(slots_.size());
     distinct_.find(cornersOfFaces_, link_, {faces_.data()->data(), cornersOfFaces_.size()});
-    for (const std::uint32_t other : link_) {
+    for (const std::uint32_t other : link_)
         __builtin_prefetch(&points_[other]);
-        mesh.prefetchStarsPlace(other); // a collapse changes their stars, too
-    }
     facesOfLink_.assign(link_.size(), 0);
     for (const std::array<std::uint32_t, 3>& face : faces_)
         for (const std::uint32_t place : face)
