@@ -183,6 +183,7 @@ void TransferMenuTest::groupsAreWrittenBesideTheirPoints()
     const auto draw = [&] {
         QImage image(canvas.size() * scale, QImage::Format_ARGB32);
         image.setDevicePixelRatio(scale);
+        image.fill(window); // as what lies below is not for the canvas to draw
         canvas.render(&image);
         return image;
     };
