@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/form_labels.h"
+
+#include <QFormLayout>
+#include <QLabel>
+
+#include <algorithm>
+
+namespace tetra {
+
+void alignFormLabels(const QWidget& parent)
+{
+    QList<QWidget*> labels;
+    int widest = 0;
+    for (const QFormLayout* form : parent.findChildren<QFormLayout*>())
+        for (int row = 0; row < form->rowCount(); ++row) {
+            const QLayoutItem* item = form->itemAt(row, QFormLayout::LabelRole);
+            if (item == nullptr || item->widget() == nullptr)
+                continue;
+            labels.append(item->widget());
+            widest = std::max(widest, item->widget()->sizeHint().width());
+        }
+    for (QWidget* label : labels)
+        label->setMinimumWidth(widest);
+}
+
+} // namespace tetra
