@@ -7,6 +7,12 @@
 #include <algorithm>
 
 namespace tetra {
+namespace {
+
+/// Pixels: a letter that is underlined is not drawn as close to its neighbours as the text's width says.
+constexpr int roomForMark = 2;
+
+} // namespace
 
 void alignFormLabels(const QWidget& parent)
 {
@@ -21,7 +27,7 @@ void alignFormLabels(const QWidget& parent)
             widest = std::max(widest, item->widget()->sizeHint().width());
         }
     for (QWidget* label : labels)
-        label->setMinimumWidth(widest);
+        label->setMinimumWidth(widest + roomForMark);
 }
 
 } // namespace tetra
