@@ -209,7 +209,7 @@
     </message>
     <message>
         <source>Import with Op&amp;tions…</source>
-        <translation>Mit &amp;Optionen importieren…</translation>
+        <translation>Mit &amp;Optionen importieren …</translation>
     </message>
     <message>
         <source>Open a part of a dataset, or say how its file is to be read</source>
@@ -281,7 +281,7 @@
     </message>
     <message>
         <source>Save &amp;Film…</source>
-        <translation>Fil&amp;m speichern…</translation>
+        <translation>Fil&amp;m speichern …</translation>
     </message>
     <message>
         <source>Save the animation as pictures or a video</source>
@@ -1796,7 +1796,7 @@ Verwerfung %2</translation>
     <name>tetra::AnimationPanel</name>
     <message>
         <source>&amp;Save Film…</source>
-        <translation>Film spe&amp;ichern…</translation>
+        <translation>Film spe&amp;ichern …</translation>
     </message>
     <message>
         <source>Turntable</source>
@@ -2311,7 +2311,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>&amp;Browse…</source>
-        <translation>&amp;Durchsuchen…</translation>
+        <translation>&amp;Durchsuchen …</translation>
     </message>
     <message>
         <source>Save Film</source>
@@ -2379,7 +2379,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>Beginning…</source>
-        <translation>Beginnt…</translation>
+        <translation>Beginnt …</translation>
     </message>
     <message>
         <source>Frame %1 of %2</source>
@@ -3043,7 +3043,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>&amp;Save…</source>
-        <translation>&amp;Speichern…</translation>
+        <translation>&amp;Speichern …</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
@@ -3305,7 +3305,7 @@ Verwerfung %2</translation>
     <name>tetra::PresetPopup</name>
     <message>
         <source>&amp;Save as preset…</source>
-        <translation>Als Vorlage &amp;speichern…</translation>
+        <translation>Als Vorlage &amp;speichern …</translation>
     </message>
     <message>
         <source>&amp;Delete</source>

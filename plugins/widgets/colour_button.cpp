@@ -62,11 +62,12 @@ void ColourButton::fillMenu(QMenu* menu)
         const QColor colour = QColor::fromRgbF(red, green, blue);
         QAction* action = menu->addAction(swatch(colour, palette().color(QPalette::Mid), devicePixelRatioF()),
                                           QCoreApplication::translate("Palette", paletteNames[index]));
-        action->setObjectName(QString("colour.%1").arg(index));
+        action->setObjectName(QString("%1.%2").arg(objectName()).arg(index));
         connect(action, &QAction::triggered, this, [this, colour] { emit colourChosen(colour); });
     }
     menu->addSeparator();
-    connect(menu->addAction(tr("Other Colour…")), &QAction::triggered, this, &ColourButton::chooseOther);
+    QAction* other = menu->addAction(tr("Other Colour…"), this, &ColourButton::chooseOther);
+    other->setObjectName(objectName() + ".other");
 }
 
 void ColourButton::chooseOther()

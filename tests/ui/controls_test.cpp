@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/every_dialog.h"
 #include "tests/ui/languages.h"
-#include "tests/ui/window_fixture.h"
-#include "ui/session/import_question.h"
 #include "ui/widgets/mnemonics.h"
 #include "ui/window/help_texts.h"
-#include "ui/window/import_dialog.h"
 
-#include <QAbstractButton>
 #include <QAccessible>
-#include <QDockWidget>
 #include <QHelpEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPointer>
+#include <QPushButton>
 
 #include <map>
 
@@ -34,6 +32,9 @@ private slots:
     void panelsDoNotTakeTheKeysOfTheMenus();
     void everyControlHasANameAndAnExplanation_data() { addLanguageRows(); }
     void everyControlHasANameAndAnExplanation();
+    void dialogsAreEnteredAndLeftByKeys();
+    void enterDoesWhatTheDialogIsFor_data();
+    void enterDoesWhatTheDialogIsFor();
     void everyPanelSaysWhatItIs();
     void helpIsShownForAControl();
 
@@ -44,6 +45,7 @@ private:
     QTemporaryDir folder_;
     QString model_;
     QString volume_;
+    QString raw_;
     std::unique_ptr<Speaking> speaking_;
     std::unique_ptr<WindowFixture> window_;
 };
@@ -70,6 +72,25 @@ QString where(const QWidget* widget)
     return QString("%1 (%2)").arg(widget->objectName(), widget->metaObject()->className());
 }
 
+/// What its controls lack, and how many there are.
+int findWhatIsMissing(const QWidget& root, QStringList& without)
+{
+    int controls = 0;
+    for (QWidget* control : root.findChildren<QWidget*>()) {
+        if (control->focusPolicy() == Qt::NoFocus || isInner(control))
+            continue;
+        ++controls;
+        if (nameOf(control).isEmpty())
+            without.append("no name: " + where(control));
+        const bool isButton = qobject_cast<QAbstractButton*>(control) != nullptr && control->toolTip().isEmpty();
+        if (HelpTexts::textFor(control).isEmpty() && !(isButton && !nameOf(control).isEmpty()))
+            without.append("no explanation: " + where(control));
+        if ((control->focusPolicy() & Qt::TabFocus) == 0)
+            without.append("not reached by Tab: " + where(control));
+    }
+    return controls;
+}
+
 } // namespace
 
 void ControlsTest::initTestCase()
@@ -81,6 +102,10 @@ void ControlsTest::initTestCase()
     const std::filesystem::path folder = folder_.path().toStdString();
     model_ = QString::fromStdString(buildSampleModel(*host, sampleDataset(10), folder).string());
     volume_ = QString::fromStdString(writeNrrd(sampleDataset(8), folder).string());
+    raw_ = folder_.filePath("bare.raw");
+    QFile file(raw_);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(file.write(QByteArray(8 * 8 * 8, 'a')), 512);
 }
 
 void ControlsTest::init()
@@ -187,28 +212,60 @@ void ControlsTest::everyControlHasANameAndAnExplanation()
 {
     QFETCH(QString, language);
     open(language);
-    window_->find<QAction>("action.plugins").trigger();
-    window_->workbench.openWithOptions(volume_);
-    QTRY_VERIFY(window_->window.findChild<QWidget*>("importDialog"));
-    QWidgetList roots{&window_->find<QWidget>("pluginWindow"), &window_->find<QWidget>("importDialog"),
-                      &window_->find<QWidget>("palette")};
-    for (QDockWidget* dock : window_->window.findChildren<QDockWidget*>())
-        roots.append(dock->widget());
     QStringList without;
-    int controls = 0;
-    for (const QWidget* root : roots)
-        for (QWidget* control : root->findChildren<QWidget*>()) {
-            if (control->focusPolicy() == Qt::NoFocus || isInner(control))
-                continue;
-            ++controls;
-            if (nameOf(control).isEmpty())
-                without.append("no name: " + where(control));
-            const bool isButton = qobject_cast<QAbstractButton*>(control) != nullptr && control->toolTip().isEmpty();
-            if (HelpTexts::textFor(control).isEmpty() && !(isButton && !nameOf(control).isEmpty()))
-                without.append("no explanation: " + where(control));
-        }
-    QVERIFY(controls > 60);
+    int controls = findWhatIsMissing(window_->find<QWidget>("empty"), without);
+    window_->find<MessageBar>("messages")
+        .ask(
+            "A question", "An answer", [] {}, [] {});
+    controls += findWhatIsMissing(window_->find<QWidget>("messages"), without);
+    for (QDockWidget* dock : window_->window.findChildren<QDockWidget*>())
+        controls += findWhatIsMissing(*dock->widget(), without);
+    for (const OpenableDialog& dialog : everyDialog(volume_, raw_)) {
+        dialog.open(*window_);
+        auto& widget = window_->find<QWidget>(dialog.name);
+        controls += findWhatIsMissing(widget, without);
+        widget.close();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+    QVERIFY(controls > 150);
+    without.removeDuplicates();
     QVERIFY2(without.isEmpty(), qPrintable(without.join("; ")));
+}
+
+/// A dialog takes the keys when it opens, Tab goes through it, and Escape leaves it.
+void ControlsTest::dialogsAreEnteredAndLeftByKeys()
+{
+    open("en");
+    for (const OpenableDialog& dialog : everyDialog(volume_, raw_)) {
+        dialog.open(*window_);
+        auto& widget = window_->find<QWidget>(dialog.name);
+        QTRY_VERIFY2(widget.isVisible(), dialog.name);
+        const QPointer<QWidget> opened(&widget);
+        widget.activateWindow();
+        QTRY_VERIFY2(widget.focusWidget() != nullptr, dialog.name);
+        QTest::keyClick(widget.focusWidget(), Qt::Key_Escape);
+        QTRY_VERIFY2(!opened || !opened->isVisible(), dialog.name);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+}
+
+void ControlsTest::enterDoesWhatTheDialogIsFor_data()
+{
+    QTest::addColumn<QString>("button");
+    QTest::newRow("pictureOptions") << "picture.save";
+    QTest::newRow("filmOptions") << "film.save";
+    QTest::newRow("importDialog") << "import.read";
+}
+
+void ControlsTest::enterDoesWhatTheDialogIsFor()
+{
+    QFETCH(QString, button);
+    open("en");
+    for (const OpenableDialog& dialog : everyDialog(volume_, raw_))
+        if (QString(dialog.name) == QTest::currentDataTag()) {
+            dialog.open(*window_);
+            QVERIFY(window_->find<QPushButton>(button).isDefault());
+        }
 }
 
 void ControlsTest::everyPanelSaysWhatItIs()

@@ -1,28 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/every_dialog.h"
 #include "tests/ui/languages.h"
 #include "tests/ui/window_fixture.h"
 
 #include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QApplication>
 #include <QCheckBox>
-#include <QDockWidget>
+#include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
+#include <QListView>
 #include <QRadioButton>
+#include <QStyleOptionComboBox>
 #include <QToolButton>
 
 using namespace tetra;
 
-/// No text is cut off on a small screen, in any language.
+/// No text is cut off on a small screen, in any language, with the usual and with larger letters.
 class FitTest : public QObject {
     Q_OBJECT
 private slots:
     void initTestCase();
-    void nothingIsCutOff_data() { addLanguageRows(); }
-    void nothingIsCutOff();
+    void init();
+    void cleanup();
+    void theWindowFits_data();
+    void theWindowFits();
+    void everyDockFits_data() { theWindowFits_data(); }
+    void everyDockFits();
+    void everyDialogFits_data() { theWindowFits_data(); }
+    void everyDialogFits();
 
 private:
+    void open();
+
     QTemporaryDir folder_;
     QString model_;
     QString volume_;
+    QString raw_;
+    QFont usualFont_;
+    std::unique_ptr<Speaking> speaking_;
+    std::unique_ptr<WindowFixture> window_;
 };
 
 namespace {
@@ -39,26 +57,68 @@ QString plainSize(const QWidget& widget, const QString& text, QSize needed)
         .arg(widget.height());
 }
 
-/// What is wrong with a label or a button; empty if its text is seen whole.
+QString cutOffLabel(const QLabel& label)
+{
+    if (label.text().isEmpty())
+        return {};
+    const QSize hint = label.wordWrap() ? QSize(0, label.heightForWidth(label.width())) : label.sizeHint();
+    return hint.width() > label.width() || hint.height() > label.height() ? plainSize(label, label.text(), hint)
+                                                                          : QString();
+}
+
+QString cutOffButton(const QAbstractButton& button)
+{
+    const QSize text = button.fontMetrics().size(Qt::TextShowMnemonic, button.text());
+    const bool hasMark =
+        qobject_cast<const QCheckBox*>(&button) != nullptr || qobject_cast<const QRadioButton*>(&button) != nullptr;
+    const bool showsText =
+        !button.text().isEmpty() && (qobject_cast<const QToolButton*>(&button) == nullptr || button.icon().isNull());
+    const int beside = button.icon().isNull() ? 0 : button.iconSize().width() + 4;
+    const QSize needed = hasMark ? button.sizeHint() : QSize(text.width() + beside + 4, text.height());
+    const bool isWhole = needed.width() <= button.width() && needed.height() <= button.height();
+    return showsText && !isWhole ? plainSize(button, button.text(), needed) : QString();
+}
+
+/// Of the entry that is chosen; a list that opens is as wide as it has to be.
+QString cutOffChoice(const QComboBox& box)
+{
+    QStyleOptionComboBox option;
+    option.initFrom(&box);
+    option.editable = box.isEditable();
+    const int room =
+        box.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &box).width();
+    const QSize text = box.fontMetrics().size(0, box.currentText());
+    return text.width() > room || text.height() > box.height() ? plainSize(box, box.currentText(), text) : QString();
+}
+
+/// Numbers only: what is typed may be as long as it likes.
+QString cutOffNumber(const QLineEdit& line)
+{
+    if (qobject_cast<const QAbstractSpinBox*>(line.parentWidget()) == nullptr)
+        return {};
+    const QSize text = line.fontMetrics().size(0, line.displayText());
+    return text.width() > line.width() ? plainSize(*line.parentWidget(), line.displayText(), text) : QString();
+}
+
+QString cutOffEntry(const QListView& list)
+{
+    const int needed = list.sizeHintForColumn(0);
+    return needed > list.viewport()->width() ? plainSize(list, "an entry", {needed, 0}) : QString();
+}
+
+/// What is wrong with a widget; empty if its text is seen whole.
 QString cutOff(const QWidget& widget)
 {
-    if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
-        if (label->text().isEmpty())
-            return {};
-        const QSize hint = label->wordWrap() ? QSize(0, label->heightForWidth(label->width())) : label->sizeHint();
-        return hint.width() > label->width() || hint.height() > label->height() ? plainSize(widget, label->text(), hint)
-                                                                                : QString();
-    }
-    if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) {
-        const QSize text = button->fontMetrics().size(Qt::TextShowMnemonic, button->text());
-        const bool hasMark = qobject_cast<const QCheckBox*>(button) || qobject_cast<const QRadioButton*>(button);
-        const bool showsText = !button->text().isEmpty() &&
-                               (qobject_cast<const QToolButton*>(button) == nullptr || button->icon().isNull());
-        const int beside = button->icon().isNull() ? 0 : button->iconSize().width() + 4;
-        const QSize needed = hasMark ? button->sizeHint() : QSize(text.width() + beside + 4, text.height());
-        if (showsText && (needed.width() > button->width() || needed.height() > button->height()))
-            return plainSize(widget, button->text(), needed);
-    }
+    if (const auto* label = qobject_cast<const QLabel*>(&widget))
+        return cutOffLabel(*label);
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&widget))
+        return cutOffButton(*button);
+    if (const auto* choice = qobject_cast<const QComboBox*>(&widget))
+        return cutOffChoice(*choice);
+    if (const auto* line = qobject_cast<const QLineEdit*>(&widget))
+        return cutOffNumber(*line);
+    if (const auto* list = qobject_cast<const QListView*>(&widget))
+        return cutOffEntry(*list);
     return {};
 }
 
@@ -78,30 +138,81 @@ void FitTest::initTestCase()
 {
     QCoreApplication::setOrganizationName("TAn");
     QCoreApplication::setApplicationName("fit");
+    usualFont_ = QApplication::font();
     const auto host = hostOfThisBuild();
     const std::filesystem::path folder = folder_.path().toStdString();
     model_ = QString::fromStdString(buildSampleModel(*host, sampleDataset(16), folder).string());
     volume_ = QString::fromStdString(writeNrrd(sampleDataset(8), folder).string());
+    raw_ = folder_.filePath("bare_8x8x8_uint8.raw");
+    QFile file(raw_);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(file.write(QByteArray(8 * 8 * 8, 'a')), 512);
 }
 
-void FitTest::nothingIsCutOff()
+void FitTest::theWindowFits_data()
+{
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<double>("letters");
+    for (const Language& language : languages())
+        for (const double letters : {1.0, 1.25})
+            QTest::addRow("%s, %g", language.code, letters) << QString(language.code) << letters;
+}
+
+void FitTest::init()
 {
     QFETCH(QString, language);
+    QFETCH(double, letters);
     QSettings().clear();
     QLocale::setDefault(QLocale(language));
-    const Speaking speaking(language);
-    WindowFixture window;
-    window.window.resize(smallScreen);
-    window.window.show();
-    QStringList found = cutOffIn(window.find<QWidget>("empty"));
-    window.window.open(model_);
-    QTRY_VERIFY(window.workbench.session().model() && window.settled());
-    window.window.open(volume_);
-    QTRY_VERIFY(window.workbench.dataset());
-    QVERIFY2(window.window.width() <= smallScreen.width() && window.window.height() <= smallScreen.height(),
+    QFont font = usualFont_;
+    font.setPointSizeF(letters * font.pointSizeF());
+    QApplication::setFont(font);
+    speaking_ = std::make_unique<Speaking>(language);
+    window_ = std::make_unique<WindowFixture>();
+    window_->window.resize(smallScreen);
+    window_->window.show();
+}
+
+void FitTest::cleanup()
+{
+    window_.reset();
+    speaking_.reset();
+    QApplication::setFont(usualFont_);
+}
+
+void FitTest::open()
+{
+    window_->window.open(model_);
+    QTRY_VERIFY(window_->workbench.session().model() && window_->settled());
+    window_->window.open(volume_);
+    QTRY_VERIFY(window_->workbench.dataset());
+}
+
+void FitTest::theWindowFits()
+{
+    QStringList found = cutOffIn(window_->find<QWidget>("empty"));
+    auto& messages = window_->find<MessageBar>("messages");
+    messages.add("A message that is so long that it has to go on in a second line: it names a file, says what is wrong "
+                 "with it and what can be done about that.");
+    messages.ask(
+        "A question", "An answer", [] {}, [] {});
+    QCoreApplication::processEvents();
+    found += cutOffIn(messages);
+    messages.clear();
+    open();
+    QCoreApplication::processEvents();
+    found += cutOffIn(window_->window);
+    QVERIFY2(window_->window.width() <= smallScreen.width() && window_->window.height() <= smallScreen.height(),
              "the window grew");
+    QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
+}
+
+void FitTest::everyDockFits()
+{
+    open();
+    QStringList found;
     int docks = 0;
-    for (QDockWidget* dock : window.window.findChildren<QDockWidget*>()) {
+    for (QDockWidget* dock : window_->window.findChildren<QDockWidget*>()) {
         dock->show();
         dock->raise();
         QCoreApplication::processEvents();
@@ -110,18 +221,25 @@ void FitTest::nothingIsCutOff()
         ++docks;
     }
     QVERIFY(docks >= 9);
-    for (const auto& [action, dialog] : {std::pair("plugins", "pluginWindow"), {"about", "aboutBox"}}) {
-        window.find<QAction>(QString("action.") + action).trigger();
-        auto& widget = window.find<QWidget>(dialog);
-        QTRY_VERIFY(widget.isVisible());
+    QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
+}
+
+void FitTest::everyDialogFits()
+{
+    open();
+    QStringList found;
+    for (const OpenableDialog& dialog : everyDialog(volume_, raw_)) {
+        dialog.open(*window_);
+        auto& widget = window_->find<QWidget>(dialog.name);
+        QTRY_VERIFY2(widget.isVisible(), dialog.name);
+        QCoreApplication::processEvents();
         found += cutOffIn(widget);
+        if (widget.width() > smallScreen.width() || widget.height() > smallScreen.height())
+            found.append(QString("%1 has %2 x %3").arg(dialog.name).arg(widget.width()).arg(widget.height()));
         widget.close();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     }
-    window.workbench.openWithOptions(volume_);
-    QTRY_VERIFY(window.window.findChild<QWidget*>("importDialog"));
-    QCoreApplication::processEvents();
-    found += cutOffIn(window.find<QWidget>("importDialog"));
-    QVERIFY2(found.isEmpty(), qPrintable(found.join("\n")));
+    QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
 }
 
 QTEST_MAIN(FitTest)

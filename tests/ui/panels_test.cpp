@@ -222,7 +222,7 @@ void PanelsTest::theColourMenuOffersThePalette()
     open();
     auto& button = window_->find<ColourButton>("isovalue.0.colour");
     emit button.menu()->aboutToShow();
-    auto* green = button.menu()->findChild<QAction*>("colour.2");
+    auto* green = button.menu()->findChild<QAction*>("isovalue.0.colour.2");
     QVERIFY(green != nullptr);
     green->trigger();
     QVERIFY(isovalue(0).green > isovalue(0).red);

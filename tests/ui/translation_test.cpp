@@ -24,6 +24,7 @@ private slots:
     void everyTextIsTranslated_data() { addTranslations(); }
     void everyTextIsTranslated();
     void everyTextOfAPluginIsKnown();
+    void germanHasASpaceBeforeAnEllipsis();
     void theWindowSpeaksGerman();
     void theWindowSpeaksItalian();
     void theUserChoosesTheLanguage();
@@ -149,6 +150,15 @@ void TranslationTest::everyTextOfAPluginIsKnown()
     const auto known = translatedPluginTexts();
     for (const std::string& text : textsOf(*hostOfThisBuild()))
         QVERIFY2(std::ranges::find(known, text) != known.end(), ("not in session/plugin_texts.cpp: " + text).c_str());
+}
+
+/// Where words are left out; without one it would say that letters are.
+void TranslationTest::germanHasASpaceBeforeAnEllipsis()
+{
+    for (const Message& message : messagesOf(tsFile("de"))) {
+        const qsizetype place = message.translation.indexOf(QChar(0x2026));
+        QVERIFY2(place <= 0 || message.translation[place - 1].isSpace(), qPrintable(message.translation));
+    }
 }
 
 void TranslationTest::theWindowSpeaksGerman()

@@ -6,6 +6,7 @@
 #include "plugins/widgets/value_box.h"
 #include "ui/panels/key_frame_list.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/form_labels.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -54,6 +55,7 @@ QWidget* AnimationPanel::makeContent()
     rate_->setObjectName("animation.rate");
     rate_->setAccessibleName(tr("Frames a second"));
     rate_->setRange(1, mostRate);
+    rate_->setAlignment(Qt::AlignRight);
     rate_->setSuffix(tr(" frames/s"));
     rate_->setToolTip(tr("Pictures a second of the film"));
     pages_->addWidget(makeTurntable());
@@ -75,6 +77,7 @@ QWidget* AnimationPanel::makeContent()
     foot->addWidget(summary_, 1);
     foot->addWidget(write_);
     column->addLayout(foot);
+    alignFormLabels(*content);
     return content;
 }
 
@@ -93,6 +96,7 @@ QWidget* AnimationPanel::makeTurntable()
     frames_->setObjectName("animation.frames");
     frames_->setAccessibleName(tr("Number of frames"));
     frames_->setRange(1, mostFrames);
+    frames_->setAlignment(Qt::AlignRight);
     frames_->setToolTip(tr("Pictures of the whole film"));
     auto* page = new QWidget;
     auto* form = new QFormLayout(page);

@@ -157,13 +157,15 @@ void KeyFrameList::replaceByPresent()
     workbench_.session().setAnimation(animation);
 }
 
-/// One step of the undo stack, as far as it is one of the model's view.
+/// One step of the undo stack with all that it changes; none if that is seen already.
 void KeyFrameList::showKey()
 {
     Session& session = workbench_.session();
     if (current() < 0)
         return;
     const FilmFrame frame = session.view().animation().keys[static_cast<std::size_t>(current())].frame;
+    if (frame == workbench_.presentFrame(viewport_.camera()))
+        return;
     QUndoStack& stack = session.undoStack();
     stack.beginMacro(tr("show of a key frame"));
     session.setQuery(queryOf(frame, session.view().query()));
@@ -174,8 +176,8 @@ void KeyFrameList::showKey()
         session.addIsovalue();
     for (int i = 0; i < session.view().isovalueCount(); ++i)
         session.setIsovalue(i, frame.isovalues[static_cast<std::size_t>(i)]);
-    stack.endMacro();
     viewport_.setCamera(frame.camera);
+    stack.endMacro();
 }
 
 void KeyFrameList::remove()

@@ -167,6 +167,7 @@ void addToolBar(QMainWindow& window, Actions& actions)
 {
     QToolBar* bar = window.addToolBar(Texts::tr("Tools"));
     bar->setObjectName("toolBar");
+    bar->toggleViewAction()->setObjectName("action.toolBar");
     bar->setMovable(false);
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
     bar->setIconSize({20, 20});

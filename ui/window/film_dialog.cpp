@@ -6,6 +6,7 @@
 #include "ui/session/video_encoding.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
+#include "ui/widgets/form_labels.h"
 #include "ui/window/picture_orders.h"
 
 #include <QComboBox>
@@ -55,6 +56,7 @@ FilmDialog::FilmDialog(Workbench& workbench, Viewport& viewport, QWidget* parent
     layout->addStretch();
     addProgress(*layout);
     layout->addWidget(makeButtons());
+    alignFormLabels(*this);
     connectControls();
     showRunning();
 }
@@ -71,6 +73,7 @@ void FilmDialog::addTarget(QLayout& layout)
     target_->setObjectName("film.target");
     target_->setToolTip(tr("The video, or the name that numbers are added to"));
     browse_->setObjectName("film.browse");
+    browse_->setAutoDefault(false); // Enter in the line above saves
     hint_->setObjectName("film.hint");
     hint_->setWordWrap(true);
     summary_->setObjectName("film.summary");
@@ -108,6 +111,7 @@ QWidget* FilmDialog::makeButtons()
     cancel_ = buttons->addButton(tr("&Cancel"), QDialogButtonBox::ActionRole);
     QPushButton* close = buttons->addButton(tr("Cl&ose"), QDialogButtonBox::RejectRole);
     save_->setObjectName("film.save");
+    save_->setDefault(true);
     cancel_->setObjectName("film.cancel");
     close->setObjectName("film.close");
     close->setToolTip(tr("A film that is being written goes on"));

@@ -68,6 +68,7 @@ void ImportDialog::fillFields()
 {
     reader_->setObjectName("import.reader");
     reader_->setAccessibleName(tr("Reader"));
+    reader_->setSizeAdjustPolicy(QComboBox::AdjustToContents); // whole names, also in large letters
     reader_->setToolTip(tr("Who reads the file"));
     auto* readerRow = new QFormLayout;
     readerLabel_ = new QLabel(tr("R&eader"));

@@ -281,11 +281,13 @@ void MainWindow::fillRecent()
     actions_.recent->clear();
     for (const QString& path : recentFiles()) {
         QAction* action = actions_.recent->addAction(QFileInfo(path).fileName().replace('&', "&&"));
+        action->setObjectName(QString("action.recent.%1").arg(actions_.recent->actions().size() - 1));
         action->setToolTip(path);
         connect(action, &QAction::triggered, this, [this, path] { open(path); });
     }
     actions_.recent->addSeparator();
     QAction* forget = actions_.recent->addAction(tr("&Clear List"));
+    forget->setObjectName("action.clearRecent");
     forget->setEnabled(actions_.recent->actions().size() > 2);
     giveMnemonics(*actions_.recent);
     connect(forget, &QAction::triggered, this, [] { forgetRecentFiles(); });

@@ -59,6 +59,7 @@ PluginWindow::PluginWindow(const PluginHost& host, QWidget* parent)
     resize(820, 420);
     list_->setObjectName("plugins.list");
     list_->setAccessibleName(tr("Plugins"));
+    list_->setTextElideMode(Qt::ElideMiddle); // paths differ at their ends
     list_->setToolTip(tr("What was found, and why something is not used. Space switches a plugin on or off."));
     list_->setRootIsDecorated(false);
     list_->setAlternatingRowColors(true);

@@ -13,6 +13,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QScreen>
+#include <QScrollBar>
 
 #include <algorithm>
 
@@ -21,6 +22,7 @@ namespace {
 
 constexpr QSize previewSize(72, 18);
 constexpr QSize popupSize(340, 360);
+constexpr int widestList = 600; ///< names of the user's own may be long
 
 } // namespace
 
@@ -90,6 +92,8 @@ void PresetPopup::fill()
         item->setData(Qt::UserRole, preset.id);
         item->setToolTip(preset.isOwn ? tr("One of your own") : preset.source);
     }
+    const int widest = list_->sizeHintForColumn(0) + list_->verticalScrollBar()->sizeHint().width();
+    list_->setMinimumWidth(std::min(widest, widestList));
     narrow();
 }
 
@@ -170,6 +174,7 @@ void PresetPopup::askForName()
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Save as Preset"));
     dialog->setLabelText(tr("Name of the preset:"));
+    dialog->setWhatsThis(save_->toolTip());
     connect(dialog, &QInputDialog::textValueSelected, this, &PresetPopup::save);
     hide();
     dialog->open();

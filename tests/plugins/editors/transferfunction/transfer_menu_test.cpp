@@ -205,6 +205,7 @@ void TransferMenuTest::groupsAreWrittenBesideTheirPoints()
             }
         return largest - least;
     };
+    editor_->state().setCurrent({});
     const QImage before = draw();
     editor_->state().select({1, 8}); // the last one at the edge
     press(Qt::Key_7, Qt::ControlModifier);

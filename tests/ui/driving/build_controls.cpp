@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the controls of the dock Build are driven.
+#include "tests/ui/driving/driver.h"
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace tetra {
+namespace {
+
+/// So large that its build is seen at work.
+constexpr std::uint32_t largeSide = 96;
+
+void typeInto(QWidget& control, const QString& text)
+{
+    control.setFocus();
+    QTest::keyClick(&control, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(&control, text);
+    QTest::keyClick(&control, Qt::Key_Tab);
+}
+
+void chooseBuilder(DrivenWindow& window, const QString& id)
+{
+    window.raise("dock.build");
+    auto& builder = window.find<QComboBox>("build.builder");
+    builder.setCurrentIndex(builder.findData(id));
+    window.find<QLineEdit>("build.target").setText(window.folder.filePath("driven.tan"));
+    QCoreApplication::processEvents(); // the form of the builder is seen
+}
+
+Driver::Step withBuilder(const QString& id)
+{
+    return [id](DrivenWindow& window) { chooseBuilder(window, id); };
+}
+
+bool isBuilt(const DrivenWindow& window)
+{
+    return !window.workbench.building().running() && window.session().model() &&
+           window.session().model()->path().filename() == "driven.tan";
+}
+
+std::string parameterOf(const DrivenWindow& window, const std::string& id)
+{
+    const auto& parameters = window.session().model()->description().parameters;
+    const auto found = std::ranges::find(parameters, id, &std::pair<std::string, std::string>::first);
+    return found == parameters.end() ? std::string() : found->second;
+}
+
+/// The model says by what it was built.
+Driver option(const QString& id, const QString& builder, const std::string& expected,
+              const std::function<void(QWidget&)>& use)
+{
+    const QString name = "build.option." + id;
+    return showing(
+        name,
+        [id, expected](const DrivenWindow& window) {
+            return isBuilt(window) && parameterOf(window, id.toStdString()) == expected;
+        },
+        withBuilder(builder),
+        [name, use](DrivenWindow& window) {
+            use(window.find<QWidget>(name));
+            window.press("build.start", Qt::Key_Space);
+        });
+}
+
+Driver steppedOption(const QString& id, const QString& builder, const std::string& expected)
+{
+    return option(id, builder, expected, &useByKeys);
+}
+
+Driver typedOption(const QString& id, const QString& builder, const QString& text)
+{
+    return option(id, builder, text.toStdString(), [text](QWidget& control) { typeInto(control, text); });
+}
+
+void beginBuilding(DrivenWindow& window)
+{
+    window.workbench.closeModel();
+    const auto path = writeNrrd(sampleDataset(largeSide), window.folderPath());
+    window.window.open(QString::fromStdString(path));
+    const bool ready = QTest::qWaitFor([&] { return window.workbench.dataset()->source.path == path; }, 30'000);
+    chooseBuilder(window, "refinement");
+    window.press("build.start", Qt::Key_Space);
+    if (!ready || !QTest::qWaitFor([&] { return window.session().model() != nullptr; }, 60'000))
+        qFatal("the build did not begin");
+}
+
+} // namespace
+
+Drivers buildControls()
+{
+    const QString refinement = "refinement";
+    const QString decimation = "decimation";
+    return {
+        opening("build.differently", "importDialog", inDock("dock.build")),
+        showing(
+            "build.builder",
+            [](const DrivenWindow& window) {
+                return window.find<QComboBox>("build.builder").currentData().toString() == "decimation";
+            },
+            withBuilder(refinement),
+            [](DrivenWindow& window) {
+                auto& builder = window.find<QComboBox>("build.builder");
+                const bool isBelow = builder.findData("decimation") > builder.currentIndex();
+                window.press("build.builder", isBelow ? Qt::Key_Down : Qt::Key_Up);
+            }),
+        showing(
+            "build.target", [](const DrivenWindow& window) { return window.isOpen("build.targetHint"); },
+            withBuilder(refinement),
+            [](DrivenWindow& window) {
+                typeInto(window.find<QWidget>("build.target"),
+                         QString::fromStdString(window.session().model()->path().string()));
+            }),
+        opening("build.browse", "build.targetDialog", inDock("dock.build")),
+        showing("build.start", &isBuilt, withBuilder(refinement)),
+        showing(
+            "build.cancel",
+            [](const DrivenWindow& window) {
+                return !window.workbench.building().running() && !window.session().model();
+            },
+            &beginBuilding),
+        showing("build.keep", &isBuilt, &beginBuilding),
+        typedOption("error", refinement, "1.5"),
+        typedOption("warping", refinement, "1.5"),
+        typedOption("block", refinement, "4"),
+        steppedOption("selection", refinement, "paper"),
+        typedOption("weights", refinement, "value:50,20,0.5"),
+        steppedOption("order", decimation, "paper"),
+    };
+}
+
+} // namespace tetra

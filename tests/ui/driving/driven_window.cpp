@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/driving/driven_window.h"
+
+#include <QApplication>
+#include <QDialog>
+#include <QDockWidget>
+#include <QMenu>
+#include <QTimer>
+#include <QToolButton>
+#include <QWhatsThis>
+
+namespace tetra {
+namespace {
+
+constexpr int patience = 60'000; // milliseconds
+
+template <class Condition> void waitFor(const Condition& done, const char* what)
+{
+    if (!QTest::qWaitFor(done, patience))
+        qFatal("waited in vain until %s", what);
+}
+
+} // namespace
+
+DrivenWindow::DrivenWindow(QString model, QString volume) : model_(std::move(model)), volume_(std::move(volume))
+{
+    window.resize(1366, 768);
+    window.show();
+    startAnew();
+}
+
+void DrivenWindow::closeDialogs() const
+{
+    QWhatsThis::leaveWhatsThisMode();
+    while (QWidget* popup = QApplication::activePopupWidget())
+        popup->close();
+    for (QDialog* dialog : window.findChildren<QDialog*>())
+        dialog->close();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+}
+
+void DrivenWindow::startAnew()
+{
+    closeDialogs();
+    workbench.stopBuild(false);
+    waitFor([this] { return !workbench.building().running(); }, "no build runs");
+    find<MessageBar>("messages").clear();
+    workbench.closeModel();
+    window.open(model_);
+    waitFor([this] { return session().model() && settled(); }, "the model is open");
+    if (!workbench.dataset() || workbench.dataset()->source.path != volume_.toStdString()) {
+        window.open(volume_);
+        waitFor([this] { return workbench.dataset() && workbench.dataset()->source.path == volume_.toStdString(); },
+                "the dataset is open");
+    }
+    while (session().view().isovalueCount() > 1)
+        session().removeIsovalue(1);
+    session().undoStack().clear();
+    window.setWindowState(Qt::WindowNoState);
+    trigger("action.resetLayout");
+    waitForPicture();
+    remember();
+}
+
+Moment DrivenWindow::now() const
+{
+    const ViewState& view = session().view();
+    return {view.query(),
+            view.look(),
+            view.isovalues(),
+            view.annotations(),
+            view.animation(),
+            viewport().camera(),
+            viewport().chosenBackground()};
+}
+
+void DrivenWindow::remember()
+{
+    before_ = now();
+    stepsBefore_ = undoSteps();
+}
+
+void DrivenWindow::press(const QString& control, Qt::Key key, Qt::KeyboardModifiers modifiers) const
+{
+    auto& widget = find<QWidget>(control);
+    widget.setFocus();
+    QTest::keyClick(&widget, key, modifiers);
+}
+
+void DrivenWindow::raise(const QString& dock) const
+{
+    auto& found = find<QDockWidget>(dock);
+    found.show();
+    found.raise();
+    QCoreApplication::processEvents();
+}
+
+void DrivenWindow::addTransferPoint() const
+{
+    raise("dock.transfer");
+    press("transfer.canvas", Qt::Key_Insert);
+}
+
+void DrivenWindow::waitForPicture() const
+{
+    waitFor([this] { return settled(); }, "the picture comes");
+}
+
+bool DrivenWindow::isOpen(const QString& widget) const
+{
+    const auto* found = window.findChild<QWidget*>(widget);
+    return found != nullptr && found->isVisible();
+}
+
+void chooseInMenu(QToolButton& button, const QString& action)
+{
+    QTimer waiting;
+    QObject::connect(&waiting, &QTimer::timeout, &button, [&] {
+        if (!button.menu()->isVisible())
+            return;
+        waiting.stop();
+        auto* chosen = button.menu()->findChild<QAction*>(action);
+        if (chosen == nullptr)
+            qFatal("the menu of %s has no %s", qPrintable(button.objectName()), qPrintable(action));
+        button.menu()->setActiveAction(chosen);
+        QTest::keyClick(button.menu(), Qt::Key_Return);
+    });
+    waiting.start(1);
+    button.setFocus();
+    QTest::keyClick(&button, Qt::Key_Space); // comes back when the menu is closed
+}
+
+} // namespace tetra

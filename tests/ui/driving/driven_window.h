@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/ui/window_fixture.h"
+
+#include <optional>
+
+class QDockWidget;
+class QToolButton;
+
+namespace tetra {
+
+/// What of a window the user can change and undo, at a moment.
+struct Moment {
+    QueryState query;
+    Look look;
+    std::vector<Isovalue> isovalues;
+    AnnotationState annotations;
+    Animation animation;
+    Camera camera;
+    std::optional<Colour> background;
+    bool operator==(const Moment&) const = default;
+};
+
+/// A window with a small model and a dataset open, for tests that do one thing after the other in it and go back to the
+/// beginning in between.
+class DrivenWindow : public WindowFixture {
+public:
+    /// `volume`: the file of a dataset.
+    DrivenWindow(QString model, QString volume);
+
+    /// Closes what is open beside the window and opens the model anew: one isovalue, no edits, all docks in their
+    /// places.
+    void startAnew();
+    /// Keeps what is there now as what was there before.
+    void remember();
+    const Moment& before() const noexcept { return before_; }
+    Moment now() const;
+    int undoSteps() const { return session().undoStack().index(); }
+    int stepsBefore() const noexcept { return stepsBefore_; }
+
+    Session& session() const { return workbench.session(); }
+    void trigger(const QString& action) const { find<QAction>(action).trigger(); }
+    /// Gives the keys to a control of the window, and presses one.
+    void press(const QString& control, Qt::Key key, Qt::KeyboardModifiers modifiers = {}) const;
+    void raise(const QString& dock) const;
+    void choose(const QString& mode) const { trigger("action.mode." + mode); }
+    /// Another point of the transfer function, in the middle of what is seen or after the last one: it is selected.
+    void addTransferPoint() const;
+    void waitForPicture() const;
+    bool isOpen(const QString& widget) const;
+    /// Ends all dialogs and popups.
+    void closeDialogs() const;
+
+private:
+    QString model_;
+    QString volume_;
+    Moment before_;
+    int stepsBefore_ = 0;
+};
+
+/// Opens the button's menu by the keyboard, chooses its action of this name and ends it.
+void chooseInMenu(QToolButton& button, const QString& action);
+
+} // namespace tetra

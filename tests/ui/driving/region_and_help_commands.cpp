@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the actions of the menus Region and Help are driven.
+#include "tests/ui/driving/driver.h"
+
+#include <QDesktopServices>
+#include <QLabel>
+#include <QWhatsThis>
+
+namespace tetra {
+namespace {
+
+Driver::Condition hasFocusOf(FocusState::Shape shape)
+{
+    return [shape](const DrivenWindow& window) { return window.session().view().query().focus.shape == shape; };
+}
+
+/// The focus is somewhere else than the camera looks at.
+void switchFocusOn(DrivenWindow& window)
+{
+    FocusState focus = window.session().view().query().focus;
+    focus.shape = FocusState::Shape::Box;
+    focus.centre *= 0.5;
+    window.session().setFocus(focus);
+}
+
+Drivers regionCommands()
+{
+    return {
+        {"action.focusSphere", hasFocusOf(FocusState::Shape::Sphere)},
+        {"action.focusBox", hasFocusOf(FocusState::Shape::Box)},
+        {"action.focusToView",
+         [](const DrivenWindow& window) {
+             return window.session().view().query().focus.centre == window.viewport().camera().target;
+         },
+         &switchFocusOn},
+        {"action.window", [](const DrivenWindow& window) { return window.session().view().query().window.enabled; }},
+    };
+}
+
+} // namespace
+
+Drivers regionAndHelpCommands()
+{
+    const Drivers help{
+        // A page in the browser; where there is no manual yet the window says so.
+        showing("action.manual", [](const DrivenWindow& window) { return !window.messages().isEmpty(); }),
+        showing(
+            "action.help",
+            [](const DrivenWindow& window) {
+                return window.isOpen("help") &&
+                       window.find<QLabel>("help.text").text() == window.find<QWidget>("accuracy.byBudget").toolTip();
+            },
+            [](DrivenWindow& window) {
+                window.window.activateWindow();
+                if (!QTest::qWaitForWindowActive(&window.window))
+                    qFatal("the window does not get the keys");
+                window.find<QWidget>("accuracy.byBudget").setFocus();
+            }),
+        showing("action.whatsThis", [](const DrivenWindow&) { return QWhatsThis::inWhatsThisMode(); }),
+        opening("action.plugins", "pluginWindow"),
+        opening("action.about", "aboutBox"),
+    };
+    return allOf({regionCommands(), help});
+}
+
+} // namespace tetra

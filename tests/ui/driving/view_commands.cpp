@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the actions of the menu View are driven.
+#include "tests/ui/driving/driver.h"
+#include "ui/session/language.h"
+#include "ui/widgets/motion.h"
+
+#include <QDockWidget>
+#include <QToolBar>
+
+namespace tetra {
+namespace {
+
+Driver::Condition isSeenFrom(double azimuth, double elevation)
+{
+    return [=](const DrivenWindow& window) {
+        const Camera& camera = window.viewport().camera();
+        return camera.azimuth == azimuth && camera.elevation == elevation;
+    };
+}
+
+Drivers cameraCommands()
+{
+    return {
+        {"action.fit", changes(&Moment::camera), [](DrivenWindow& window) { window.press("viewport", Qt::Key_Plus); }},
+        {"action.view.front", isSeenFrom(0, 0)},
+        {"action.view.back", isSeenFrom(180, 0)},
+        {"action.view.left", isSeenFrom(270, 0)},
+        {"action.view.right", isSeenFrom(90, 0)},
+        {"action.view.top", isSeenFrom(0, 90)},
+        {"action.view.bottom", isSeenFrom(0, -90)},
+        {"action.view.corner", isSeenFrom(30, 20), [](DrivenWindow& window) { window.trigger("action.view.top"); }},
+        {"action.perspective", [](const DrivenWindow& window) { return !window.viewport().camera().perspective; }},
+    };
+}
+
+Driver mode(const QString& id, const QString& before)
+{
+    return {"action.mode." + id,
+            [id](const DrivenWindow& window) {
+                return window.session().view().look().mode == id.toStdString() && window.settled();
+            },
+            [before](DrivenWindow& window) { window.choose(before); }};
+}
+
+Drivers modeCommands()
+{
+    return {mode("isosurface", "volume"), mode("volume", "hybrid"), mode("hybrid", "focus"),
+            mode("focus", "isosurface")};
+}
+
+Drivers annotationCommands()
+{
+    Drivers drivers;
+    for (const char* name : annotationNames)
+        drivers.push_back({QString("action.annotation.") + name, changes(&Moment::annotations)});
+    return drivers;
+}
+
+Drivers dockCommands()
+{
+    Drivers drivers;
+    for (const QString name : {"build", "accuracy", "rendering", "view", "statistics", "isovalues", "transfer", "focus",
+                               "region", "animation"})
+        drivers.push_back(showing(
+            "action.dock." + name, [name](const DrivenWindow& window) { return window.isOpen("dock." + name); },
+            [name](DrivenWindow& window) { window.find<QDockWidget>("dock." + name).hide(); }));
+    return drivers;
+}
+
+Drivers languageCommands()
+{
+    Drivers drivers;
+    for (const QString code : {"en", "de", "it"})
+        drivers.push_back(showing(
+            "action.language." + code, [code](const DrivenWindow&) { return chosenLanguage() == code; },
+            [](DrivenWindow& window) { window.trigger("action.language.system"); }));
+    drivers.push_back(showing(
+        "action.language.system", [](const DrivenWindow&) { return chosenLanguage().isEmpty(); },
+        [](DrivenWindow& window) { window.trigger("action.language.en"); }));
+    return drivers;
+}
+
+} // namespace
+
+Drivers viewCommands()
+{
+    const Drivers others{
+        showing("action.toolBar",
+                [](const DrivenWindow& window) { return !window.find<QToolBar>("toolBar").isVisible(); }),
+        showing(
+            "action.resetLayout", [](const DrivenWindow& window) { return window.isOpen("dock.accuracy"); },
+            [](DrivenWindow& window) { window.find<QDockWidget>("dock.accuracy").hide(); }),
+        showing("action.fullScreen", [](const DrivenWindow& window) { return window.window.isFullScreen(); }),
+        showing("action.reducedMotion", [](const DrivenWindow&) { return motionReduced(); }),
+    };
+    return allOf({cameraCommands(), modeCommands(), annotationCommands(), dockCommands(), languageCommands(), others});
+}
+
+} // namespace tetra

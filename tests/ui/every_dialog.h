@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/ui/window_fixture.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QDockWidget>
+
+#include <functional>
+#include <vector>
+
+namespace tetra {
+
+/// A dialog of our own, or a popup that works like one, and how it is opened in a window with a model.
+struct OpenableDialog {
+    const char* name; ///< object name
+    std::function<void(WindowFixture&)> open;
+};
+
+/// All of them; `volume` and `raw` are files of a dataset, the second one without a header.
+inline std::vector<OpenableDialog> everyDialog(const QString& volume, const QString& raw)
+{
+    const auto byAction = [](const char* action) {
+        return [action](WindowFixture& window) { window.find<QAction>(QString("action.") + action).trigger(); };
+    };
+    const auto import = [](const QString& path) {
+        return [path](WindowFixture& window) {
+            window.workbench.openWithOptions(path);
+            const auto isOpen = [&window] {
+                const auto* dialog = window.window.findChild<QWidget*>("importDialog");
+                return dialog != nullptr && dialog->isVisible();
+            };
+            if (!QTest::qWaitFor(isOpen))
+                qFatal("%s is not asked about", qPrintable(path));
+        };
+    };
+    const auto openPresets = [](WindowFixture& window) {
+        auto& dock = window.find<QDockWidget>("dock.transfer");
+        dock.show();
+        dock.raise();
+        window.find<QAbstractButton>("transfer.presets").click();
+    };
+    return {
+        {"pluginWindow", byAction("plugins")},
+        {"aboutBox", byAction("about")},
+        {"palette", byAction("palette")},
+        {"pictureOptions", byAction("savePicture")},
+        {"filmOptions", byAction("saveFilm")},
+        {"importDialog", import(volume)},
+        {"importDialog", import(raw)},
+        {"transfer.presetPopup", openPresets},
+        {"transfer.presetName",
+         [openPresets](WindowFixture& window) {
+             openPresets(window);
+             window.find<QAbstractButton>("transfer.presetPopup.save").click();
+         }},
+    };
+}
+
+} // namespace tetra
