@@ -275,10 +275,21 @@ struct Subject {
 };
 
 constexpr Subject subjects[] = {
-    {"start", start},         {"window", window},   {"statistics", statistics}, {"palette", palette},
-    {"animation", animation}, {"bluntfin", bluntFin}, {"transfer", transfer},   {"volume", volume},
-    {"moving", moving},       {"focus", focus},     {"build", build},           {"import", import},
-    {"picture", savePicture}, {"german-dark", inGerman, "de", true},            {"italian", inItalian, "it"},
+    {"start", start},
+    {"window", window},
+    {"statistics", statistics},
+    {"palette", palette},
+    {"animation", animation},
+    {"bluntfin", bluntFin},
+    {"transfer", transfer},
+    {"volume", volume},
+    {"moving", moving},
+    {"focus", focus},
+    {"build", build},
+    {"import", import},
+    {"picture", savePicture},
+    {"german-dark", inGerman, "de", true},
+    {"italian", inItalian, "it"},
 };
 
 /// Whether it was taken.

@@ -168,6 +168,7 @@ void addToolBar(QMainWindow& window, Actions& actions)
     QToolBar* bar = window.addToolBar(Texts::tr("Tools"));
     bar->setObjectName("toolBar");
     bar->toggleViewAction()->setObjectName("action.toolBar");
+    actions.panels->addAction(bar->toggleViewAction());
     bar->setMovable(false);
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
     bar->setIconSize({20, 20});
