@@ -20,7 +20,8 @@ private slots:
 private:
     static Drivers drivers()
     {
-        return allOf({fileCommands(), viewCommands(), regionAndHelpCommands(), transferCommands(), colourCommands()});
+        return allOf({fileCommands(), viewCommands(), regionAndHelpCommands(), transferCommands(), colourCommands(),
+                      pickCommands()});
     }
     QStringList commandNames();
 };

@@ -41,6 +41,7 @@ Drivers viewCommands();
 Drivers regionAndHelpCommands();
 Drivers transferCommands();
 Drivers colourCommands();
+Drivers pickCommands();
 
 /// The controls of the docks.
 Drivers accuracyControls(); ///< accuracy and statistics

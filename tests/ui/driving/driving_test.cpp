@@ -1,9 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/driving/driving_test.h"
 
+#include "core/data/sample_buffer.h"
+
 #include <algorithm>
 
 namespace tetra {
+namespace {
+
+/// The sample without zeros, so that its values have logarithms.
+Dataset positiveSample(std::uint32_t size)
+{
+    Dataset dataset = sampleDataset(size);
+    const std::uint64_t count = dataset.values.count();
+    const auto samples = allocateSamples(SampleType::UInt8, count);
+    if (!samples)
+        qFatal("there is no memory for the sample");
+    for (std::uint64_t i = 0; i < count; ++i)
+        samples->get()[i] = static_cast<std::byte>(std::max(1.0, dataset.values.at(i)));
+    dataset.values = ScalarField(SampleType::UInt8, count, *samples);
+    dataset.source.hash = contentHash(dataset.values, nullptr);
+    return dataset;
+}
+
+} // namespace
 
 void DrivingTest::makeFiles(const char* application)
 {
@@ -12,7 +32,7 @@ void DrivingTest::makeFiles(const char* application)
     QLocale::setDefault(QLocale::c());
     QSettings().clear();
     const std::filesystem::path folder = folder_.path().toStdString();
-    model_ = QString::fromStdString(buildSampleModel(*hostOfThisBuild(), sampleDataset(10), folder).string());
+    model_ = QString::fromStdString(buildSampleModel(*hostOfThisBuild(), positiveSample(10), folder).string());
     volume_ = QString::fromStdString(writeNrrd(sampleDataset(8), folder).string());
 }
 

@@ -60,7 +60,7 @@ Drivers changes()
     for (const char* name : {"denser", "thinner", "mirror", "widen", "narrow", "peak", "mask"})
         drivers.push_back(change(name, &beginUneven));
     for (const char* name : {"delete", "duplicate", "distribute", "flip", "invert", "ramp", "align.first", "align.mean",
-                             "align.least", "align.largest"})
+                             "align.least", "align.largest", "logarithm"})
         drivers.push_back(change(name, &selectAll));
     drivers.push_back(change("align.values", &selectTwo));
     drivers.push_back(change("spread", [](DrivenWindow& window) {
@@ -161,6 +161,8 @@ Drivers transferCommands()
         choice("transfer.axis.linear", "transfer.axis.logarithmic"),
         choice("transfer.axis.squareRoot", "transfer.axis.linear"),
         choice("transfer.axis.logarithmic", "transfer.axis.linear"),
+        choice("transfer.valueAxis.linear", "transfer.valueAxis.logarithmic"),
+        choice("transfer.valueAxis.logarithmic", "transfer.valueAxis.linear"),
         zoom("selection", &selectTwo),
         zoom("data", &zoomIn),
         zoom("all", &zoomIn),
