@@ -73,12 +73,16 @@ std::vector<EditorItem> EditorState::items() const
 
 std::optional<double> EditorState::valueOf(const EditorItem& item) const
 {
+    const auto valueAt = [&item](const auto& values) {
+        return item.index < values.size() ? std::optional(values[item.index].value) : std::nullopt;
+    };
+    const auto& mask = function().mask;
     switch (item.kind) {
-    case EditorItem::Kind::None: return std::nullopt;
-    case EditorItem::Kind::Point: return function().points[item.index].value;
-    case EditorItem::Kind::Isovalue: return host_.isovalues()[item.index].value;
-    case EditorItem::Kind::MaskLeast: return function().mask->least;
-    case EditorItem::Kind::MaskLargest: return function().mask->largest;
+    case EditorItem::Kind::None: break;
+    case EditorItem::Kind::Point: return valueAt(function().points);
+    case EditorItem::Kind::Isovalue: return valueAt(host_.isovalues());
+    case EditorItem::Kind::MaskLeast: return mask ? std::optional(mask->least) : std::nullopt;
+    case EditorItem::Kind::MaskLargest: return mask ? std::optional(mask->largest) : std::nullopt;
     }
     return std::nullopt;
 }

@@ -51,6 +51,7 @@ public:
     std::optional<std::size_t> currentPoint() const;
     /// All the items in the order in which Tab goes through them.
     std::vector<EditorItem> items() const;
+    /// Nothing for an item that is gone, as the current one is for a moment when another model comes.
     std::optional<double> valueOf(const EditorItem& item) const;
 
     /// The points, and the first of them as the current one unless one of them is that.
