@@ -39,6 +39,8 @@ constexpr std::array formats{
     Format{"webm", QT_TRANSLATE_NOOP("tetra::FilmDialog", "WebM video (VP9)"), true},
 };
 
+constexpr int leastWidth = 420;
+
 } // namespace
 
 FilmDialog::FilmDialog(Workbench& workbench, Viewport& viewport, QWidget* parent)
@@ -49,8 +51,8 @@ FilmDialog::FilmDialog(Workbench& workbench, Viewport& viewport, QWidget* parent
 {
     setObjectName("filmOptions");
     setWindowTitle(tr("Save Film"));
-    setMinimumWidth(420);
     auto* layout = new QVBoxLayout(this);
+    layout->addStrut(leastWidth);
     layout->addWidget(form_);
     addTarget(*layout);
     layout->addStretch();

@@ -68,7 +68,8 @@ void ImportDialog::fillFields()
 {
     reader_->setObjectName("import.reader");
     reader_->setAccessibleName(tr("Reader"));
-    reader_->setSizeAdjustPolicy(QComboBox::AdjustToContents); // whole names, also in large letters
+    reader_->setSizeAdjustPolicy(QComboBox::AdjustToContents);        // whole names, also in large letters,
+    reader_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed); // and never less
     reader_->setToolTip(tr("Who reads the file"));
     auto* readerRow = new QFormLayout;
     readerLabel_ = new QLabel(tr("R&eader"));
@@ -86,7 +87,7 @@ void ImportDialog::fillFields()
     layout->addWidget(values);
     layout->addWidget(part);
     layout->addStretch();
-    fields_->setMinimumWidth(fieldsWidth);
+    layout->addStrut(fieldsWidth); // at least; a minimum of the widget would be one for what needs more, too
 }
 
 void ImportDialog::fillLayoutHelp()
