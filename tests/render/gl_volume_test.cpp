@@ -2,6 +2,7 @@
 // Volumes and hybrids of the OpenGL back end against the CPU's (B4, R20, R21), by TAN_GL_LEVEL at most: built for both.
 // Skipped where EGL gives no OpenGL 3.3.
 #include "tests/core/graphics/lattice_mesh.h"
+#include "tests/render/gl_level.h"
 #include "tests/render/gl_volume_scenes.h"
 #include "tests/render/same_picture.h"
 
@@ -20,6 +21,7 @@ class GlVolumeTest : public QObject {
 private:
     std::unique_ptr<RenderBackend> cpu_ = makeCpuBackend();
     std::unique_ptr<RenderBackend> gl_;
+    bool onCard_ = false; ///< whether the cells are to be drawn with compute shaders
 
     /// Checks that OpenGL's picture is `expected`, twice, and that there is something to be seen.
     void compare(const Picture& expected, const Scene& scene, const Camera& camera, const PictureOptions& options,
@@ -27,6 +29,7 @@ private:
     {
         QVERIFY(shareOfOther(expected, expected.pixels.front()) > leastSeen);
         const Picture gl = rendered(*gl_, scene, camera, options);
+        QVERIFY2(gl_->statistics().cellsOnCard == onCard_, gl_->note().c_str());
         const Picture again = rendered(*gl_, scene, camera, options);
         const QString name = QString("gl_volume_%1_%2").arg(QTest::currentTestFunction(), QTest::currentDataTag());
         QVERIFY(samePicture(expected, gl, again, QString(name).replace(' ', '_').remove(','), strays));
@@ -35,6 +38,9 @@ private:
 private slots:
     void initTestCase()
     {
+        onCard_ = TAN_GL_LEVEL == GlLevel::Gl43;
+        if (const std::string reason = onCard_ ? whyNoGl43() : std::string(); !reason.empty())
+            QSKIP(("skipped: " + reason).c_str());
         auto backend = makeGlBackend(TAN_GL_LEVEL);
         if (!backend)
             QSKIP(("skipped: " + backend.error().text).c_str());
