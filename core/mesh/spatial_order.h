@@ -28,7 +28,7 @@ struct ChunkRange {
 };
 
 /// Tetrahedra that are looked at together, or passed over together.
-inline constexpr std::size_t rangedChunkSize = 512;
+inline constexpr std::size_t rangedChunkSize = 64;
 
 /// The values of each run of rangedChunkSize tetrahedra, in order. O(tetrahedra), on all threads of the current arena.
 /// May throw std::bad_alloc.

@@ -47,7 +47,10 @@ std::vector<BoundaryFace> facesInPicture(std::span<const std::array<std::uint32_
                                          const VolumeView& view)
 {
     std::vector<BoundaryFace> faces;
-    for (std::uint32_t cell = 0; cell < tetrahedra.size(); ++cell)
+    constexpr std::uint8_t allFaces = 15;
+    for (std::uint32_t cell = 0; cell < tetrahedra.size(); ++cell) {
+        if (adjacency.innerFaces[cell] == allFaces)
+            continue;
         for (std::size_t face = 0; face < 4; ++face) {
             if (adjacency.neighbours[cell][face] != FaceAdjacency::none)
                 continue;
@@ -59,6 +62,7 @@ std::vector<BoundaryFace> facesInPicture(std::span<const std::array<std::uint32_
             if (!isEmpty(found.box))
                 faces.push_back(found);
         }
+    }
     return faces;
 }
 

@@ -49,9 +49,19 @@ TETRA_SIMD_CLONES void combine(const std::uint8_t* facing, const std::uint8_t* i
     }
 }
 
-bool knowsAllSides(std::uint8_t facing, std::uint8_t inner) noexcept
+/// The inner faces of a cell of which it does not know the side.
+std::uint8_t unknownSides(std::uint8_t facing, std::uint8_t inner) noexcept
 {
-    return ((facing | facing >> 4) & inner) == inner;
+    return static_cast<std::uint8_t>(inner & ~(facing | facing >> 4));
+}
+
+/// Of several cells together; hardly ever there are any.
+TETRA_SIMD_CLONES std::uint8_t unknownSidesOf(const std::uint8_t* facing, const std::uint8_t* inner, std::size_t count)
+{
+    std::uint8_t unknown = 0;
+    for (std::size_t cell = 0; cell < count; ++cell)
+        unknown |= static_cast<std::uint8_t>(inner[cell] & ~(facing[cell] | facing[cell] >> 4));
+    return unknown;
 }
 
 /// One state more than there are cells, for what is not there.
@@ -59,11 +69,14 @@ Buffer<CellState> startStates(const FaceAdjacency& adjacency, const Buffer<std::
 {
     Buffer<CellState> states(facing.size() + 1);
     states.back() = takenHidden;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, facing.size(), 1 << 14), [&](const auto& range) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, facing.size(), 1 << 12), [&](const auto& range) {
+        const std::size_t first = range.begin();
         const auto inner = std::span(adjacency.innerFaces);
-        combine(&facing[range.begin()], &inner[range.begin()], range.size(), &states[range.begin()]);
-        for (std::size_t cell = range.begin(); cell != range.end(); ++cell)
-            if (!knowsAllSides(facing[cell], inner[cell])) {
+        combine(&facing[first], &inner[first], range.size(), &states[first]);
+        if (unknownSidesOf(&facing[first], &inner[first], range.size()) == 0)
+            return;
+        for (std::size_t cell = first; cell != range.end(); ++cell)
+            if (unknownSides(facing[cell], inner[cell]) != 0) {
                 const std::uint8_t both = facingWithNeighbours(cell, adjacency, facing);
                 combine(&both, &inner[cell], 1, &states[cell]);
             }
