@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the pictures of the manual with the programs that were built (./dev pictures does both): the paper's Figures 14 and 15
+# Makes the pictures of the manual with the programs that were built (./dev pictures builds them): the paper's Figures 14 and 15
 # drawn again, and the window.
-#   docs/make_pictures.sh [DATA [MODELS]]
-# DATA: the folder with bluntfin, buckyball, regular and sod (default: ../shared/data beside the repository). MODELS: where the models are
-# built, once (default: build/pictures).
+#   docs/make_pictures.sh [DATA [MODELS [SCREENSHOTS]]]
+# DATA: the folder with bluntfin, buckyball and regular (default: ../shared/data beside the repository). MODELS: where the models
+# are built, once (default: build/pictures). SCREENSHOTS: what ./dev screenshots has made (default: build/screenshots).
 set -euo pipefail
 
 cd -- "$(dirname -- "$0")/.."
 data=${1:-../shared/data}
 models=${2:-build/pictures}
+screenshots=${3:-build/screenshots}
 tan=build/release/bin/tan
 pictures=docs/pictures
 mkdir -p "$models"
@@ -39,9 +40,22 @@ draw "${view[@]}" --isovalue 170:gold -o "$pictures/buckyball-exact.png"
 draw "${view[@]}" --isovalue 170:gold --order with-cell -o "$pictures/buckyball-with-cell.png"
 draw "${view[@]}" --isovalue 170:gold --clip 0,1,0,63.5 -o "$pictures/buckyball-cut.png"
 
-# The window, in a home of its own and without a display.
+# The window with the sample, in both colours and three languages.
+take() { cp "$screenshots/$1.png" "docs/images/$2.png"; }
+take en-1x/light-start start
+take en-1x/light-window window
+take en-1x/light-panel-statistics statistics
+take en-1x/light-panel-animation animation
+take en-1x/light-palette palette
+take en-1x/light-picture picture
+take en-1x/light-import-bare import
+take en-1x/light-panel-build-dataset build
+take de-1x/dark-window-volume german-dark
+take it-1x/light-window-volume italian
+
+# The window with datasets, in a home of its own and without a display.
 build engine regular/engine_256x256x128_uint8.nrrd 0.5
 home=$(mktemp -d)
 trap 'rm -rf "$home"' EXIT
 env HOME="$home" XDG_CONFIG_HOME="$home/config" XDG_CACHE_HOME="$home/cache" XDG_DATA_HOME="$home/data" XDG_RUNTIME_DIR="$home" \
-    QT_QPA_PLATFORM=offscreen QT_SCALE_FACTOR=1 LC_ALL=C.UTF-8 build/release/bin/manual-pictures docs/images "$models" "$data"
+    QT_QPA_PLATFORM=offscreen QT_SCALE_FACTOR=1 LC_ALL=C.UTF-8 build/release/bin/manual-pictures docs/images "$models"
