@@ -3,10 +3,7 @@
 
 #include "core/base/half.h"
 #include "core/model/scattered_cells.h"
-#include "core/model/shared_progress.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include "core/model/verify_each.h"
 
 #include <algorithm>
 #include <limits>
@@ -28,18 +25,8 @@ double PointCheck::ownBound(std::size_t number) const
 
 Status PointCheck::run(const Progress& progress)
 {
-    SharedProgress shared(progress, cells_.size(), "Verifying the error at every point");
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells_.size(), cellsAtOnce), [&](const auto& range) {
-        for (std::size_t number = range.begin(); number != range.end(); ++number) {
-            if (shared.cancelled())
-                return;
-            checkCell(number);
-        }
-        shared.done(range.size());
-    });
-    if (progress.cancelled())
-        return cancelledError("Verifying the model");
-    return {};
+    return verifyEach(cells_.size(), cellsAtOnce, "Verifying the error at every point", progress,
+                      [this](std::size_t number) { checkCell(number); });
 }
 
 void PointCheck::checkCell(std::size_t number)

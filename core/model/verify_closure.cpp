@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/findings.h"
-#include "core/model/shared_progress.h"
+#include "core/model/verify_each.h"
 #include "core/model/verify_parts.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -75,18 +72,11 @@ public:
 
     Status run(const Progress& progress)
     {
-        SharedProgress shared(progress, groups_.size(), "Verifying what sites depend on");
-        // The first group stands on nothing.
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(1, groups_.size() - 1, groupsAtOnce), [&](const auto& range) {
-            if (shared.cancelled())
-                return;
-            for (std::size_t group = range.begin(); group != range.end(); ++group)
-                checkGroup(groups_[group], groups_[group + 1]);
-            shared.done(range.size());
-        });
-        if (progress.cancelled())
-            return cancelledError("Verifying the model");
-        return {};
+        return verifyEach(groups_.size() - 1, groupsAtOnce, "Verifying what sites depend on", progress,
+                          [this](std::size_t group) {
+                              if (group > 0) // the first one stands on nothing
+                                  checkGroup(groups_[group], groups_[group + 1]);
+                          });
     }
     void moveTo(std::vector<std::string>& failures) { findings_.moveTo(failures); }
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/findings.h"
-#include "core/model/shared_progress.h"
+#include "core/model/verify_each.h"
 #include "core/model/verify_parts.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <vector>
 
@@ -98,17 +95,8 @@ Status GroupCheck::run(const Progress& progress)
 {
     readGroups();
     checkOrder();
-    SharedProgress shared(progress, model_.siteCount(), "Verifying the groups");
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, model_.siteCount(), sitesAtOnce), [&](const auto& range) {
-        if (shared.cancelled())
-            return;
-        for (std::uint32_t creator = range.begin(); creator != range.end(); ++creator)
-            checkStar(creator);
-        shared.done(range.size());
-    });
-    if (progress.cancelled())
-        return cancelledError("Verifying the model");
-    return {};
+    return verifyEach(model_.siteCount(), sitesAtOnce, "Verifying the groups", progress,
+                      [this](std::size_t creator) { checkStar(static_cast<std::uint32_t>(creator)); });
 }
 
 } // namespace

@@ -2,12 +2,10 @@
 #include "core/model/cell_samples.h"
 #include "core/model/exact_error.h"
 #include "core/model/findings.h"
-#include "core/model/shared_progress.h"
 #include "core/model/verify_cells.h"
+#include "core/model/verify_each.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -76,18 +74,8 @@ private:
 
 template <class Sample, class Errors> Status SampleCheck<Sample, Errors>::run(const Progress& progress)
 {
-    SharedProgress shared(progress, cells_.size(), "Verifying the error at every sample");
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells_.size(), cellsAtOnce), [&](const auto& range) {
-        for (std::size_t number = range.begin(); number != range.end(); ++number) {
-            if (shared.cancelled())
-                return;
-            checkCell(number);
-        }
-        shared.done(range.size());
-    });
-    if (progress.cancelled())
-        return cancelledError("Verifying the model");
-    return {};
+    return verifyEach(cells_.size(), cellsAtOnce, "Verifying the error at every sample", progress,
+                      [this](std::size_t number) { checkCell(number); });
 }
 
 /// What the history grants the cell; anything if it is of no history.

@@ -5,7 +5,7 @@
 #include "core/model/findings.h"
 #include "core/model/point_check.h"
 #include "core/model/scattered_cells.h"
-#include "core/model/shared_progress.h"
+#include "core/model/verify_each.h"
 
 #include <tbb/parallel_for.h>
 
@@ -14,6 +14,8 @@
 namespace tetra {
 
 namespace {
+
+constexpr std::size_t sitesAtOnce = 64;
 
 /// How many cells hold a place inside the domain. Conforming positive cells whose boundary is the domain's cover every
 /// place equally often, so one tells of all.
@@ -141,10 +143,7 @@ Status verifyPlacedHistory(const Model& model, const ScatteredOriginal& original
                 return "Site " + std::to_string(site) + " lies at " + textOf(model.position(site)) +
                        "; the original's point is at " + textOf(original.positions[model.points()[site]]) + ".";
             });
-    SharedProgress shared(progress, model.siteCount(), "Verifying the history");
-    tbb::parallel_for(std::uint32_t(0), model.siteCount(), [&](std::uint32_t creator) {
-        if (shared.cancelled())
-            return;
+    const auto checkStar = [&](std::size_t creator) {
         for (std::uint64_t number = model.starOffsets()[creator]; number < model.starOffsets()[creator + 1]; ++number) {
             const auto& others = model.otherSites()[number];
             const auto point = [&](std::uint32_t site) { return model.points()[site]; };
@@ -156,10 +155,10 @@ Status verifyPlacedHistory(const Model& model, const ScatteredOriginal& original
                            (sign == 0 ? "flat." : "inverted.");
                 });
         }
-        shared.done(1);
-    });
-    if (progress.cancelled())
-        return cancelledError("Verifying the model");
+    };
+    if (const Status checked = verifyEach(model.siteCount(), sitesAtOnce, "Verifying the history", progress, checkStar);
+        !checked)
+        return checked;
     positions.moveTo(failures);
     volumes.moveTo(failures);
     return {};

@@ -3,7 +3,9 @@
 
 #include "core/graphics/gl/compute/compute_functions.h"
 #include "core/graphics/gl/egl_context.h"
+#include "core/graphics/render_backend.h"
 
+#include <memory>
 #include <string>
 
 namespace tetra::testing {
@@ -19,6 +21,16 @@ inline std::string whyNoGl43()
     const GlFunctions gl((*context)->getProcAddress());
     const Status status = checkCompute(gl, ComputeFunctions((*context)->getProcAddress()));
     return status ? std::string() : status.error().text;
+}
+
+/// OpenGL by this level at most; the error says why a test of it is skipped here.
+inline Result<std::unique_ptr<RenderBackend>> glBackendOf(GlLevel level)
+{
+    const std::string missing = level == GlLevel::Gl43 ? whyNoGl43() : std::string();
+    auto backend = makeGlBackend(level);
+    if (!missing.empty() || !backend)
+        return Error{ErrorKind::OutOfResource, "skipped: " + (missing.empty() ? backend.error().text : missing)};
+    return backend;
 }
 
 } // namespace tetra::testing

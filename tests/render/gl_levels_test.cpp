@@ -82,11 +82,10 @@ private:
 private slots:
     void initTestCase()
     {
-        if (const std::string reason = whyNoGl43(); !reason.empty())
-            QSKIP(("skipped: " + reason).c_str());
-        auto older = makeGlBackend(GlLevel::Gl33);
-        auto newer = makeGlBackend(GlLevel::Gl43);
-        QVERIFY(older.ok() && newer.ok());
+        auto older = glBackendOf(GlLevel::Gl33);
+        auto newer = glBackendOf(GlLevel::Gl43);
+        if (!older || !newer)
+            QSKIP((older ? newer : older).error().text.c_str());
         older_ = std::move(*older);
         newer_ = std::move(*newer);
     }

@@ -5,7 +5,7 @@
 #include "core/model/irregular/disjoint_sets.h"
 #include "core/model/irregular/face_meeting.h"
 #include "core/model/scattered_cells.h"
-#include "core/model/shared_progress.h"
+#include "core/model/verify_each.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -197,25 +197,19 @@ bool BoundaryCheck::isOriginal(std::uint32_t triangle) const
 Status BoundaryCheck::checkMeetings(const Progress& progress)
 {
     const auto& triangles = boundary_.triangles;
-    SharedProgress shared(progress, triangles.size(), "Verifying the boundary");
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, triangles.size(), trianglesAtOnce), [&](const auto& range) {
-        if (shared.cancelled())
-            return;
-        for (auto number = static_cast<std::uint32_t>(range.begin()); number != range.end(); ++number)
-            boundary_.tree.visitMeeting(boundary_.tree.boxOf(number), [&](std::uint32_t other) {
-                if (other <= number || !facesMeet(original_.points.positions, triangles[number], triangles[other]) ||
-                    (isOriginal(number) && isOriginal(other)))
-                    return;
-                meetings_.add(number, [&] {
-                    return "The boundary meets itself: the faces " + name(triangles[number]) + " and " +
-                           name(triangles[other]) + " have more in common than their corners.";
-                });
+    const auto checkTriangle = [&](std::uint32_t number) {
+        boundary_.tree.visitMeeting(boundary_.tree.boxOf(number), [&](std::uint32_t other) {
+            if (other <= number || !facesMeet(original_.points.positions, triangles[number], triangles[other]) ||
+                (isOriginal(number) && isOriginal(other)))
+                return;
+            meetings_.add(number, [&] {
+                return "The boundary meets itself: the faces " + name(triangles[number]) + " and " +
+                       name(triangles[other]) + " have more in common than their corners.";
             });
-        shared.done(range.size());
-    });
-    if (progress.cancelled())
-        return cancelledError("Verifying the model");
-    return {};
+        });
+    };
+    return verifyEach(triangles.size(), trianglesAtOnce, "Verifying the boundary", progress,
+                      [&](std::size_t number) { checkTriangle(static_cast<std::uint32_t>(number)); });
 }
 
 /// A triangle of the surface whose cell has a middle that doubles can name.

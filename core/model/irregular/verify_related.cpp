@@ -4,11 +4,9 @@
 #include "core/base/half.h"
 #include "core/model/point_check.h"
 #include "core/model/scattered_cells.h"
-#include "core/model/shared_progress.h"
+#include "core/model/verify_each.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -92,19 +90,11 @@ private:
 
 Status RelatedCheck::run(const Progress& progress)
 {
-    const auto points = static_cast<std::uint32_t>(original_.points.positions.size());
-    SharedProgress shared(progress, points, "Verifying the boundary's distance at every vertex");
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, points, pointsAtOnce), [&](const auto& range) {
-        if (shared.cancelled())
-            return;
-        for (std::uint32_t point = range.begin(); point != range.end(); ++point)
-            if (!isVertex_[point])
-                checkPoint(point);
-        shared.done(range.size());
-    });
-    if (progress.cancelled())
-        return cancelledError("Verifying the model");
-    return {};
+    return verifyEach(original_.points.positions.size(), pointsAtOnce,
+                      "Verifying the boundary's distance at every vertex", progress, [this](std::size_t point) {
+                          if (!isVertex_[point])
+                              checkPoint(static_cast<std::uint32_t>(point));
+                      });
 }
 
 void RelatedCheck::checkPoint(std::uint32_t point)

@@ -2,35 +2,15 @@
 // The focus renderer: two meshes become two volumes of one transfer function (R24).
 #include "core/graphics/volume/volume_mesh.h"
 #include "plugins/renderers/focus/focus_renderer.h"
-#include "tests/core/graphics/lattice_mesh.h"
-
-#include <QJsonObject>
-#include <QPluginLoader>
-#include <QTest>
+#include "tests/plugins/renderers/renderer_fixture.h"
 
 using namespace tetra;
-using testing::latticeMesh;
-using testing::Split;
+using namespace tetra::testing;
 
 namespace {
 
-std::shared_ptr<const TetrahedralMesh> cone(std::uint32_t cells)
-{
-    return std::make_shared<const TetrahedralMesh>(
-        latticeMesh(cells, 1, Split::Six, [](const Eigen::Vector3d& p) { return (p.array() - 0.5).matrix().norm(); }));
-}
-
-const Eigen::AlignedBox3d unitBox(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1));
 const Sphere ball{{0.5, 0.5, 0.5}, 0.25};
 const TransferFunction step{{{0.2, {1, 0, 0}, 0}, {0.2, {0, 1, 0}, 0.5f}}, 0.1};
-
-std::shared_ptr<const Scene> prepared(RendererSession& session, const ParameterValues& values)
-{
-    auto scene = session.prepare(values, {}, {});
-    if (!scene)
-        qFatal("%s", scene.error().text.c_str());
-    return *scene;
-}
 
 std::size_t cellsOf(const Volume& volume)
 {
@@ -82,14 +62,7 @@ private slots:
         QVERIFY(!scene && !scene.error().text.empty());
     }
 
-    void isAPlugin()
-    {
-        QPluginLoader loader(TAN_PLUGIN_FILE);
-        QCOMPARE(loader.metaData()["MetaData"].toObject()["id"].toString(), QString("focus"));
-        const auto* renderer = qobject_cast<Renderer*>(loader.instance());
-        QVERIFY2(renderer != nullptr, qPrintable(loader.errorString()));
-        QVERIFY(renderer->blendsFocus());
-    }
+    void pluginLoads() { checkRendererPlugin(TAN_PLUGIN_FILE, "focus"); }
 };
 
 QTEST_GUILESS_MAIN(FocusRendererTest)

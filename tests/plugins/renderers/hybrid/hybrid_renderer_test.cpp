@@ -3,37 +3,12 @@
 #include "core/graphics/volume/volume_mesh.h"
 #include "core/mesh/spatial_order.h"
 #include "plugins/renderers/hybrid/hybrid_renderer.h"
-#include "tests/core/graphics/lattice_mesh.h"
-
-#include <QJsonObject>
-#include <QPluginLoader>
-#include <QTest>
+#include "tests/plugins/renderers/renderer_fixture.h"
 
 #include <algorithm>
 
 using namespace tetra;
-using testing::latticeMesh;
-using testing::Split;
-
-namespace {
-
-std::shared_ptr<const TetrahedralMesh> cone()
-{
-    return std::make_shared<const TetrahedralMesh>(
-        latticeMesh(8, 1, Split::Six, [](const Eigen::Vector3d& p) { return (p.array() - 0.5).matrix().norm(); }));
-}
-
-const Eigen::AlignedBox3d unitBox(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1));
-
-std::shared_ptr<const Scene> prepared(RendererSession& session, const ParameterValues& values)
-{
-    auto scene = session.prepare(values, {}, {});
-    if (!scene)
-        qFatal("%s", scene.error().text.c_str());
-    return *scene;
-}
-
-} // namespace
+using namespace tetra::testing;
 
 class HybridRendererTest : public QObject {
     Q_OBJECT
@@ -52,7 +27,7 @@ private slots:
 
     void surfacesLieInTheVolume()
     {
-        const auto mesh = cone();
+        const auto mesh = cone(8);
         const auto session = HybridRenderer().open(mesh, unitBox);
         const auto scene = prepared(*session, {});
         QCOMPARE(scene->surfaces.size(), std::size_t(1));
@@ -64,7 +39,7 @@ private slots:
 
     void valuesBecomeTheScene()
     {
-        const auto session = HybridRenderer().open(cone(), unitBox);
+        const auto session = HybridRenderer().open(cone(8), unitBox);
         const std::vector<Isovalue> isovalues = {{0.2, 1, 0, 0, 0.25f, true}, {0.4, 0, 1, 0, 1, true}};
         const ParameterValues values = {{"isovalues", isovalues},
                                         {"shaded", true},
@@ -87,7 +62,7 @@ private slots:
 
     void badValuesAreErrors()
     {
-        const auto session = HybridRenderer().open(cone(), unitBox);
+        const auto session = HybridRenderer().open(cone(8), unitBox);
         const auto order = session->prepare({{"order", std::string("random")}}, {}, {});
         QCOMPARE(order.error().kind, ErrorKind::WrongUsage);
         QVERIFY(order.error().text.find("'random'") != std::string::npos);
@@ -103,20 +78,12 @@ private slots:
             falls |= fraction < last;
             last = fraction;
         });
-        QVERIFY(HybridRenderer().open(cone(), unitBox)->prepare({}, {}, progress).ok());
+        QVERIFY(HybridRenderer().open(cone(8), unitBox)->prepare({}, {}, progress).ok());
         QCOMPARE(last, 1.0);
         QVERIFY(!falls);
     }
 
-    void pluginLoads()
-    {
-        QPluginLoader loader(TAN_PLUGIN_FILE);
-        const QJsonObject metadata = loader.metaData().value("MetaData").toObject();
-        QCOMPARE(metadata.value("id").toString(), "hybrid");
-        QCOMPARE(metadata.value("kind").toString(), "renderer");
-        QVERIFY2(loader.instance() != nullptr, qPrintable(loader.errorString()));
-        QVERIFY(qobject_cast<Renderer*>(loader.instance()) != nullptr);
-    }
+    void pluginLoads() { checkRendererPlugin(TAN_PLUGIN_FILE, "hybrid"); }
 };
 
 QTEST_GUILESS_MAIN(HybridRendererTest)

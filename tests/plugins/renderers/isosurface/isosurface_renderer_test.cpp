@@ -1,35 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The isosurface renderer: its parameters become a scene.
 #include "plugins/renderers/isosurface/isosurface_renderer.h"
-#include "tests/core/graphics/lattice_mesh.h"
-
-#include <QJsonObject>
-#include <QPluginLoader>
-#include <QTest>
+#include "tests/plugins/renderers/renderer_fixture.h"
 
 using namespace tetra;
-using testing::latticeMesh;
-using testing::Split;
-
-namespace {
-
-std::shared_ptr<const TetrahedralMesh> cone()
-{
-    return std::make_shared<const TetrahedralMesh>(
-        latticeMesh(12, 1, Split::Six, [](const Eigen::Vector3d& p) { return (p.array() - 0.5).matrix().norm(); }));
-}
-
-const Eigen::AlignedBox3d unitBox(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1));
-
-std::shared_ptr<const Scene> prepared(RendererSession& session, const ParameterValues& values)
-{
-    auto scene = session.prepare(values, {}, {});
-    if (!scene)
-        qFatal("%s", scene.error().text.c_str());
-    return *scene;
-}
-
-} // namespace
+using namespace tetra::testing;
 
 class IsosurfaceRendererTest : public QObject {
     Q_OBJECT
@@ -52,7 +27,7 @@ private slots:
 
     void missingValuesAreDefaults()
     {
-        const auto session = IsosurfaceRenderer().open(cone(), unitBox);
+        const auto session = IsosurfaceRenderer().open(cone(12), unitBox);
         const auto scene = prepared(*session, {});
         QCOMPARE(scene->surfaces.size(), std::size_t(1));
         QVERIFY(!scene->surfaces[0].mesh->triangles.empty());
@@ -63,7 +38,7 @@ private slots:
 
     void valuesBecomeTheScene()
     {
-        const auto session = IsosurfaceRenderer().open(cone(), unitBox);
+        const auto session = IsosurfaceRenderer().open(cone(12), unitBox);
         const std::vector<Isovalue> isovalues = {{0.2, 1, 0, 0, 0.25f, true}, {0.4, 0, 1, 0, 1, true}};
         const auto scene = prepared(
             *session, {{"isovalues", isovalues}, {"clip", std::string("1,0,0,0.5;0,0,-1,-0.25")}, {"outline", false}});
@@ -80,7 +55,7 @@ private slots:
 
     void badValuesAreErrors()
     {
-        const auto session = IsosurfaceRenderer().open(cone(), unitBox);
+        const auto session = IsosurfaceRenderer().open(cone(12), unitBox);
         const std::vector<Isovalue> opaque = {{0.2, 1, 0, 0, 1.5f, true}};
         QCOMPARE(session->prepare({{"isovalues", opaque}}, {}, {}).error().kind, ErrorKind::WrongUsage);
         QCOMPARE(session->prepare({{"clip", std::string("up")}}, {}, {}).error().kind, ErrorKind::WrongUsage);
@@ -95,15 +70,7 @@ private slots:
         QCOMPARE(scene->lines.size(), std::size_t(1));
     }
 
-    void pluginLoads()
-    {
-        QPluginLoader loader(TAN_PLUGIN_FILE);
-        const QJsonObject metadata = loader.metaData().value("MetaData").toObject();
-        QCOMPARE(metadata.value("id").toString(), "isosurface");
-        QCOMPARE(metadata.value("kind").toString(), "renderer");
-        QVERIFY2(loader.instance() != nullptr, qPrintable(loader.errorString()));
-        QVERIFY(qobject_cast<Renderer*>(loader.instance()) != nullptr);
-    }
+    void pluginLoads() { checkRendererPlugin(TAN_PLUGIN_FILE, "isosurface"); }
 };
 
 QTEST_GUILESS_MAIN(IsosurfaceRendererTest)

@@ -3,35 +3,14 @@
 #include "core/graphics/volume/volume_mesh.h"
 #include "core/mesh/spatial_order.h"
 #include "plugins/renderers/volume/volume_renderer.h"
-#include "tests/core/graphics/lattice_mesh.h"
-
-#include <QJsonObject>
-#include <QPluginLoader>
-#include <QTest>
+#include "tests/plugins/renderers/renderer_fixture.h"
 
 using namespace tetra;
-using testing::latticeMesh;
-using testing::Split;
+using namespace tetra::testing;
 
 namespace {
 
-std::shared_ptr<const TetrahedralMesh> cone()
-{
-    return std::make_shared<const TetrahedralMesh>(
-        latticeMesh(6, 1, Split::Six, [](const Eigen::Vector3d& p) { return (p.array() - 0.5).matrix().norm(); }));
-}
-
-const Eigen::AlignedBox3d unitBox(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1));
-
 const TransferFunction step{{{0.2, {1, 0, 0}, 0}, {0.2, {0, 1, 0}, 0.5f}}, 0.1};
-
-std::shared_ptr<const Scene> prepared(RendererSession& session, const ParameterValues& values)
-{
-    auto scene = session.prepare(values, {}, {});
-    if (!scene)
-        qFatal("%s", scene.error().text.c_str());
-    return *scene;
-}
 
 } // namespace
 
@@ -63,7 +42,7 @@ private slots:
 
     void missingValuesAreDefaults()
     {
-        const auto mesh = cone();
+        const auto mesh = cone(6);
         const auto scene = prepared(*VolumeRenderer().open(mesh, unitBox), {});
         QVERIFY(scene->volume.has_value());
         QVERIFY(scene->volume->mesh->mesh->tetrahedra == inSpatialOrder(*mesh)->tetrahedra);
@@ -76,7 +55,7 @@ private slots:
 
     void valuesBecomeTheScene()
     {
-        const auto session = VolumeRenderer().open(cone(), unitBox);
+        const auto session = VolumeRenderer().open(cone(6), unitBox);
         const auto scene = prepared(
             *session, {{"transfer", step}, {"shaded", true}, {"clip", std::string("0,1,0,0.5")}, {"outline", false}});
         QVERIFY(scene->volume->shaded);
@@ -88,7 +67,7 @@ private slots:
 
     void onlyAnotherFunctionIsMadeReady()
     {
-        const auto session = VolumeRenderer().open(cone(), unitBox);
+        const auto session = VolumeRenderer().open(cone(6), unitBox);
         const auto first = prepared(*session, {{"transfer", step}});
         const auto lit = prepared(*session, {{"transfer", step}, {"shaded", true}});
         QCOMPARE(lit->volume->mesh, first->volume->mesh);
@@ -100,7 +79,7 @@ private slots:
 
     void badValuesAreErrors()
     {
-        const auto session = VolumeRenderer().open(cone(), unitBox);
+        const auto session = VolumeRenderer().open(cone(6), unitBox);
         TransferFunction wrong = step;
         wrong.unitDistance = 0;
         QVERIFY(!session->prepare({{"transfer", wrong}}, {}, {}).ok());
@@ -118,15 +97,7 @@ private slots:
         QCOMPARE(scene->lines.size(), std::size_t(1));
     }
 
-    void pluginLoads()
-    {
-        QPluginLoader loader(TAN_PLUGIN_FILE);
-        const QJsonObject metadata = loader.metaData().value("MetaData").toObject();
-        QCOMPARE(metadata.value("id").toString(), "volume");
-        QCOMPARE(metadata.value("kind").toString(), "renderer");
-        QVERIFY2(loader.instance() != nullptr, qPrintable(loader.errorString()));
-        QVERIFY(qobject_cast<Renderer*>(loader.instance()) != nullptr);
-    }
+    void pluginLoads() { checkRendererPlugin(TAN_PLUGIN_FILE, "volume"); }
 };
 
 QTEST_GUILESS_MAIN(VolumeRendererTest)

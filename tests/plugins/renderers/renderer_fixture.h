@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugins/api/renderer.h"
+#include "tests/core/graphics/lattice_mesh.h"
+
+#include <QJsonObject>
+#include <QPluginLoader>
+#include <QTest>
+
+namespace tetra::testing {
+
+inline const Eigen::AlignedBox3d unitBox(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1));
+
+/// The distance from the middle of the unit box, on a lattice of so many cells an edge.
+inline std::shared_ptr<const TetrahedralMesh> cone(std::uint32_t cells)
+{
+    return std::make_shared<const TetrahedralMesh>(
+        latticeMesh(cells, 1, Split::Six, [](const Eigen::Vector3d& p) { return (p.array() - 0.5).matrix().norm(); }));
+}
+
+inline std::shared_ptr<const Scene> prepared(RendererSession& session, const ParameterValues& values)
+{
+    auto scene = session.prepare(values, {}, {});
+    if (!scene)
+        qFatal("%s", scene.error().text.c_str());
+    return *scene;
+}
+
+/// Checks that the file is a plugin that says that it is the renderer of this name, and loads.
+inline void checkRendererPlugin(const QString& file, const QString& id)
+{
+    QPluginLoader loader(file);
+    const QJsonObject metadata = loader.metaData().value("MetaData").toObject();
+    QCOMPARE(metadata.value("id").toString(), id);
+    QCOMPARE(metadata.value("kind").toString(), "renderer");
+    QVERIFY2(loader.instance() != nullptr, qPrintable(loader.errorString()));
+    QVERIFY(qobject_cast<Renderer*>(loader.instance()) != nullptr);
+}
+
+} // namespace tetra::testing
