@@ -16,10 +16,12 @@ namespace {
 
 /// Sites between two looks at whether the work was cancelled.
 constexpr std::uint32_t sitesAtOnce = 1 << 12;
+/// Sites between asking memory for a star and looking at it.
+constexpr std::size_t ahead = 6;
 /// The least scale that says that something was not reached.
 constexpr double moreThanAsked = 1 + std::numeric_limits<double>::epsilon();
 
-/// The set while it grows. What was added but not looked at yet waits.
+/// The set while it grows. What was added is looked at in turn.
 class Growth {
 public:
     Growth(const Model& model, const HistoryLinks& links, const FieldJudge& judge, std::uint32_t prefix)
@@ -31,6 +33,7 @@ public:
     Result<ClosedSet> run(const Progress& progress);
 
 private:
+    void fetchAhead(std::size_t next) const;
     void refineStar(std::uint32_t site);
     void addGroup(std::uint32_t site);
 
@@ -38,10 +41,23 @@ private:
     const HistoryLinks& links_;
     const FieldJudge& judge_;
     ClosedSet set_;
-    std::vector<std::uint32_t> waiting_;
+    std::vector<std::uint32_t> added_; ///< behind the prefix, in the order in which they are looked at
     Buffer<std::uint64_t> candidates_;
     bool coverable_ = true; ///< every site that was needed has its links
 };
+
+/// Sites come in no order that memory could know.
+void Growth::fetchAhead(std::size_t next) const
+{
+    if (next + 2 * ahead < added_.size()) {
+        fetchStarOffsets(model_, added_[next + 2 * ahead]);
+        links_.fetchOffsets(added_[next + 2 * ahead]);
+    }
+    if (next + ahead < added_.size()) {
+        fetchStar(model_, added_[next + ahead], true);
+        links_.fetchParents(added_[next + ahead]);
+    }
+}
 
 Result<ClosedSet> Growth::run(const Progress& progress)
 {
@@ -50,14 +66,14 @@ Result<ClosedSet> Growth::run(const Progress& progress)
             return cancelledError("Choosing the sites");
         refineStar(site);
     }
-    for (std::uint64_t seen = 0; !waiting_.empty(); ++seen) {
-        if (seen % sitesAtOnce == 0) {
+    for (std::size_t next = 0; next < added_.size(); ++next) {
+        if (next % sitesAtOnce == 0) {
             if (progress.cancelled())
                 return cancelledError("Choosing the sites");
             progress.report(0, "Choosing the sites");
         }
-        const std::uint32_t site = waiting_.back();
-        waiting_.pop_back();
+        fetchAhead(next);
+        const std::uint32_t site = added_[next];
         for (const std::uint32_t parent : links_.parents(site))
             addGroup(parent);
         refineStar(site);
@@ -91,7 +107,7 @@ void Growth::addGroup(std::uint32_t site)
     set_.tetrahedra += growthBy(model_, group);
     for (std::uint32_t member = group.first; member < group.end; ++member) {
         set_.sites.insert(member);
-        waiting_.push_back(member);
+        added_.push_back(member);
     }
 }
 

@@ -185,8 +185,17 @@ bool FieldJudge::mustGo(std::uint64_t tetrahedron, std::uint32_t creator, std::u
     return model_.description().leftHanded ? sign > 0 : sign < 0;
 }
 
+/// Most of them, without the destroyer's running key, which memory has to be waited for.
+bool FieldJudge::isAllowedOutside(std::uint64_t tetrahedron, std::uint32_t creator) const
+{
+    return finer_ && !warps_ && !canInvert_ && percentOf(model_.ownErrors()[tetrahedron]) <= largestError_ &&
+           isOutside(sitesOf(tetrahedron, creator), rounding_);
+}
+
 bool FieldJudge::tooCoarse(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const
 {
+    if (isAllowedOutside(tetrahedron, creator))
+        return false;
     const Own own = ownOf(tetrahedron, destroyer);
     if (own.error > largestError_ || own.warping > largestWarping_)
         return true;

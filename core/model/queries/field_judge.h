@@ -65,6 +65,7 @@ private:
     enum class Quick { TooCoarse, Allowed, Unknown };
     Quick bySites(const std::array<std::uint32_t, 4>& sites, double error) const;
     bool isOutside(const std::array<std::uint32_t, 4>& sites, double margin) const;
+    bool isAllowedOutside(std::uint64_t tetrahedron, std::uint32_t creator) const;
     bool mustGo(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const;
 
     const Model& model_;
