@@ -49,8 +49,8 @@ public:
                      static_cast<std::uint64_t>(grid.side))
     {
     }
-    /// In which row or column of tiles a sample's row or column is.
-    /// `sample` is from 0 to 2^15, and tiles have at most 255 samples a side.
+    /// The row or column of tiles that a row or column of samples, from 0 to 2^15, is in; of tiles with at most 255
+    /// samples a side.
     int tileOf(int sample) const noexcept
     {
         return static_cast<int>(static_cast<std::uint64_t>(sample) * perSample_ >> shift);

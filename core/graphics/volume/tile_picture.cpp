@@ -126,9 +126,9 @@ void VolumeTilePainter::draw(const SetupSource& source, std::span<const BinnedCe
                              const TileShading& shading, const Progress& progress, DrawnTile& drawn)
 {
     const TileFrame frame = frameOf(tile);
-    const auto batchFrom = [&](std::size_t first) {
-        return cells.subspan(std::min(first, cells.size()),
-                             std::min(batch, cells.size() - std::min(first, cells.size())));
+    const auto batchFrom = [cells](std::size_t first) {
+        const std::size_t begin = std::min(first, cells.size());
+        return cells.subspan(begin, std::min(batch, cells.size() - begin));
     };
     fetchCells(source, batchFrom(0));
     fetchCells(source, batchFrom(batch));
