@@ -9,7 +9,7 @@ namespace tetra {
 
 /// Tetrahedra whose piece of a surface is made by one thread. Runs do not depend on the number of threads, so neither
 /// does anything that is numbered by them.
-inline constexpr std::size_t surfaceRunSize = std::size_t(1) << 16;
+inline constexpr std::size_t surfaceRunSize = std::size_t(1) << 14;
 
 /// What makes isosurfaces of a mesh quicker, at their best if it is in spatial order. Immutable; share it between
 /// threads.

@@ -34,15 +34,18 @@ public:
             terms_[kept++] = term;
         count_ = kept;
     }
+    void addProduct(double x, double y)
+    {
+        const double product = x * y;
+        add(std::fma(x, y, -product));
+        add(product);
+    }
     void addProduct(double x, double y, double z)
     {
         const double high = x * y;
         const double low = std::fma(x, y, -high);
-        for (const double factor : {low, high}) {
-            const double product = factor * z;
-            add(std::fma(factor, z, -product));
-            add(product);
-        }
+        addProduct(low, z);
+        addProduct(high, z);
     }
     /// Adds or subtracts det(u, v, w).
     void addDeterminant(const Point& u, const Point& v, const Point& w, double sign)
@@ -126,29 +129,31 @@ int exactSign(const Point& a, const Point& b, const Point& c, const Point& d)
     return sum.sign();
 }
 
-/// Whether the subtraction rounded nothing.
-bool isExactDifference(double minuend, double subtrahend, double difference)
+/// What is left of a difference when it is rounded.
+double lostOf(double minuend, double subtrahend, double difference)
 {
     const double part = minuend - difference;
-    return (minuend - (difference + part)) + (part - subtrahend) == 0;
+    return (minuend - (difference + part)) + (part - subtrahend);
 }
 
 bool areExactOffsets(const Point& from, const Point& to, const Point& offset)
 {
     for (std::size_t k = 0; k < 3; ++k) {
-        if (!isExactDifference(to[k], from[k], offset[k]))
+        if (lostOf(to[k], from[k], offset[k]) != 0)
             return false;
     }
     return true;
 }
 
-} // namespace
-
-int orientationSign(const Point& a, const Point& b, const Point& c, const Point& d)
+Point offsetOf(const Point& from, const Point& to)
 {
-    const Point u{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-    const Point v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-    const Point w{d[0] - a[0], d[1] - a[1], d[2] - a[2]};
+    return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+}
+
+/// The sign of det(u, v, w) if rounding cannot have changed it; 0 only of what has a zero in every product. The vectors
+/// may be rounded differences.
+std::optional<int> roundedSign(const Point& u, const Point& v, const Point& w)
+{
     double determinant = 0;
     double magnitude = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -160,19 +165,79 @@ int orientationSign(const Point& a, const Point& b, const Point& c, const Point&
     // Shewchuk's bound is 7.8e-16 times the magnitude.
     if (std::abs(determinant) > 1e-15 * magnitude)
         return determinant > 0 ? 1 : -1;
-    if (a == b || a == c || a == d || b == c || b == d || c == d)
-        return 0;
     if (magnitude == 0)
         return 0; // a difference is zero only of equal numbers: the four lie in a plane across an axis
+    return std::nullopt;
+}
+
+/// The cross product, if nothing is rounded in it.
+std::optional<Point> exactNormal(const Point& u, const Point& v)
+{
+    Point normal{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3, last = (k + 2) % 3;
+        const double plus = u[next] * v[last], minus = u[last] * v[next];
+        normal[k] = plus - minus;
+        if (std::fma(u[next], v[last], -plus) != 0 || std::fma(u[last], v[next], -minus) != 0 ||
+            lostOf(plus, minus, normal[k]) != 0)
+            return std::nullopt;
+    }
+    return normal;
+}
+
+/// The sign of normal . (to - from).
+int heightSign(const Point& normal, const Point& from, const Point& to)
+{
+    ExactSum sum;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double offset = to[k] - from[k];
+        sum.addProduct(normal[k], offset);
+        if (const double lost = lostOf(to[k], from[k], offset); lost != 0)
+            sum.addProduct(normal[k], lost);
+    }
+    return sum.sign();
+}
+
+} // namespace
+
+int orientationSign(const Point& a, const Point& b, const Point& c, const Point& d)
+{
+    const Point u = offsetOf(a, b), v = offsetOf(a, c), w = offsetOf(a, d);
+    if (const auto sign = roundedSign(u, v, w))
+        return *sign;
+    if (a == b || a == c || a == d || b == c || b == d || c == d)
+        return 0;
     if (const auto sign = integerSign(a, b, c, d))
         return *sign;
-    // Coordinates of single precision mostly have exact differences: a quarter of the products.
-    if (areExactOffsets(a, b, u) && areExactOffsets(a, c, v) && areExactOffsets(a, d, w)) {
-        ExactSum sum;
-        sum.addDeterminant(u, v, w, 1);
-        return sum.sign();
+    // Coordinates of single precision mostly have exact differences, and few enough bits for the normal.
+    if (areExactOffsets(a, b, u) && areExactOffsets(a, c, v)) {
+        if (const auto normal = exactNormal(u, v))
+            return heightSign(*normal, a, d);
+        if (areExactOffsets(a, d, w)) {
+            ExactSum sum;
+            sum.addDeterminant(u, v, w, 1);
+            return sum.sign();
+        }
     }
     return exactSign(a, b, c, d);
+}
+
+int directionSign(const Point& a, const Point& b, const Point& c, const Point& direction)
+{
+    const Point u = offsetOf(a, b), v = offsetOf(a, c);
+    if (const auto sign = roundedSign(u, v, direction))
+        return *sign;
+    ExactSum sum;
+    if (areExactOffsets(a, b, u) && areExactOffsets(a, c, v)) {
+        if (const auto normal = exactNormal(u, v))
+            return heightSign(*normal, {0, 0, 0}, direction);
+        sum.addDeterminant(u, v, direction, 1);
+    } else {
+        sum.addDeterminant(b, c, direction, 1);
+        sum.addDeterminant(b, a, direction, -1);
+        sum.addDeterminant(a, c, direction, -1);
+    }
+    return sum.sign();
 }
 
 } // namespace tetra

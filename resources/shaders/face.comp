@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which faces of each cell the eye sees, as core/graphics/volume/facing.cpp finds it; and the key that sorting begins
-// with, the power of the eye with respect to the cell's circumsphere (S14), rounded to what 32 bits hold. It need not be
-// exact: relax.comp makes it so. After compute.glsl.
+// Which faces of each cell the eye sees, as core/graphics/volume/facing.cpp finds it, but not where double precision
+// cannot tell: the eye then lies within some 1e-12 of a face's plane, and the face orders nothing. And the key
+// that sorting begins with, the power of the eye with respect to the cell's circumsphere (S14), rounded to what 32 bits
+// hold. It need not be exact: relax.comp makes it so. After compute.glsl.
 layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, binding = 1) readonly buffer Corners { uvec4 corners[]; };
 layout(std430, binding = 2) writeonly buffer Facing { uint facing[]; }; // bit f: face f from outside; 4 + f: from inside
@@ -25,7 +26,7 @@ uniform float keyScale; // the keys of most cells lie in [-1, 1] with it
             lengths += abs(edges[i].x) + abs(edges[i].y) + abs(edges[i].z);                                            \
         }                                                                                                              \
         real3 toEye = eye - scale * places[0];                                                                         \
-        real distance = abs(toEye.x) + abs(toEye.y) + abs(toEye.z) + abs(eye.x) + abs(eye.y) + abs(eye.z);             \
+        real distance = abs(toEye.x) + abs(toEye.y) + abs(toEye.z) + abs(eye.x) + abs(eye.y) + abs(eye.z) + lengths;   \
         normals[0] = cross(edges[2], edges[1]);                                                                        \
         normals[1] = cross(edges[0], edges[2]);                                                                        \
         normals[2] = cross(edges[1], edges[0]);                                                                        \

@@ -33,29 +33,6 @@ VolumeMesh volumeOf(const TetrahedralMesh& mesh)
     return makeVolumeMesh(std::make_shared<const TetrahedralMesh>(mesh)).value();
 }
 
-/// A lattice of other proportions, whose cubes are cut as in latticeMesh(): Delaunay still, all cells of a cube
-/// cospherical.
-TetrahedralMesh boxes(Split split)
-{
-    TetrahedralMesh mesh = latticeMesh(9, 9, split, nothingAt);
-    for (Eigen::Vector3f& position : mesh.positions)
-        position = position.cwiseProduct(Eigen::Vector3f(1, 1.5f, 0.3f));
-    return mesh;
-}
-
-/// Points moved from the lattice at random, so that it is Delaunay no more, but still fills its box.
-TetrahedralMesh shaken(float most)
-{
-    TetrahedralMesh mesh = latticeMesh(10, 10, Split::Six, nothingAt);
-    std::mt19937 random(3);
-    std::uniform_real_distribution<float> shift(-most, most);
-    for (Eigen::Vector3f& position : mesh.positions)
-        for (float& coordinate : position)
-            if (coordinate > 0 && coordinate < 10)
-                coordinate += shift(random);
-    return mesh;
-}
-
 } // namespace
 
 class GlComputeTest : public QObject {
@@ -199,7 +176,7 @@ private slots:
     {
         QFETCH(int, split);
         QFETCH(double, tilt);
-        const VolumeMesh volume = volumeOf(boxes(split == 5 ? Split::Five : Split::Six));
+        const VolumeMesh volume = volumeOf(boxLattice(9, split == 5 ? Split::Five : Split::Six));
         const Eigen::Vector3d centre = volume.bounds.center();
         std::vector<EyePoint> eyes;
         for (int axis = 0; axis < 3; ++axis)
@@ -217,7 +194,7 @@ private slots:
     /// The keys do not depend on what ran first.
     void keysAreTheSameAgain()
     {
-        const VolumeMesh volume = volumeOf(boxes(Split::Six));
+        const VolumeMesh volume = volumeOf(boxLattice(9, Split::Six));
         CardMesh mesh;
         QVERIFY(fillMesh(context(), volume, mesh).ok());
         unsigned rounds = 0;
@@ -231,7 +208,7 @@ private slots:
     void otherMeshes()
     {
         for (const float most : {0.01f, 0.06f, 0.12f}) {
-            const VolumeMesh volume = volumeOf(shaken(most));
+            const VolumeMesh volume = volumeOf(shakenLattice(most));
             QVERIFY(volume.convex);
             std::mt19937 random(8);
             const unsigned rounds = checkOrders(volume, eyesAround(volume.bounds, 20, random));

@@ -70,10 +70,10 @@ std::vector<BoundaryFace> facesInPicture(std::span<const std::array<std::uint32_
 std::vector<std::vector<std::uint32_t>> dealFaces(const std::vector<BoundaryFace>& faces, const TileGrid& grid)
 {
     std::vector<std::vector<std::uint32_t>> tiles(grid.count());
+    const TileFinder finder(grid);
     for (std::uint32_t face = 0; face < faces.size(); ++face)
-        forEachTileOf(faces[face].box, grid, [&](int row, int column) {
-            tiles[static_cast<std::size_t>(row * grid.columns() + column)].push_back(face);
-        });
+        forEachTileOf(faces[face].box, finder,
+                      [&](int row, int column) { tiles[finder.numberOf(row, column)].push_back(face); });
     return tiles;
 }
 

@@ -25,18 +25,13 @@ struct Chunk {
     std::vector<std::uint32_t> places;
 };
 
-std::size_t tileAt(const TileGrid& grid, int row, int column)
+BinnedCell binned(const BoxedCell& boxed, int side, int row, int column)
 {
-    return static_cast<std::size_t>(row * grid.columns() + column);
-}
-
-BinnedCell binned(const BoxedCell& boxed, const TileGrid& grid, int row, int column)
-{
-    const int x = column * grid.side, y = row * grid.side;
+    const int x = column * side, y = row * side;
     const auto byte = [](int number) { return static_cast<std::uint8_t>(number); };
     return {boxed.cell, byte(std::max(boxed.left - x, 0) / blockWidth), byte(std::max(boxed.top - y, 0) / blockHeight),
-            byte((std::min(boxed.right - x, grid.side) + blockWidth - 1) / blockWidth),
-            byte((std::min(boxed.bottom - y, grid.side) + blockHeight - 1) / blockHeight)};
+            byte((std::min(boxed.right - x, side) + blockWidth - 1) / blockWidth),
+            byte((std::min(boxed.bottom - y, side) + blockHeight - 1) / blockHeight)};
 }
 
 } // namespace
@@ -46,6 +41,8 @@ CellBins binCells(std::span<const std::array<std::uint32_t, 4>> tetrahedra, std:
                   const TileGrid& grid, const Progress& progress)
 {
     const SampleRectangle picture{0, 0, grid.width, grid.height};
+    const TileFinder finder(grid);
+    const int side = grid.side;
     std::vector<Chunk> chunks((order.size() + chunkSize - 1) / chunkSize);
     tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t index) {
         Chunk& chunk = chunks[index];
@@ -69,7 +66,7 @@ CellBins binCells(std::span<const std::array<std::uint32_t, 4>> tetrahedra, std:
             const auto place = [](int number) { return static_cast<std::int16_t>(number); };
             const BoxedCell boxed = {cell, place(box.left), place(box.top), place(box.right), place(box.bottom)};
             chunk.cells[count++] = boxed;
-            forEachTileOf(box, grid, [&](int row, int column) { ++chunk.places[tileAt(grid, row, column)]; });
+            forEachTileOf(box, finder, [&](int row, int column) { ++chunk.places[finder.numberOf(row, column)]; });
         }
         chunk.cells.resize(count);
     });
@@ -87,9 +84,9 @@ CellBins binCells(std::span<const std::array<std::uint32_t, 4>> tetrahedra, std:
     tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t index) {
         Chunk& chunk = chunks[index];
         for (const BoxedCell& boxed : chunk.cells)
-            forEachTileOf({boxed.left, boxed.top, boxed.right, boxed.bottom}, grid, [&](int row, int column) {
-                const std::size_t tile = tileAt(grid, row, column);
-                bins.cells[bins.first[tile] + chunk.places[tile]++] = binned(boxed, grid, row, column);
+            forEachTileOf({boxed.left, boxed.top, boxed.right, boxed.bottom}, finder, [&](int row, int column) {
+                const std::size_t tile = finder.numberOf(row, column);
+                bins.cells[bins.first[tile] + chunk.places[tile]++] = binned(boxed, side, row, column);
             });
     });
     return bins;

@@ -5,6 +5,7 @@
 #include "core/graphics/volume/slab_integral.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace tetra {
@@ -19,9 +20,19 @@ constexpr float steepestBound = 1e7f;
 
 /// Eight cells; a row for each.
 struct SetupRows {
-    Float4 faces[4][8]; ///< a, b, c of the bound, and positive if the face is seen from outside
-    Float4 slopes[8];   ///< a, b, c, and the constant
-    Float4 values[8];   ///< smallest, largest, the longest way through the cell in w, and above 0 if it is not thin
+    Float4 faces[6][8]; ///< a, b, c of the bound; after the cell's four, what does not bind as a front and as a back
+    Float4 slopes[8];   ///< a, b, c
+    Float4 fields[8];   ///< the constant, smallest, largest
+    Int8 fronts;        ///< bit f: face f is seen from outside
+    Int8 simple, flat;  ///< 0 or 1
+    Int8 thickness, direction;
+};
+
+/// What the transfer function says of eight cells.
+struct TransferOfCells {
+    Float8 extinction; ///< the largest
+    Float8 origin;     ///< of the first segment
+    Int8 oneSegment;   ///< 0 or -1
 };
 
 TETRA_SIMD_INLINE Float8 smaller(Float8 a, Float8 b)
@@ -43,6 +54,7 @@ TETRA_SIMD_INLINE Float8 extent(const Float8 (&of)[4])
 
 TETRA_SIMD_INLINE void makeBounds(const CellPlanes& planes, Float8 sign, bool perspective, SetupRows& rows)
 {
+    rows.fronts = Int8{};
     for (int face = 0; face < 4; ++face) {
         // Inside is a x + b y + c >= outside * q.
         const Float8 a = planes.u[face] * sign, b = planes.v[face] * sign;
@@ -53,11 +65,37 @@ TETRA_SIMD_INLINE void makeBounds(const CellPlanes& planes, Float8 sign, bool pe
         const Float8 safe = magnitude(steep) > 1e-36f ? steep : Float8{} + 1e-36f;
         const Float8 scale = 1.0f / safe;
         transposeBack(a * scale, b * scale, c * scale, safe, rows.faces[face]);
+        rows.fronts |= safe > 0.0f ? Int8{} + (1 << face) : Int8{};
     }
 }
 
+/// How the values change along the rays.
+TETRA_SIMD_INLINE Int8 directionOf(Float8 a, Float8 b, Float8 c, Float8 constant, const BinnedCell* binned,
+                                   bool perspective)
+{
+    constexpr int rising = static_cast<int>(Direction::Rising), falling = static_cast<int>(Direction::Falling);
+    const Int8 known = constant < 0.0f ? Int8{} + rising : Int8{} + falling;
+    if (!perspective)
+        return known;
+    // Each box is the second of a binned cell's two words, a byte a side.
+    static_assert(sizeof(BinnedCell) == 8 && std::endian::native == std::endian::little);
+    Int8 words[2];
+    std::memcpy(words, binned, sizeof words);
+    const Int8 boxes = __builtin_shufflevector(words[0], words[1], 1, 3, 5, 7, 9, 11, 13, 15);
+    const Float8 left = a * __builtin_convertvector((boxes & 255) * blockWidth, Float8);
+    const Float8 top = b * __builtin_convertvector((boxes >> 8 & 255) * blockHeight, Float8) + c;
+    const Float8 right = a * __builtin_convertvector((boxes >> 16 & 255) * blockWidth, Float8);
+    const Float8 bottom = b * __builtin_convertvector((boxes >> 24 & 255) * blockHeight, Float8) + c;
+    // An affine function has its extremes at the corners of the box.
+    const Float8 lowest = smaller(left, right) + smaller(top, bottom);
+    const Float8 highest = larger(left, right) + larger(top, bottom);
+    const Int8 mixed = highest < 0.0f ? Int8{} + falling : Int8{} + static_cast<int>(Direction::Mixed);
+    return lowest > 0.0f ? Int8{} + rising : mixed;
+}
+
 TETRA_SIMD_INLINE void makeField(const CellCorners& c, const CellPlanes& planes, bool perspective,
-                                 Float8 roundingVolume, SetupRows& rows)
+                                 Float8 roundingVolume, const TransferOfCells& transfer, const BinnedCell* binned,
+                                 SetupRows& rows)
 {
     const Float8 safe = magnitude(planes.volume) > 1e-36f ? planes.volume : Float8{} + 1e-36f;
     const Float8 scale = 1.0f / safe;
@@ -68,19 +106,26 @@ TETRA_SIMD_INLINE void makeField(const CellCorners& c, const CellPlanes& planes,
         v += difference * planes.v[i];
         w += difference * planes.w[i];
     }
-    const Float8 atOrigin = c.value[0] - (u * c.u[0] + v * c.v[0] + w * c.w[0]);
-    transposeBack(u, v, perspective ? w : atOrigin, perspective ? atOrigin : -w, rows.slopes);
     const Float8 volume = magnitude(planes.volume);
     const Float8 thin = extent(c.u) * extent(c.v) * extent(c.w) * thinnestCell;
-    transposeBack(smaller(smaller(c.value[0], c.value[1]), smaller(c.value[2], c.value[3])),
-                  larger(larger(c.value[0], c.value[1]), larger(c.value[2], c.value[3])), extent(c.w),
-                  volume > larger(roundingVolume, Float8{} + 1e-35f) ? volume - thin : Float8{} - farBound,
-                  rows.values);
+    const Int8 hasVolume = volume > larger(roundingVolume, Float8{} + 1e-35f);
+    const Int8 isSimple = transfer.oneSegment & (volume > thin);
+    const Float8 atOrigin =
+        c.value[0] - (u * c.u[0] + v * c.v[0] + w * c.w[0]) - (isSimple ? transfer.origin : Float8{});
+    const Float8 slope = perspective ? w : atOrigin;
+    const Float8 constant = perspective ? atOrigin : -w;
+    transposeBack(u, v, slope, Float8{}, rows.slopes);
+    transposeBack(constant, smaller(smaller(c.value[0], c.value[1]), smaller(c.value[2], c.value[3])),
+                  larger(larger(c.value[0], c.value[1]), larger(c.value[2], c.value[3])), Float8{}, rows.fields);
+    rows.flat = ~hasVolume & 1;
+    rows.simple = isSimple & 1;
+    const Int8 direction = directionOf(u, v, slope, constant, binned, perspective);
+    rows.direction = isSimple ? Int8{} + static_cast<int>(Direction::Mixed) : direction;
 }
 
 /// `binned` are eight cells.
-TETRA_SIMD_CLONES void setUpRows(const SetupSource& source, const TileFrame& frame, const BinnedCell* binned,
-                                 SetupRows& rows)
+TETRA_SIMD_CLONES void setUpRows(const SetupSource& source, const TileFrame& frame, const TransferOfCells& transfer,
+                                 const BinnedCell* binned, SetupRows& rows)
 {
     const bool perspective = source.perspective;
     const std::array<std::uint32_t, 4>* cells[8];
@@ -101,7 +146,9 @@ TETRA_SIMD_CLONES void setUpRows(const SetupSource& source, const TileFrame& fra
     const Float8 widthU = extent(corners.u), widthV = extent(corners.v), widthW = extent(corners.w);
     const Float8 roundingVolume =
         roundingShare * (farU * widthV * widthW + farV * widthU * widthW + farW * widthU * widthV);
-    makeField(corners, planes, perspective, roundingVolume, rows);
+    makeField(corners, planes, perspective, roundingVolume, transfer, binned, rows);
+    const Float8 depth = transfer.extinction * widthW * frame.longestRay;
+    rows.thickness = -(depth > faintDepth) - (depth > 1.0f);
 }
 
 AffineFunction functionOf(const Float4& row)
@@ -111,45 +158,35 @@ AffineFunction functionOf(const Float4& row)
     return function;
 }
 
-/// Puts the faces' bounds where they belong and tells how many of them are fronts.
-std::size_t arrangeFaces(const SetupRows& rows, std::size_t row, CellSetup& setup)
-{
-    for (std::size_t i = 0; i < 3; ++i) {
-        setup.functions[i] = {0, 0, farBound, 0};
-        setup.functions[3 + i] = {0, 0, -farBound, 0};
-    }
-    std::size_t fronts = 0, backs = 0;
-    for (const auto& face : rows.faces) {
+/// Of which faces the functions of a cell are, by the faces that are fronts.
+using FacePlaces = std::array<std::uint8_t, 6>;
+constexpr std::array<FacePlaces, 16> facePlaces = [] {
+    std::array<FacePlaces, 16> places{};
+    for (unsigned fronts = 0; fronts < places.size(); ++fronts) {
+        places[fronts] = {4, 4, 4, 5, 5, 5};
         // Of four of one kind the last goes to where the other kind has none.
-        constexpr std::size_t places[2][4] = {{3, 4, 5, 0}, {0, 1, 2, 3}};
-        const bool front = face[row][3] > 0;
-        setup.functions[places[front][front ? fronts : backs]] = functionOf(face[row]);
-        fronts += front;
-        backs += !front;
+        constexpr std::size_t functions[2][4] = {{3, 4, 5, 0}, {0, 1, 2, 3}};
+        std::array<std::size_t, 2> next{};
+        for (std::uint8_t face = 0; face < 4; ++face) {
+            const std::size_t front = fronts >> face & 1;
+            places[fronts][functions[front][next[front]++]] = face;
+        }
     }
-    return fronts;
-}
+    return places;
+}();
 
-Direction directionOf(const CellSetup& setup, bool perspective)
+/// What does not bind.
+void fillFarBounds(SetupRows& rows)
 {
-    if (!perspective)
-        return setup.constant < 0 ? Direction::Rising : Direction::Falling;
-    // An affine function has its extremes at the corners of the box.
-    const auto& [a, b, c, unused] = setup.functions[6];
-    const float left = a * static_cast<float>(setup.left * blockWidth);
-    const float right = a * static_cast<float>(setup.right * blockWidth);
-    const float top = b * static_cast<float>(setup.top * blockHeight) + c;
-    const float bottom = b * static_cast<float>(setup.bottom * blockHeight) + c;
-    if (std::min(left, right) + std::min(top, bottom) > 0)
-        return Direction::Rising;
-    return std::max(left, right) + std::max(top, bottom) < 0 ? Direction::Falling : Direction::Mixed;
+    std::ranges::fill(rows.faces[4], Float4{0, 0, farBound, 0});
+    std::ranges::fill(rows.faces[5], Float4{0, 0, -farBound, 0});
 }
 
 /// 1 / length of the gradient, in values for one unit of w across the picture; 0 without a gradient.
 float perGradientOf(const SetupRows& rows, std::size_t row, const SetupSource& source, const TileFrame& frame)
 {
     const float u = rows.slopes[row][0], v = rows.slopes[row][1];
-    const float w = source.perspective ? rows.slopes[row][2] - u * frame.x - v * frame.y : -rows.slopes[row][3];
+    const float w = source.perspective ? rows.slopes[row][2] - u * frame.x - v * frame.y : -rows.fields[row][0];
     const float acrossU = u * source.lengths[0], acrossV = v * source.lengths[1];
     const float squared = acrossU * acrossU + acrossV * acrossV + w * w;
     return squared > 1e-30f ? 1 / std::sqrt(squared) : 0;
@@ -158,48 +195,75 @@ float perGradientOf(const SetupRows& rows, std::size_t row, const SetupSource& s
 void finish(const SetupRows& rows, std::size_t row, const SetupSource& source, const TileFrame& frame,
             const BinnedCell& binned, CellSetup& setup)
 {
-    const std::size_t fronts = arrangeFaces(rows, row, setup);
-    const CellClass ofCell = source.classes[binned.cell];
+    constexpr int allFaces = 15;
+    const int fronts = rows.fronts[row];
+    const FacePlaces& places = facePlaces[static_cast<std::size_t>(fronts)];
+    for (std::size_t i = 0; i < places.size(); ++i)
+        setup.functions[i] = functionOf(rows.faces[places[i]][row]);
     setup.functions[6] = functionOf(rows.slopes[row]);
-    setup.constant = rows.slopes[row][3];
-    setup.smallest = rows.values[row][0];
-    setup.largest = rows.values[row][1];
+    setup.constant = rows.fields[row][0];
+    setup.smallest = rows.fields[row][1];
+    setup.largest = rows.fields[row][2];
     setup.perGradient = source.shaded ? perGradientOf(rows, row, source, frame) : 0;
+    const CellClass ofCell = source.classes[binned.cell];
     setup.firstSegment = ofCell.first;
     setup.lastSegment = ofCell.last;
     setup.left = binned.left;
     setup.top = binned.top;
     setup.right = binned.right;
     setup.bottom = binned.bottom;
-    setup.flat = rows.values[row][3] == -farBound || fronts > 3;
+    setup.thickness = static_cast<Thickness>(rows.thickness[row]);
+    setup.direction = static_cast<Direction>(rows.direction[row]);
+    setup.simple = rows.simple[row] != 0;
+    setup.flat = rows.flat[row] != 0 || fronts == allFaces;
     setup.around = fronts == 0;
-    setup.simple = ofCell.first == ofCell.last && rows.values[row][3] > 0;
-    if (setup.simple)
-        (source.perspective ? setup.constant : setup.functions[6].c) -= source.segments[ofCell.first].origin;
-    float extinction = 0;
-    for (std::size_t segment = ofCell.first; segment <= ofCell.last; ++segment)
-        extinction = std::max(extinction, source.segments[segment].largestExtinction);
-    const float depth = extinction * rows.values[row][2] * frame.longestRay;
-    setup.thickness = depth <= faintDepth ? Thickness::Faint : depth <= 1 ? Thickness::Thin : Thickness::Thick;
-    setup.direction = setup.simple ? Direction::Mixed : directionOf(setup, source.perspective);
+}
+
+/// `cells` are eight.
+void askTransfer(const SetupSource& source, const BinnedCell* cells, TransferOfCells& transfer)
+{
+    for (std::size_t lane = 0; lane < 8; ++lane) {
+        const CellClass ofCell = source.classes[cells[lane].cell];
+        const ScaledSegment* segment = &source.segments[ofCell.first];
+        transfer.origin[lane] = segment->origin;
+        transfer.oneSegment[lane] = ofCell.first == ofCell.last ? -1 : 0;
+        float extinction = segment->largestExtinction;
+        for (std::size_t more = ofCell.first; more < ofCell.last; ++more)
+            extinction = std::max(extinction, (++segment)->largestExtinction);
+        transfer.extinction[lane] = extinction;
+    }
 }
 
 } // namespace
 
-void setUpCells(const SetupSource& source, const TileFrame& frame, std::span<const BinnedCell> cells,
-                std::span<CellSetup> setups)
+void fetchCells(const SetupSource& source, std::span<const BinnedCell> cells)
 {
     for (const BinnedCell& cell : cells) {
         __builtin_prefetch(&source.tetrahedra[cell.cell]);
         __builtin_prefetch(&source.classes[cell.cell]);
     }
+}
+
+void fetchCorners(const SetupSource& source, std::span<const BinnedCell> cells)
+{
+    for (const BinnedCell& cell : cells)
+        for (const std::uint32_t corner : source.tetrahedra[cell.cell])
+            __builtin_prefetch(&source.vertices[corner]);
+}
+
+void setUpCells(const SetupSource& source, const TileFrame& frame, std::span<const BinnedCell> cells,
+                std::span<CellSetup> setups)
+{
+    SetupRows rows;
+    fillFarBounds(rows);
     for (std::size_t first = 0; first < cells.size(); first += 8) {
         const std::size_t count = std::min<std::size_t>(8, cells.size() - first);
         BinnedCell eight[8];
         for (std::size_t lane = 0; lane < 8; ++lane)
             eight[lane] = cells[first + std::min(lane, count - 1)];
-        SetupRows rows;
-        setUpRows(source, frame, eight, rows);
+        TransferOfCells transfer;
+        askTransfer(source, eight, transfer);
+        setUpRows(source, frame, transfer, eight, rows);
         for (std::size_t row = 0; row < count; ++row)
             finish(rows, row, source, frame, eight[row], setups[first + row]);
     }

@@ -74,6 +74,11 @@ struct TileFrame {
 /// Larger than any |q|.
 inline constexpr float farBound = 1e30f;
 
+/// Asks the memory for what setUpCells() will read: for the cells themselves, and when those are there, for their
+/// corners.
+void fetchCells(const SetupSource& source, std::span<const BinnedCell> cells);
+void fetchCorners(const SetupSource& source, std::span<const BinnedCell> cells);
+
 /// Sets up `cells` into as many `setups`.
 void setUpCells(const SetupSource& source, const TileFrame& frame, std::span<const BinnedCell> cells,
                 std::span<CellSetup> setups);

@@ -2,6 +2,8 @@
 #include "core/graphics/volume/facing.h"
 
 #include "core/graphics/volume/cell_geometry.h"
+#include "core/mesh/exact_orientation.h"
+#include "core/mesh/face_adjacency.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -103,6 +105,9 @@ template <class Lanes> TETRA_SIMD_INLINE void addMagnitudes(const Vectors<Lanes>
     sum += part;
 }
 
+/// Below it single precision loses digits to underflow.
+constexpr float smallestHeight = 1e-36f;
+
 /// What is known of eight cells: `Bits` gets the facing of each, `rounding` many times what one operation errs.
 template <class Lanes, class Bits, class Scalar> TETRA_SIMD_INLINE void
 faceEight(const Vectors<Float8> (&corners)[4], const double* eye, double perspective, Scalar rounding, Bits& bits)
@@ -121,8 +126,8 @@ faceEight(const Vectors<Float8> (&corners)[4], const double* eye, double perspec
     toEye.y = static_cast<Scalar>(eye[1]) - scale * origin.y;
     toEye.z = static_cast<Scalar>(eye[2]) - scale * origin.z;
     addMagnitudes(toEye, distance);
-    // What the eye's own rounding may do.
-    distance += static_cast<Scalar>(std::abs(eye[0]) + std::abs(eye[1]) + std::abs(eye[2]));
+    // What the eye's own rounding may do, and that of the volume where the eye is near.
+    distance += static_cast<Scalar>(std::abs(eye[0]) + std::abs(eye[1]) + std::abs(eye[2])) + lengths;
     // Outwards, those of the faces opposite to corners 1, 2, 3; with that opposite to 0 their sum is zero.
     cross(edges[2], edges[1], normals[0]);
     cross(edges[0], edges[2], normals[1]);
@@ -132,7 +137,7 @@ faceEight(const Vectors<Float8> (&corners)[4], const double* eye, double perspec
         dot(normals[i], toEye, heights[i + 1]);
     dot(normals[0], edges[0], minusVolume);
     heights[0] = scale * minusVolume - (heights[1] + heights[2] + heights[3]);
-    const Lanes tolerance = lengths * lengths * distance * rounding;
+    const Lanes tolerance = lengths * lengths * distance * rounding + smallestHeight;
     bits = Bits{};
     for (int face = 0; face < 4; ++face) {
         Bits outside, inside;
@@ -144,7 +149,35 @@ faceEight(const Vectors<Float8> (&corners)[4], const double* eye, double perspec
 
 using Byte8 = unsigned char __attribute__((vector_size(8)));
 
-/// In single precision; where that cannot tell, in double.
+/// Whether the side of each face of eight cells is known; both bits are set where there was no number.
+bool allKnown(std::uint64_t facing)
+{
+    constexpr std::uint64_t allFaces = 0x0f0f0f0f0f0f0f0f;
+    return ((facing ^ facing >> 4) & allFaces) == allFaces;
+}
+
+/// The facing of a cell, some faces of which are not known yet.
+std::uint8_t exactFacing(const std::array<std::uint32_t, 4>& cell, const PaddedPosition* positions, const double* eye,
+                         double perspective, unsigned known)
+{
+    using Point = std::array<double, 3>;
+    const Point from{eye[0], eye[1], eye[2]};
+    for (unsigned face = 0; face < 4; ++face) {
+        if ((known >> face & 0x11u) != 0)
+            continue;
+        std::array<Point, 3> corners;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const PaddedPosition& position = positions[cell[cornersOfFace[face][i]]];
+            corners[i] = {position.x, position.y, position.z};
+        }
+        const auto& [a, b, c] = corners;
+        const int side = perspective != 0 ? orientationSign(a, b, c, from) : directionSign(a, b, c, from);
+        known |= (side > 0 ? 1u : side < 0 ? 16u : 0u) << face;
+    }
+    return static_cast<std::uint8_t>(known);
+}
+
+/// In single precision; where that cannot tell, in double, and then exactly.
 TETRA_SIMD_INLINE void faceEight(const std::array<std::uint32_t, 4>* cells, const PaddedPosition* positions,
                                  const double* eye, double perspective, std::uint8_t* facing)
 {
@@ -156,13 +189,17 @@ TETRA_SIMD_INLINE void faceEight(const std::array<std::uint32_t, 4>* cells, cons
     Byte8 bytes = __builtin_convertvector(quick, Byte8);
     std::uint64_t known = 0;
     std::memcpy(&known, &bytes, lanes);
-    constexpr std::uint64_t allFaces = 0x0f0f0f0f0f0f0f0f;
-    if (((known ^ known >> 4) & allFaces) != allFaces) {
-        Long8 sure;
-        faceEight<Double8>(corners, eye, perspective, 1e-14, sure);
-        bytes = __builtin_convertvector(sure, Byte8);
-    }
-    std::memcpy(facing, &bytes, lanes);
+    std::memcpy(facing, &known, lanes);
+    if (allKnown(known))
+        return;
+    Long8 sure;
+    faceEight<Double8>(corners, eye, perspective, 1e-14, sure);
+    bytes = __builtin_convertvector(sure, Byte8);
+    std::memcpy(&known, &bytes, lanes);
+    std::memcpy(facing, &known, lanes);
+    if (!allKnown(known))
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+            facing[lane] = exactFacing(cells[lane], positions, eye, perspective, facing[lane]);
 }
 
 /// `count` at least 8 cells.

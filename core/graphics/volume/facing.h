@@ -16,10 +16,9 @@ struct EyePoint {
     bool perspective = true;
 };
 
-/// For each cell, bit f: its face f is seen from outside by the eye; bit 4 + f: from inside. In double precision from
-/// the positions themselves, so both cells of a face agree, unless the eye lies in the face's plane but for rounding (a
-/// sine of 1e-12 for cells that are not flat): then neither is set, in one of them at least. O(cells), on all threads
-/// of the current arena.
+/// For each cell, bit f: its face f is seen from outside by the eye; bit 4 + f: from inside; neither if the eye lies in
+/// its plane. Exact for all finite positions (orientationSign()), so both cells of a face agree. O(cells), on all
+/// threads of the current arena; where the eye lies within some 1e-12 of the plane, a face may take a microsecond.
 Buffer<std::uint8_t> faceFacing(const TetrahedralMesh& mesh, const EyePoint& eye);
 
 } // namespace tetra

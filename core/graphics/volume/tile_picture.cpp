@@ -2,6 +2,7 @@
 #include "core/graphics/volume/tile_picture.h"
 
 #include "core/graphics/volume/block_lane.h"
+#include "core/graphics/volume/sample_blocks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,17 @@ constexpr int columns = volumeTileSide / blockWidth;
 constexpr int rows = volumeTileSide / blockHeight;
 /// Cells between two looks whether all is opaque, and whether to stop.
 constexpr std::size_t batch = 64;
+
+/// Calls visit(sample, block, lane) for the samples of a tile, row by row.
+template <class Visit> void forEachSample(const SampleRectangle& tile, Visit&& visit)
+{
+    std::size_t sample = 0;
+    for (int y = 0; y < tile.height(); ++y)
+        for (int x = 0; x < tile.width(); ++x, ++sample) {
+            const auto [block, lane] = BlockLane(x, y);
+            visit(sample, block, lane);
+        }
+}
 
 bool isLimited(const TileSurroundings& surroundings)
 {
@@ -30,16 +42,7 @@ VolumeTilePainter::VolumeTilePainter(const SetupSource& source, const VolumeView
 void VolumeTilePainter::clear(const SampleRectangle& tile)
 {
     firstLit_ = 0;
-    std::ranges::fill(blocks_, SampleBlock{{}, {}, {}, {}, {}, Float8{} + noDepth});
-    for (int y = 0; y < tile.height(); ++y)
-        for (int x = 0; x < tile.width(); ++x) {
-            const BlockLane place(x, y);
-            const double slopeX = (tile.left + x + view_.firstX()) / view_.samplesPerSlope.x();
-            const double slopeY = (tile.top + y + view_.firstY()) / view_.samplesPerSlope.y();
-            blocks_[place.block].light[place.lane] = 1;
-            blocks_[place.block].ray[place.lane] =
-                view_.perspective ? static_cast<float>(std::sqrt(1 + slopeX * slopeX + slopeY * slopeY)) : 1;
-        }
+    clearBlocks(view_, tile, blocks_);
 }
 
 bool VolumeTilePainter::allDark()
@@ -106,29 +109,37 @@ void VolumeTilePainter::finish(const SampleRectangle& tile, const TileShading& s
     const auto samples = static_cast<std::size_t>(tile.width()) * static_cast<std::size_t>(tile.height());
     colours_.resize(samples);
     depth_.resize(shading.depth ? samples : 0);
-    std::size_t sample = 0;
-    for (int y = 0; y < tile.height(); ++y)
-        for (int x = 0; x < tile.width(); ++x, ++sample) {
-            const auto [number, lane] = BlockLane(x, y);
-            SampleBlock& block = blocks_[number];
-            if (shading.fragments != nullptr)
-                drawSurfacesBehind(shading, lane, block, limits_[number]);
-            colours_[sample] = {block.red[lane], block.green[lane], block.blue[lane], 1 - block.light[lane]};
-            if (shading.depth)
-                depth_[sample] = block.depth[lane] < noDepth ? static_cast<float>(block.depth[lane] * view_.unit)
-                                                             : std::numeric_limits<float>::infinity();
-        }
+    if (shading.fragments != nullptr)
+        forEachSample(tile, [&](std::size_t, std::size_t block, std::size_t lane) {
+            drawSurfacesBehind(shading, lane, blocks_[block], limits_[block]);
+        });
+    takeColours(blocks_, tile, colours_);
+    if (shading.depth)
+        forEachSample(tile, [&](std::size_t sample, std::size_t block, std::size_t lane) {
+            const float depth = blocks_[block].depth[lane];
+            depth_[sample] =
+                depth < noDepth ? static_cast<float>(depth * view_.unit) : std::numeric_limits<float>::infinity();
+        });
 }
 
 void VolumeTilePainter::draw(const SetupSource& source, std::span<const BinnedCell> cells, const SampleRectangle& tile,
                              const TileShading& shading, const Progress& progress, DrawnTile& drawn)
 {
     const TileFrame frame = frameOf(tile);
+    const auto batchFrom = [cells](std::size_t first) {
+        const std::size_t begin = std::min(first, cells.size());
+        return cells.subspan(begin, std::min(batch, cells.size() - begin));
+    };
+    fetchCells(source, batchFrom(0));
+    fetchCells(source, batchFrom(batch));
     for (std::size_t first = 0; first < cells.size() && !progress.cancelled(); first += batch) {
-        const auto next = cells.subspan(first, std::min(batch, cells.size() - first));
-        setUpCells(source, frame, next, setups_);
-        drawn.fragments += drawCells(std::span(setups_).first(next.size()), shading, blocks_.data(), columns);
-        drawn.cells += next.size();
+        const auto now = batchFrom(first);
+        setUpCells(source, frame, now, setups_);
+        // What comes next is asked for before a long time of drawing.
+        fetchCorners(source, batchFrom(first + batch));
+        fetchCells(source, batchFrom(first + 2 * batch));
+        drawn.fragments += drawCells(std::span(setups_).first(now.size()), shading, blocks_.data(), columns);
+        drawn.cells += now.size();
         if (allDark())
             break;
     }

@@ -23,21 +23,6 @@ constexpr unsigned oneHider = 16;
 constexpr CellState mostHidden = 6 * oneHider;
 constexpr CellState takenHidden = 15 * oneHider;
 
-/// Where the eye lies in a face's plane, but for rounding, its other cell may know more; if neither does there is no
-/// order between them.
-std::uint8_t facingWithNeighbours(std::size_t cell, const FaceAdjacency& adjacency, const Buffer<std::uint8_t>& facing)
-{
-    unsigned bits = facing[cell];
-    for (unsigned face = 0; face < 4; ++face) {
-        const std::uint32_t neighbour = adjacency.neighbours[cell][face];
-        if ((bits >> face & 0x11u) != 0 || neighbour == FaceAdjacency::none)
-            continue;
-        const unsigned theirs = facing[FaceAdjacency::cellOf(neighbour)] >> FaceAdjacency::faceOf(neighbour) & 0x11u;
-        bits |= (theirs >> 4 | (theirs & 1u) << 4) << face;
-    }
-    return static_cast<std::uint8_t>(bits);
-}
-
 TETRA_SIMD_CLONES void combine(const std::uint8_t* facing, const std::uint8_t* inner, std::size_t count,
                                CellState* states)
 {
@@ -49,21 +34,6 @@ TETRA_SIMD_CLONES void combine(const std::uint8_t* facing, const std::uint8_t* i
     }
 }
 
-/// The inner faces of a cell of which it does not know the side.
-std::uint8_t unknownSides(std::uint8_t facing, std::uint8_t inner) noexcept
-{
-    return static_cast<std::uint8_t>(inner & ~(facing | facing >> 4));
-}
-
-/// Of several cells together; hardly ever there are any.
-TETRA_SIMD_CLONES std::uint8_t unknownSidesOf(const std::uint8_t* facing, const std::uint8_t* inner, std::size_t count)
-{
-    std::uint8_t unknown = 0;
-    for (std::size_t cell = 0; cell < count; ++cell)
-        unknown |= static_cast<std::uint8_t>(inner[cell] & ~(facing[cell] | facing[cell] >> 4));
-    return unknown;
-}
-
 /// One state more than there are cells, for what is not there.
 Buffer<CellState> startStates(const FaceAdjacency& adjacency, const Buffer<std::uint8_t>& facing)
 {
@@ -71,15 +41,7 @@ Buffer<CellState> startStates(const FaceAdjacency& adjacency, const Buffer<std::
     states.back() = takenHidden;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, facing.size(), 1 << 12), [&](const auto& range) {
         const std::size_t first = range.begin();
-        const auto inner = std::span(adjacency.innerFaces);
-        combine(&facing[first], &inner[first], range.size(), &states[first]);
-        if (unknownSidesOf(&facing[first], &inner[first], range.size()) == 0)
-            return;
-        for (std::size_t cell = first; cell != range.end(); ++cell)
-            if (unknownSides(facing[cell], inner[cell]) != 0) {
-                const std::uint8_t both = facingWithNeighbours(cell, adjacency, facing);
-                combine(&both, &inner[cell], 1, &states[cell]);
-            }
+        combine(&facing[first], &adjacency.innerFaces[first], range.size(), &states[first]);
     });
     return states;
 }

@@ -13,7 +13,7 @@ namespace {
 using Point = std::array<double, 3>;
 using Integer = __int128;
 
-/// The same sign in integers; coordinates below 2^38.
+/// The same sign in integers; products of three differences below 2^124.
 int signInIntegers(const Point& a, const Point& b, const Point& c, const Point& d)
 {
     const auto offset = [&a](const Point& p) {
@@ -65,6 +65,44 @@ private slots:
             ++seen[static_cast<std::size_t>(expected + 1)];
         }
         QVERIFY(*std::ranges::min_element(seen) > 1000);
+    }
+
+    /// A point so far away, and nearly in the plane of near ones, that its digits are all that a double has.
+    void farPointsAgreeWithIntegers()
+    {
+        std::mt19937_64 random(8);
+        std::array<int, 3> seen{};
+        for (int trial = 0; trial < 20000; ++trial) {
+            const auto number = [&](std::int64_t bound) {
+                return static_cast<double>(static_cast<std::int64_t>(random() % std::uint64_t(2 * bound)) - bound);
+            };
+            const auto near = [&] { return Point{number(1 << 15), number(1 << 15), number(1 << 15)}; };
+            const Point a = near(), b = near(), c = near();
+            constexpr std::int64_t large = std::int64_t(1) << 34;
+            const double s = number(large), t = number(large);
+            Point d{}, direction{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                direction[k] = s * (b[k] - a[k]) + t * (c[k] - a[k]) + (random() % 8 == 0 ? number(2) : 0);
+                d[k] = a[k] + direction[k];
+            }
+            const int expected = signInIntegers(a, b, c, d);
+            QCOMPARE(orientationSign(a, b, c, d), expected);
+            QCOMPARE(orientationSign(b, a, d, c), expected);
+            QCOMPARE(directionSign(a, b, c, direction), expected);
+            QCOMPARE(directionSign(b, a, c, direction), -expected);
+            ++seen[static_cast<std::size_t>(expected + 1)];
+        }
+        QVERIFY(*std::ranges::min_element(seen) > 1000);
+    }
+
+    /// Differences that are no doubles: c - a is (0, 1, 1) but for 1e-30.
+    void directionsBesidePlanesThatRound()
+    {
+        QCOMPARE(directionSign({0, 0, 1e-30}, {1, 0, 1e-30}, {0, 1, 1}, {1, 1, 1}), 1);
+        QCOMPARE(directionSign({0, 0, -1e-30}, {1, 0, -1e-30}, {0, 1, 1}, {1, 1, 1}), -1);
+        QCOMPARE(directionSign({0, 0, 1e-30}, {1, 0, 1e-30}, {0, 1, 1}, {1, 1, 1 - 0x1p-53}), -1);
+        QCOMPARE(directionSign({0, 0, 0}, {1, 0, 0}, {0, 1, 1}, {1, 1, 1}), 0);
+        QCOMPARE(directionSign({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 7, 0}), 0);
     }
 
     /// The coordinates need no common exponent.

@@ -93,6 +93,49 @@ std::vector<EyePoint> eyesAround(const Eigen::AlignedBox3d& bounds, std::size_t 
     return eyes;
 }
 
+TetrahedralMesh boxLattice(std::uint32_t cells, Split split)
+{
+    TetrahedralMesh mesh = latticeMesh(cells, cells, split, [](const Vector3d&) { return 0; });
+    for (Eigen::Vector3f& position : mesh.positions)
+        position = position.cwiseProduct(Eigen::Vector3f(1, 1.5f, 0.3f));
+    return mesh;
+}
+
+TetrahedralMesh shakenLattice(float most)
+{
+    TetrahedralMesh mesh = latticeMesh(10, 10, Split::Six, [](const Vector3d&) { return 0; });
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> shift(-most, most);
+    for (Eigen::Vector3f& position : mesh.positions)
+        for (float& coordinate : position)
+            if (coordinate > 0 && coordinate < 10)
+                coordinate += shift(random);
+    return mesh;
+}
+
+std::vector<EyePoint> eyesAtFaces(const TetrahedralMesh& mesh, std::size_t count, std::mt19937& random)
+{
+    std::uniform_real_distribution<double> anywhere(-4, 4), aside(-1, 1);
+    std::uniform_int_distribution<int> nearness(9, 17);
+    std::vector<EyePoint> eyes(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto& cell = mesh.tetrahedra[random() % mesh.tetrahedra.size()];
+        const auto& corners = cornersOfFace[random() % 4];
+        const auto at = [&](std::size_t corner) -> Vector3d {
+            return mesh.positions[cell[corners[corner]]].cast<double>();
+        };
+        // Quarters are exact on lattices; with both none it is a vertex, with one none the line of an edge.
+        const auto share = [&] { return random() % 2 == 0 ? anywhere(random) : std::round(anywhere(random)) / 4; };
+        const double one = random() % 4 == 0 ? 0 : share(), other = random() % 2 == 0 ? 0 : share();
+        const Vector3d along = one * (at(1) - at(0)) + other * (at(2) - at(0));
+        eyes[i].perspective = i % 2 == 0 || along.isZero();
+        eyes[i].place = eyes[i].perspective ? Vector3d(at(0) + along) : along;
+        if (random() % 4 != 0)
+            eyes[i].place += std::pow(10.0, -nearness(random)) * Vector3d(aside(random), aside(random), aside(random));
+    }
+    return eyes;
+}
+
 FacesInOrder checkFaces(const TetrahedralMesh& mesh, const FaceAdjacency& adjacency, const EyePoint& eye,
                         std::span<const std::uint32_t> ranks)
 {

@@ -3,6 +3,7 @@
 #include "core/graphics/volume/boundary_convexity.h"
 #include "core/graphics/volume/order_drift.h"
 #include "core/graphics/volume/volume_renderer.h"
+#include "core/mesh/exact_orientation.h"
 #include "core/mesh/spatial_order.h"
 #include "tests/core/graphics/lattice_mesh.h"
 #include "tests/core/graphics/volume/exact_order.h"
@@ -18,6 +19,8 @@
 using namespace tetra;
 using namespace tetra::testing;
 using Eigen::Vector3d;
+
+Q_DECLARE_METATYPE(TetrahedralMesh)
 
 namespace {
 
@@ -79,6 +82,9 @@ private slots:
     void surplusFacesAreBoundary();
     void everyFaceIsRight();
     void everyFaceIsExactlyRight();
+    void nearlyInPlanesOfFaces_data();
+    void nearlyInPlanesOfFaces();
+    void besideAVertexAtTheOrigin();
     void tellsConvexDomains();
     void cyclesAreCountedAndResolved();
     void driftIsTheAngleOfTheEye();
@@ -160,6 +166,70 @@ void VisibilityOrderTest::everyFaceIsExactlyRight()
                 QCOMPARE(faces.wrong, std::size_t(0));
             }
         }
+}
+
+void VisibilityOrderTest::nearlyInPlanesOfFaces_data()
+{
+    QTest::addColumn<TetrahedralMesh>("mesh");
+    QTest::addRow("lattice cut in five") << boxLattice(6, Split::Five);
+    QTest::addRow("lattice cut in six") << boxLattice(6, Split::Six);
+    for (const double most : {0.0, 0.01, 0.12})
+        QTest::addRow("lattice shaken by %g", most) << shakenLattice(static_cast<float>(most));
+    for (const NamedMesh& named : delaunayMeshes())
+        QTest::addRow("Delaunay, %s", named.name.c_str()) << named.mesh;
+}
+
+/// The first of these eyes lies beside a plane of diagonal faces by what rounding left of it, less than 1e-15.
+void VisibilityOrderTest::nearlyInPlanesOfFaces()
+{
+    QFETCH(TetrahedralMesh, mesh);
+    const VolumeMesh volume = volumeOf(mesh);
+    std::mt19937 random(17);
+    std::vector<EyePoint> eyes = eyesAtFaces(mesh, 300, random);
+    eyes.push_back({{-9, 5 + 1e-9, 1e-9}, true});
+    for (const double tilt : {1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16}) {
+        eyes.push_back({Vector3d(1, 0, 0) + tilt * Vector3d(1, 0.7, -0.4), false});
+        eyes.push_back({Vector3d(1, 1, 0) / std::sqrt(2) + tilt * Vector3d(0.3, 0.7, -0.4), false});
+        eyes.push_back({volume.bounds.center() + 1000 * (Vector3d(0, 1, 0) + tilt * Vector3d(1, 0.7, -0.4)), true});
+    }
+    for (const EyePoint& eye : eyes) {
+        const VisibilityOrder order = orderByAdjacency(mesh, volume.adjacency, eye);
+        QCOMPARE(order.brokenCycles, std::size_t(0));
+        const FacesInOrder faces = checkFaces(mesh, volume.adjacency, eye, ranksOf(order));
+        QVERIFY(faces.compared > 0);
+        QVERIFY2(faces.wrong == 0, qPrintable(QString("%1 of %2 faces are wrong, %3 from (%4, %5, %6)")
+                                                  .arg(faces.wrong)
+                                                  .arg(faces.compared)
+                                                  .arg(eye.perspective ? "seen" : "parallel")
+                                                  .arg(eye.place.x(), 0, 'g', 17)
+                                                  .arg(eye.place.y(), 0, 'g', 17)
+                                                  .arg(eye.place.z(), 0, 'g', 17)));
+    }
+}
+
+/// Where the way to a corner is shorter than what rounding does to the volume of a thin cell.
+void VisibilityOrderTest::besideAVertexAtTheOrigin()
+{
+    std::mt19937 random(18);
+    std::uniform_real_distribution<float> coordinate(-1, 1);
+    for (int round = 0; round < 200; ++round) {
+        TetrahedralMesh mesh = oneCell();
+        mesh.positions = {{0, 0, 0}};
+        for (int corner = 0; corner < 3; ++corner) {
+            const float x = coordinate(random), y = coordinate(random);
+            mesh.positions.emplace_back(x, y, (x + y) / 3); // but for rounding in one plane
+        }
+        const std::array<double, 3> eye{1e-25 * coordinate(random), 1e-25 * coordinate(random), 1e-25};
+        const unsigned facing = faceFacing(mesh, {{eye[0], eye[1], eye[2]}, true})[0];
+        for (std::size_t face = 0; face < 4; ++face) {
+            const auto at = [&](std::size_t i) {
+                const Eigen::Vector3f& p = mesh.positions[cornersOfFace[face][i]];
+                return std::array<double, 3>{p.x(), p.y(), p.z()};
+            };
+            const int side = orientationSign(at(0), at(1), at(2), eye);
+            QCOMPARE(facing >> face & 0x11u, side > 0 ? 1u : side < 0 ? 16u : 0u);
+        }
+    }
 }
 
 void VisibilityOrderTest::tellsConvexDomains()
