@@ -33,20 +33,27 @@ DEVELOPERS = [
 ]
 
 STYLE = """
+:root { color-scheme: light dark; }
 body { margin: 0; font: 16px/1.55 system-ui, sans-serif; color: #1c1e21; background: #fff; display: flex; }
 nav { flex: 0 0 15em; height: 100vh; overflow-y: auto; position: sticky; top: 0; padding: 1em; background: #f3f5f7; box-sizing: border-box; }
 nav a { display: block; padding: .2em .4em; color: inherit; text-decoration: none; border-radius: 4px; }
 nav a:hover, nav a[aria-current] { background: #dde6ee; }
 nav p { margin: 1em 0 .2em; font-size: .85em; opacity: .75; }
+nav a.heading { padding-left: 1.4em; font-size: .85em; }
 main { flex: 1 1 auto; max-width: 52em; padding: 1em 2em 4em; min-width: 0; }
 h1, h2, h3 { line-height: 1.25; } h2 { margin-top: 2em; }
 a { color: #0b62a8; }
 img { max-width: 100%; height: auto; border: 1px solid #d5dade; }
+figure { margin: 1.5em 0; } figcaption { font-size: .85em; opacity: .8; }
 pre { background: #f3f5f7; padding: .8em 1em; overflow-x: auto; }
 code { font: .9em/1.45 monospace; }
 table { border-collapse: collapse; display: block; overflow-x: auto; }
 th, td { border: 1px solid #d5dade; padding: .3em .6em; text-align: left; vertical-align: top; }
-@media (max-width: 50em) { body { display: block; } nav { position: static; height: auto; } }
+@media (min-width: 50em) { code { white-space: nowrap; } pre code { white-space: pre; } }
+@media (max-width: 50em) {
+  body { display: block; } nav { position: static; height: auto; padding: .5em 1em 1em; } main { padding: 1em 1em 4em; }
+  nav a { display: inline-block; } nav a.heading { display: none; }
+}
 @media (prefers-color-scheme: dark) {
   body { color: #e3e6e8; background: #1b1e21; } nav, pre { background: #24282c; } a { color: #76b9ee; }
   nav a:hover, nav a[aria-current] { background: #37424c; } th, td, img { border-color: #444b52; }
@@ -76,13 +83,19 @@ def with_blank_lines(text):
     return "\n".join(lines)
 
 
+def with_captions(body):
+    """A picture that is a paragraph of its own has its text below it, too."""
+    return re.sub(r'<p>(<img alt="([^"]+)"[^>]*>)</p>', r"<figure>\1<figcaption>\2</figcaption></figure>", body)
+
+
 class Page:
     def __init__(self, source, file, name):
         self.path, self.name = source / file, name
         converter = markdown.Markdown(extensions=["tables", "fenced_code", "sane_lists", "toc"],
                                       extension_configs={"toc": {"slugify": slug}})
-        self.body = converter.convert(with_blank_lines(self.path.read_text(encoding="utf-8")))
+        self.body = with_captions(converter.convert(with_blank_lines(self.path.read_text(encoding="utf-8"))))
         self.anchors = set(re.findall(r' id="([^"]+)"', self.body))
+        self.headings = re.findall(r'<h2 id="([^"]+)">(.*?)</h2>', self.body)
         self.title = plain(re.search(r"<h1[^>]*>(.*?)</h1>", self.body).group(1))
 
 
@@ -119,6 +132,9 @@ class Manual:
             for page in pages:
                 here = ' aria-current="page"' if page is current else ""
                 text += f'<a href="{page.name}.html"{here}>{html.escape(page.title)}</a>'
+                if page is current:
+                    text += "".join(f'<a class="heading" href="#{anchor}">{html.escape(plain(heading))}</a>'
+                                    for anchor, heading in page.headings)
         return text
 
     def write(self, version):

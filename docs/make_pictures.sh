@@ -44,7 +44,7 @@ draw "${view[@]}" --isovalue 170:gold --clip 0,1,0,63.5 -o "$pictures/buckyball-
 take() { cp "$screenshots/$1.png" "docs/images/$2.png"; }
 take en-1x/light-start start
 take en-1x/light-window window
-take en-1x/light-panel-statistics statistics
+take en-1x/light-panel-statistics-whole statistics
 take en-1x/light-panel-animation animation
 take en-1x/light-palette palette
 take en-1x/light-picture picture

@@ -439,6 +439,10 @@
 <context>
     <name>Desktop</name>
     <message>
+        <source>There is no display for the window: neither DISPLAY nor WAYLAND_DISPLAY is set. “tan render” draws pictures into files instead; “tan --help” says what else works without a window.</source>
+        <translation>Es gibt keinen Bildschirm für das Fenster: Weder DISPLAY noch WAYLAND_DISPLAY ist gesetzt. „tan render“ zeichnet Bilder stattdessen in Dateien; „tan --help“ sagt, was sonst ohne Fenster geht.</translation>
+    </message>
+    <message>
         <source>Shows volume data at any accuracy.</source>
         <translation>Zeigt Volumendaten in jeder Genauigkeit.</translation>
     </message>
@@ -447,8 +451,8 @@
         <translation>Was das Bild zeichnet: auto, cpu, gl oder gl33 (kein neueres OpenGL als 3.3).</translation>
     </message>
     <message>
-        <source>A dataset or a .tan model to open.</source>
-        <translation>Ein Datensatz oder ein .tan-Modell, das geöffnet wird.</translation>
+        <source>A dataset, a .tan model or a session to open.</source>
+        <translation>Ein Datensatz, ein .tan-Modell oder eine Sitzung, die geöffnet werden.</translation>
     </message>
 </context>
 <context>

@@ -439,6 +439,10 @@
 <context>
     <name>Desktop</name>
     <message>
+        <source>There is no display for the window: neither DISPLAY nor WAYLAND_DISPLAY is set. “tan render” draws pictures into files instead; “tan --help” says what else works without a window.</source>
+        <translation>Non c&apos;è uno schermo per la finestra: né DISPLAY né WAYLAND_DISPLAY è impostata. “tan render” disegna invece le immagini in file; “tan --help” dice che cos&apos;altro funziona senza finestra.</translation>
+    </message>
+    <message>
         <source>Shows volume data at any accuracy.</source>
         <translation>Mostra dati di volume con qualsiasi accuratezza.</translation>
     </message>
@@ -447,8 +451,8 @@
         <translation>Che cosa disegna l&apos;immagine: auto, cpu, gl o gl33 (OpenGL non più recente di 3.3).</translation>
     </message>
     <message>
-        <source>A dataset or a .tan model to open.</source>
-        <translation>Un insieme di dati o un modello .tan da aprire.</translation>
+        <source>A dataset, a .tan model or a session to open.</source>
+        <translation>Un insieme di dati, un modello .tan o una sessione da aprire.</translation>
     </message>
 </context>
 <context>

@@ -13,9 +13,12 @@
 #include <QLibraryInfo>
 #include <QTranslator>
 
+#include <algorithm>
 #include <clocale>
 #include <map>
 #include <optional>
+#include <span>
+#include <string_view>
 
 namespace tetra {
 namespace {
@@ -43,11 +46,39 @@ std::optional<BackendChoice> backendNamed(const QString& name)
     return found == names.end() ? std::nullopt : std::optional(found->second);
 }
 
+/// Whether a window can come up: there is a display, or the user names what Qt draws to. Qt ends a program without one
+/// by an abort.
+bool hasDisplay([[maybe_unused]] std::span<char*> arguments)
+{
+#ifdef Q_OS_LINUX
+    const auto isSet = [](const char* variable) { return !qEnvironmentVariableIsEmpty(variable); };
+    const auto namesPlatform = [](std::string_view argument) {
+        return argument == "-platform" || argument == "--platform";
+    };
+    return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY") || isSet("QT_QPA_PLATFORM") ||
+           std::ranges::any_of(arguments, namesPlatform);
+#else
+    return true;
+#endif
+}
+
+int refuseWithoutDisplay()
+{
+    const QString text = Desktop::tr(
+        "There is no display for the window: neither DISPLAY nor WAYLAND_DISPLAY is set. “tan render” draws pictures "
+        "into files instead; “tan --help” says what else works without a window.");
+    fputs(qPrintable(text + '\n'), stderr);
+    return 4;
+}
+
 } // namespace
 
 int runDesktop(int argc, char** argv)
 {
     keepHeapSteady();
+    const bool isShown = hasDisplay({argv, static_cast<std::size_t>(argc)});
+    if (!isShown)
+        qputenv("QT_QPA_PLATFORM", "offscreen"); // enough for the help, and for saying so
     QApplication application(argc, argv);
     // QApplication takes over the user's locale; libraries that read or write numbers must not see its decimal comma.
     std::setlocale(LC_NUMERIC, "C");
@@ -70,7 +101,7 @@ int runDesktop(int argc, char** argv)
     QCommandLineOption screenshots("screenshots", "Makes pictures of all panels and dialogs in a folder.", "folder");
     screenshots.setFlags(QCommandLineOption::HiddenFromHelp); // for those who write the manual
     parser.addOption(screenshots);
-    parser.addPositionalArgument("file", Desktop::tr("A dataset or a .tan model to open."), "[file]");
+    parser.addPositionalArgument("file", Desktop::tr("A dataset, a .tan model or a session to open."), "[file]");
     parser.process(application);
     const auto backend = backendNamed(parser.value("backend"));
     if (!backend || parser.positionalArguments().size() > 1) {
@@ -81,6 +112,8 @@ int runDesktop(int argc, char** argv)
     const std::unique_ptr<PluginHost> host = wantedPlugins();
     if (parser.isSet(screenshots))
         return makeScreenshots(*host, parser.value(screenshots));
+    if (!isShown)
+        return refuseWithoutDisplay();
     Workbench workbench(*host);
     MainWindow window(workbench, *backend);
     window.show();

@@ -127,7 +127,7 @@ std::string programHelp(const std::vector<std::pair<std::string, std::string>>& 
            "Examples:\n"
            "  tan sample c60 --size 64 -o c60.nrrd\n"
            "  tan build c60.nrrd -o c60.tan\n"
-           "  tan render c60.tan --error 1 --isovalue 0.5:orange -o c60.png\n\n"
+           "  tan render c60.tan --error 1 --isovalue 140:orange -o c60.png\n\n"
            "Environment:\n" +
            listed(environmentVariables()) + "\nExit codes:\n" + listed(exitCodes());
 }

@@ -18,7 +18,7 @@ check 'ffmpeg is suggested, and neither needed nor installed' \
     "dpkg -s tan | grep '^Suggests:.*ffmpeg'; ! dpkg -s tan | grep -E '^(Depends|Recommends):.*ffmpeg'; ! command -v ffmpeg"
 check_command_line
 check 'without the VTK readers: told what to install' \
-    "! '$bin/tan' info /work/image.vti 2>/work/message; grep -F 'apt install tan-vtk-readers' /work/message"
+    "! '$bin/tan' info /work/image.vti 2>/work/message; grep -F 'apt install ./tan-vtk-readers_*.deb' /work/message"
 seconds install /packages/tan-vtk-readers_*.deb
 echo "install time: tan-vtk-readers_*.deb $seconds s"
 check_vtk

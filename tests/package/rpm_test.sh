@@ -42,9 +42,10 @@ check_requirements()
 {
     local library file owner count=0
     while read -r library; do
-        file=$(inside "ldconfig -p" | awk -v name="$library" '$1 == name && /x86-64|AArch64/ { print $NF; exit }')
+        # Each of these pipes is read to its end: one that is closed earlier makes the whole fail.
+        file=$(inside "ldconfig -p" | awk -v name="$library" '$1 == name && /x86-64|AArch64/ && !n++ { print $NF }')
         [ -n "$file" ] || { echo "FAIL: $1 asks for $library, which is not there"; return 1; }
-        owner=$(inside "dpkg -S '$file' 2>/dev/null || dpkg -S '*/$(basename -- "$file")'" | head -n 1 | sed 's/:.*//')
+        owner=$(inside "dpkg -S '$file' 2>/dev/null || dpkg -S '*/$(basename -- "$file")'" | sed -n '1s/:.*//p')
         asked_by_deb "$2" | grep -qx "$owner" || { echo "FAIL: $1 asks for $library; its package $owner is none that $2 asks for"; return 1; }
         count=$((count + 1))
     done < <(rpm -qp --requires "$(rpm_of "$1")" 2>/dev/null | sed -n 's/^\(lib[^()]*\.so[^()]*\)(.*/\1/p' | grep -v '^libtan' | sort -u)

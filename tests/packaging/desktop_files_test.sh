@@ -52,6 +52,17 @@ if command -v update-mime-database >/dev/null; then
     with gio kinds_are_recognised
 fi
 
+# Each language of the window is one of the desktop, too.
+for translation in "$source"/translations/tan_*.ts; do
+    language=$(basename -- "$translation" .ts) language=${language#tan_}
+    for key in GenericName Comment Keywords; do
+        grep -q "^$key\[$language\]=." "$desktop/org.tan.TAn.desktop" || { echo "FAIL: no $key in $language"; exit 1; }
+    done
+    for file in "$metainfo" "$desktop/org.tan.TAn.mime.xml"; do
+        grep -q "xml:lang=\"$language\"" "$file" || { echo "FAIL: $file does not speak $language"; exit 1; }
+    done
+done
+
 # The newest entry of each is this version.
 grep -m1 '<release ' "$metainfo" | grep -qF "version=\"$version\"" || { echo "FAIL: $metainfo is not of $version"; exit 1; }
 head -n1 "$source/packaging/debian/changelog" | grep -qF "($version)" || { echo "FAIL: changelog is not of $version"; exit 1; }

@@ -90,6 +90,8 @@ private slots:
         QVERIFY(options.contains("--backend"));
         for (const QString& option : options)
             QVERIFY2(page.contains(option), qPrintable(option));
+        for (const char* backend : {"auto", "cpu", "gl", "gl33"})
+            QVERIFY2(QRegularExpression(QString("\\b%1\\b").arg(backend)).match(page).hasMatch(), backend);
     }
 
     /// What bash offers behind `words`, of which the last one is being typed.

@@ -106,6 +106,7 @@ void Photographer::takePanels()
 {
     for (const QDockWidget* dock : window_.findChildren<QDockWidget*>())
         takePanel(dock->objectName(), dock->objectName().section('.', 1));
+    takeWholePanel("dock.statistics", "statistics-whole", {440, 690});
 }
 
 void Photographer::takePanel(const QString& dock, const QString& name)
@@ -115,6 +116,16 @@ void Photographer::takePanel(const QString& dock, const QString& name)
     panel.raise();
     waitFor([this] { return settled(); });
     take("panel-" + name, panel);
+}
+
+/// A panel that is taller than its place, as a window of its own.
+void Photographer::takeWholePanel(const QString& dock, const QString& name, const QSize& size)
+{
+    auto& panel = *window_.findChild<QDockWidget*>(dock);
+    panel.setFloating(true);
+    panel.resize(size);
+    takePanel(dock, name);
+    panel.setFloating(false);
 }
 
 /// What panels show once something is switched on.
@@ -136,10 +147,14 @@ void Photographer::takePanelsAtWork()
     takePanel("dock.animation", "animation-keys");
     trigger("action.mode.volume");
     takePanel("dock.rendering", "rendering-volume");
+    for (const char* dock : {"dock.build", "dock.animation"}) // as where a model was opened
+        window_.findChild<QDockWidget*>(dock)->hide();
+    takePanel("dock.transfer", "transfer-volume");
+    waitFor([this] { return settled(); });
+    take("window-volume", window_);
     if (auto* table = qobject_cast<QAbstractButton*>(find("transfer.table.show")))
         table->click();
     takePanel("dock.transfer", "transfer-table");
-    take("window-volume", window_);
 }
 
 void Photographer::takeDialogs()

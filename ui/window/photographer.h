@@ -22,6 +22,7 @@ private:
     void takeMessages();
     void takePanels();
     void takePanel(const QString& dock, const QString& name);
+    void takeWholePanel(const QString& dock, const QString& name, const QSize& size);
     void takePanelsAtWork();
     void takeDialogs();
     /// What an action or another control opens.

@@ -78,7 +78,8 @@ Error notStarted(const fs::path& helper, const QString& reason)
     std::error_code ignored;
     if (!fs::exists(helper, ignored))
         return {ErrorKind::BadInput,
-                "The VTK readers are not installed. Install the package with 'apt install tan-vtk-readers' "
+                "The VTK readers are not installed. Install the package tan-vtk-readers, which comes with TAn: "
+                "'apt install ./tan-vtk-readers_*.deb' where the file lies "
                 "(of a build of your own: build it anew after 'apt install libvtk9-dev'), or "
                 "convert the file to NRRD or CSV."};
     return {ErrorKind::BadInput,
