@@ -122,9 +122,9 @@ void addViewMenu(QMainWindow& window, Actions& actions)
     QMenu* menu = addMenu(window, "view", Texts::tr("&View"));
     actions.fit = add(menu, "fit", Texts::tr("&Fit"), QKeySequence(Qt::Key_Home), Texts::tr("Show the whole domain"));
     actions.fit->setIcon(glyphIcon(Glyph::Fit));
-    QMenu* namedViews = menu->addMenu(Texts::tr("&Look From"));
-    namedViews->setObjectName("menu.namedViews");
-    addNamedViews(namedViews, actions);
+    actions.lookFrom = menu->addMenu(Texts::tr("&Look From"));
+    actions.lookFrom->setObjectName("menu.namedViews");
+    addNamedViews(actions.lookFrom, actions);
     actions.perspective = add(menu, "perspective", Texts::tr("&Perspective"), QKeySequence("Ctrl+P"),
                               Texts::tr("Perspective, or parallel projection"));
     actions.perspective->setCheckable(true);
