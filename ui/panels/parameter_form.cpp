@@ -2,6 +2,7 @@
 #include "ui/panels/parameter_form.h"
 
 #include "ui/session/plugin_texts.h"
+#include "ui/session/sentences.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -209,7 +210,7 @@ void ParameterForm::tellMistakes(QLineEdit& line, const Parameter& parameter)
     message->setTextInteractionFlags(Qt::TextSelectableByMouse);
     layout_->addRow(message);
     const auto show = [this, message, mistake = parameter.mistake](const QString& text) {
-        message->setText(QString::fromStdString(mistake(text.toStdString())));
+        message->setText(translatedSentence(mistake(text.toStdString())));
         layout_->setRowVisible(message, !message->text().isEmpty());
     };
     show(line.text());
