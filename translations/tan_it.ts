@@ -3830,6 +3830,10 @@ deformazione %2</translation>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
+    <message>
+        <source>for example %1</source>
+        <translation>per esempio %1</translation>
+    </message>
 </context>
 <context>
     <name>tetra::PickActions</name>

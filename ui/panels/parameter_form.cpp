@@ -218,6 +218,13 @@ void ParameterForm::setValues(const ParameterValues& values)
     }
 }
 
+void ParameterForm::setExample(const std::string& id, const QString& example)
+{
+    for (const Field& field : fields_)
+        if (auto* line = qobject_cast<QLineEdit*>(field.widget); line != nullptr && field.id == id)
+            line->setPlaceholderText(tr("for example %1").arg(example));
+}
+
 ParameterValue ParameterForm::value(const std::string& id) const
 {
     for (const Field& field : fields_)
