@@ -968,7 +968,7 @@
     </message>
     <message>
         <source>An irregular mesh: decimation keeps its shape and its cavities.</source>
-        <translation>Ein irreguläres Netz: Die Vergröberung erhält seine Form und seine Hohlräume.</translation>
+        <translation>Ein unregelmäßiges Netz: Die Vergröberung erhält seine Form und seine Hohlräume.</translation>
     </message>
     <message>
         <source>A curvilinear grid: decimation takes fewer points for the same accuracy, but more time and memory.</source>
@@ -976,7 +976,7 @@
     </message>
     <message>
         <source>A regular lattice: decimation takes fewer points for the same accuracy, but more time and memory.</source>
-        <translation>Ein reguläres Gitter: Die Vergröberung braucht für dieselbe Genauigkeit weniger Punkte, aber mehr Zeit und Speicher.</translation>
+        <translation>Ein regelmäßiges Gitter: Die Vergröberung braucht für dieselbe Genauigkeit weniger Punkte, aber mehr Zeit und Speicher.</translation>
     </message>
     <message>
         <source>A regular lattice: refinement keeps the exact domain and needs the least time.</source>
@@ -1116,11 +1116,11 @@
     </message>
     <message>
         <source>little</source>
-        <translation>little</translation>
+        <translation>Little-Endian (PC)</translation>
     </message>
     <message>
         <source>big</source>
-        <translation>big</translation>
+        <translation>Big-Endian</translation>
     </message>
     <message>
         <source>Skip</source>
@@ -1476,7 +1476,7 @@
     </message>
     <message>
         <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values, 1 : 1 if either is 0, and then the other holds for both; two of 0 go on to the coarsest mesh.</source>
-        <translation>Für krummlinige und irreguläre Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt, 1 : 1, wenn eines von beiden 0 ist, und dann gilt das andere für beide; sind beide 0, geht es bis zum gröbsten Netz.</translation>
+        <translation>Für krummlinige und unregelmäßige Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt, 1 : 1, wenn eines von beiden 0 ist, und dann gilt das andere für beide; sind beide 0, geht es bis zum gröbsten Netz.</translation>
     </message>
     <message>
         <source>Which point goes next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points at a time that do not touch, so that a focus region needs the least besides.</source>
@@ -2523,6 +2523,10 @@
     <message>
         <source>%1 vertices</source>
         <translation>%1 Eckpunkte</translation>
+    </message>
+    <message>
+        <source>1 vertex</source>
+        <translation>1 Eckpunkt</translation>
     </message>
 </context>
 <context>

@@ -1116,11 +1116,11 @@
     </message>
     <message>
         <source>little</source>
-        <translation>little</translation>
+        <translation>little-endian (PC)</translation>
     </message>
     <message>
         <source>big</source>
-        <translation>big</translation>
+        <translation>big-endian</translation>
     </message>
     <message>
         <source>Skip</source>
@@ -2523,6 +2523,10 @@
     <message>
         <source>%1 vertices</source>
         <translation>%1 vertici</translation>
+    </message>
+    <message>
+        <source>1 vertex</source>
+        <translation>1 vertice</translation>
     </message>
 </context>
 <context>
@@ -4160,7 +4164,7 @@ deformazione %2</translation>
     <name>tetra::PresetPopup</name>
     <message>
         <source>&amp;Save as preset…</source>
-        <translation>&amp;Salva come predefinita…</translation>
+        <translation>&amp;Salva come preimpostazione…</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
@@ -4172,11 +4176,11 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Search for a preset</source>
-        <translation>Cerca una predefinita</translation>
+        <translation>Cerca una preimpostazione</translation>
     </message>
     <message>
         <source>What to take of a preset</source>
-        <translation>Che cosa prendere di una predefinita</translation>
+        <translation>Che cosa prendere di una preimpostazione</translation>
     </message>
     <message>
         <source>Colours and opacities</source>
@@ -4200,7 +4204,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Delete the chosen preset, if it is one of your own</source>
-        <translation>Elimina la predefinita scelta, se è una delle vostre</translation>
+        <translation>Elimina la preimpostazione scelta, se è una delle vostre</translation>
     </message>
     <message>
         <source>One of your own</source>
@@ -4208,11 +4212,11 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Save as Preset</source>
-        <translation>Salva come predefinita</translation>
+        <translation>Salva come preimpostazione</translation>
     </message>
     <message>
         <source>Name of the preset:</source>
-        <translation>Nome della predefinita:</translation>
+        <translation>Nome della preimpostazione:</translation>
     </message>
 </context>
 <context>

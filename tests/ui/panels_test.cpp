@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPainter>
 #include <QPushButton>
 #include <QSlider>
 #include <QStyle>
@@ -40,6 +41,7 @@ private slots:
     void oneNumberIsErrorAndWarping();
     void isovaluesAreAddedEditedAndRemoved();
     void theColourMenuOffersThePalette();
+    void aColourIsSeenOnAWindowOfTheSame();
     void deleteRemovesTheRow();
     void isovalueRowsFollowUndo();
     void everyControlHasANameForThoseWhoHearIt();
@@ -229,6 +231,21 @@ void PanelsTest::theColourMenuOffersThePalette()
     green->trigger();
     QVERIFY(isovalue(0).green > isovalue(0).red);
     QCOMPARE(button.colour(), QColor::fromRgbF(isovalue(0).red, isovalue(0).green, isovalue(0).blue));
+}
+
+void PanelsTest::aColourIsSeenOnAWindowOfTheSame()
+{
+    const QColor window(42, 43, 46);
+    ColourButton button;
+    QPalette dark(window);
+    dark.setColor(QPalette::WindowText, Qt::white);
+    button.setPalette(dark);
+    button.setColour(window);
+    QImage image(16, 16, QImage::Format_RGB32);
+    image.fill(window);
+    QPainter(&image).drawPixmap(0, 0, button.icon().pixmap(QSize(16, 16), 1.0));
+    QVERIFY(qGray(image.pixel(8, 0)) > qGray(window.rgb()) + 60); // its rim
+    QCOMPARE(image.pixelColor(8, 8), window);
 }
 
 void PanelsTest::deleteRemovesTheRow()
