@@ -22,7 +22,7 @@ PictureOrder orderOf(const Viewport& viewport, const PictureSettings& settings)
     order.height = settings.size.height();
     order.transparent = settings.transparent;
     order.dotsPerInch = settings.dotsPerInch;
-    order.lineScale = std::max(1.0, annotationScale(settings.size, pixelsOf(viewport)));
+    order.lineScale = std::max(1.0, annotationScale(settings.size, viewport.size()));
     return order;
 }
 
