@@ -972,7 +972,7 @@
     </message>
     <message>
         <source>An irregular mesh: decimation keeps its shape and its cavities.</source>
-        <translation>Ein irreguläres Netz: Die Vergröberung erhält seine Form und seine Hohlräume.</translation>
+        <translation>Ein unregelmäßiges Netz: Die Vergröberung erhält seine Form und seine Hohlräume.</translation>
     </message>
     <message>
         <source>A curvilinear grid: decimation takes fewer points for the same accuracy, but more time and memory.</source>
@@ -980,7 +980,7 @@
     </message>
     <message>
         <source>A regular lattice: decimation takes fewer points for the same accuracy, but more time and memory.</source>
-        <translation>Ein reguläres Gitter: Die Vergröberung braucht für dieselbe Genauigkeit weniger Punkte, aber mehr Zeit und Speicher.</translation>
+        <translation>Ein regelmäßiges Gitter: Die Vergröberung braucht für dieselbe Genauigkeit weniger Punkte, aber mehr Zeit und Speicher.</translation>
     </message>
     <message>
         <source>A regular lattice: refinement keeps the exact domain and needs the least time.</source>
@@ -1120,11 +1120,11 @@
     </message>
     <message>
         <source>little</source>
-        <translation>little</translation>
+        <translation>Little-Endian (PC)</translation>
     </message>
     <message>
         <source>big</source>
-        <translation>big</translation>
+        <translation>Big-Endian</translation>
     </message>
     <message>
         <source>Skip</source>
@@ -1480,7 +1480,7 @@
     </message>
     <message>
         <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values, 1 : 1 if either is 0, and then the other holds for both; two of 0 go on to the coarsest mesh.</source>
-        <translation>Für krummlinige und irreguläre Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt, 1 : 1, wenn eines von beiden 0 ist, und dann gilt das andere für beide; sind beide 0, geht es bis zum gröbsten Netz.</translation>
+        <translation>Für krummlinige und unregelmäßige Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt, 1 : 1, wenn eines von beiden 0 ist, und dann gilt das andere für beide; sind beide 0, geht es bis zum gröbsten Netz.</translation>
     </message>
     <message>
         <source>Which point goes next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points at a time that do not touch, so that a focus region needs the least besides.</source>
@@ -1589,6 +1589,857 @@
     </message>
 </context>
 <context>
+    <name>Sentence</name>
+    <message>
+        <source>&apos;%1&apos; does not exist, or its folder may not be entered. Check the name.</source>
+        <translation>„%1“ gibt es nicht, oder der Ordner ist nicht zugänglich. Prüfen Sie den Namen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a folder. Give a file in it.</source>
+        <translation>„%1“ ist ein Ordner. Wählen Sie eine Datei darin.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a device or a pipe. Give a file.</source>
+        <translation>„%1“ ist ein Gerät oder eine Pipe. Wählen Sie eine Datei.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is empty. Copy it again from where it came from.</source>
+        <translation>„%1“ ist leer. Kopieren Sie die Datei noch einmal von dort, woher sie kam.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be read: %2.</source>
+        <translation>„%1“ kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>Cannot read &apos;%1&apos;: %2</source>
+        <translation>„%1“ kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>%1. Check its name and folder.</source>
+        <translation>%1. Prüfen Sie Name und Ordner.</translation>
+    </message>
+    <message>
+        <source>%1. Ask its owner for the right to read it.</source>
+        <translation>%1. Bitten Sie den Eigentümer um das Recht, sie zu lesen.</translation>
+    </message>
+    <message>
+        <source>it is a folder. Name a file in it.</source>
+        <translation>Das ist ein Ordner. Nennen Sie eine Datei darin.</translation>
+    </message>
+    <message>
+        <source>it is not a regular file. Copy its content into one first.</source>
+        <translation>Das ist keine gewöhnliche Datei. Kopieren Sie den Inhalt erst in eine.</translation>
+    </message>
+    <message>
+        <source>Cannot open &apos;%1&apos;: too many files are open. Close some of them.</source>
+        <translation>„%1“ kann nicht geöffnet werden: Zu viele Dateien sind offen. Schließen Sie einige.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is of no format that is known here. %2</source>
+        <translation>„%1“ hat kein Format, das hier bekannt ist. %2</translation>
+    </message>
+    <message>
+        <source>These can be read: %1.</source>
+        <translation>Gelesen werden: %1.</translation>
+    </message>
+    <message>
+        <source>No reader is installed.</source>
+        <translation>Es ist kein Leser installiert.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; cannot be read: %2.</source>
+        <translation>Die Datei „%1“ kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; is too large to be what is looked for here.</source>
+        <translation>Die Datei „%1“ ist zu groß für das, was hier gesucht wird.</translation>
+    </message>
+    <message>
+        <source>In &apos;%1&apos;: %2</source>
+        <translation>In „%1“: %2</translation>
+    </message>
+    <message>
+        <source>it is empty. Get or make the file again.</source>
+        <translation>Sie ist leer. Holen oder erzeugen Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>it is empty, or may not be read.</source>
+        <translation>Sie ist leer oder darf nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>it changed while it was read. Read it again.</source>
+        <translation>Sie hat sich beim Lesen verändert. Lesen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>it holds no points.</source>
+        <translation>Sie enthält keine Punkte.</translation>
+    </message>
+    <message>
+        <source>it is not a text.</source>
+        <translation>Sie ist kein Text.</translation>
+    </message>
+    <message>
+        <source>it is of no format that VTK reads.</source>
+        <translation>Ihr Format liest VTK nicht.</translation>
+    </message>
+    <message>
+        <source>it has no array &apos;%1&apos;. Choose one of these: %2.</source>
+        <translation>Sie hat kein Feld „%1“. Wählen Sie eines von diesen: %2.</translation>
+    </message>
+    <message>
+        <source>it has no array &apos;%1&apos;. There are: %2.</source>
+        <translation>Sie hat kein Feld „%1“. Es gibt: %2.</translation>
+    </message>
+    <message>
+        <source>it has no array with a number for each point or cell. Write it with one.</source>
+        <translation>Sie hat kein Feld mit einer Zahl für jeden Punkt oder jede Zelle. Schreiben Sie sie mit einem.</translation>
+    </message>
+    <message>
+        <source>it has no values, of points or of cells.</source>
+        <translation>Sie hat keine Werte, weder von Punkten noch von Zellen.</translation>
+    </message>
+    <message>
+        <source>it should hold %1, but there are only %2. It is cut short, or its description (sizes, type, bytes to skip) is wrong.</source>
+        <translation>Sie sollte %1 enthalten, es sind aber nur %2. Sie ist abgeschnitten, oder die Beschreibung (Größen, Typ, zu überspringende Bytes) ist falsch.</translation>
+    </message>
+    <message>
+        <source>it should hold %1, but there are %2, %3 too many. Its description is wrong: check the sizes, the type and the bytes to skip.</source>
+        <translation>Sie sollte %1 enthalten, es sind aber %2, %3 zu viel. Die Beschreibung ist falsch: Prüfen Sie Größen, Typ und zu überspringende Bytes.</translation>
+    </message>
+    <message>
+        <source>%1 samples of type %2, %3 bytes</source>
+        <translation>%1 Abtastwerte vom Typ %2, %3 Bytes</translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 Bytes</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 samples are NaN or infinite, the first at point (%3). Replace them by numbers first.</source>
+        <translation>%1 ihrer %2 Abtastwerte sind NaN oder unendlich, der erste am Punkt (%3). Ersetzen Sie sie zuerst durch Zahlen.</translation>
+    </message>
+    <message>
+        <source>VTK says: %1 The file is damaged or incomplete: copy or write it anew.</source>
+        <translation>VTK meldet: %1 Die Datei ist beschädigt oder unvollständig: Kopieren oder schreiben Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>VTK broke down over it. The file is damaged, larger than memory, or of a kind that VTK reads badly. Write it anew, or as another format (.vtu, .vti).</source>
+        <translation>VTK ist daran gescheitert. Die Datei ist beschädigt, größer als der Arbeitsspeicher oder von einer Art, die VTK schlecht liest. Schreiben Sie sie neu oder in einem anderen Format (.vtu, .vti).</translation>
+    </message>
+    <message>
+        <source>The VTK readers are not installed. Install the package with &apos;apt install tan-vtk-readers&apos; (of a build of your own: build it anew after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
+        <translation>Die VTK-Leser sind nicht installiert. Installieren Sie das Paket mit „apt install tan-vtk-readers“ (bei einem eigenen Bau: nach „apt install libvtk9-dev“ neu bauen), oder wandeln Sie die Datei in NRRD oder CSV um.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is damaged: %2. Copy it again from where it came from, or build it again.</source>
+        <translation>„%1“ ist beschädigt: %2. Kopieren Sie es noch einmal von dort, woher es kam, oder bauen Sie es neu.</translation>
+    </message>
+    <message>
+        <source>its header makes no sense</source>
+        <translation>Sein Kopf ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>the checksum of its header is wrong</source>
+        <translation>Die Prüfsumme seines Kopfes ist falsch</translation>
+    </message>
+    <message>
+        <source>the checksum of its text is wrong</source>
+        <translation>Die Prüfsumme seines Textes ist falsch</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes and should have %2</source>
+        <translation>Es hat %1 Bytes und sollte %2 haben</translation>
+    </message>
+    <message>
+        <source>section &apos;%1&apos; is missing</source>
+        <translation>Der Abschnitt „%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is cut short: it has %2 bytes and should have %3. Copy it again from where it came from, or build it again.</source>
+        <translation>„%1“ ist abgeschnitten: Es hat %2 Bytes und sollte %3 haben. Kopieren Sie es noch einmal von dort, woher es kam, oder bauen Sie es neu.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is empty. Models are made by &apos;tan build&apos;.</source>
+        <translation>„%1“ ist leer. Modelle werden aus Datensätzen gebaut.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a TAn model: it does not begin like one. Models are made by &apos;tan build&apos;.</source>
+        <translation>„%1“ ist kein TAn-Modell: Es beginnt nicht wie eines. Modelle werden aus Datensätzen gebaut.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was written with the other byte order. Build it again on this machine.</source>
+        <translation>„%1“ wurde in der anderen Bytefolge geschrieben. Bauen Sie es auf diesem Rechner neu.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has format version %2; this program reads up to version %3. Install a later version of TAn.</source>
+        <translation>„%1“ hat die Formatversion %2; dieses Programm liest bis Version %3. Installieren Sie eine spätere Version von TAn.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was cut short or changed while it was open. Open it again; if that fails, copy it again from where it came from, or build it again.</source>
+        <translation>„%1“ wurde abgeschnitten oder geändert, während es offen war. Öffnen Sie es noch einmal; gelingt das nicht, kopieren Sie es noch einmal von dort, woher es kam, oder bauen Sie es neu.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was cut short or changed while it was open, so that what was made of it would be wrong. Open it again; if that fails, get or make the file again.</source>
+        <translation>„%1“ wurde abgeschnitten oder geändert, während die Datei offen war, sodass falsch wäre, was daraus gemacht wurde. Öffnen Sie sie noch einmal; gelingt das nicht, holen oder erzeugen Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>Cannot write &apos;%1&apos;: %2. %3</source>
+        <translation>„%1“ kann nicht geschrieben werden: %2. %3</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; does not exist: create it or choose another.</source>
+        <translation>Den Ordner „%1“ gibt es nicht: Legen Sie ihn an, oder wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a folder: choose another.</source>
+        <translation>„%1“ ist kein Ordner: Wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>It is a folder: name a file in it.</source>
+        <translation>Das ist ein Ordner: Nennen Sie eine Datei darin.</translation>
+    </message>
+    <message>
+        <source>Choose another folder, or change the permissions of this one.</source>
+        <translation>Wählen Sie einen anderen Ordner, oder ändern Sie die Rechte von diesem.</translation>
+    </message>
+    <message>
+        <source>Choose a folder on a disk that can be written.</source>
+        <translation>Wählen Sie einen Ordner auf einem beschreibbaren Datenträger.</translation>
+    </message>
+    <message>
+        <source>Free some space or choose another disk.</source>
+        <translation>Schaffen Sie Platz, oder wählen Sie einen anderen Datenträger.</translation>
+    </message>
+    <message>
+        <source>Choose a disk that allows larger files, or raise the limit (ulimit -f).</source>
+        <translation>Wählen Sie einen Datenträger, der größere Dateien erlaubt, oder heben Sie die Grenze an (ulimit -f).</translation>
+    </message>
+    <message>
+        <source>Choose a shorter name.</source>
+        <translation>Wählen Sie einen kürzeren Namen.</translation>
+    </message>
+    <message>
+        <source>Choose another folder or disk.</source>
+        <translation>Wählen Sie einen anderen Ordner oder Datenträger.</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>Es ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>Choose another name.</source>
+        <translation>Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>the file is read-only</source>
+        <translation>Die Datei ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>Choose another name, or make it writable.</source>
+        <translation>Wählen Sie einen anderen Namen, oder machen Sie sie beschreibbar.</translation>
+    </message>
+    <message>
+        <source>it does not name a file</source>
+        <translation>Das benennt keine Datei</translation>
+    </message>
+    <message>
+        <source>Name a file.</source>
+        <translation>Nennen Sie eine Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot work in &apos;%1&apos;: %2. %3</source>
+        <translation>In „%1“ kann nicht gearbeitet werden: %2. %3</translation>
+    </message>
+    <message>
+        <source>another program is building this model</source>
+        <translation>Ein anderes Programm baut dieses Modell gerade</translation>
+    </message>
+    <message>
+        <source>Wait for it, or give the model another name.</source>
+        <translation>Warten Sie darauf, oder geben Sie dem Modell einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Choose another folder for the model.</source>
+        <translation>Wählen Sie einen anderen Ordner für das Modell.</translation>
+    </message>
+    <message>
+        <source>A temporary file in &apos;%1&apos; cannot be used: %2. Free some space or choose another disk.</source>
+        <translation>Eine Zwischendatei in „%1“ kann nicht benutzt werden: %2. Schaffen Sie Platz, oder wählen Sie einen anderen Datenträger.</translation>
+    </message>
+    <message>
+        <source>The output &apos;%1&apos; is the input &apos;%2&apos;. Give the output another name.</source>
+        <translation>Das Ziel „%1“ ist die Quelle „%2“. Geben Sie dem Ziel einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; exists and is no TAn model, so it is not overwritten. Give the model another name, or remove that file first.</source>
+        <translation>„%1“ gibt es und ist kein TAn-Modell, wird also nicht überschrieben. Geben Sie dem Modell einen anderen Namen, oder entfernen Sie die Datei zuerst.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be written: %2. Choose another place.</source>
+        <translation>„%1“ kann nicht geschrieben werden: %2. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; for samples cannot be made: %2. Make it writable, or free some space.</source>
+        <translation>Der Ordner „%1“ für Beispiele kann nicht angelegt werden: %2. Machen Sie ihn beschreibbar, oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; cannot be written to, so that the session would be lost if the program ended unexpectedly. Make room there, or save the session.</source>
+        <translation>In den Ordner „%1“ kann nicht geschrieben werden, sodass die Sitzung verloren wäre, wenn das Programm unerwartet endete. Schaffen Sie dort Platz, oder speichern Sie die Sitzung.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; ends in none of .vtu, .vtk and .ply, the formats in which meshes are written, nor of .vtp, .stl, .obj and .glb, for their boundary alone. Choose one of these endings.</source>
+        <translation>„%1“ endet weder auf .vtu, .vtk oder .ply, in denen Netze geschrieben werden, noch auf .vtp, .stl, .obj oder .glb, für ihren Rand allein. Wählen Sie eine dieser Endungen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; ends in none of .vtp, .vtk, .vtu, .ply, .stl, .obj and .glb, the formats in which surfaces are written. Choose one of these endings.</source>
+        <translation>„%1“ endet auf keine von .vtp, .vtk, .vtu, .ply, .stl, .obj und .glb, in denen Flächen geschrieben werden. Wählen Sie eine dieser Endungen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; ends in neither .csv nor .json, the formats in which statistics are written. Choose one of these endings.</source>
+        <translation>„%1“ endet weder auf .csv noch auf .json, in denen Statistiken geschrieben werden. Wählen Sie eine dieser Endungen.</translation>
+    </message>
+    <message>
+        <source>There is no surface to save: add an isovalue, or show one.</source>
+        <translation>Es gibt keine Fläche zu speichern: Fügen Sie einen Isowert hinzu, oder zeigen Sie einen.</translation>
+    </message>
+    <message>
+        <source>A film needs two key frames at least. Add another view.</source>
+        <translation>Ein Film braucht mindestens zwei Schlüsselbilder. Fügen Sie noch eine Ansicht hinzu.</translation>
+    </message>
+    <message>
+        <source>The video could not be made: %1 says &quot;%2&quot;. Choose another format, or PNG pictures.</source>
+        <translation>Das Video konnte nicht erzeugt werden: %1 meldet „%2“. Wählen Sie ein anderes Format oder PNG-Bilder.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to write &apos;%1&apos;.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um „%1“ zu schreiben.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to write &apos;%1&apos;. Close other programs.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um „%1“ zu schreiben. Schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to read &apos;%1&apos;. Close other programs.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um „%1“ zu lesen. Schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the mesh at this accuracy. Choose a coarser one, or close other programs.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für das Netz dieser Genauigkeit. Wählen Sie eine gröbere, oder schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this mesh. Ask for a larger error, a smaller focus or a budget.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für dieses Netz. Wählen Sie einen größeren Fehler, einen kleineren Fokus oder ein Budget.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the mesh of the focus. Choose a larger error or a smaller focus.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für das Netz des Fokus. Wählen Sie einen größeren Fehler oder einen kleineren Fokus.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a picture of this size.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für ein Bild dieser Größe.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for a picture of this size and scene. Make the picture smaller or lower the accuracy of the mesh.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für ein Bild dieser Größe und Szene. Machen Sie das Bild kleiner, oder senken Sie die Genauigkeit des Netzes.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the isosurface. Close other programs or lower the accuracy of the mesh.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für die Isofläche. Schließen Sie andere Programme, oder senken Sie die Genauigkeit des Netzes.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the isosurfaces. Show fewer of them or lower the accuracy of the mesh.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für die Isoflächen. Zeigen Sie weniger davon, oder senken Sie die Genauigkeit des Netzes.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to draw this mesh as a volume. Close other programs or lower the accuracy of the mesh.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um dieses Netz als Volumen zu zeichnen. Schließen Sie andere Programme, oder senken Sie die Genauigkeit des Netzes.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for this part. Take a smaller one.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für diesen Teil. Nehmen Sie einen kleineren.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the mesh. Take a part of it.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für das Netz. Nehmen Sie einen Teil davon.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to refine this lattice. Close other programs, use a machine with more memory, or crop or subsample the data.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um dieses Gitter zu verfeinern. Schließen Sie andere Programme, nehmen Sie einen Rechner mit mehr Speicher, oder nehmen Sie einen Teil der Daten.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to refine this grid. Close other programs, use a machine with more memory, or crop or subsample the data.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um dieses krummlinige Gitter zu verfeinern. Schließen Sie andere Programme, nehmen Sie einen Rechner mit mehr Speicher, oder nehmen Sie einen Teil der Daten.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to refine these points. Close other programs, use a machine with more memory, or take a part of the points.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um diese Punkte zu verfeinern. Schließen Sie andere Programme, nehmen Sie einen Rechner mit mehr Speicher oder einen Teil der Punkte.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to decimate this mesh. Close other programs, use a machine with more memory, or take a part of the data.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um dieses Netz zu vergröbern. Schließen Sie andere Programme, nehmen Sie einen Rechner mit mehr Speicher oder einen Teil der Daten.</translation>
+    </message>
+    <message>
+        <source>Decimation of %1 takes about %2 of memory, and this machine has %3. Take a region of it or fewer samples, or, of a lattice or grid, refine it instead.</source>
+        <translation>Die Vergröberung von %1 braucht etwa %2 Arbeitsspeicher, und dieser Rechner hat %3. Nehmen Sie einen Bereich davon oder weniger Punkte, oder verfeinern Sie es stattdessen, wenn es ein Gitter ist.</translation>
+    </message>
+    <message>
+        <source>%1 points and %2 tetrahedra</source>
+        <translation>%1 Punkten und %2 Tetraedern</translation>
+    </message>
+    <message>
+        <source>The memory of this machine is not enough for &apos;%1&apos; here. Close other programs, or give it smaller data.</source>
+        <translation>Der Arbeitsspeicher dieses Rechners reicht hier nicht für „%1“. Schließen Sie andere Programme, oder nehmen Sie kleinere Daten.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; failed: %2. This is a mistake in the plugin; tell its author.</source>
+        <translation>Das Plugin „%1“ ist gescheitert: %2. Das ist ein Fehler des Plugins; sagen Sie es seinem Autor.</translation>
+    </message>
+    <message>
+        <source>The build was stopped before there was a mesh of known error, so there is nothing to keep.</source>
+        <translation>Der Bau wurde angehalten, ehe es ein Netz mit bekanntem Fehler gab; es gibt also nichts zu behalten.</translation>
+    </message>
+    <message>
+        <source>The build needs about %1 on the disk of &apos;%2&apos; (%3), and %4 are free. Free some space, choose another disk or ask for a larger error.</source>
+        <translation>Der Bau braucht etwa %1 auf dem Datenträger von „%2“ (%3), und %4 sind frei. Schaffen Sie Platz, wählen Sie einen anderen Datenträger oder einen größeren Fehler.</translation>
+    </message>
+    <message>
+        <source>The builder &apos;%1&apos; does not accept &apos;%2&apos;: %3</source>
+        <translation>„%1“ nimmt „%2“ nicht an: %3</translation>
+    </message>
+    <message>
+        <source>The block size &apos;%1&apos; is neither &quot;automatic&quot; nor &quot;none&quot; nor a number of cells of at least 1.</source>
+        <translation>Die Blockgröße „%1“ ist weder „automatic“ noch „none“ noch eine Zahl von Zellen ab 1.</translation>
+    </message>
+    <message>
+        <source>The weight &apos;%1&apos; cannot be used: %2.</source>
+        <translation>Das Gewicht „%1“ ist nicht brauchbar: %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>it has %1 numbers, and the form is %2</source>
+        <translation>Es hat %1 Zahlen, und die Form ist %2</translation>
+    </message>
+    <message>
+        <source>its reach is %1 and must be at least 0</source>
+        <translation>Seine Reichweite ist %1 und muss mindestens 0 sein</translation>
+    </message>
+    <message>
+        <source>its reach is %1 and must be above 0</source>
+        <translation>Seine Reichweite ist %1 und muss größer als 0 sein</translation>
+    </message>
+    <message>
+        <source>its floor is %1 and must be from %2 to 1</source>
+        <translation>Sein Mindestwert ist %1 und muss von %2 bis 1 sein</translation>
+    </message>
+    <message>
+        <source>a weight begins with &apos;point:&apos;, &apos;box:&apos; or &apos;value:&apos;</source>
+        <translation>Ein Gewicht beginnt mit „point:“, „box:“ oder „value:“</translation>
+    </message>
+    <message>
+        <source>its first corner must be the smaller one along every axis</source>
+        <translation>Seine erste Ecke muss entlang jeder Achse die kleinere sein</translation>
+    </message>
+    <message>
+        <source>The mesh has %1. Mend the mesh where it was made.</source>
+        <translation>Das Netz hat %1. Bessern Sie das Netz dort aus, wo es entstand.</translation>
+    </message>
+    <message>
+        <source>No cell of the mesh has a volume: nothing is left.</source>
+        <translation>Keine Zelle des Netzes hat ein Volumen: Es bleibt nichts übrig.</translation>
+    </message>
+    <message>
+        <source>The coarsest mesh of &apos;%1&apos; has %2 tetrahedra, more than the budget of %3. Allow at least as many.</source>
+        <translation>Das gröbste Netz von „%1“ hat %2 Tetraeder, mehr als das Budget von %3. Erlauben Sie mindestens so viele.</translation>
+    </message>
+    <message>
+        <source>The coarsest mesh has %1 tetrahedra, more than the budget of %2. Allow at least as many.</source>
+        <translation>Das gröbste Netz hat %1 Tetraeder, mehr als das Budget von %2. Erlauben Sie mindestens so viele.</translation>
+    </message>
+    <message>
+        <source>The error in the focus is larger than that outside. Exchange the two.</source>
+        <translation>Der Fehler im Fokus ist größer als der außerhalb. Vertauschen Sie die beiden.</translation>
+    </message>
+    <message>
+        <source>The mesh of the focus became too large. Choose a larger error or a smaller focus.</source>
+        <translation>Das Netz des Fokus wurde zu groß. Wählen Sie einen größeren Fehler oder einen kleineren Fokus.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no clip plane: give four numbers nx,ny,nz,offset, the first three not all zero; points with nx x + ny y + nz z &gt;= offset are shown.</source>
+        <translation>„%1“ ist keine Schnittebene: Geben Sie vier Zahlen nx,ny,nz,Abstand an, die ersten drei nicht alle null; gezeigt werden Punkte mit nx x + ny y + nz z &gt;= Abstand.</translation>
+    </message>
+    <message>
+        <source>The model of the session cannot be opened. %1</source>
+        <translation>Das Modell der Sitzung kann nicht geöffnet werden. %1</translation>
+    </message>
+    <message>
+        <source>%1: The session cannot be read: %2</source>
+        <translation>%1: Die Sitzung kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>its &quot;format&quot; is not &quot;%1&quot;.</source>
+        <translation>„format“ ist nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>this program knows version %1 of sessions only.</source>
+        <translation>Dieses Programm kennt nur Version %1 von Sitzungen.</translation>
+    </message>
+    <message>
+        <source>it names no model in &quot;model.path&quot;.</source>
+        <translation>Sie nennt kein Modell in „model.path“.</translation>
+    </message>
+    <message>
+        <source>The transfer function cannot be read: %1</source>
+        <translation>Die Transferfunktion kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>The transfer function cannot be read. %1</source>
+        <translation>Die Transferfunktion kann nicht gelesen werden. %1</translation>
+    </message>
+    <message>
+        <source>The ParaView preset cannot be read: %1</source>
+        <translation>Die ParaView-Vorlage kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>The ParaView preset cannot be read. %1</source>
+        <translation>Die ParaView-Vorlage kann nicht gelesen werden. %1</translation>
+    </message>
+    <message>
+        <source>The preset &apos;%1&apos; cannot be used: %2.</source>
+        <translation>Die Vorlage „%1“ kann nicht benutzt werden: %2.</translation>
+    </message>
+    <message>
+        <source>The preset &apos;%1&apos; cannot be changed: %2. Check the rights of its folder, and that there is space.</source>
+        <translation>Die Vorlage „%1“ kann nicht geändert werden: %2. Prüfen Sie die Rechte des Ordners, und ob Platz ist.</translation>
+    </message>
+    <message>
+        <source>This is no JSON: %1</source>
+        <translation>Das ist kein JSON: %1</translation>
+    </message>
+    <message>
+        <source>This is no camera. %1</source>
+        <translation>Das ist keine Kamera. %1</translation>
+    </message>
+    <message>
+        <source>This is no camera: it holds no JSON object, in braces.</source>
+        <translation>Das ist keine Kamera: Es enthält kein JSON-Objekt in geschweiften Klammern.</translation>
+    </message>
+    <message>
+        <source>The key &quot;%1&quot; of the camera %2 (%3).</source>
+        <translation>Der Schlüssel „%1“ der Kamera %2 (%3).</translation>
+    </message>
+    <message>
+        <source>is no number from %1 to %2</source>
+        <translation>ist keine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>is neither true nor false</source>
+        <translation>ist weder true noch false</translation>
+    </message>
+    <message>
+        <source>is not a list of three numbers</source>
+        <translation>ist keine Liste von drei Zahlen</translation>
+    </message>
+    <message>
+        <source>is not known</source>
+        <translation>ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>expected a value (%1).</source>
+        <translation>Ein Wert fehlt (%1).</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>Zeile %1, Spalte %2</translation>
+    </message>
+    <message>
+        <source>The graphics card has not enough memory for a picture of this size. Make it smaller, or use the CPU back end.</source>
+        <translation>Der Speicher der Grafikkarte reicht nicht für ein Bild dieser Größe. Machen Sie es kleiner, oder lassen Sie den Prozessor zeichnen.</translation>
+    </message>
+    <message>
+        <source>The graphics card has not enough memory for this picture. Make it smaller, or use the CPU back end.</source>
+        <translation>Der Speicher der Grafikkarte reicht nicht für dieses Bild. Machen Sie es kleiner, oder lassen Sie den Prozessor zeichnen.</translation>
+    </message>
+    <message>
+        <source>The graphics card has not enough memory for this volume. Lower the accuracy of the mesh, or use the CPU back end.</source>
+        <translation>Der Speicher der Grafikkarte reicht nicht für dieses Volumen. Senken Sie die Genauigkeit des Netzes, oder lassen Sie den Prozessor zeichnen.</translation>
+    </message>
+    <message>
+        <source>The graphics card has not enough memory for this surface. Lower the accuracy of the mesh, or use the CPU back end.</source>
+        <translation>Der Speicher der Grafikkarte reicht nicht für diese Fläche. Senken Sie die Genauigkeit des Netzes, oder lassen Sie den Prozessor zeichnen.</translation>
+    </message>
+    <message>
+        <source>The OpenGL context cannot be used, perhaps because the graphics card was reset. Use the CPU back end.</source>
+        <translation>Der OpenGL-Kontext ist nicht benutzbar, vielleicht weil die Grafikkarte zurückgesetzt wurde. Lassen Sie den Prozessor zeichnen.</translation>
+    </message>
+    <message>
+        <source>The OpenGL driver has version %1; TAn needs 3.3. Use the CPU back end, or another driver.</source>
+        <translation>Der OpenGL-Treiber hat Version %1; TAn braucht 3.3. Lassen Sie den Prozessor zeichnen, oder nehmen Sie einen anderen Treiber.</translation>
+    </message>
+    <message>
+        <source>OpenGL cuts scenes by at most %1 planes. Take fewer, or use the CPU back end.</source>
+        <translation>OpenGL schneidet Szenen an höchstens %1 Ebenen. Nehmen Sie weniger, oder lassen Sie den Prozessor zeichnen.</translation>
+    </message>
+    <message>
+        <source>It needs the plugin &quot;%1&quot;, which is not here or cannot be used. Install it.</source>
+        <translation>Es braucht das Plugin „%1“, das fehlt oder nicht benutzbar ist. Installieren Sie es.</translation>
+    </message>
+    <message>
+        <source>It needs the plugin &quot;%1&quot;, which cannot be used: %2</source>
+        <translation>Es braucht das Plugin „%1“, das nicht benutzbar ist: %2</translation>
+    </message>
+    <message>
+        <source>It is not a plugin, or is damaged: %1 Install it again, or remove the file.</source>
+        <translation>Es ist kein Plugin oder beschädigt: %1 Installieren Sie es noch einmal, oder entfernen Sie die Datei.</translation>
+    </message>
+    <message>
+        <source>Another plugin has the same id and was found first: %1. Remove one of the two.</source>
+        <translation>Ein anderes Plugin hat dieselbe Kennung und wurde zuerst gefunden: %1. Entfernen Sie eines der beiden.</translation>
+    </message>
+    <message>
+        <source>The library %1 is missing. %2</source>
+        <translation>Die Bibliothek %1 fehlt. %2</translation>
+    </message>
+    <message>
+        <source>It was built with Qt %1, and this program runs with Qt %2. Install a build of the plugin for this Qt.</source>
+        <translation>Es wurde mit Qt %1 gebaut, und dieses Programm läuft mit Qt %2. Installieren Sie das Plugin für dieses Qt.</translation>
+    </message>
+    <message>
+        <source>A part of %1 of the %2 points.</source>
+        <translation>Ein Teil von %1 der %2 Punkte.</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron inside the region that hung on the others by a point or an edge alone, left out.</source>
+        <translation>1 Tetraeder im Bereich, der mit den anderen nur an einem Punkt oder einer Kante zusammenhing, weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra inside the region that hung on the others by a point or an edge alone, left out.</source>
+        <translation>%1 Tetraeder im Bereich, die mit den anderen nur an einem Punkt oder einer Kante zusammenhingen, weggelassen.</translation>
+    </message>
+    <message>
+        <source>The values belong to cells: each point got the mean of the cells around it.</source>
+        <translation>Die Werte gehören zu Zellen: Jeder Punkt bekam das Mittel der Zellen um ihn.</translation>
+    </message>
+    <message>
+        <source>The values of the cells were brought to the points, as the mean of the cells around.</source>
+        <translation>Die Werte der Zellen wurden zu den Punkten gebracht, als Mittel der Zellen ringsum.</translation>
+    </message>
+    <message>
+        <source>All cells were turned over: their corners are in the other order.</source>
+        <translation>Alle Zellen wurden umgedreht: Ihre Ecken stehen in der anderen Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>What joins its points (lines, polygons) was left out: they are scattered points.</source>
+        <translation>Was ihre Punkte verbindet (Linien, Polygone), wurde weggelassen: Es sind verstreute Punkte.</translation>
+    </message>
+    <message>
+        <source>A grid with cells that are blanked out, or whose values are no numbers: an irregular mesh without them.</source>
+        <translation>Ein Gitter mit ausgeblendeten Zellen oder Werten, die keine Zahlen sind: ein unregelmäßiges Netz ohne diese.</translation>
+    </message>
+    <message>
+        <source>%1 of its parts have no &apos;%2&apos; and were left out.</source>
+        <translation>%1 ihrer Teile haben kein „%2“ und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 of its parts are no irregular meshes and were left out.</source>
+        <translation>%1 ihrer Teile sind keine unregelmäßigen Netze und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>It has %1 parts; this is the one called &apos;%2&apos;. Choose another one with &apos;part&apos;.</source>
+        <translation>Sie hat %1 Teile; dies ist der namens „%2“. Einen anderen wählt „Teil“.</translation>
+    </message>
+    <message>
+        <source>Time step %1 of %2. Choose another one with &apos;time&apos;.</source>
+        <translation>Zeitschritt %1 von %2. Einen anderen wählt „Zeitschritt“.</translation>
+    </message>
+    <message>
+        <source>%1 points whose value is no number were left out.</source>
+        <translation>%1 Punkte, deren Wert keine Zahl ist, wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>The samples were multiplied and shifted as the header of the file asks.</source>
+        <translation>Die Abtastwerte wurden multipliziert und verschoben, wie der Kopf der Datei es verlangt.</translation>
+    </message>
+    <message>
+        <source>Its 64-bit integers became floating-point numbers of 53 bits.</source>
+        <translation>Aus ganzen Zahlen von 64 Bit wurden Gleitkommazahlen von 53 Bit.</translation>
+    </message>
+    <message>
+        <source>VTK says: %1</source>
+        <translation>VTK meldet: %1</translation>
+    </message>
+    <message>
+        <source>1 cell is a vertex, line or polygon without volume and not part of the mesh.</source>
+        <translation>1 Zelle ist ein Punkt, eine Linie oder ein Vieleck ohne Volumen und gehört nicht zum Netz.</translation>
+    </message>
+    <message>
+        <source>%1 cells are a vertex, line or polygon without volume and not part of the mesh.</source>
+        <translation>%1 Zellen sind Punkte, Linien oder Vielecke ohne Volumen und gehören nicht zum Netz.</translation>
+    </message>
+    <message>
+        <source>1 cell is blanked out in the file: a hole.</source>
+        <translation>1 Zelle ist in der Datei ausgeblendet: ein Loch.</translation>
+    </message>
+    <message>
+        <source>%1 cells are blanked out in the file: a hole.</source>
+        <translation>%1 Zellen sind in der Datei ausgeblendet: ein Loch.</translation>
+    </message>
+    <message>
+        <source>1 cell has a value that is not finite and became a hole.</source>
+        <translation>1 Zelle hat einen Wert, der nicht endlich ist, und wurde ein Loch.</translation>
+    </message>
+    <message>
+        <source>%1 cells have a value that is not finite and became a hole.</source>
+        <translation>%1 Zellen haben einen Wert, der nicht endlich ist, und wurden ein Loch.</translation>
+    </message>
+    <message>
+        <source>1 cell names a corner twice, has no volume and was left out.</source>
+        <translation>1 Zelle nennt eine Ecke zweimal, hat kein Volumen und wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 cells name a corner twice, has no volume and was left out.</source>
+        <translation>%1 Zellen nennen eine Ecke zweimal, haben kein Volumen und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>1 cell without volume was left out.</source>
+        <translation>1 Zelle ohne Volumen wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 cells without volume were left out.</source>
+        <translation>%1 Zellen ohne Volumen wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>1 cell was turned over: the corners are in the other order.</source>
+        <translation>1 Zelle wurde umgedreht: Die Ecken stehen in der anderen Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>%1 cells were turned over: the corners are in the other order.</source>
+        <translation>%1 Zellen wurden umgedreht: Die Ecken stehen in der anderen Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>1 point on the place of another one joined with it.</source>
+        <translation>1 Punkt am Ort eines anderen wurde mit ihm vereint.</translation>
+    </message>
+    <message>
+        <source>%1 points on the place of another one joined with it.</source>
+        <translation>%1 Punkte am Ort eines anderen wurden mit ihm vereint.</translation>
+    </message>
+    <message>
+        <source>1 place had different values and got their mean.</source>
+        <translation>1 Ort hatte verschiedene Werte und bekam ihr Mittel.</translation>
+    </message>
+    <message>
+        <source>%1 places had different values and got their mean.</source>
+        <translation>%1 Orte hatten verschiedene Werte und bekamen ihr Mittel.</translation>
+    </message>
+    <message>
+        <source>1 node in the middle of an edge or face was left out: not all cells there have them, or cells bend too much.</source>
+        <translation>1 Knoten in der Mitte einer Kante oder Seite wurde weggelassen: Nicht alle Zellen dort haben ihn, oder Zellen biegen sich zu sehr.</translation>
+    </message>
+    <message>
+        <source>%1 nodes in the middle of edges and faces were left out: not all cells there have them, or cells bend too much.</source>
+        <translation>%1 Knoten in der Mitte von Kanten und Seiten wurden weggelassen: Nicht alle Zellen dort haben sie, oder Zellen biegen sich zu sehr.</translation>
+    </message>
+    <message>
+        <source>1 cell was cut along other diagonals, because the faces are not flat.</source>
+        <translation>1 Zelle wurde an anderen Diagonalen zerlegt, weil die Seiten nicht eben sind.</translation>
+    </message>
+    <message>
+        <source>%1 cells were cut along other diagonals, because the faces are not flat.</source>
+        <translation>%1 Zellen wurden an anderen Diagonalen zerlegt, weil die Seiten nicht eben sind.</translation>
+    </message>
+    <message>
+        <source>1 cell was left out: too warped to be cut into tetrahedra without a new point.</source>
+        <translation>1 Zelle wurde weggelassen: zu verwunden, um ohne neuen Punkt in Tetraeder zerlegt zu werden.</translation>
+    </message>
+    <message>
+        <source>%1 cells were left out: too warped to be cut into tetrahedra without a new point.</source>
+        <translation>%1 Zellen wurden weggelassen: zu verwunden, um ohne neuen Punkt in Tetraeder zerlegt zu werden.</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron was there twice.</source>
+        <translation>1 Tetraeder war doppelt da.</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra were there twice.</source>
+        <translation>%1 Tetraeder waren doppelt da.</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron was left out where parts of the mesh touched in an edge or a point only.</source>
+        <translation>1 Tetraeder wurde weggelassen, wo sich Teile des Netzes nur an einer Kante oder einem Punkt berührten.</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra were left out where parts of the mesh touched in an edge or a point only.</source>
+        <translation>%1 Tetraeder wurden weggelassen, wo sich Teile des Netzes nur an einer Kante oder einem Punkt berührten.</translation>
+    </message>
+    <message>
+        <source>1 point is of no cell: left out.</source>
+        <translation>1 Punkt gehört zu keiner Zelle: weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 points are of no cell: left out.</source>
+        <translation>%1 Punkte gehören zu keiner Zelle: weggelassen.</translation>
+    </message>
+    <message>
+        <source>1 incomplete row was skipped.</source>
+        <translation>1 unvollständige Zeile wurde übergangen.</translation>
+    </message>
+    <message>
+        <source>%1 incomplete rows were skipped.</source>
+        <translation>%1 unvollständige Zeilen wurden übergangen.</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron that is flat or turned over, one at %1</source>
+        <translation>1 flaches oder umgedrehtes Tetraeder, bei %1</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra that are flat or turned over, one at %2</source>
+        <translation>%1 flache oder umgedrehte Tetraeder, zum Beispiel bei %2</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron at a face that three or more share, one at %1</source>
+        <translation>1 Tetraeder an einer Seite, die drei oder mehr gemeinsam haben, bei %1</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra at faces that three or more share, one at %2</source>
+        <translation>%1 Tetraeder an Seiten, die drei oder mehr gemeinsam haben, zum Beispiel bei %2</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron that overlaps its neighbour, one at %1</source>
+        <translation>1 Tetraeder, das seinen Nachbarn überlappt, bei %1</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra that overlap a neighbour on the same side of a face, one at %2</source>
+        <translation>%1 Tetraeder, die einen Nachbarn auf derselben Seite überlappen, zum Beispiel bei %2</translation>
+    </message>
+    <message>
+        <source>1 edge in which parts of it only touch, one at %1</source>
+        <translation>1 Kante, in der sich Teile nur berühren, bei %1</translation>
+    </message>
+    <message>
+        <source>%1 edges in which parts of it only touch, one at %2</source>
+        <translation>%1 Kanten, in denen sich Teile nur berühren, zum Beispiel bei %2</translation>
+    </message>
+    <message>
+        <source>1 point in which parts of it only touch, one at %1</source>
+        <translation>1 Punkt, in dem sich Teile nur berühren, bei %1</translation>
+    </message>
+    <message>
+        <source>%1 points in which parts of it only touch, one at %2</source>
+        <translation>%1 Punkte, in denen sich Teile nur berühren, zum Beispiel bei %2</translation>
+    </message>
+    <message>
+        <source>1 part inside another part, one at %1</source>
+        <translation>1 Teil in einem anderen Teil, bei %1</translation>
+    </message>
+    <message>
+        <source>%1 parts inside other parts, one at %2</source>
+        <translation>%1 Teile in anderen Teilen, zum Beispiel bei %2</translation>
+    </message>
+</context>
+<context>
     <name>Statistics</name>
     <message>
         <source>Error</source>
@@ -1676,6 +2527,10 @@
     <message>
         <source>%1 vertices</source>
         <translation>%1 Eckpunkte</translation>
+    </message>
+    <message>
+        <source>1 vertex</source>
+        <translation>1 Eckpunkt</translation>
     </message>
 </context>
 <context>
@@ -2982,6 +3837,10 @@ Verwerfung %2</translation>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>for example %1</source>
+        <translation>zum Beispiel %1</translation>
     </message>
 </context>
 <context>

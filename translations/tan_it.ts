@@ -1120,11 +1120,11 @@
     </message>
     <message>
         <source>little</source>
-        <translation>little</translation>
+        <translation>little-endian (PC)</translation>
     </message>
     <message>
         <source>big</source>
-        <translation>big</translation>
+        <translation>big-endian</translation>
     </message>
     <message>
         <source>Skip</source>
@@ -1589,6 +1589,857 @@
     </message>
 </context>
 <context>
+    <name>Sentence</name>
+    <message>
+        <source>&apos;%1&apos; does not exist, or its folder may not be entered. Check the name.</source>
+        <translation>«%1» non esiste, o la sua cartella non è accessibile. Controllare il nome.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a folder. Give a file in it.</source>
+        <translation>«%1» è una cartella. Scegliere un file al suo interno.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a device or a pipe. Give a file.</source>
+        <translation>«%1» è un dispositivo o una pipe. Scegliere un file.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is empty. Copy it again from where it came from.</source>
+        <translation>«%1» è vuoto. Copiarlo di nuovo da dove proviene.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be read: %2.</source>
+        <translation>«%1» non può essere letto: %2.</translation>
+    </message>
+    <message>
+        <source>Cannot read &apos;%1&apos;: %2</source>
+        <translation>«%1» non può essere letto: %2</translation>
+    </message>
+    <message>
+        <source>%1. Check its name and folder.</source>
+        <translation>%1. Controllare il nome e la cartella.</translation>
+    </message>
+    <message>
+        <source>%1. Ask its owner for the right to read it.</source>
+        <translation>%1. Chiedere al proprietario il permesso di leggerlo.</translation>
+    </message>
+    <message>
+        <source>it is a folder. Name a file in it.</source>
+        <translation>è una cartella. Indicare un file al suo interno.</translation>
+    </message>
+    <message>
+        <source>it is not a regular file. Copy its content into one first.</source>
+        <translation>non è un file ordinario. Copiarne prima il contenuto in uno.</translation>
+    </message>
+    <message>
+        <source>Cannot open &apos;%1&apos;: too many files are open. Close some of them.</source>
+        <translation>«%1» non può essere aperto: troppi file sono aperti. Chiuderne alcuni.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is of no format that is known here. %2</source>
+        <translation>«%1» non è di un formato noto qui. %2</translation>
+    </message>
+    <message>
+        <source>These can be read: %1.</source>
+        <translation>Si leggono: %1.</translation>
+    </message>
+    <message>
+        <source>No reader is installed.</source>
+        <translation>Nessun lettore è installato.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; cannot be read: %2.</source>
+        <translation>Il file «%1» non può essere letto: %2.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; is too large to be what is looked for here.</source>
+        <translation>Il file «%1» è troppo grande per essere ciò che si cerca qui.</translation>
+    </message>
+    <message>
+        <source>In &apos;%1&apos;: %2</source>
+        <translation>In «%1»: %2</translation>
+    </message>
+    <message>
+        <source>it is empty. Get or make the file again.</source>
+        <translation>è vuoto. Procurarsi o creare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>it is empty, or may not be read.</source>
+        <translation>è vuoto, o non può essere letto.</translation>
+    </message>
+    <message>
+        <source>it changed while it was read. Read it again.</source>
+        <translation>è cambiato durante la lettura. Leggerlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>it holds no points.</source>
+        <translation>non contiene punti.</translation>
+    </message>
+    <message>
+        <source>it is not a text.</source>
+        <translation>non è un testo.</translation>
+    </message>
+    <message>
+        <source>it is of no format that VTK reads.</source>
+        <translation>non è di un formato che VTK legge.</translation>
+    </message>
+    <message>
+        <source>it has no array &apos;%1&apos;. Choose one of these: %2.</source>
+        <translation>non ha un vettore «%1». Sceglierne uno fra questi: %2.</translation>
+    </message>
+    <message>
+        <source>it has no array &apos;%1&apos;. There are: %2.</source>
+        <translation>non ha un vettore «%1». Ci sono: %2.</translation>
+    </message>
+    <message>
+        <source>it has no array with a number for each point or cell. Write it with one.</source>
+        <translation>non ha vettori con un numero per ogni punto o cella. Scriverlo con uno.</translation>
+    </message>
+    <message>
+        <source>it has no values, of points or of cells.</source>
+        <translation>non ha valori, né di punti né di celle.</translation>
+    </message>
+    <message>
+        <source>it should hold %1, but there are only %2. It is cut short, or its description (sizes, type, bytes to skip) is wrong.</source>
+        <translation>dovrebbe contenere %1, ma ci sono solo %2. È troncato, o la descrizione (dimensioni, tipo, byte da saltare) è sbagliata.</translation>
+    </message>
+    <message>
+        <source>it should hold %1, but there are %2, %3 too many. Its description is wrong: check the sizes, the type and the bytes to skip.</source>
+        <translation>dovrebbe contenere %1, ma ci sono %2, %3 di troppo. La descrizione è sbagliata: controllare dimensioni, tipo e byte da saltare.</translation>
+    </message>
+    <message>
+        <source>%1 samples of type %2, %3 bytes</source>
+        <translation>%1 campioni di tipo %2, %3 byte</translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 byte</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 samples are NaN or infinite, the first at point (%3). Replace them by numbers first.</source>
+        <translation>%1 dei suoi %2 campioni sono NaN o infiniti, il primo nel punto (%3). Sostituirli prima con numeri.</translation>
+    </message>
+    <message>
+        <source>VTK says: %1 The file is damaged or incomplete: copy or write it anew.</source>
+        <translation>VTK dice: %1 Il file è danneggiato o incompleto: copiarlo o scriverlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>VTK broke down over it. The file is damaged, larger than memory, or of a kind that VTK reads badly. Write it anew, or as another format (.vtu, .vti).</source>
+        <translation>VTK non è riuscito a leggerlo. Il file è danneggiato, più grande della memoria, o di un tipo che VTK legge male. Scriverlo di nuovo, o in un altro formato (.vtu, .vti).</translation>
+    </message>
+    <message>
+        <source>The VTK readers are not installed. Install the package with &apos;apt install tan-vtk-readers&apos; (of a build of your own: build it anew after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
+        <translation>I lettori VTK non sono installati. Installare il pacchetto con «apt install tan-vtk-readers» (se compilato da sé: ricompilare dopo «apt install libvtk9-dev»), o convertire il file in NRRD o CSV.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is damaged: %2. Copy it again from where it came from, or build it again.</source>
+        <translation>«%1» è danneggiato: %2. Copiarlo di nuovo da dove proviene, o ricostruirlo.</translation>
+    </message>
+    <message>
+        <source>its header makes no sense</source>
+        <translation>la sua intestazione non ha senso</translation>
+    </message>
+    <message>
+        <source>the checksum of its header is wrong</source>
+        <translation>la somma di controllo della sua intestazione è sbagliata</translation>
+    </message>
+    <message>
+        <source>the checksum of its text is wrong</source>
+        <translation>la somma di controllo del suo testo è sbagliata</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes and should have %2</source>
+        <translation>ha %1 byte e dovrebbe averne %2</translation>
+    </message>
+    <message>
+        <source>section &apos;%1&apos; is missing</source>
+        <translation>manca la sezione «%1»</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is cut short: it has %2 bytes and should have %3. Copy it again from where it came from, or build it again.</source>
+        <translation>«%1» è troncato: ha %2 byte e dovrebbe averne %3. Copiarlo di nuovo da dove proviene, o ricostruirlo.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is empty. Models are made by &apos;tan build&apos;.</source>
+        <translation>«%1» è vuoto. I modelli si costruiscono da insiemi di dati.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a TAn model: it does not begin like one. Models are made by &apos;tan build&apos;.</source>
+        <translation>«%1» non è un modello TAn: non comincia come tale. I modelli si costruiscono da insiemi di dati.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was written with the other byte order. Build it again on this machine.</source>
+        <translation>«%1» è scritto nell&apos;altro ordine dei byte. Ricostruirlo su questo computer.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has format version %2; this program reads up to version %3. Install a later version of TAn.</source>
+        <translation>«%1» ha la versione %2 del formato; questo programma legge fino alla versione %3. Installare una versione più recente di TAn.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was cut short or changed while it was open. Open it again; if that fails, copy it again from where it came from, or build it again.</source>
+        <translation>«%1» è stato troncato o cambiato mentre era aperto. Aprirlo di nuovo; se non riesce, copiarlo di nuovo da dove proviene, o ricostruirlo.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was cut short or changed while it was open, so that what was made of it would be wrong. Open it again; if that fails, get or make the file again.</source>
+        <translation>«%1» è stato troncato o cambiato mentre era aperto, perciò ciò che se ne è ricavato sarebbe sbagliato. Aprirlo di nuovo; se non riesce, procurarsi o creare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>Cannot write &apos;%1&apos;: %2. %3</source>
+        <translation>«%1» non può essere scritto: %2. %3</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; does not exist: create it or choose another.</source>
+        <translation>La cartella «%1» non esiste: crearla o sceglierne un&apos;altra.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a folder: choose another.</source>
+        <translation>«%1» non è una cartella: sceglierne un&apos;altra.</translation>
+    </message>
+    <message>
+        <source>It is a folder: name a file in it.</source>
+        <translation>È una cartella: indicare un file al suo interno.</translation>
+    </message>
+    <message>
+        <source>Choose another folder, or change the permissions of this one.</source>
+        <translation>Scegliere un&apos;altra cartella, o cambiare i permessi di questa.</translation>
+    </message>
+    <message>
+        <source>Choose a folder on a disk that can be written.</source>
+        <translation>Scegliere una cartella su un disco scrivibile.</translation>
+    </message>
+    <message>
+        <source>Free some space or choose another disk.</source>
+        <translation>Liberare spazio o scegliere un altro disco.</translation>
+    </message>
+    <message>
+        <source>Choose a disk that allows larger files, or raise the limit (ulimit -f).</source>
+        <translation>Scegliere un disco che permetta file più grandi, o alzare il limite (ulimit -f).</translation>
+    </message>
+    <message>
+        <source>Choose a shorter name.</source>
+        <translation>Scegliere un nome più corto.</translation>
+    </message>
+    <message>
+        <source>Choose another folder or disk.</source>
+        <translation>Scegliere un&apos;altra cartella o un altro disco.</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>non è un file ordinario</translation>
+    </message>
+    <message>
+        <source>Choose another name.</source>
+        <translation>Scegliere un altro nome.</translation>
+    </message>
+    <message>
+        <source>the file is read-only</source>
+        <translation>il file è di sola lettura</translation>
+    </message>
+    <message>
+        <source>Choose another name, or make it writable.</source>
+        <translation>Scegliere un altro nome, o renderlo scrivibile.</translation>
+    </message>
+    <message>
+        <source>it does not name a file</source>
+        <translation>non indica un file</translation>
+    </message>
+    <message>
+        <source>Name a file.</source>
+        <translation>Indicare un file.</translation>
+    </message>
+    <message>
+        <source>Cannot work in &apos;%1&apos;: %2. %3</source>
+        <translation>Non si può lavorare in «%1»: %2. %3</translation>
+    </message>
+    <message>
+        <source>another program is building this model</source>
+        <translation>un altro programma sta costruendo questo modello</translation>
+    </message>
+    <message>
+        <source>Wait for it, or give the model another name.</source>
+        <translation>Aspettarlo, o dare al modello un altro nome.</translation>
+    </message>
+    <message>
+        <source>Choose another folder for the model.</source>
+        <translation>Scegliere un&apos;altra cartella per il modello.</translation>
+    </message>
+    <message>
+        <source>A temporary file in &apos;%1&apos; cannot be used: %2. Free some space or choose another disk.</source>
+        <translation>Un file temporaneo in «%1» non può essere usato: %2. Liberare spazio o scegliere un altro disco.</translation>
+    </message>
+    <message>
+        <source>The output &apos;%1&apos; is the input &apos;%2&apos;. Give the output another name.</source>
+        <translation>Il risultato «%1» è l&apos;origine «%2». Dare al risultato un altro nome.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; exists and is no TAn model, so it is not overwritten. Give the model another name, or remove that file first.</source>
+        <translation>«%1» esiste e non è un modello TAn, perciò non viene sovrascritto. Dare al modello un altro nome, o rimuovere prima quel file.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be written: %2. Choose another place.</source>
+        <translation>«%1» non può essere scritto: %2. Scegliere un altro posto.</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; for samples cannot be made: %2. Make it writable, or free some space.</source>
+        <translation>La cartella «%1» per gli esempi non può essere creata: %2. Renderla scrivibile, o liberare spazio.</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; cannot be written to, so that the session would be lost if the program ended unexpectedly. Make room there, or save the session.</source>
+        <translation>Nella cartella «%1» non si può scrivere, perciò la sessione andrebbe persa se il programma terminasse all&apos;improvviso. Fare spazio lì, o salvare la sessione.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; ends in none of .vtu, .vtk and .ply, the formats in which meshes are written, nor of .vtp, .stl, .obj and .glb, for their boundary alone. Choose one of these endings.</source>
+        <translation>«%1» non termina né in .vtu, .vtk o .ply, i formati in cui si scrivono le mesh, né in .vtp, .stl, .obj o .glb, per il solo bordo. Scegliere una di queste estensioni.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; ends in none of .vtp, .vtk, .vtu, .ply, .stl, .obj and .glb, the formats in which surfaces are written. Choose one of these endings.</source>
+        <translation>«%1» non termina in .vtp, .vtk, .vtu, .ply, .stl, .obj o .glb, i formati in cui si scrivono le superfici. Scegliere una di queste estensioni.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; ends in neither .csv nor .json, the formats in which statistics are written. Choose one of these endings.</source>
+        <translation>«%1» non termina né in .csv né in .json, i formati in cui si scrivono le statistiche. Scegliere una di queste estensioni.</translation>
+    </message>
+    <message>
+        <source>There is no surface to save: add an isovalue, or show one.</source>
+        <translation>Non c&apos;è alcuna superficie da salvare: aggiungere un isovalore, o mostrarne uno.</translation>
+    </message>
+    <message>
+        <source>A film needs two key frames at least. Add another view.</source>
+        <translation>Un filmato richiede almeno due fotogrammi chiave. Aggiungere un&apos;altra vista.</translation>
+    </message>
+    <message>
+        <source>The video could not be made: %1 says &quot;%2&quot;. Choose another format, or PNG pictures.</source>
+        <translation>Non è stato possibile creare il video: %1 dice «%2». Scegliere un altro formato, o immagini PNG.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to write &apos;%1&apos;.</source>
+        <translation>La memoria non basta per scrivere «%1».</translation>
+    </message>
+    <message>
+        <source>Not enough memory to write &apos;%1&apos;. Close other programs.</source>
+        <translation>La memoria non basta per scrivere «%1». Chiudere altri programmi.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to read &apos;%1&apos;. Close other programs.</source>
+        <translation>La memoria non basta per leggere «%1». Chiudere altri programmi.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the mesh at this accuracy. Choose a coarser one, or close other programs.</source>
+        <translation>La memoria non basta per la mesh a questa accuratezza. Sceglierne una minore, o chiudere altri programmi.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this mesh. Ask for a larger error, a smaller focus or a budget.</source>
+        <translation>La memoria non basta per questa mesh. Scegliere un errore maggiore, un fuoco più piccolo o un limite.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the mesh of the focus. Choose a larger error or a smaller focus.</source>
+        <translation>La memoria non basta per la mesh del fuoco. Scegliere un errore maggiore o un fuoco più piccolo.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a picture of this size.</source>
+        <translation>La memoria non basta per un&apos;immagine di queste dimensioni.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for a picture of this size and scene. Make the picture smaller or lower the accuracy of the mesh.</source>
+        <translation>La memoria non basta per un&apos;immagine di queste dimensioni e di questa scena. Rimpicciolire l&apos;immagine o ridurre l&apos;accuratezza della mesh.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the isosurface. Close other programs or lower the accuracy of the mesh.</source>
+        <translation>La memoria non basta per l&apos;isosuperficie. Chiudere altri programmi o ridurre l&apos;accuratezza della mesh.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the isosurfaces. Show fewer of them or lower the accuracy of the mesh.</source>
+        <translation>La memoria non basta per le isosuperfici. Mostrarne meno o ridurre l&apos;accuratezza della mesh.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to draw this mesh as a volume. Close other programs or lower the accuracy of the mesh.</source>
+        <translation>La memoria non basta per disegnare questa mesh come volume. Chiudere altri programmi o ridurre l&apos;accuratezza della mesh.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for this part. Take a smaller one.</source>
+        <translation>La memoria non basta per questa parte. Prenderne una più piccola.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the mesh. Take a part of it.</source>
+        <translation>La memoria non basta per la mesh. Prenderne una parte.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to refine this lattice. Close other programs, use a machine with more memory, or crop or subsample the data.</source>
+        <translation>La memoria non basta per raffinare questo reticolo. Chiudere altri programmi, usare un computer con più memoria, o prendere una parte dei dati.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to refine this grid. Close other programs, use a machine with more memory, or crop or subsample the data.</source>
+        <translation>La memoria non basta per raffinare questa griglia. Chiudere altri programmi, usare un computer con più memoria, o prendere una parte dei dati.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to refine these points. Close other programs, use a machine with more memory, or take a part of the points.</source>
+        <translation>La memoria non basta per raffinare questi punti. Chiudere altri programmi, usare un computer con più memoria, o prendere una parte dei punti.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to decimate this mesh. Close other programs, use a machine with more memory, or take a part of the data.</source>
+        <translation>La memoria non basta per decimare questa mesh. Chiudere altri programmi, usare un computer con più memoria, o prendere una parte dei dati.</translation>
+    </message>
+    <message>
+        <source>Decimation of %1 takes about %2 of memory, and this machine has %3. Take a region of it or fewer samples, or, of a lattice or grid, refine it instead.</source>
+        <translation>La decimazione di %1 richiede circa %2 di memoria, e questo computer ne ha %3. Prenderne una regione o meno campioni, oppure, se è un reticolo o una griglia, usare il raffinamento.</translation>
+    </message>
+    <message>
+        <source>%1 points and %2 tetrahedra</source>
+        <translation>%1 punti e %2 tetraedri</translation>
+    </message>
+    <message>
+        <source>The memory of this machine is not enough for &apos;%1&apos; here. Close other programs, or give it smaller data.</source>
+        <translation>La memoria di questo computer qui non basta per «%1». Chiudere altri programmi, o dargli dati più piccoli.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; failed: %2. This is a mistake in the plugin; tell its author.</source>
+        <translation>Il plugin «%1» ha fallito: %2. È un errore del plugin; segnalarlo all&apos;autore.</translation>
+    </message>
+    <message>
+        <source>The build was stopped before there was a mesh of known error, so there is nothing to keep.</source>
+        <translation>La costruzione è stata fermata prima che ci fosse una mesh di errore noto, perciò non c&apos;è nulla da conservare.</translation>
+    </message>
+    <message>
+        <source>The build needs about %1 on the disk of &apos;%2&apos; (%3), and %4 are free. Free some space, choose another disk or ask for a larger error.</source>
+        <translation>La costruzione richiede circa %1 sul disco di «%2» (%3), e %4 sono liberi. Liberare spazio, scegliere un altro disco o un errore maggiore.</translation>
+    </message>
+    <message>
+        <source>The builder &apos;%1&apos; does not accept &apos;%2&apos;: %3</source>
+        <translation>«%1» non accetta «%2»: %3</translation>
+    </message>
+    <message>
+        <source>The block size &apos;%1&apos; is neither &quot;automatic&quot; nor &quot;none&quot; nor a number of cells of at least 1.</source>
+        <translation>La dimensione «%1» dei blocchi non è né «automatic» né «none» né un numero di celle da 1.</translation>
+    </message>
+    <message>
+        <source>The weight &apos;%1&apos; cannot be used: %2.</source>
+        <translation>Il peso «%1» non è utilizzabile: %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number</source>
+        <translation>«%1» non è un numero</translation>
+    </message>
+    <message>
+        <source>it has %1 numbers, and the form is %2</source>
+        <translation>ha %1 numeri, e la forma è %2</translation>
+    </message>
+    <message>
+        <source>its reach is %1 and must be at least 0</source>
+        <translation>la sua portata è %1 e deve essere almeno 0</translation>
+    </message>
+    <message>
+        <source>its reach is %1 and must be above 0</source>
+        <translation>la sua portata è %1 e deve essere maggiore di 0</translation>
+    </message>
+    <message>
+        <source>its floor is %1 and must be from %2 to 1</source>
+        <translation>il suo minimo è %1 e deve essere da %2 a 1</translation>
+    </message>
+    <message>
+        <source>a weight begins with &apos;point:&apos;, &apos;box:&apos; or &apos;value:&apos;</source>
+        <translation>un peso comincia con «point:», «box:» o «value:»</translation>
+    </message>
+    <message>
+        <source>its first corner must be the smaller one along every axis</source>
+        <translation>il suo primo vertice deve essere il minore lungo ogni asse</translation>
+    </message>
+    <message>
+        <source>The mesh has %1. Mend the mesh where it was made.</source>
+        <translation>La mesh ha %1. Correggerla dove è stata creata.</translation>
+    </message>
+    <message>
+        <source>No cell of the mesh has a volume: nothing is left.</source>
+        <translation>Nessuna cella della mesh ha un volume: non resta nulla.</translation>
+    </message>
+    <message>
+        <source>The coarsest mesh of &apos;%1&apos; has %2 tetrahedra, more than the budget of %3. Allow at least as many.</source>
+        <translation>La mesh più grossolana di «%1» ha %2 tetraedri, più del limite di %3. Permetterne almeno altrettanti.</translation>
+    </message>
+    <message>
+        <source>The coarsest mesh has %1 tetrahedra, more than the budget of %2. Allow at least as many.</source>
+        <translation>La mesh più grossolana ha %1 tetraedri, più del limite di %2. Permetterne almeno altrettanti.</translation>
+    </message>
+    <message>
+        <source>The error in the focus is larger than that outside. Exchange the two.</source>
+        <translation>L&apos;errore nel fuoco è maggiore di quello esterno. Scambiarli.</translation>
+    </message>
+    <message>
+        <source>The mesh of the focus became too large. Choose a larger error or a smaller focus.</source>
+        <translation>La mesh del fuoco è diventata troppo grande. Scegliere un errore maggiore o un fuoco più piccolo.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no clip plane: give four numbers nx,ny,nz,offset, the first three not all zero; points with nx x + ny y + nz z &gt;= offset are shown.</source>
+        <translation>«%1» non è un piano di taglio: dare quattro numeri nx,ny,nz,distanza, i primi tre non tutti nulli; si mostrano i punti con nx x + ny y + nz z &gt;= distanza.</translation>
+    </message>
+    <message>
+        <source>The model of the session cannot be opened. %1</source>
+        <translation>Il modello della sessione non può essere aperto. %1</translation>
+    </message>
+    <message>
+        <source>%1: The session cannot be read: %2</source>
+        <translation>%1: La sessione non può essere letta: %2</translation>
+    </message>
+    <message>
+        <source>its &quot;format&quot; is not &quot;%1&quot;.</source>
+        <translation>«format» non è «%1».</translation>
+    </message>
+    <message>
+        <source>this program knows version %1 of sessions only.</source>
+        <translation>questo programma conosce solo la versione %1 delle sessioni.</translation>
+    </message>
+    <message>
+        <source>it names no model in &quot;model.path&quot;.</source>
+        <translation>non indica un modello in «model.path».</translation>
+    </message>
+    <message>
+        <source>The transfer function cannot be read: %1</source>
+        <translation>La funzione di trasferimento non può essere letta: %1</translation>
+    </message>
+    <message>
+        <source>The transfer function cannot be read. %1</source>
+        <translation>La funzione di trasferimento non può essere letta. %1</translation>
+    </message>
+    <message>
+        <source>The ParaView preset cannot be read: %1</source>
+        <translation>La preimpostazione di ParaView non può essere letta: %1</translation>
+    </message>
+    <message>
+        <source>The ParaView preset cannot be read. %1</source>
+        <translation>La preimpostazione di ParaView non può essere letta. %1</translation>
+    </message>
+    <message>
+        <source>The preset &apos;%1&apos; cannot be used: %2.</source>
+        <translation>La preimpostazione «%1» non può essere usata: %2.</translation>
+    </message>
+    <message>
+        <source>The preset &apos;%1&apos; cannot be changed: %2. Check the rights of its folder, and that there is space.</source>
+        <translation>La preimpostazione «%1» non può essere modificata: %2. Controllare i permessi della cartella, e che ci sia spazio.</translation>
+    </message>
+    <message>
+        <source>This is no JSON: %1</source>
+        <translation>Questo non è JSON: %1</translation>
+    </message>
+    <message>
+        <source>This is no camera. %1</source>
+        <translation>Questa non è una camera. %1</translation>
+    </message>
+    <message>
+        <source>This is no camera: it holds no JSON object, in braces.</source>
+        <translation>Questa non è una camera: non contiene un oggetto JSON, fra graffe.</translation>
+    </message>
+    <message>
+        <source>The key &quot;%1&quot; of the camera %2 (%3).</source>
+        <translation>La chiave «%1» della camera %2 (%3).</translation>
+    </message>
+    <message>
+        <source>is no number from %1 to %2</source>
+        <translation>non è un numero da %1 a %2</translation>
+    </message>
+    <message>
+        <source>is neither true nor false</source>
+        <translation>non è né true né false</translation>
+    </message>
+    <message>
+        <source>is not a list of three numbers</source>
+        <translation>non è un elenco di tre numeri</translation>
+    </message>
+    <message>
+        <source>is not known</source>
+        <translation>non è nota</translation>
+    </message>
+    <message>
+        <source>expected a value (%1).</source>
+        <translation>manca un valore (%1).</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>riga %1, colonna %2</translation>
+    </message>
+    <message>
+        <source>The graphics card has not enough memory for a picture of this size. Make it smaller, or use the CPU back end.</source>
+        <translation>La memoria della scheda grafica non basta per un&apos;immagine di queste dimensioni. Rimpicciolirla, o far disegnare il processore.</translation>
+    </message>
+    <message>
+        <source>The graphics card has not enough memory for this picture. Make it smaller, or use the CPU back end.</source>
+        <translation>La memoria della scheda grafica non basta per questa immagine. Rimpicciolirla, o far disegnare il processore.</translation>
+    </message>
+    <message>
+        <source>The graphics card has not enough memory for this volume. Lower the accuracy of the mesh, or use the CPU back end.</source>
+        <translation>La memoria della scheda grafica non basta per questo volume. Ridurre l&apos;accuratezza della mesh, o far disegnare il processore.</translation>
+    </message>
+    <message>
+        <source>The graphics card has not enough memory for this surface. Lower the accuracy of the mesh, or use the CPU back end.</source>
+        <translation>La memoria della scheda grafica non basta per questa superficie. Ridurre l&apos;accuratezza della mesh, o far disegnare il processore.</translation>
+    </message>
+    <message>
+        <source>The OpenGL context cannot be used, perhaps because the graphics card was reset. Use the CPU back end.</source>
+        <translation>Il contesto OpenGL non è utilizzabile, forse perché la scheda grafica è stata reinizializzata. Far disegnare il processore.</translation>
+    </message>
+    <message>
+        <source>The OpenGL driver has version %1; TAn needs 3.3. Use the CPU back end, or another driver.</source>
+        <translation>Il driver OpenGL ha la versione %1; TAn richiede la 3.3. Far disegnare il processore, o usare un altro driver.</translation>
+    </message>
+    <message>
+        <source>OpenGL cuts scenes by at most %1 planes. Take fewer, or use the CPU back end.</source>
+        <translation>OpenGL taglia le scene con al più %1 piani. Usarne meno, o far disegnare il processore.</translation>
+    </message>
+    <message>
+        <source>It needs the plugin &quot;%1&quot;, which is not here or cannot be used. Install it.</source>
+        <translation>Richiede il plugin «%1», che manca o non è utilizzabile. Installarlo.</translation>
+    </message>
+    <message>
+        <source>It needs the plugin &quot;%1&quot;, which cannot be used: %2</source>
+        <translation>Richiede il plugin «%1», che non è utilizzabile: %2</translation>
+    </message>
+    <message>
+        <source>It is not a plugin, or is damaged: %1 Install it again, or remove the file.</source>
+        <translation>Non è un plugin, o è danneggiato: %1 Installarlo di nuovo, o rimuovere il file.</translation>
+    </message>
+    <message>
+        <source>Another plugin has the same id and was found first: %1. Remove one of the two.</source>
+        <translation>Un altro plugin ha lo stesso identificativo ed è stato trovato prima: %1. Rimuovere uno dei due.</translation>
+    </message>
+    <message>
+        <source>The library %1 is missing. %2</source>
+        <translation>Manca la libreria %1. %2</translation>
+    </message>
+    <message>
+        <source>It was built with Qt %1, and this program runs with Qt %2. Install a build of the plugin for this Qt.</source>
+        <translation>È stato compilato con Qt %1, e questo programma usa Qt %2. Installare il plugin per questo Qt.</translation>
+    </message>
+    <message>
+        <source>A part of %1 of the %2 points.</source>
+        <translation>Una parte di %1 dei %2 punti.</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron inside the region that hung on the others by a point or an edge alone, left out.</source>
+        <translation>1 tetraedro nella regione, unito agli altri solo per un punto o uno spigolo, è stato omesso.</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra inside the region that hung on the others by a point or an edge alone, left out.</source>
+        <translation>%1 tetraedri nella regione, uniti agli altri solo per un punto o uno spigolo, sono stati omessi.</translation>
+    </message>
+    <message>
+        <source>The values belong to cells: each point got the mean of the cells around it.</source>
+        <translation>I valori appartengono alle celle: ogni punto ha ricevuto la media delle celle attorno.</translation>
+    </message>
+    <message>
+        <source>The values of the cells were brought to the points, as the mean of the cells around.</source>
+        <translation>I valori delle celle sono stati portati ai punti, come media delle celle attorno.</translation>
+    </message>
+    <message>
+        <source>All cells were turned over: their corners are in the other order.</source>
+        <translation>Tutte le celle sono state capovolte: i loro vertici sono nell&apos;altro ordine.</translation>
+    </message>
+    <message>
+        <source>What joins its points (lines, polygons) was left out: they are scattered points.</source>
+        <translation>Ciò che unisce i suoi punti (linee, poligoni) è stato omesso: sono punti sparsi.</translation>
+    </message>
+    <message>
+        <source>A grid with cells that are blanked out, or whose values are no numbers: an irregular mesh without them.</source>
+        <translation>Una griglia con celle escluse, o i cui valori non sono numeri: una mesh irregolare senza di esse.</translation>
+    </message>
+    <message>
+        <source>%1 of its parts have no &apos;%2&apos; and were left out.</source>
+        <translation>%1 delle sue parti non hanno «%2» e sono state omesse.</translation>
+    </message>
+    <message>
+        <source>%1 of its parts are no irregular meshes and were left out.</source>
+        <translation>%1 delle sue parti non sono mesh irregolari e sono state omesse.</translation>
+    </message>
+    <message>
+        <source>It has %1 parts; this is the one called &apos;%2&apos;. Choose another one with &apos;part&apos;.</source>
+        <translation>Ha %1 parti; questa è quella chiamata «%2». Un&apos;altra si sceglie con «Parte».</translation>
+    </message>
+    <message>
+        <source>Time step %1 of %2. Choose another one with &apos;time&apos;.</source>
+        <translation>Passo temporale %1 di %2. Un altro si sceglie con «Passo temporale».</translation>
+    </message>
+    <message>
+        <source>%1 points whose value is no number were left out.</source>
+        <translation>%1 punti il cui valore non è un numero sono stati omessi.</translation>
+    </message>
+    <message>
+        <source>The samples were multiplied and shifted as the header of the file asks.</source>
+        <translation>I campioni sono stati moltiplicati e traslati come chiede l&apos;intestazione del file.</translation>
+    </message>
+    <message>
+        <source>Its 64-bit integers became floating-point numbers of 53 bits.</source>
+        <translation>I suoi interi a 64 bit sono diventati numeri in virgola mobile a 53 bit.</translation>
+    </message>
+    <message>
+        <source>VTK says: %1</source>
+        <translation>VTK dice: %1</translation>
+    </message>
+    <message>
+        <source>1 cell is a vertex, line or polygon without volume and not part of the mesh.</source>
+        <translation>1 cella è un vertice, una linea o un poligono senza volume e non fa parte della mesh.</translation>
+    </message>
+    <message>
+        <source>%1 cells are a vertex, line or polygon without volume and not part of the mesh.</source>
+        <translation>%1 celle sono vertici, linee o poligoni senza volume e non fanno parte della mesh.</translation>
+    </message>
+    <message>
+        <source>1 cell is blanked out in the file: a hole.</source>
+        <translation>1 cella è esclusa nel file: un foro.</translation>
+    </message>
+    <message>
+        <source>%1 cells are blanked out in the file: a hole.</source>
+        <translation>%1 celle sono escluse nel file: un foro.</translation>
+    </message>
+    <message>
+        <source>1 cell has a value that is not finite and became a hole.</source>
+        <translation>1 cella ha un valore non finito ed è diventata un foro.</translation>
+    </message>
+    <message>
+        <source>%1 cells have a value that is not finite and became a hole.</source>
+        <translation>%1 celle hanno un valore non finito e sono diventate un foro.</translation>
+    </message>
+    <message>
+        <source>1 cell names a corner twice, has no volume and was left out.</source>
+        <translation>1 cella nomina due volte un vertice, non ha volume ed è stata omessa.</translation>
+    </message>
+    <message>
+        <source>%1 cells name a corner twice, has no volume and was left out.</source>
+        <translation>%1 celle nominano due volte un vertice, non hanno volume e sono state omesse.</translation>
+    </message>
+    <message>
+        <source>1 cell without volume was left out.</source>
+        <translation>1 cella senza volume è stata omessa.</translation>
+    </message>
+    <message>
+        <source>%1 cells without volume were left out.</source>
+        <translation>%1 celle senza volume sono state omesse.</translation>
+    </message>
+    <message>
+        <source>1 cell was turned over: the corners are in the other order.</source>
+        <translation>1 cella è stata capovolta: i vertici sono nell&apos;altro ordine.</translation>
+    </message>
+    <message>
+        <source>%1 cells were turned over: the corners are in the other order.</source>
+        <translation>%1 celle sono state capovolte: i vertici sono nell&apos;altro ordine.</translation>
+    </message>
+    <message>
+        <source>1 point on the place of another one joined with it.</source>
+        <translation>1 punto nel posto di un altro è stato unito a esso.</translation>
+    </message>
+    <message>
+        <source>%1 points on the place of another one joined with it.</source>
+        <translation>%1 punti nel posto di un altro sono stati uniti a esso.</translation>
+    </message>
+    <message>
+        <source>1 place had different values and got their mean.</source>
+        <translation>1 posto aveva valori diversi e ha ricevuto la loro media.</translation>
+    </message>
+    <message>
+        <source>%1 places had different values and got their mean.</source>
+        <translation>%1 posti avevano valori diversi e hanno ricevuto la loro media.</translation>
+    </message>
+    <message>
+        <source>1 node in the middle of an edge or face was left out: not all cells there have them, or cells bend too much.</source>
+        <translation>1 nodo nel mezzo di uno spigolo o di una faccia è stato omesso: non tutte le celle lì lo hanno, o si incurvano troppo.</translation>
+    </message>
+    <message>
+        <source>%1 nodes in the middle of edges and faces were left out: not all cells there have them, or cells bend too much.</source>
+        <translation>%1 nodi nel mezzo di spigoli e facce sono stati omessi: non tutte le celle lì li hanno, o si incurvano troppo.</translation>
+    </message>
+    <message>
+        <source>1 cell was cut along other diagonals, because the faces are not flat.</source>
+        <translation>1 cella è stata divisa lungo altre diagonali, perché le facce non sono piane.</translation>
+    </message>
+    <message>
+        <source>%1 cells were cut along other diagonals, because the faces are not flat.</source>
+        <translation>%1 celle sono state divise lungo altre diagonali, perché le facce non sono piane.</translation>
+    </message>
+    <message>
+        <source>1 cell was left out: too warped to be cut into tetrahedra without a new point.</source>
+        <translation>1 cella è stata omessa: troppo deformata per essere divisa in tetraedri senza un nuovo punto.</translation>
+    </message>
+    <message>
+        <source>%1 cells were left out: too warped to be cut into tetrahedra without a new point.</source>
+        <translation>%1 celle sono state omesse: troppo deformate per essere divise in tetraedri senza un nuovo punto.</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron was there twice.</source>
+        <translation>1 tetraedro c&apos;era due volte.</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra were there twice.</source>
+        <translation>%1 tetraedri c&apos;erano due volte.</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron was left out where parts of the mesh touched in an edge or a point only.</source>
+        <translation>1 tetraedro è stato omesso dove parti della mesh si toccavano solo in uno spigolo o in un punto.</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra were left out where parts of the mesh touched in an edge or a point only.</source>
+        <translation>%1 tetraedri sono stati omessi dove parti della mesh si toccavano solo in uno spigolo o in un punto.</translation>
+    </message>
+    <message>
+        <source>1 point is of no cell: left out.</source>
+        <translation>1 punto non è di alcuna cella: omesso.</translation>
+    </message>
+    <message>
+        <source>%1 points are of no cell: left out.</source>
+        <translation>%1 punti non sono di alcuna cella: omessi.</translation>
+    </message>
+    <message>
+        <source>1 incomplete row was skipped.</source>
+        <translation>1 riga incompleta è stata saltata.</translation>
+    </message>
+    <message>
+        <source>%1 incomplete rows were skipped.</source>
+        <translation>%1 righe incomplete sono state saltate.</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron that is flat or turned over, one at %1</source>
+        <translation>1 tetraedro piatto o capovolto, in %1</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra that are flat or turned over, one at %2</source>
+        <translation>%1 tetraedri piatti o capovolti, per esempio in %2</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron at a face that three or more share, one at %1</source>
+        <translation>1 tetraedro su una faccia che tre o più condividono, in %1</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra at faces that three or more share, one at %2</source>
+        <translation>%1 tetraedri su facce che tre o più condividono, per esempio in %2</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron that overlaps its neighbour, one at %1</source>
+        <translation>1 tetraedro che si sovrappone al vicino, in %1</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra that overlap a neighbour on the same side of a face, one at %2</source>
+        <translation>%1 tetraedri che si sovrappongono a un vicino dallo stesso lato di una faccia, per esempio in %2</translation>
+    </message>
+    <message>
+        <source>1 edge in which parts of it only touch, one at %1</source>
+        <translation>1 spigolo in cui le sue parti si toccano soltanto, in %1</translation>
+    </message>
+    <message>
+        <source>%1 edges in which parts of it only touch, one at %2</source>
+        <translation>%1 spigoli in cui le sue parti si toccano soltanto, per esempio in %2</translation>
+    </message>
+    <message>
+        <source>1 point in which parts of it only touch, one at %1</source>
+        <translation>1 punto in cui le sue parti si toccano soltanto, in %1</translation>
+    </message>
+    <message>
+        <source>%1 points in which parts of it only touch, one at %2</source>
+        <translation>%1 punti in cui le sue parti si toccano soltanto, per esempio in %2</translation>
+    </message>
+    <message>
+        <source>1 part inside another part, one at %1</source>
+        <translation>1 parte dentro un&apos;altra, in %1</translation>
+    </message>
+    <message>
+        <source>%1 parts inside other parts, one at %2</source>
+        <translation>%1 parti dentro altre, per esempio in %2</translation>
+    </message>
+</context>
+<context>
     <name>Statistics</name>
     <message>
         <source>Error</source>
@@ -1676,6 +2527,10 @@
     <message>
         <source>%1 vertices</source>
         <translation>%1 vertici</translation>
+    </message>
+    <message>
+        <source>1 vertex</source>
+        <translation>1 vertice</translation>
     </message>
 </context>
 <context>
@@ -2983,6 +3838,10 @@ deformazione %2</translation>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
+    <message>
+        <source>for example %1</source>
+        <translation>per esempio %1</translation>
+    </message>
 </context>
 <context>
     <name>tetra::PickActions</name>
@@ -3309,7 +4168,7 @@ deformazione %2</translation>
     <name>tetra::PresetPopup</name>
     <message>
         <source>&amp;Save as preset…</source>
-        <translation>&amp;Salva come predefinita…</translation>
+        <translation>&amp;Salva come preimpostazione…</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
@@ -3321,11 +4180,11 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Search for a preset</source>
-        <translation>Cerca una predefinita</translation>
+        <translation>Cerca una preimpostazione</translation>
     </message>
     <message>
         <source>What to take of a preset</source>
-        <translation>Che cosa prendere di una predefinita</translation>
+        <translation>Che cosa prendere di una preimpostazione</translation>
     </message>
     <message>
         <source>Colours and opacities</source>
@@ -3349,7 +4208,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Delete the chosen preset, if it is one of your own</source>
-        <translation>Elimina la predefinita scelta, se è una delle vostre</translation>
+        <translation>Elimina la preimpostazione scelta, se è una delle vostre</translation>
     </message>
     <message>
         <source>One of your own</source>
@@ -3357,11 +4216,11 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Save as Preset</source>
-        <translation>Salva come predefinita</translation>
+        <translation>Salva come preimpostazione</translation>
     </message>
     <message>
         <source>Name of the preset:</source>
-        <translation>Nome della predefinita:</translation>
+        <translation>Nome della preimpostazione:</translation>
     </message>
 </context>
 <context>

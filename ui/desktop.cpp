@@ -4,6 +4,7 @@
 #include "plugins/widgets/icons.h"
 #include "ui/session/language.h"
 #include "ui/session/plugin_choice.h"
+#include "ui/widgets/legible_style.h"
 #include "ui/window/main_window.h"
 #include "ui/window/screenshots.h"
 #include "ui/work/steady_heap.h"
@@ -87,6 +88,7 @@ int runDesktop(int argc, char** argv)
     QCoreApplication::setApplicationVersion(TAN_VERSION);
     QGuiApplication::setDesktopFileName("org.tan.TAn"); // how Wayland finds the icon
     QApplication::setWindowIcon(programIcon());
+    useLegibleStyle();
     QTranslator ours;
     QTranslator ofQt;
     loadTranslations(application, ours, ofQt);

@@ -115,7 +115,7 @@ bool isForWindow(std::span<const std::string> words)
 bool needsFonts(std::span<const std::string> words)
 {
     const Subcommand* subcommand = words.empty() ? nullptr : findSubcommand(words[0]);
-    return subcommand != nullptr && subcommand->drawsText;
+    return subcommand != nullptr && subcommand->needsFonts != nullptr && subcommand->needsFonts(words.subspan(1));
 }
 
 int runCommandLine(std::span<const std::string> words, PluginHost& host, const Streams& streams,

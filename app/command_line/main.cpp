@@ -4,6 +4,7 @@
 #include "app/command_line/window.h"
 
 #include <QGuiApplication>
+#include <QLocale>
 
 #include <exception>
 #include <iostream>
@@ -19,6 +20,7 @@ std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv, const 
     if (!tetra::needsFonts(words))
         return std::make_unique<QCoreApplication>(argc, argv);
     qputenv("QT_QPA_PLATFORM", "offscreen");
+    QLocale::setDefault(QLocale::c()); // what is drawn is as what is printed
     return std::make_unique<QGuiApplication>(argc, argv);
 }
 

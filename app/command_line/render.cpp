@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/annotation_options.h"
 #include "app/command_line/camera_option.h"
 #include "app/command_line/depth_file.h"
 #include "app/command_line/option_values.h"
@@ -12,6 +13,7 @@
 #include "core/graphics/volume/volume_histogram.h"
 #include "core/model/queries/mesh_extractor.h"
 #include "core/model/queries/two_resolutions.h"
+#include "ui/annotations/field_name.h"
 
 #include <QFile>
 
@@ -52,6 +54,7 @@ std::vector<Parameter> rendererParameters(PluginHost& host)
 struct PreparedScene {
     std::shared_ptr<const Scene> scene;
     Camera camera;
+    AnnotationContent annotations;
     QJsonObject figures;
     std::size_t tetrahedra = 0;
 };
@@ -72,6 +75,23 @@ ParameterValues completed(ParameterValues values, const Renderer& renderer, cons
          renderer.parameters({range, data.bounds, volumeHistogram(mesh, range.minimum, range.maximum, parts)}))
         values.try_emplace(parameter.id, parameter.defaultValue);
     return values;
+}
+
+/// What is written over the picture: of the values that it is drawn with.
+AnnotationContent annotationsFor(const Arguments& arguments, const ModelDescription& data,
+                                 const ParameterValues& values, const Camera& camera)
+{
+    AnnotationContent content = annotationsOf(arguments);
+    content.range = data.range;
+    content.field = fieldName(data);
+    content.camera = camera;
+    for (const auto& [id, value] : values) {
+        if (const auto* transfer = std::get_if<TransferFunction>(&value))
+            content.transfer = *transfer;
+        if (const auto* isovalues = std::get_if<std::vector<Isovalue>>(&value))
+            content.isovalues = *isovalues;
+    }
+    return content;
 }
 
 /// The mesh that was asked for, and with a renderer that blends a focus (R24) the one inside it.
@@ -135,15 +155,16 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, const RenderReq
     const std::shared_ptr<const TetrahedralMesh> mesh(shown->mesh, &found.mesh);
     const auto session = shown->focus ? renderer.plugin->openWithFocus(mesh, *shown->focus, data.bounds)
                                       : renderer.plugin->open(mesh, data.bounds);
-    const auto scene = session->prepare(completed(*values, *renderer.plugin, data, found.mesh), *camera,
-                                        invocation.progress.part(0.3, 0.6));
+    const ParameterValues look = completed(*values, *renderer.plugin, data, found.mesh);
+    const auto scene = session->prepare(look, *camera, invocation.progress.part(0.3, 0.6));
     if (!scene)
         return scene.error();
     figures["scene_seconds"] = secondsSince(sceneStart);
     figures["tetrahedra"] = static_cast<qint64>(shown->tetrahedra());
     if (shown->focus)
         figures["focus_tetrahedra"] = static_cast<qint64>(shown->focus->mesh->tetrahedra.size());
-    return PreparedScene{*scene, *camera, figures, shown->tetrahedra()};
+    return PreparedScene{*scene, *camera, annotationsFor(invocation.arguments, data, look, *camera), figures,
+                         shown->tetrahedra()};
 }
 
 std::size_t triangleCount(const Scene& scene)
@@ -180,7 +201,8 @@ std::string contentText(const Scene& scene, std::size_t tetrahedra)
     return (scene.surfaces.empty() ? "" : triangles + " and ") + std::string("a volume of ") + cells;
 }
 
-Status writeFiles(const RenderRequest& request, const Picture& picture, QJsonObject& figures)
+Status writeFiles(const RenderRequest& request, const Picture& picture, AnnotationContent annotations,
+                  QJsonObject& figures)
 {
     if (request.depth) {
         const auto scale = writeDepth(*request.depth, picture);
@@ -190,7 +212,8 @@ Status writeFiles(const RenderRequest& request, const Picture& picture, QJsonObj
         figures["nearest"] = scale->nearest;
         figures["farthest"] = scale->farthest;
     }
-    return writePng(request.output, picture);
+    annotations.background = request.picture.background;
+    return writePng(request.output, annotated(picture, annotations));
 }
 
 } // namespace
@@ -218,9 +241,11 @@ Syntax renderSyntax(PluginHost& host)
             {"tan render engine.tan --mode focus --error 4 --focus sphere:90,60,60,40 --focus-error 0.5 --falloff 10 "
              "-o engine.png",
              "A volume that is fine inside a ball and coarse outside, blended over a length of 10."},
+            {"tan render engine.tan --mode volume --colour-bar --axes --title Engine -o engine.png",
+             "With what the colours mean, the directions of the axes and a title."},
             {"tan render engine.tan --camera top --size 1920x1080 --background black -o engine.png", "From above."}}};
     addPluginOptions(syntax, rendererParameters(host));
-    for (auto options : {pictureOptions(), fieldOptions(), partOptions()})
+    for (auto options : {pictureOptions(), annotationOptions(), fieldOptions(), partOptions()})
         std::ranges::move(options, std::back_inserter(syntax.options));
     return syntax;
 }
@@ -257,7 +282,7 @@ Result<Outcome> runRender(const Invocation& invocation)
     QJsonObject figures = prepared->figures;
     figures["picture_seconds"] = secondsSince(pictureStart);
     addStatistics(figures, **backend);
-    if (const Status written = writeFiles(*request, *picture, figures); !written)
+    if (const Status written = writeFiles(*request, *picture, prepared->annotations, figures); !written)
         return written.error();
 
     const double seconds = secondsSince(start);

@@ -32,7 +32,8 @@ struct Subcommand {
     std::string_view name;
     Syntax (*syntax)(PluginHost& host);
     Result<Outcome> (*run)(const Invocation& invocation);
-    bool drawsText = false; ///< needs a QGuiApplication for its fonts
+    /// Whether these words make it need a QGuiApplication, for its fonts; null if none do.
+    bool (*needsFonts)(std::span<const std::string> words) = nullptr;
 };
 
 /// All of them, in the order of the help.

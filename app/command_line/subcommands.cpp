@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/subcommands.h"
 
+#include "app/command_line/annotation_options.h"
+
 #include <array>
 
 namespace tetra {
@@ -14,8 +16,8 @@ std::span<const Subcommand> subcommands()
         {"verify", verifySyntax, runVerify},
         {"extract", extractSyntax, runExtract},
         {"isosurface", isosurfaceSyntax, runIsosurface},
-        {"render", renderSyntax, runRender},
-        {"reproduce", reproduceSyntax, runReproduce, true},
+        {"render", renderSyntax, runRender, askForAnnotations},
+        {"reproduce", reproduceSyntax, runReproduce, [](std::span<const std::string>) { return true; }},
         {"plugins", pluginsSyntax, runPlugins},
     }};
     return all;

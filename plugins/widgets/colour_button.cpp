@@ -21,9 +21,12 @@ constexpr std::array paletteNames{
     QT_TRANSLATE_NOOP("Palette", "Yellow"),
 };
 
-QIcon swatch(const QColor& colour, const QColor& rim, qreal ratio)
+/// With a rim of half the strength of texts, as the colour may be that of the window.
+QIcon swatch(const QColor& colour, const QPalette& palette, qreal ratio)
 {
     constexpr int side = 16;
+    QColor rim = palette.color(QPalette::WindowText);
+    rim.setAlphaF(0.5F);
     QPixmap pixmap(QSize(side, side) * ratio);
     pixmap.setDevicePixelRatio(ratio);
     pixmap.fill(Qt::transparent);
@@ -51,7 +54,7 @@ ColourButton::ColourButton(QWidget* parent) : QToolButton(parent)
 void ColourButton::setColour(const QColor& colour)
 {
     colour_ = colour;
-    setIcon(swatch(colour, palette().color(QPalette::Mid), devicePixelRatioF()));
+    setIcon(swatch(colour, palette(), devicePixelRatioF()));
 }
 
 void ColourButton::fillMenu(QMenu* menu)
@@ -60,7 +63,7 @@ void ColourButton::fillMenu(QMenu* menu)
     for (std::size_t index = 0; index < paletteNames.size(); ++index) {
         const auto [red, green, blue] = distinctColour(index);
         const QColor colour = QColor::fromRgbF(red, green, blue);
-        QAction* action = menu->addAction(swatch(colour, palette().color(QPalette::Mid), devicePixelRatioF()),
+        QAction* action = menu->addAction(swatch(colour, palette(), devicePixelRatioF()),
                                           QCoreApplication::translate("Palette", paletteNames[index]));
         action->setObjectName(QString("%1.%2").arg(objectName()).arg(index));
         connect(action, &QAction::triggered, this, [this, colour] { emit colourChosen(colour); });

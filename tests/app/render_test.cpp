@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace tetra {
@@ -168,6 +169,36 @@ private slots:
         QVERIFY(coloured(right, 35, 60) > 100);
         const QImage none = drawn(options + QStringList{"--clip", "1,0,0,9", "--clip", "-1,0,0,-6"}, mode).first;
         QCOMPARE(coloured(none), 0);
+    }
+
+    /// Each in its corner, and nothing else is touched; what has no value of its own is not there.
+    void annotationsAreWrittenOver()
+    {
+        const auto picture = [this](const QStringList& options, const char* mode) {
+            const Run run = tan(QStringList{"render", "c60.tan", "--mode", mode, "--size", "400x320", "--no-outline",
+                                            "-o", "annotated.png"} +
+                                options);
+            return run.exitCode == 0 ? QImage(path("annotated.png")) : QImage();
+        };
+        const auto corner = [](const QImage& image, int number) {
+            return image.copy(number % 2 * 300, number / 2 * 240, 100, 80); // top left, top right, bottom left ...
+        };
+        const QImage bare = picture({}, "volume");
+        QCOMPARE(bare.size(), QSize(400, 320));
+        const std::array<QStringList, 4> options{QStringList{"--title", "Sixty atoms"}, QStringList{"--colour-bar"},
+                                                 QStringList{"--axes"}, QStringList{"--scale-bar"}};
+        for (int wanted = 0; wanted < 4; ++wanted) {
+            const QImage image = picture(options[static_cast<std::size_t>(wanted)], "volume");
+            for (int other = 0; other < 4; ++other) {
+                const int changed = pixelsThatDiffer(corner(image, other), corner(bare, other));
+                QVERIFY2(other == wanted ? changed > 100 : changed == 0, QByteArray::number(10 * wanted + other));
+            }
+            QCOMPARE(pixelsThatDiffer(image.copy(150, 100, 100, 120), bare.copy(150, 100, 100, 120)), 0);
+        }
+        const QImage surface = picture({"--colour-bar", "--isovalue", "120.5:silver"}, "isosurface");
+        QVERIFY(pixelsThatDiffer(corner(surface, 1), corner(picture({"--isovalue", "120.5:silver"}, "isosurface"), 1)) >
+                100);
+        QCOMPARE(tan({"render", "c60.tan", "--title", "-o", "annotated.png"}).exitCode, 2);
     }
 
     /// What 'tan extract' takes, the picture shows.

@@ -102,6 +102,27 @@ private slots:
         QVERIFY(!one.looksLike(form) && one.looksLike(one));
     }
 
+    void whatDoesNotFitTheFileIsNotAsked()
+    {
+        const auto asks = [](const ImportForm& form, const char* id) {
+            return std::ranges::find(form.parameters, id, &Parameter::id) != form.parameters.end();
+        };
+        const auto parameters = parametersOf("plot3d");
+        QVERIFY(asks(importForm(parameters, {.domain = DomainClass::Curvilinear}, {}, false), "solution"));
+        QVERIFY(!asks(importForm(parameters, {.domain = DomainClass::Irregular}, {}, false), "solution"));
+    }
+
+    void theReadersOwnChoiceHasAName()
+    {
+        FileContents mesh{.domain = DomainClass::Irregular};
+        mesh.arrays = {{.name = "density"}, {.name = "pressure"}};
+        const ImportForm form = importForm(parametersOf("cells"), mesh, {}, false);
+        const auto& choices = form.choices.at("array");
+        QCOMPARE(choices.size(), std::size_t(3));
+        QCOMPARE(choices[0].value, ParameterValue(std::string()));
+        QCOMPARE(choices[0].label, QString("automatic"));
+    }
+
     void aLayoutIsAskedForOnlyWhereTheFileDoesNotTellIt()
     {
         const auto parameters = parametersOf("lattice");

@@ -4,13 +4,13 @@
 /// a window of its own; one that cannot be taken is named, and the exit code is 1.
 #include "tests/ui/window_fixture.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/legible_style.h"
 #include "ui/window/docks.h"
 
 #include <QApplication>
 #include <QDir>
 #include <QDockWidget>
 #include <QElapsedTimer>
-#include <QStyleFactory>
 #include <QTextStream>
 
 #include <cmath>
@@ -179,7 +179,7 @@ int main(int argc, char** argv)
     QApplication application(argc, argv);
     QCoreApplication::setOrganizationName("TAn");
     QCoreApplication::setApplicationName("manual-pictures");
-    QApplication::setStyle(QStyleFactory::create("Fusion"));
+    QApplication::setStyle(new LegibleStyle);
     const QStringList arguments = QCoreApplication::arguments();
     if (arguments.size() != 3) {
         QTextStream(stderr) << "usage: manual-pictures FOLDER MODELS" << Qt::endl;

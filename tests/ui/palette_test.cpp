@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/languages.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/window/palette_commands.h"
 
@@ -23,6 +24,8 @@ private slots:
     void aCommandIsFoundAndDone();
     void panelsAndAccuraciesAreFound();
     void escapeGivesTheKeysBack();
+    void nothingIsCutOff_data() { addLanguageRows(); }
+    void nothingIsCutOff();
 
 private:
     void openPalette() const;
@@ -148,6 +151,24 @@ void PaletteTest::escapeGivesTheKeysBack()
     QTest::keyClick(&search(), Qt::Key_Escape);
     QVERIFY(!window_->find<QWidget>("palette").isVisible());
     QVERIFY(window_->window.focusWidget() == &window_->viewport());
+}
+
+/// Neither names nor, of what cannot be done, the reasons.
+void PaletteTest::nothingIsCutOff()
+{
+    QFETCH(QString, language);
+    const Speaking speaking(language);
+    window_ = std::make_unique<WindowFixture>();
+    window_->window.resize(1366, 768);
+    window_->window.show();
+    openPalette();
+    QVERIFY(list().topLevelItemCount() > 20);
+    const QFontMetrics metrics = list().fontMetrics();
+    for (int row = 0; row < list().topLevelItemCount(); ++row)
+        for (const int column : {0, 1}) {
+            const QString text = list().topLevelItem(row)->text(column);
+            QVERIFY2(metrics.horizontalAdvance(text) <= list().columnWidth(column), qPrintable(text));
+        }
 }
 
 QTEST_MAIN(PaletteTest)

@@ -5,6 +5,7 @@
 #include "plugins/widgets/value_box.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/panels/accuracy_curve.h"
+#include "ui/panels/parameter_form.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -12,6 +13,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPainter>
 #include <QPushButton>
 #include <QSlider>
 #include <QStyle>
@@ -39,11 +41,13 @@ private slots:
     void oneNumberIsErrorAndWarping();
     void isovaluesAreAddedEditedAndRemoved();
     void theColourMenuOffersThePalette();
+    void aColourIsSeenOnAWindowOfTheSame();
     void deleteRemovesTheRow();
     void isovalueRowsFollowUndo();
     void everyControlHasANameForThoseWhoHearIt();
     void valueBoxesTakeAnyMagnitude();
     void weightsAreCheckedWhileTheyAreTyped();
+    void aStepFromZeroIsATenth();
     void lengthsOfATinyDomainAreEdited();
 
 private:
@@ -229,6 +233,21 @@ void PanelsTest::theColourMenuOffersThePalette()
     QCOMPARE(button.colour(), QColor::fromRgbF(isovalue(0).red, isovalue(0).green, isovalue(0).blue));
 }
 
+void PanelsTest::aColourIsSeenOnAWindowOfTheSame()
+{
+    const QColor window(42, 43, 46);
+    ColourButton button;
+    QPalette dark(window);
+    dark.setColor(QPalette::WindowText, Qt::white);
+    button.setPalette(dark);
+    button.setColour(window);
+    QImage image(16, 16, QImage::Format_RGB32);
+    image.fill(window);
+    QPainter(&image).drawPixmap(0, 0, button.icon().pixmap(QSize(16, 16), 1.0));
+    QVERIFY(qGray(image.pixel(8, 0)) > qGray(window.rgb()) + 60); // its rim
+    QCOMPARE(image.pixelColor(8, 8), window);
+}
+
 void PanelsTest::deleteRemovesTheRow()
 {
     open();
@@ -294,6 +313,41 @@ void PanelsTest::weightsAreCheckedWhileTheyAreTyped()
     QVERIFY2(mistake.text().contains("it has 3 numbers"), qPrintable(mistake.text()));
     QTest::keyClicks(&weights, ",4");
     QVERIFY(!mistake.isVisible());
+}
+
+/// Of percent and of whole numbers: Qt's own step from 0 is the last of the decimals.
+void PanelsTest::aStepFromZeroIsATenth()
+{
+    ParameterForm form("form");
+    Parameter percent, count;
+    percent.id = "error";
+    percent.defaultValue = 0.0;
+    percent.maximum = 100;
+    count.id = "skip";
+    count.defaultValue = std::int64_t(0);
+    count.maximum = 1000;
+    form.setParameters({percent, count});
+    auto& error = *form.findChild<QDoubleSpinBox*>("form.error");
+    const auto valueAfter = [](QDoubleSpinBox& box, int key) {
+        QTest::keyClick(&box, static_cast<Qt::Key>(key));
+        return box.value();
+    };
+    QCOMPARE(valueAfter(error, Qt::Key_Up), 0.1);
+    QCOMPARE(valueAfter(error, Qt::Key_Up), 0.2);
+    QCOMPARE(valueAfter(error, Qt::Key_Down), 0.1);
+    QCOMPARE(valueAfter(error, Qt::Key_Down), 0.0);
+    QCOMPARE(valueAfter(error, Qt::Key_Down), 0.0); // the least
+    QCOMPARE(valueAfter(error, Qt::Key_PageUp), 1.0);
+    QCOMPARE(valueAfter(error, Qt::Key_Up), 1.1);
+    QCOMPARE(valueAfter(error, Qt::Key_PageDown), 0.1);
+    error.setValue(20);
+    QCOMPARE(valueAfter(error, Qt::Key_Up), 21.0);
+    error.setValue(0.05); // what is finer than that was typed
+    QCOMPARE(valueAfter(error, Qt::Key_Up), 0.051);
+    auto& skip = *form.findChild<QDoubleSpinBox*>("form.skip");
+    QCOMPARE(valueAfter(skip, Qt::Key_Up), 1.0);
+    QCOMPARE(valueAfter(skip, Qt::Key_Up), 2.0);
+    QCOMPARE(valueAfter(skip, Qt::Key_PageDown), 0.0);
 }
 
 void PanelsTest::lengthsOfATinyDomainAreEdited()

@@ -8,6 +8,7 @@
 #include <QMenuBar>
 #include <QProcess>
 #include <QStandardPaths>
+#include <QUndoStack>
 #include <QXmlStreamReader>
 
 #include <algorithm>
@@ -167,6 +168,13 @@ void TranslationTest::theWindowSpeaksGerman()
     const WindowFixture window;
     QCOMPARE(window.find<QMenu>("menu.file").title(), QString("&Datei"));
     QCOMPARE(window.find<QWidget>("dock.accuracy").windowTitle(), QString("Genauigkeit"));
+    auto& undo = window.find<QAction>("action.undo");
+    QCOMPARE(undo.text(), QString("&Rückgängig")); // a colon follows only if something does
+    QUndoStack& stack = window.workbench.session().undoStack();
+    stack.push(new QUndoCommand("Drehen"));
+    QCOMPARE(undo.text(), QString("&Rückgängig: Drehen"));
+    stack.undo();
+    QCOMPARE(undo.text(), QString("&Rückgängig"));
     QCOMPARE(pluginText("Delaunay refinement"), QString("Delaunay-Verfeinerung"));
 }
 

@@ -2,8 +2,10 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/viewport/value_pick.h"
 
+#include <QContextMenuEvent>
 #include <QGuiApplication>
 #include <QLabel>
+#include <QMenu>
 
 using namespace tetra;
 
@@ -22,6 +24,7 @@ private slots:
     void aClickBesideForgets();
     void escapeAndAnotherModelForget();
     void keysPickAndMakeIsovaluesAndPoints();
+    void aRightClickOffersWhatCanBeDone();
     void aPickWaitsForThePicture();
     void theMarkIsSeen();
 
@@ -183,6 +186,30 @@ void ValuePickTest::keysPickAndMakeIsovaluesAndPoints()
     QCOMPARE(session().view().isovalueCount(), isovalues);
     window_->find<QAction>("action.forgetPicked").trigger();
     QVERIFY(!picked());
+}
+
+void ValuePickTest::aRightClickOffersWhatCanBeDone()
+{
+    Viewport& viewport = window_->viewport();
+    auto& menu = window_->find<QMenu>("menu.picture");
+    const auto rightClick = [&] {
+        QContextMenuEvent event(QContextMenuEvent::Mouse, middle(), viewport.mapToGlobal(middle()));
+        QCoreApplication::sendEvent(&viewport, &event);
+    };
+    rightClick();
+    QVERIFY(menu.isVisible());
+    QTRY_VERIFY(picked().has_value());
+    for (const char* name : {"isovalueHere", "pointHere", "forgetPicked", "fit", "copyPicture", "savePicture"}) {
+        auto& action = window_->find<QAction>(QString("action.") + name);
+        QVERIFY2(menu.actions().contains(&action) && action.isEnabled(), name);
+    }
+    const std::size_t before = session().view().isovalues().size();
+    window_->find<QAction>("action.isovalueHere").trigger();
+    QCOMPARE(session().view().isovalues().size(), before + 1);
+    menu.close();
+    window_->find<QAction>("action.close").trigger();
+    rightClick();
+    QVERIFY(!menu.isVisible()); // there is nothing to do anything with
 }
 
 void ValuePickTest::aPickWaitsForThePicture()

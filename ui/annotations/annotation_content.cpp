@@ -1,32 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/annotations/annotation_content.h"
 
+#include "ui/annotations/field_name.h"
 #include "ui/session/mesh_text.h"
 #include "ui/session/target_path.h"
 #include "ui/session/workbench.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QGuiApplication>
 
 namespace tetra {
 namespace {
-
-class Texts {
-    Q_DECLARE_TR_FUNCTIONS(Annotations)
-};
-
-/// The array that the model was built of, else what the dataset is called.
-QString fieldName(const ModelDescription& description)
-{
-    for (const auto& [name, text] : description.parameters)
-        if (name.ends_with(".array") && !text.empty())
-            return QString::fromStdString(text);
-    // "file.bin, array" where readers know more than the file's name.
-    const QString source = QString::fromStdString(description.sourceName);
-    const QString name = source.contains(", ") ? source.section(", ", -1) : QFileInfo(source).completeBaseName();
-    return name.isEmpty() ? Texts::tr("Value") : name;
-}
 
 std::vector<Isovalue> seenOnes(std::vector<Isovalue> isovalues)
 {

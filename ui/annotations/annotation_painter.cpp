@@ -221,9 +221,15 @@ void paintAnnotations(QPainter& painter, const AnnotationContent& content, QSize
 
 void paintAnnotations(QImage& image, const AnnotationContent& content, double scale)
 {
-    QPainter painter(&image);
-    painter.scale(scale, scale);
-    paintAnnotations(painter, content, QSizeF(image.size()) / scale);
+    const QImage::Format format = image.format();
+    // Painting translucent ink over straight alpha is slow and coarse.
+    image = image.convertToFormat(QImage::Format_ARGB32_Premultiplied);
+    {
+        QPainter painter(&image);
+        painter.scale(scale, scale);
+        paintAnnotations(painter, content, QSizeF(image.size()) / scale);
+    }
+    image = image.convertToFormat(format);
 }
 
 double annotationScale(QSize picture, QSize view)

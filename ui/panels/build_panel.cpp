@@ -6,6 +6,7 @@
 #include "ui/panels/parameter_form.h"
 #include "ui/session/import_texts.h"
 #include "ui/session/plugin_texts.h"
+#include "ui/session/sentences.h"
 #include "ui/session/target_path.h"
 
 #include <QComboBox>
@@ -212,7 +213,7 @@ void BuildPanel::showDataset()
     name_->setText(QString::fromStdString(dataset.source.name));
     QStringList facts = {factsOf(dataset)};
     for (const std::string& remark : dataset.remarks)
-        facts << QString::fromStdString(remark);
+        facts << translatedSentence(remark);
     facts_->setText(facts.join('\n'));
     differently_->setVisible(!dataset.source.path.empty());
     estimate_->setText(estimateText(workbench_.buildSize()));

@@ -3,6 +3,7 @@
 
 #include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/session_editor_host.h"
+#include "ui/session/sentences.h"
 
 #include <QCoreApplication>
 #include <QLabel>
@@ -17,8 +18,8 @@ class EditorPage {
 
 QWidget* makeReasonPage(const std::string& reason)
 {
-    auto* text = new QLabel(EditorPage::tr("The editor cannot be used. %1").arg(QString::fromStdString(reason)) +
-                            "\n\n" + EditorPage::tr("Help › Plugins lists all plugins and where they are looked for."));
+    auto* text = new QLabel(EditorPage::tr("The editor cannot be used. %1").arg(translatedSentence(reason)) + "\n\n" +
+                            EditorPage::tr("Help › Plugins lists all plugins and where they are looked for."));
     text->setObjectName("transfer.missing");
     text->setWordWrap(true);
     text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);

@@ -44,7 +44,7 @@ std::vector<ParameterChoice> arrayChoices(const Parameter& parameter, const File
     std::vector<ParameterChoice> choices;
     const auto byDefault = std::get<std::string>(parameter.defaultValue);
     if (std::ranges::find(contents.arrays, byDefault, &FileArray::name) == contents.arrays.end())
-        choices.push_back({byDefault, pluginText(byDefault)});
+        choices.push_back({byDefault, pluginText(byDefault.empty() ? "automatic" : byDefault)}); // its own choice
     for (const FileArray& array : contents.arrays)
         choices.push_back({array.name, arrayText(array)});
     return choices;
@@ -110,6 +110,8 @@ std::vector<ParameterChoice> choicesOf(const Parameter& parameter, const FileCon
     }
     if (parameter.id == "time" && std::holds_alternative<std::int64_t>(parameter.defaultValue))
         return contents.timeSteps.size() > 1 ? timeChoices(contents) : std::vector<ParameterChoice>(1);
+    if (parameter.id == "solution" && contents.domain && contents.domain != DomainClass::Curvilinear)
+        return std::vector<ParameterChoice>(1);
     if (isOneOf(blockIds, parameter.id))
         return contents.blocks.size() > 1 ? blockChoices(parameter, contents) : std::vector<ParameterChoice>(1);
     return {};

@@ -2,6 +2,7 @@
 #include "ui/panels/parameter_form.h"
 
 #include "ui/session/plugin_texts.h"
+#include "ui/session/sentences.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -12,6 +13,7 @@
 #include <QSignalBlocker>
 
 #include <algorithm>
+#include <cmath>
 
 namespace tetra {
 namespace {
@@ -36,20 +38,44 @@ Control controlFor(const Parameter& parameter, bool value)
             [box](const ParameterValue& shown) { box->setChecked(std::get<bool>(shown)); }};
 }
 
-/// Shows no more digits than the number has.
+/// Shows no more digits than the number has. Its steps are a tenth of the number's magnitude, but `least` from 0 to ten
+/// times that: Qt's own begin with the last of the decimals.
 class NumberBox : public QDoubleSpinBox {
 public:
+    explicit NumberBox(double least) : least_(least) { setStepType(AdaptiveDecimalStepType); }
+
     QString textFromValue(double value) const override { return locale().toString(value, 'g', 15); }
+
+    void stepBy(int steps) override
+    {
+        const int direction = steps > 0 ? 1 : -1;
+        for (int step = 0; step != steps; step += direction) {
+            if (stepsLeast(direction))
+                setValue(value() + direction * least_);
+            else
+                QDoubleSpinBox::stepBy(direction);
+        }
+        selectAll();
+    }
+
+private:
+    bool stepsLeast(int direction) const
+    {
+        const double size = std::abs(value());
+        const bool towardsZero = value() * direction < 0;
+        return size == 0 || (size >= least_ && (towardsZero ? size <= 10 * least_ : size < 10 * least_));
+    }
+
+    double least_;
 };
 
 QDoubleSpinBox* numberBox(const Parameter& parameter, int decimals, double value)
 {
     constexpr double unbounded = 1e15; // whole numbers up to here are exact
-    auto* box = new NumberBox;
+    auto* box = new NumberBox(decimals > 0 ? 0.1 : 1);
     box->setDecimals(decimals);
     box->setRange(isBounded(parameter) ? parameter.minimum : -unbounded,
                   isBounded(parameter) ? parameter.maximum : unbounded);
-    box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     box->setValue(value);
     return box;
 }
@@ -192,6 +218,13 @@ void ParameterForm::setValues(const ParameterValues& values)
     }
 }
 
+void ParameterForm::setExample(const std::string& id, const QString& example)
+{
+    for (const Field& field : fields_)
+        if (auto* line = qobject_cast<QLineEdit*>(field.widget); line != nullptr && field.id == id)
+            line->setPlaceholderText(tr("for example %1").arg(example));
+}
+
 ParameterValue ParameterForm::value(const std::string& id) const
 {
     for (const Field& field : fields_)
@@ -209,7 +242,7 @@ void ParameterForm::tellMistakes(QLineEdit& line, const Parameter& parameter)
     message->setTextInteractionFlags(Qt::TextSelectableByMouse);
     layout_->addRow(message);
     const auto show = [this, message, mistake = parameter.mistake](const QString& text) {
-        message->setText(QString::fromStdString(mistake(text.toStdString())));
+        message->setText(translatedSentence(mistake(text.toStdString())));
         layout_->setRowVisible(message, !message->text().isEmpty());
     };
     show(line.text());

@@ -30,6 +30,8 @@ public:
     /// Begins anew, with the defaults. A parameter that has choices here is one of them, whatever its type.
     void setParameters(const std::vector<Parameter>& parameters, const ParameterChoices& choices = {});
     ParameterValues values() const;
+    /// Shown in a line as long as it is empty: how its text is written.
+    void setExample(const std::string& id, const QString& example);
     /// Of one; false if there is none.
     ParameterValue value(const std::string& id) const;
     /// Shows these; what is missing or of another type has its default. Tells nobody.

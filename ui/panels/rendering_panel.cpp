@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/rendering_panel.h"
 
+#include "plugins/api/scene_parameters.h"
 #include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/parameter_form.h"
 #include "ui/session/plugin_texts.h"
@@ -120,10 +121,19 @@ void RenderingPanel::showLook()
     const Look& look = workbench_.session().view().look();
     mode_->setCurrentIndex(mode_->findData(QString::fromStdString(look.mode)));
     explanation_->setText(explanationOf(workbench_.host(), look.mode));
-    if (look.mode != shownMode_ || look.mode.empty())
+    if (look.mode != shownMode_ || look.mode.empty()) {
         settings_->setParameters(settingParameters(workbench_.renderingParameters()));
+        showExample();
+    }
     shownMode_ = look.mode;
     settings_->setValues(look.settings);
+}
+
+/// How a clip plane is written: one that cuts the domain in two.
+void RenderingPanel::showExample()
+{
+    if (const auto& model = workbench_.session().model())
+        settings_->setExample(clipId, "1,0,0," + QString::number(model->description().bounds.center().x(), 'g', 3));
 }
 
 void RenderingPanel::setFrameRate(int perSecond)

@@ -34,6 +34,7 @@ private:
     QWidget* makeContent();
     void showModel();
     void showLook();
+    void showExample();
     void setFrameRate(int perSecond);
 
     Workbench& workbench_;

@@ -9,6 +9,7 @@
 #include "ui/session/picture_texts.h"
 #include "ui/session/plugin_texts.h"
 #include "ui/session/recent_files.h"
+#include "ui/session/sentences.h"
 #include "ui/session/target_path.h"
 
 #include <QFileInfo>
@@ -123,7 +124,7 @@ std::function<void()> Workbench::whenLookedAt(const std::filesystem::path& path,
         const auto lastReader = chooseReader(host_, path, question.options.reader);
         question.reader = lastReader ? *lastReader : *reader;
         question.contents = contents ? *contents : FileContents();
-        question.reason = isIncomplete ? pluginText(contents.error().text) : QString();
+        question.reason = isIncomplete ? translatedSentence(contents.error().text) : QString();
         return [this, question] { emit choicesNeeded(question); };
     }
     return [this, path, read = readDataset(path, {}, progress.part(0.1, 1))] { datasetRead(path, read); };
@@ -149,7 +150,7 @@ void Workbench::importDataset(const std::filesystem::path& path, const ImportOpt
                 return datasetRead(path, read);
             }
             const Error& error = read.dataset.error();
-            emit importFailed(error.kind == ErrorKind::Cancelled ? QString() : pluginText(error.text));
+            emit importFailed(error.kind == ErrorKind::Cancelled ? QString() : translatedSentence(error.text));
         };
     });
 }
@@ -174,7 +175,7 @@ bool Workbench::prepareToShow(const std::shared_ptr<const Model>& model, const F
     modes_ = renderingModes(host_);
     if (modes_.empty()) {
         emit failed(tr("No renderer plugin could be loaded, so there is no way to show a model. %1")
-                        .arg(QString::fromStdString(host_.explainMissing(PluginKind::Renderer))));
+                        .arg(translatedSentence(host_.explainMissing(PluginKind::Renderer))));
         return false;
     }
     field_ = field;
@@ -345,7 +346,7 @@ void Workbench::requestDrafts(const BuiltScene& scene)
 void Workbench::tell(const Error& error)
 {
     if (error.kind != ErrorKind::Cancelled)
-        emit failed(pluginText(error.text));
+        emit failed(translatedSentence(error.text));
 }
 
 } // namespace tetra

@@ -2,6 +2,7 @@
 #include "ui/viewport/cpu_canvas.h"
 
 #include "ui/session/picture_image.h"
+#include "ui/session/sentences.h"
 
 #include <QPainter>
 
@@ -125,7 +126,7 @@ CpuCanvas::Drawn CpuCanvas::draw(RenderBackend& backend, const Order& order, con
         drawn.statistics = backend.statistics();
     } else {
         drawn.cancelled = picture.error().kind == ErrorKind::Cancelled;
-        drawn.error = QString::fromStdString(picture.error().text);
+        drawn.error = translatedSentence(picture.error().text);
     }
     drawn.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return drawn;

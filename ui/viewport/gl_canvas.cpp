@@ -2,6 +2,7 @@
 #include "ui/viewport/gl_canvas.h"
 
 #include "core/graphics/gl/scene_painter.h"
+#include "ui/session/sentences.h"
 
 #include <QGuiApplication>
 #include <QOffscreenSurface>
@@ -72,7 +73,7 @@ QString GlCanvas::backendName() const
 
 QString GlCanvas::backendNote() const
 {
-    return painter_ ? QString::fromStdString(painter_->note()) : QString();
+    return painter_ ? translatedSentence(painter_->note()) : QString();
 }
 
 void GlCanvas::show(const View& view)
@@ -101,7 +102,7 @@ void GlCanvas::initializeGL()
     if (painter)
         painter_ = *std::move(painter);
     else
-        giveUp(QString::fromStdString(painter.error().text));
+        giveUp(translatedSentence(painter.error().text));
 }
 
 void GlCanvas::resizeGL(int width, int height)
@@ -128,7 +129,7 @@ void GlCanvas::paintGL()
     options.orderTolerance = view_.moving ? movingTolerance : 0;
     const Status drawn = draw(level, options);
     if (!drawn)
-        return giveUp(QString::fromStdString(drawn.error().text));
+        return giveUp(translatedSentence(drawn.error().text));
     context()->functions()->glFinish(); // so that the time is that of drawing, not of asking for it
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const int samples = options.samplesPerAxis * options.samplesPerAxis;

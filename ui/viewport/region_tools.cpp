@@ -293,8 +293,7 @@ void RegionTools::showOutlines()
     outlined_ = std::move(outlined);
     std::vector<LineSet> outlines;
     for (const auto& [place, colour] : outlined_)
-        outlines.push_back(outlineOf(place, {colour.redF(), colour.greenF(), colour.blueF()},
-                                     outlineWidth * static_cast<float>(devicePixelRatioF())));
+        outlines.push_back(outlineOf(place, {colour.redF(), colour.greenF(), colour.blueF()}, outlineWidth));
     viewport_.setOutlines(std::move(outlines));
 }
 

@@ -128,10 +128,11 @@ void Viewport::setOutlines(std::vector<LineSet> outlines)
     show();
 }
 
-/// The scene with the outlines, which may stick out of the domain.
+/// The scene with the outlines, which may stick out of the domain, and lines as wide on any screen.
 SceneLevel Viewport::withOutlines(const SceneLevel& level) const
 {
-    if (outlines_.empty())
+    const auto pixelsPerUnit = static_cast<float>(devicePixelRatioF());
+    if (outlines_.empty() && pixelsPerUnit == 1)
         return level;
     auto scene = std::make_shared<Scene>(*level.scene);
     for (const LineSet& outline : outlines_) {
@@ -139,6 +140,8 @@ SceneLevel Viewport::withOutlines(const SceneLevel& level) const
             scene->bounds.extend(point.cast<double>());
         scene->lines.push_back(outline);
     }
+    for (LineSet& lines : scene->lines)
+        lines.width *= pixelsPerUnit;
     return {std::move(scene), level.tetrahedra};
 }
 

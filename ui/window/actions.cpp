@@ -70,11 +70,24 @@ void addFileMenu(QMainWindow& window, Actions& actions)
     actions.quit = add(menu, "quit", Texts::tr("&Quit"), QKeySequence("Ctrl+Q"), Texts::tr("Leave the program"));
 }
 
+/// "Undo change of view" in some languages is "Undo: change of view"; what has nothing to name needs no colon.
+void endWithoutColon(QAction* action)
+{
+    if (action->text().endsWith(':'))
+        action->setText(action->text().chopped(1));
+}
+
 void addEditMenu(QMainWindow& window, QUndoStack& undoStack, Actions& actions)
 {
     QMenu* menu = addMenu(window, "edit", Texts::tr("&Edit"));
     actions.undo = undoStack.createUndoAction(&window, Texts::tr("&Undo"));
     actions.redo = undoStack.createRedoAction(&window, Texts::tr("&Redo"));
+    QObject::connect(&undoStack, &QUndoStack::undoTextChanged, actions.undo,
+                     [undo = actions.undo] { endWithoutColon(undo); });
+    QObject::connect(&undoStack, &QUndoStack::redoTextChanged, actions.redo,
+                     [redo = actions.redo] { endWithoutColon(redo); });
+    for (QAction* action : {actions.undo, actions.redo})
+        endWithoutColon(action);
     actions.undo->setObjectName("action.undo");
     actions.redo->setObjectName("action.redo");
     actions.undo->setShortcut(QKeySequence::Undo);
@@ -122,9 +135,9 @@ void addViewMenu(QMainWindow& window, Actions& actions)
     QMenu* menu = addMenu(window, "view", Texts::tr("&View"));
     actions.fit = add(menu, "fit", Texts::tr("&Fit"), QKeySequence(Qt::Key_Home), Texts::tr("Show the whole domain"));
     actions.fit->setIcon(glyphIcon(Glyph::Fit));
-    QMenu* namedViews = menu->addMenu(Texts::tr("&Look From"));
-    namedViews->setObjectName("menu.namedViews");
-    addNamedViews(namedViews, actions);
+    actions.lookFrom = menu->addMenu(Texts::tr("&Look From"));
+    actions.lookFrom->setObjectName("menu.namedViews");
+    addNamedViews(actions.lookFrom, actions);
     actions.perspective = add(menu, "perspective", Texts::tr("&Perspective"), QKeySequence("Ctrl+P"),
                               Texts::tr("Perspective, or parallel projection"));
     actions.perspective->setCheckable(true);

@@ -40,6 +40,7 @@ struct Actions {
     QAction* plugins = nullptr;
     QAction* about = nullptr;
     QMenu* recent = nullptr;
+    QMenu* lookFrom = nullptr; ///< namedViews
     QMenu* languages = nullptr;
     QMenu* panels = nullptr;      ///< for the docks' own actions
     QMenu* modes = nullptr;       ///< for those of ModeActions

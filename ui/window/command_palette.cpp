@@ -17,8 +17,8 @@
 namespace tetra {
 namespace {
 
-constexpr QSize largest(620, 420);
-constexpr int fromEdge = 48; ///< of the window
+constexpr QSize largest(840, 420); ///< room for the longest command beside what it needs, in every language
+constexpr int fromEdge = 48;       ///< of the window
 constexpr int indexRole = Qt::UserRole;
 
 } // namespace
@@ -44,8 +44,8 @@ CommandPalette::CommandPalette(QMainWindow& window, Session& session)
     list_->setFocusPolicy(Qt::NoFocus); // the keys stay with the text
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->header()->setStretchLastSection(false);
-    list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    list_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    list_->header()->setSectionResizeMode(1, QHeaderView::Stretch);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(search_);
     layout->addWidget(list_);

@@ -167,9 +167,7 @@ void EmptyPage::showRecent(const QStringList& files)
         button->setIcon({});
         button->setToolTip(path);
         button->setMinimumWidth(textWidth);
-        QFont usual = font();
-        usual.setBold(true);
-        button->setFont(usual);
+        button->setFont(font()); // the style makes the name bold, and only that
         connect(button, &QPushButton::clicked, this, [this, path] { emit recentClicked(path); });
         recent_->addWidget(button);
     }

@@ -7,6 +7,7 @@
 #include "ui/panels/slice_preview.h"
 #include "ui/session/import_texts.h"
 #include "ui/session/plugin_texts.h"
+#include "ui/session/sentences.h"
 #include "ui/session/target_path.h"
 #include "ui/widgets/check_label.h"
 
@@ -282,7 +283,7 @@ void ImportDialog::showContents(const Result<FileContents>& contents)
         return valuesEdited();
     }
     if (!contents && !withLayout_ && !isReading()) // of a layout the check of its size says it better
-        showReason(false, pluginText(contents.error().text));
+        showReason(false, translatedSentence(contents.error().text));
     if (!contents)
         return;
     contents_ = *contents;

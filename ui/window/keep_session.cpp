@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/keep_session.h"
 
+#include "ui/session/sentences.h"
 #include "ui/session/target_path.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
@@ -183,7 +184,7 @@ void KeepSession::keep()
     keeping_.start([this, text = sessionToText(*now, recovery_.folder())](const Progress&) -> std::function<void()> {
         return [this, kept = recovery_.keep(text)] {
             if (!kept && !told_)
-                messages_.add(QString::fromStdString(kept.error().text));
+                messages_.add(translatedSentence(kept.error().text));
             told_ = !kept;
         };
     });

@@ -24,6 +24,7 @@
 #include "ui/window/manual.h"
 #include "ui/window/mode_actions.h"
 #include "ui/window/pick_actions.h"
+#include "ui/window/picture_menu.h"
 #include "ui/window/plugin_window.h"
 #include "ui/window/region_actions.h"
 #include "ui/window/status_line.h"
@@ -186,6 +187,7 @@ void MainWindow::connectActions()
     connect(modes, &ModeActions::chosen, docks_.renderingPanel, &RenderingPanel::chooseMode);
     new AnnotationActions(workbench_.session(), *actions_.annotations, this);
     new PickActions(workbench_.session(), *pick_, *actions_.picked);
+    givePictureMenu(*viewport_, *pick_, actions_);
     connect(pick_, &ValuePick::pickedChanged, status_, [this] { status_->setPicked(pick_->text()); });
     connect(viewport_, &Viewport::cameraChanged, actions_.perspective,
             [this] { actions_.perspective->setChecked(viewport_->camera().perspective); });

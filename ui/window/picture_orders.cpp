@@ -14,14 +14,6 @@ AnnotationContent contentOf(Workbench& workbench, const Viewport& viewport, cons
     return content;
 }
 
-/// Painting translucent ink over straight alpha is slow and coarse.
-void paintOver(QImage& image, const AnnotationContent& content, double scale)
-{
-    image = image.convertToFormat(QImage::Format_ARGB32_Premultiplied);
-    paintAnnotations(image, content, scale);
-    image = image.convertToFormat(QImage::Format_ARGB32);
-}
-
 PictureOrder orderOf(const Viewport& viewport, const PictureSettings& settings)
 {
     PictureOrder order;
@@ -30,7 +22,7 @@ PictureOrder orderOf(const Viewport& viewport, const PictureSettings& settings)
     order.height = settings.size.height();
     order.transparent = settings.transparent;
     order.dotsPerInch = settings.dotsPerInch;
-    order.lineScale = std::max(1.0, annotationScale(settings.size, pixelsOf(viewport)));
+    order.lineScale = std::max(1.0, annotationScale(settings.size, viewport.size()));
     return order;
 }
 
@@ -48,7 +40,7 @@ PictureOrder pictureOrder(Workbench& workbench, const Viewport& viewport, const 
     order.camera = viewport.camera();
     order.finish = [content = contentOf(workbench, viewport, settings),
                     scale = annotationScale(settings.size, viewport.size())](QImage& image) {
-        paintOver(image, content, scale);
+        paintAnnotations(image, content, scale);
     };
     return order;
 }
@@ -60,7 +52,7 @@ FilmOrder filmOrder(Workbench& workbench, const Viewport& viewport, const Pictur
     order.finish = [content = contentOf(workbench, viewport, settings),
                     scale = annotationScale(settings.size, viewport.size())](QImage& image, const FilmFrame& frame,
                                                                              const ShownMesh& mesh) {
-        paintOver(image, atFrame(content, frame, mesh), scale);
+        paintAnnotations(image, atFrame(content, frame, mesh), scale);
     };
     return order;
 }

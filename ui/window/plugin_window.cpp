@@ -3,6 +3,7 @@
 
 #include "ui/session/plugin_choice.h"
 #include "ui/session/plugin_texts.h"
+#include "ui/session/sentences.h"
 #include "ui/session/target_path.h"
 
 #include <QClipboard>
@@ -39,12 +40,13 @@ QTreeWidgetItem* itemFor(const PluginStatus& plugin, const std::vector<std::stri
     const QString kind = plugin.hasMetadata ? pluginText(std::string(pluginKindName(data.kind))) : QString();
     const QString version = plugin.hasMetadata ? text(toText(data.version)) : QString();
     const QString state = pluginText(std::string(pluginStateName(plugin.state)));
-    auto* item = new QTreeWidgetItem({name, kind, version, state, text(plugin.error), pathText(plugin.path)});
+    auto* item =
+        new QTreeWidgetItem({name, kind, version, state, translatedSentence(plugin.error), pathText(plugin.path)});
     item->setData(0, idRole, text(data.id));
     if (canBeChosen(plugin))
         item->setCheckState(0, std::ranges::count(unwanted, data.id) > 0 ? Qt::Unchecked : Qt::Checked);
     item->setToolTip(0, pluginText(data.description));
-    item->setToolTip(4, text(plugin.error));
+    item->setToolTip(4, translatedSentence(plugin.error));
     item->setToolTip(5, pathText(plugin.path));
     return item;
 }
@@ -105,8 +107,8 @@ QStringList pluginErrors(const PluginHost& host)
     QStringList errors;
     for (const PluginStatus& plugin : host.plugins())
         if (plugin.state == PluginState::Refused)
-            errors.append(
-                PluginWindow::tr("The plugin %1 cannot be used. %2").arg(text(plugin.metadata.id), text(plugin.error)));
+            errors.append(PluginWindow::tr("The plugin %1 cannot be used. %2")
+                              .arg(text(plugin.metadata.id), translatedSentence(plugin.error)));
     return errors;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/screenshots.h"
 
+#include "ui/widgets/legible_style.h"
 #include "ui/window/photographer.h"
 
 #include <QApplication>
 #include <QStyle>
-#include <QStyleFactory>
 
 namespace tetra {
 namespace {
@@ -30,11 +30,13 @@ int makeScreenshots(PluginHost& host, const QString& folder)
 {
     if (!QDir().mkpath(folder))
         return 4;
-    QApplication::setStyle(QStyleFactory::create("Fusion"));
+    QApplication::setStyle(new LegibleStyle);
     const QPalette light = QApplication::style()->standardPalette();
     bool isWhole = true;
     for (const bool dark : {false, true}) {
-        QApplication::setPalette(dark ? darkPalette() : light);
+        QPalette palette = dark ? darkPalette() : light;
+        QApplication::style()->polish(palette);
+        QApplication::setPalette(palette);
         isWhole &= Photographer(host, QDir(folder), dark ? "dark" : "light").takeAll();
     }
     return isWhole ? 0 : 4;

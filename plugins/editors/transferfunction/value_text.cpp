@@ -46,7 +46,8 @@ QString plainReadOutOf(const EditorState& state, double value)
                        .arg(textOfValue(value, state.shown()), percentText(100 * opacityOf(state.function(), value)),
                             colourAt(state.function(), value).name());
     if (const auto count = countAt(state, value))
-        text += ", " + ValueReadOut::tr("%1 vertices").arg(countText(*count));
+        text += ", " +
+                (*count == 1 ? ValueReadOut::tr("1 vertex") : ValueReadOut::tr("%1 vertices").arg(countText(*count)));
     return text;
 }
 

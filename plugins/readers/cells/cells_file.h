@@ -19,6 +19,7 @@ struct CellsRequest {
 struct CellsFile {
     CellComplex complex;
     ComplexValues values;
+    std::string arrayName; ///< of the values
 };
 
 /// The component that a request names of an array with so many, -1 for the magnitude. Errors: WrongUsage.

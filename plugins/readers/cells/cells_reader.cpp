@@ -2,6 +2,7 @@
 #include "plugins/readers/cells/cells_reader.h"
 
 #include "core/base/mapped_file.h"
+#include "core/base/shown_text.h"
 #include "plugins/readers/cells/cells_file.h"
 
 #include <algorithm>
@@ -101,8 +102,9 @@ Result<Dataset> CellsReader::read(const std::filesystem::path& path, const Param
     const auto made = [&](Result<CellsFile> file) -> Result<Dataset> {
         if (!file)
             return file.error();
+        const std::string array = file->arrayName.empty() ? "" : ", " + shownText(file->arrayName);
         return irregularDataset(file->complex, file->values,
-                                {.name = path.filename().string(), .path = path, .hash = 0},
+                                {.name = path.filename().string() + array, .path = path, .hash = 0},
                                 progress.part(readingShare, 1));
     };
     return withFile<Dataset>(

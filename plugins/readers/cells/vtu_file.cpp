@@ -112,6 +112,7 @@ public:
     {
         file_.complex.offsets = {0};
         file_.values.perCell = chosen.perCell;
+        file_.arrayName = chosen.name;
         file_.values.type = component < 0 && isInteger(chosen.type) ? SampleType::Float64 : chosen.type;
     }
 

@@ -88,8 +88,12 @@ void TransferAxisTest::theHistogramHasEqualPartsOfTheAxis()
         QVERIFY(std::abs(x - (plot().area.left() + share * plot().area.width())) < 0.5);
     }
     std::uint64_t all = 0;
-    for (const std::uint64_t count : histogram->counts)
-        all += count;
+    for (std::size_t part = 0; part < histogram->counts.size(); ++part) {
+        all += histogram->counts[part];
+        const double middle = histogram->least + width * (static_cast<double>(part) + 0.5);
+        QCOMPARE(plainReadOutOf(editor_->state(), std::exp(middle)).endsWith(", 1 vertex"),
+                 histogram->counts[part] == 1);
+    }
     QCOMPARE(all, editor_->session().shown()->vertices);
     const QImage logarithmic = editor_->canvas().grab().toImage();
     QVERIFY(plainReadOutOf(editor_->state(), std::exp(histogram->least)).contains("vertices"));

@@ -107,6 +107,14 @@ class CellsReaderTest : public QObject {
     }
 
 private slots:
+    /// As other readers do it: what shows the values can say which they are.
+    void theNameSaysWhichArray()
+    {
+        const auto dataset = reader_.read(file("named.vtu", VtuText().text()), {}, {});
+        QVERIFY(dataset.ok());
+        QCOMPARE(QString::fromStdString(dataset->source.name), QString("named.vtu, heat"));
+    }
+
     void text() { expectMesh(reader_.read(file("text.vtu", VtuText().text()), {}, {})); }
 
     /// R1: each way in which VTK writes arrays.

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/annotations/field_name.h"
+
+#include "core/model/model.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace tetra {
+namespace {
+
+class Texts {
+    Q_DECLARE_TR_FUNCTIONS(Annotations)
+};
+
+/// "region 0,0,0,31,31,15" or "stride 2,2,1": what was taken of the dataset.
+bool isPart(const QString& text)
+{
+    return text.startsWith("region ") || text.startsWith("stride ");
+}
+
+} // namespace
+
+QString fieldName(const ModelDescription& description)
+{
+    for (const auto& [name, text] : description.parameters)
+        if (name.ends_with(".array") && !text.empty())
+            return QString::fromStdString(text);
+    // "file.bin, array" where readers know more than the file's name.
+    QStringList source = QString::fromStdString(description.sourceName).split(", ");
+    source.erase(std::remove_if(source.begin() + 1, source.end(), isPart), source.end());
+    const QString name = source.size() > 1 ? source.last() : QFileInfo(source.first()).completeBaseName();
+    return name.isEmpty() ? Texts::tr("Value") : name;
+}
+
+} // namespace tetra
