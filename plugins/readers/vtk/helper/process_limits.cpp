@@ -16,7 +16,7 @@ void limitThisProcess()
     std::ofstream("/proc/self/oom_score_adj") << "1000";
     const rlimit none{0, 0};
     setrlimit(RLIMIT_CORE, &none);
-#ifndef __SANITIZE_ADDRESS__ // whose shadow is larger than any memory
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // their shadow is larger than any memory
     const auto bytes = static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
     const rlimit memory{bytes, bytes};
     setrlimit(RLIMIT_AS, &memory);
