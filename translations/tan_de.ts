@@ -1727,8 +1727,8 @@
         <translation>VTK ist daran gescheitert. Die Datei ist beschädigt, größer als der Arbeitsspeicher oder von einer Art, die VTK schlecht liest. Schreiben Sie sie neu oder in einem anderen Format (.vtu, .vti).</translation>
     </message>
     <message>
-        <source>The VTK readers are not installed. Install the package with &apos;apt install tan-vtk-readers&apos; (of a build of your own: build it anew after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
-        <translation>Die VTK-Leser sind nicht installiert. Installieren Sie das Paket mit „apt install tan-vtk-readers“ (bei einem eigenen Bau: nach „apt install libvtk9-dev“ neu bauen), oder wandeln Sie die Datei in NRRD oder CSV um.</translation>
+        <source>The VTK readers are not installed. Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
+        <translation>Die VTK-Leser sind nicht installiert. Installieren Sie das Paket tan-vtk-readers, das mit TAn kommt: „apt install ./tan-vtk-readers_*.deb“ dort, wo die Datei liegt (bei einem eigenen Bau: nach „apt install libvtk9-dev“ neu bauen), oder wandeln Sie die Datei in NRRD oder CSV um.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is damaged: %2. Copy it again from where it came from, or build it again.</source>

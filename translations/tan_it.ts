@@ -1727,8 +1727,8 @@
         <translation>VTK non è riuscito a leggerlo. Il file è danneggiato, più grande della memoria, o di un tipo che VTK legge male. Scriverlo di nuovo, o in un altro formato (.vtu, .vti).</translation>
     </message>
     <message>
-        <source>The VTK readers are not installed. Install the package with &apos;apt install tan-vtk-readers&apos; (of a build of your own: build it anew after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
-        <translation>I lettori VTK non sono installati. Installare il pacchetto con «apt install tan-vtk-readers» (se compilato da sé: ricompilare dopo «apt install libvtk9-dev»), o convertire il file in NRRD o CSV.</translation>
+        <source>The VTK readers are not installed. Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
+        <translation>I lettori VTK non sono installati. Installare il pacchetto tan-vtk-readers, fornito con TAn: «apt install ./tan-vtk-readers_*.deb» dove si trova il file (se compilato da sé: ricompilare dopo «apt install libvtk9-dev»), o convertire il file in NRRD o CSV.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is damaged: %2. Copy it again from where it came from, or build it again.</source>

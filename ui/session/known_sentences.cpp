@@ -45,7 +45,7 @@ constexpr std::array sentences{
     QT_TRANSLATE_NOOP("Sentence", "%1 of its %2 samples are NaN or infinite, the first at point (%3). Replace them by numbers first."),
     QT_TRANSLATE_NOOP("Sentence", "VTK says: %1 The file is damaged or incomplete: copy or write it anew."),
     QT_TRANSLATE_NOOP("Sentence", "VTK broke down over it. The file is damaged, larger than memory, or of a kind that VTK reads badly. Write it anew, or as another format (.vtu, .vti)."),
-    QT_TRANSLATE_NOOP("Sentence", "The VTK readers are not installed. Install the package with 'apt install tan-vtk-readers' (of a build of your own: build it anew after 'apt install libvtk9-dev'), or convert the file to NRRD or CSV."),
+    QT_TRANSLATE_NOOP("Sentence", "The VTK readers are not installed. Install the package tan-vtk-readers, which comes with TAn: 'apt install ./tan-vtk-readers_*.deb' where the file lies (of a build of your own: build it anew after 'apt install libvtk9-dev'), or convert the file to NRRD or CSV."),
     QT_TRANSLATE_NOOP("Sentence", "'%1' is damaged: %2. Copy it again from where it came from, or build it again."),
     QT_TRANSLATE_NOOP("Sentence", "its header makes no sense"),
     QT_TRANSLATE_NOOP("Sentence", "the checksum of its header is wrong"),
