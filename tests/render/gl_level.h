@@ -5,32 +5,35 @@
 #include "core/graphics/gl/egl_context.h"
 #include "core/graphics/render_backend.h"
 
+#include <QtGlobal>
+
 #include <memory>
 #include <string>
 
 namespace tetra::testing {
 
-/// Why this machine has no OpenGL 4.3, asked of the driver alone; empty if it has. A back end that does not use what is
-/// there has failed, and its test is not to be skipped.
-inline std::string whyNoGl43()
+/// Why this machine has no OpenGL of this level, asked of the driver alone; empty if it has.
+inline std::string whyNoGl(GlLevel level)
 {
     const auto context = EglContext::make();
     if (!context)
-        return context.error().text;
+        return "skipped: " + context.error().text;
+    if (level == GlLevel::Gl33)
+        return {};
     const EglContext::Current current(**context);
     const GlFunctions gl((*context)->getProcAddress());
     const Status status = checkCompute(gl, ComputeFunctions((*context)->getProcAddress()));
-    return status ? std::string() : status.error().text;
+    return status ? std::string() : "skipped: " + status.error().text;
 }
 
-/// OpenGL by this level at most; the error says why a test of it is skipped here.
-inline Result<std::unique_ptr<RenderBackend>> glBackendOf(GlLevel level)
+/// OpenGL by this level at most, where whyNoGl() is empty: there a back end that cannot be made has failed, and its
+/// test is not to be skipped.
+inline std::unique_ptr<RenderBackend> glBackendOf(GlLevel level)
 {
-    const std::string missing = level == GlLevel::Gl43 ? whyNoGl43() : std::string();
     auto backend = makeGlBackend(level);
-    if (!missing.empty() || !backend)
-        return Error{ErrorKind::OutOfResource, "skipped: " + (missing.empty() ? backend.error().text : missing)};
-    return backend;
+    if (!backend)
+        qFatal("%s", backend.error().text.c_str());
+    return std::move(*backend);
 }
 
 } // namespace tetra::testing

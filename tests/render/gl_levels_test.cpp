@@ -82,12 +82,10 @@ private:
 private slots:
     void initTestCase()
     {
-        auto older = glBackendOf(GlLevel::Gl33);
-        auto newer = glBackendOf(GlLevel::Gl43);
-        if (!older || !newer)
-            QSKIP((older ? newer : older).error().text.c_str());
-        older_ = std::move(*older);
-        newer_ = std::move(*newer);
+        if (const std::string reason = whyNoGl(GlLevel::Gl43); !reason.empty())
+            QSKIP(reason.c_str());
+        older_ = glBackendOf(GlLevel::Gl33);
+        newer_ = glBackendOf(GlLevel::Gl43);
     }
 
     void samePictures_data()

@@ -5,6 +5,7 @@
 #include "core/graphics/isosurface.h"
 #include "core/graphics/render_backend.h"
 #include "tests/core/graphics/lattice_mesh.h"
+#include "tests/render/gl_level.h"
 #include "tests/render/same_picture.h"
 #include "tests/render/scenes.h"
 
@@ -115,10 +116,9 @@ private:
 private slots:
     void initTestCase()
     {
-        auto backend = makeGlBackend();
-        if (!backend)
-            QSKIP(("skipped: " + backend.error().text).c_str());
-        gl_ = std::move(*backend);
+        if (const std::string reason = whyNoGl(GlLevel::Gl33); !reason.empty())
+            QSKIP(reason.c_str());
+        gl_ = glBackendOf(GlLevel::Gl43);
         QCOMPARE(gl_->id(), std::string_view("gl"));
     }
 

@@ -37,10 +37,9 @@ private:
 private slots:
     void initTestCase()
     {
-        auto backend = glBackendOf(TAN_GL_LEVEL);
-        if (!backend)
-            QSKIP(backend.error().text.c_str());
-        gl_ = std::move(*backend);
+        if (const std::string reason = whyNoGl(TAN_GL_LEVEL); !reason.empty())
+            QSKIP(reason.c_str());
+        gl_ = glBackendOf(TAN_GL_LEVEL);
     }
 
     void sameAsTheCpu_data()
