@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/model/queries/mesh_extractor.h"
 #include "core/model/verify_mesh.h"
 #include "tests/core/model/model_fixture.h"
 #include "tests/core/model/queries/brute_force.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <random>
 
 namespace tetra {
@@ -103,6 +105,37 @@ inline bool isAnswer(const Model& model, const Dataset& dataset, const BruteForc
                      const ExtractedMesh& mesh, const BruteForce::Answer& expected)
 {
     return isMesh(model, brute, mesh, expected) && isProved(model, dataset, query, mesh);
+}
+
+/// Whether three random fields, one after the other, give their smallest closed sets.
+inline bool areFieldsKept(std::mt19937& random, const std::shared_ptr<const Model>& model, const Dataset& dataset)
+{
+    const BruteForce brute(*model);
+    MeshExtractor extractor(model);
+    for (int round = 0; round < 3; ++round) {
+        const MeshQuery query = randomQuery(random, *model);
+        const auto mesh = extractor.extract(query);
+        if (!mesh)
+            qWarning("%s", mesh.error().text.c_str());
+        if (!mesh || !isAnswer(*model, dataset, brute, query, **mesh, brute.smallestClosedSet(query)))
+            return false;
+    }
+    return true;
+}
+
+/// Whether a random budget gives the finest closed set of a random field that fits, or is refused where none does.
+inline bool isBudgetKept(std::mt19937& random, const std::shared_ptr<const Model>& model, const Dataset& dataset)
+{
+    const BruteForce brute(*model);
+    MeshExtractor extractor(model);
+    MeshQuery query = randomQuery(random, *model);
+    query.budget = 1 + random() % (model->meshSizes().back() + 10);
+    const auto mesh = extractor.extract(query);
+    const auto expected = brute.closedSetWithin(query);
+    if (!expected)
+        return !mesh && mesh.error().kind == ErrorKind::WrongUsage;
+    return mesh && (*mesh)->mesh.tetrahedra.size() <= *query.budget &&
+           isAnswer(*model, dataset, brute, query, **mesh, *expected);
 }
 
 } // namespace tetra
