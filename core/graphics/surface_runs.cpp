@@ -49,7 +49,7 @@ public:
     {
         const std::span run = std::span(mesh_.tetrahedra).subspan(first, end - first);
         const std::span crossed = findCrossedIn(run, first / rangedChunkSize, isCrossed);
-        edges_.clear();
+        edges_.clear(crossed.size() * 3 / 4);
         Buffer<Triangle> triangles(2 * crossed.size());
         Triangle* next = triangles.data();
         for (std::size_t i = 0; i < crossed.size(); i += marchedTogether)

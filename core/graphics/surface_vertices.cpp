@@ -121,8 +121,9 @@ void numberParts(const DealtEdges& dealt, SurfaceVertices& result)
     tbb::parallel_for(allParts, [&](const auto& range) {
         EdgeTable table;
         for (std::size_t part = range.begin(); part != range.end(); ++part) {
-            table.clear();
-            auto numbering = table.begin(dealt.firstOfPart[part + 1] - dealt.firstOfPart[part]);
+            const std::size_t count = dealt.firstOfPart[part + 1] - dealt.firstOfPart[part];
+            table.clear(count);
+            auto numbering = table.begin(count);
             for (std::size_t i = dealt.firstOfPart[part]; i < dealt.firstOfPart[part + 1]; ++i)
                 result.numbers[dealt.indices[i]] = numbering.numberOf(result.edges[i]);
             table.end(numbering);

@@ -112,7 +112,7 @@ PlacingFindings placeVertices(const TetrahedralMesh& mesh, std::span<const Eigen
     surface.positions.resize(edges.size());
     surface.normals.resize(edges.size());
     tbb::enumerable_thread_specific<PlacingFindings> found;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, edges.size(), 1 << 12), [&](const auto& range) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, edges.size(), 1 << 10), [&](const auto& range) {
         PlacingFindings& mine = found.local();
         VertexBlock block{};
         for (std::size_t first = range.begin(); first < range.end(); first += blockSize) {
