@@ -39,10 +39,11 @@ public:
         }
     };
 
-    void clear()
+    /// Forgets all keys. About so many are to come: to grow later is slow.
+    void clear(std::size_t expected)
     {
         count_ = 0;
-        makeSlots(smallestTable);
+        makeSlots(std::bit_ceil(std::max(smallestTable, roomForOne * expected)));
     }
     /// Makes room for so many more keys. Hand back with end() what took them.
     Numbering begin(std::size_t more)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/graphics/isosurface.h"
 
+#include "core/base/simd.h"
 #include "core/graphics/surface_normals.h"
 #include "core/graphics/surface_runs.h"
 #include "core/graphics/surface_vertices.h"
@@ -18,17 +19,25 @@ namespace {
 
 constexpr std::string_view activity = "Extracting the isosurface";
 
-Buffer<std::array<std::uint32_t, 3>> joinTriangles(std::span<const SurfaceRun> runs, const SurfaceVertices& vertices)
+using Triangle = std::array<std::uint32_t, 3>;
+
+TETRA_SIMD_CLONES void renumber(const Triangle* triangles, std::size_t count, const std::uint32_t* numbers,
+                                Triangle* renumbered)
+{
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            renumbered[i][corner] = numbers[triangles[i][corner]];
+}
+
+Buffer<Triangle> joinTriangles(std::span<const SurfaceRun> runs, const SurfaceVertices& vertices)
 {
     std::vector<std::size_t> first(1, 0);
     for (const SurfaceRun& run : runs)
         first.push_back(first.back() + run.triangles.size());
-    Buffer<std::array<std::uint32_t, 3>> triangles(first.back());
+    Buffer<Triangle> triangles(first.back());
     tbb::parallel_for(std::size_t(0), runs.size(), [&](std::size_t run) {
-        const std::uint32_t* numbers = vertices.numbers.data() + vertices.firstOfRun[run];
-        auto* to = triangles.data() + first[run];
-        for (const auto& [a, b, c] : runs[run].triangles)
-            *to++ = {numbers[a], numbers[b], numbers[c]};
+        renumber(runs[run].triangles.data(), runs[run].triangles.size(),
+                 vertices.numbers.data() + vertices.firstOfRun[run], triangles.data() + first[run]);
     });
     return triangles;
 }
@@ -62,7 +71,7 @@ Result<TriangleMesh> extract(const TetrahedralMesh& mesh, const IsosurfaceIndex*
                                                "accuracy of the mesh."};
 
     progress.report(0.6, activity);
-    const SurfaceVertices vertices = numberVertices(runs, index);
+    const SurfaceVertices vertices = numberVertices(runs, index, mesh.positions.size());
     if (progress.cancelled())
         return cancelledError(activity);
     progress.report(0.7, activity);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/graphics/surface_runs.h"
 
-#include "core/base/simd.h"
+#include "core/graphics/crossed_edges.h"
+#include "core/graphics/crossed_tetrahedra.h"
 #include "core/graphics/edge_table.h"
 #include "core/graphics/marching_cases.h"
 
@@ -10,127 +11,96 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <utility>
 
 namespace tetra {
 namespace {
 
-using Cell = std::array<std::uint32_t, 4>;
+using Corners = std::array<std::uint32_t, 4>;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Chunks that are passed over stop the processor from fetching ahead itself.
-constexpr std::size_t fetchedAhead = 64;
+/// Crossed tetrahedra that are marched through step by step together: what lies between the steps stays in the nearest
+/// cache.
+constexpr std::size_t marchedTogether = 64;
 
-/// The smallest float that is inside.
-float smallestInside(double isovalue)
+/// Two triangles always, of which the second counts if the piece has four corners.
+Triangle* writeTriangles(std::span<const CrossedTetrahedron> crossed, const std::uint32_t* corners, Triangle* triangles)
 {
-    const auto nearest = static_cast<float>(isovalue);
-    return static_cast<double>(nearest) >= isovalue ? nearest
-                                                    : std::nextafter(nearest, std::numeric_limits<float>::infinity());
-}
-
-TETRA_SIMD_CLONES void classify(const float* values, std::size_t count, float threshold, std::uint8_t* inside)
-{
-    for (std::size_t v = 0; v < count; ++v)
-        inside[v] = values[v] >= threshold ? 1 : 0;
-}
-
-/// A byte a vertex: four times smaller than the values, so that the gathers below hit the cache more often.
-Buffer<std::uint8_t> classifyVertices(const TetrahedralMesh& mesh, double isovalue)
-{
-    const float threshold = smallestInside(isovalue);
-    Buffer<std::uint8_t> inside(mesh.values.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, inside.size(), 1 << 15), [&](const auto& range) {
-        classify(&mesh.values[range.begin()], range.size(), threshold, &inside[range.begin()]);
-    });
-    return inside;
-}
-
-/// A tetrahedron that the surface crosses: where it is in its chunk, times 16, plus its marching case.
-using Crossed = std::uint32_t;
-
-/// Those of a chunk, by how many corners their piece of the surface has.
-struct CrossedChunk {
-    std::array<Crossed, rangedChunkSize + 1> triangles;
-    std::array<Crossed, rangedChunkSize + 1> quadrilaterals;
-    std::size_t triangleCount = 0;
-    std::size_t quadrilateralCount = 0;
-};
-
-/// Written always and kept only if crossed: cheaper than a branch that is hard to predict.
-void findCrossed(std::span<const Cell> cells, const std::uint8_t* inside, CrossedChunk& found)
-{
-    constexpr unsigned threeCorners = 0b0110100110010110; // a bit for each case: one corner inside, or three
-    std::size_t triangles = 0, both = 0;
-    constexpr unsigned crossing = 0b0111111111111110;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        __builtin_prefetch(cells.data() + i + fetchedAhead);
-        const auto& [a, b, c, d] = cells[i];
-        const unsigned bits = static_cast<unsigned>(inside[a] | inside[b] << 1 | inside[c] << 2 | inside[d] << 3);
-        const auto crossed = static_cast<Crossed>(i << 4 | bits);
-        found.triangles[triangles] = crossed;
-        found.quadrilaterals[both - triangles] = crossed;
-        both += crossing >> bits & 1;
-        triangles += threeCorners >> bits & 1;
+    for (const CrossedTetrahedron one : crossed) {
+        const int count = marchingCases[one % 16].corners;
+        triangles[0] = {corners[0], corners[1], corners[2]};
+        triangles[1] = {corners[0], corners[2], corners[3]};
+        corners += count;
+        triangles += count - 2;
     }
-    found.triangleCount = triangles;
-    found.quadrilateralCount = both - triangles;
+    return triangles;
 }
 
 /// What a thread keeps from run to run.
 class Marcher {
 public:
-    Marcher(const TetrahedralMesh& mesh, const std::uint8_t* inside) : mesh_(mesh), inside_(inside) {}
+    Marcher(const TetrahedralMesh& mesh, const VertexSides& sides)
+        : mesh_(mesh), sides_(sides), crossed_(surfaceRunSize + crossedTetrahedronRoom)
+    {
+    }
 
     /// Makes the surface in the chunks from `first` on that `isCrossed` tells.
     template <class IsCrossed> SurfaceRun march(std::size_t first, std::size_t end, IsCrossed&& isCrossed)
     {
-        edges_.clear();
-        triangles_.clear();
-        for (std::size_t begin = first; begin < end; begin += rangedChunkSize)
-            if (isCrossed(begin / rangedChunkSize))
-                marchChunk(std::span(mesh_.tetrahedra).subspan(begin, std::min(rangedChunkSize, end - begin)));
-        return {{edges_.keys().begin(), edges_.keys().end()}, {triangles_.begin(), triangles_.end()}};
+        const std::span run = std::span(mesh_.tetrahedra).subspan(first, end - first);
+        const std::span crossed = findCrossedIn(run, first / rangedChunkSize, isCrossed);
+        edges_.clear(crossed.size() * 3 / 4);
+        Buffer<Triangle> triangles(2 * crossed.size());
+        Triangle* next = triangles.data();
+        for (std::size_t i = 0; i < crossed.size(); i += marchedTogether)
+            next = marchSome(run, crossed.subspan(i, std::min(marchedTogether, crossed.size() - i)), next);
+        triangles.resize(static_cast<std::size_t>(next - triangles.data()));
+        return {{edges_.keys().begin(), edges_.keys().end()}, std::move(triangles)};
     }
 
 private:
-    void marchChunk(std::span<const Cell> cells)
+    /// Chunks that are passed over stop the processor from fetching ahead itself.
+    static constexpr std::size_t chunksAhead = 4;
+
+    /// Lists the chunks to look at first, so that what is fetched is one of them.
+    template <class IsCrossed> std::span<const CrossedTetrahedron>
+    findCrossedIn(std::span<const Corners> run, std::size_t firstChunk, IsCrossed&& isCrossed)
     {
-        CrossedChunk crossed;
-        findCrossed(cells, inside_, crossed);
-        auto edges = edges_.begin(3 * crossed.triangleCount + 4 * crossed.quadrilateralCount);
-        const std::size_t size = triangles_.size();
-        triangles_.resize(size + crossed.triangleCount + 2 * crossed.quadrilateralCount);
-        Triangle* next = triangles_.data() + size;
-        for (std::size_t i = 0; i < crossed.triangleCount; ++i)
-            *next++ = cornersOf<3>(cells, crossed.triangles[i], edges);
-        for (std::size_t i = 0; i < crossed.quadrilateralCount; ++i) {
-            const auto [a, b, c, d] = cornersOf<4>(cells, crossed.quadrilaterals[i], edges);
-            *next++ = {a, b, c};
-            *next++ = {a, c, d};
+        const std::size_t chunkCount = (run.size() + rangedChunkSize - 1) / rangedChunkSize;
+        std::array<std::uint32_t, surfaceRunSize / rangedChunkSize + chunksAhead> chunks; // their first tetrahedra
+        std::size_t count = 0;
+        for (std::size_t chunk = 0; chunk < chunkCount; ++chunk) {
+            chunks[count] = static_cast<std::uint32_t>(chunk * rangedChunkSize);
+            count += isCrossed(firstChunk + chunk) ? 1 : 0;
         }
-        edges_.end(edges);
+        std::fill_n(chunks.begin() + static_cast<std::ptrdiff_t>(count), chunksAhead, 0u);
+        CrossedTetrahedron* last = crossed_.data();
+        for (std::size_t i = 0; i < count; ++i) {
+            const Corners* next = run.data() + chunks[i + chunksAhead];
+            for (std::size_t t = 0; t < rangedChunkSize; t += 4)
+                __builtin_prefetch(next + t);
+            last = findCrossed(run.subspan(chunks[i], std::min(rangedChunkSize, run.size() - chunks[i])), chunks[i],
+                               sides_, last);
+        }
+        return {crossed_.data(), last};
     }
 
-    template <std::size_t count> static std::array<std::uint32_t, count>
-    cornersOf(std::span<const Cell> cells, Crossed crossed, EdgeTable::Numbering& edges)
+    Triangle* marchSome(std::span<const Corners> run, std::span<const CrossedTetrahedron> crossed, Triangle* triangles)
     {
-        const Cell& cell = cells[crossed / 16];
-        const MarchingCase& marching = marchingCases[crossed % 16];
-        std::array<std::uint32_t, count> corners;
-        for (std::size_t corner = 0; corner < count; ++corner) {
-            const std::uint32_t a = cell[marching.edges[corner][0]];
-            const std::uint32_t b = cell[marching.edges[corner][1]];
-            corners[corner] = edges.numberOf(EdgeKey(std::min(a, b)) << 32 | std::max(a, b));
-        }
-        return corners;
+        std::array<EdgeKey, 4 * marchedTogether> edges;
+        std::array<std::uint32_t, 4 * marchedTogether> numbers;
+        const auto count = static_cast<std::size_t>(writeCrossedEdges(run, crossed, edges.data()) - edges.data());
+        auto numbering = edges_.begin(count);
+        for (std::size_t i = 0; i < count; ++i)
+            numbers[i] = numbering.numberOf(edges[i]);
+        edges_.end(numbering);
+        return writeTriangles(crossed, numbers.data(), triangles);
     }
 
     const TetrahedralMesh& mesh_;
-    const std::uint8_t* inside_;
+    const VertexSides& sides_;
+    Buffer<CrossedTetrahedron> crossed_;
     EdgeTable edges_;
-    Buffer<Triangle> triangles_;
 };
 
 } // namespace
@@ -138,10 +108,10 @@ private:
 std::vector<SurfaceRun> makeSurfaceRuns(const TetrahedralMesh& mesh, const IsosurfaceIndex* index, double isovalue,
                                         const Progress& progress)
 {
-    const Buffer<std::uint8_t> inside = classifyVertices(mesh, isovalue);
+    const VertexSides sides(mesh.values, isovalue);
     const std::size_t total = mesh.tetrahedra.size();
     std::vector<SurfaceRun> runs((total + surfaceRunSize - 1) / surfaceRunSize);
-    tbb::enumerable_thread_specific<Marcher> marchers([&] { return Marcher(mesh, inside.data()); });
+    tbb::enumerable_thread_specific<Marcher> marchers([&] { return Marcher(mesh, sides); });
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, runs.size(), 1), [&](const auto& range) {
         Marcher& marcher = marchers.local();
         for (std::size_t run = range.begin(); run != range.end() && !progress.cancelled(); ++run)

@@ -21,9 +21,9 @@ struct SurfaceVertices {
 /// The largest number of edges of all runs together that numberVertices can number.
 inline constexpr std::uint64_t largestRunEdgeCount = 0xffffffff;
 
-/// Numbers the edges. Those with an end in one run only are that run's own, as its index tells; the others, all of
-/// them without an index, are dealt by hash to a fixed number of parts, so that every hash table fits the cache.
-/// O(edges), on all threads, and the same numbering with any number of them. May throw std::bad_alloc.
-SurfaceVertices numberVertices(std::span<const SurfaceRun> runs, const IsosurfaceIndex* index);
+/// Numbers the edges of a mesh with so many vertices. Most belong to one run only, as its index tells, or else the
+/// edges at their smaller ends; the others are dealt by hash to a fixed number of parts, so that every hash table fits
+/// the cache. O(edges), on all threads, and the same numbering with any number of them. May throw std::bad_alloc.
+SurfaceVertices numberVertices(std::span<const SurfaceRun> runs, const IsosurfaceIndex* index, std::size_t vertexCount);
 
 } // namespace tetra

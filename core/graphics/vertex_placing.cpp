@@ -42,8 +42,10 @@ void load(const TetrahedralMesh& mesh, std::span<const Eigen::Vector3f> gradient
             __builtin_prefetch(&gradients[end]);
         }
         const auto [a, b] = endsOf(edges[first + i]);
-        const bool isFirstInside = static_cast<double>(mesh.values[a]) >= isovalue;
-        const std::array ends = {isFirstInside ? b : a, isFirstInside ? a : b};
+        // Which end is inside is hard to predict, so that decides no branch.
+        const std::uint32_t isFirstInside = static_cast<double>(mesh.values[a]) >= isovalue ? 1 : 0;
+        const std::uint32_t swap = (a ^ b) & (0 - isFirstInside);
+        const std::array ends = {a ^ swap, b ^ swap};
         block.ends[i] = ends;
         for (std::size_t end = 0; end < 2; ++end) {
             block.values[end][i] = mesh.values[ends[end]];
@@ -110,7 +112,7 @@ PlacingFindings placeVertices(const TetrahedralMesh& mesh, std::span<const Eigen
     surface.positions.resize(edges.size());
     surface.normals.resize(edges.size());
     tbb::enumerable_thread_specific<PlacingFindings> found;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, edges.size(), 1 << 12), [&](const auto& range) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, edges.size(), 1 << 10), [&](const auto& range) {
         PlacingFindings& mine = found.local();
         VertexBlock block{};
         for (std::size_t first = range.begin(); first < range.end(); first += blockSize) {
