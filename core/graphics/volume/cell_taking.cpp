@@ -56,6 +56,30 @@ TETRA_SIMD_CLONES std::size_t heldNeighbours(const std::uint32_t* cells, std::si
     return static_cast<std::size_t>(place - held);
 }
 
+TETRA_SIMD_CLONES bool hasStateFrom(const std::uint8_t* states, std::size_t count, std::uint8_t least,
+                                    std::uint8_t beyond)
+{
+    const auto range = static_cast<std::uint8_t>(beyond - least);
+    std::uint8_t found = 0;
+    for (std::size_t cell = 0; cell < count; ++cell)
+        found |= static_cast<std::uint8_t>(states[cell] - least) < range ? 1 : 0;
+    return found != 0;
+}
+
+/// Calls `use` for each cell whose state is from `least` to below `beyond`, where these are few.
+template <class Use>
+void findStates(std::span<const std::uint8_t> states, std::uint8_t least, std::uint8_t beyond, Use&& use)
+{
+    constexpr std::size_t blockSize = 64;
+    for (std::size_t first = 0; first < states.size(); first += blockSize) {
+        const std::size_t last = std::min(first + blockSize, states.size());
+        if (hasStateFrom(&states[first], last - first, least, beyond))
+            for (std::size_t cell = first; cell < last; ++cell)
+                if (states[cell] >= least && states[cell] < beyond)
+                    use(static_cast<std::uint32_t>(cell));
+    }
+}
+
 } // namespace
 
 CellTaking::CellTaking(const HidingGraph& graph, OrderEnd end)
@@ -68,25 +92,7 @@ CellTaking::CellTaking(const HidingGraph& graph, OrderEnd end)
         for (std::uint32_t cell = 0; cell < states_.size(); ++cell)
             if (relations_.isHeld(cell))
                 states_[cell] += oneHolder;
-    findFree();
-}
-
-/// Few cells, looked for eight at a time.
-void CellTaking::findFree()
-{
-    constexpr std::uint64_t ones = 0x0101010101010101;
-    for (std::size_t first = 0; first < states_.size(); first += 8) {
-        const std::size_t last = std::min(first + 8, states_.size());
-        if (std::uint64_t eight = 0; last - first == 8) {
-            std::memcpy(&eight, &states_[first], sizeof eight);
-            const std::uint64_t holders = eight >> 4 & 15 * ones;
-            if (((holders + 15 * ones) & 16 * ones) == 16 * ones)
-                continue;
-        }
-        for (std::size_t cell = first; cell < last; ++cell)
-            if (states_[cell] < oneHolder)
-                cells_[free_++] = static_cast<std::uint32_t>(cell);
-    }
+    findStates(states_, 0, oneHolder, [&](std::uint32_t cell) { cells_[free_++] = cell; });
 }
 
 void CellTaking::take(std::size_t most)
@@ -150,13 +156,24 @@ void CellTaking::leave(std::span<const std::uint32_t> cells)
     free_ = taken_ + waiting.size();
 }
 
-void CellTaking::restrictToHeldBy(const CellTaking& other)
+std::vector<std::uint32_t> CellTaking::held() const
 {
-    for (std::uint32_t cell = 0; cell < states_.size(); ++cell)
-        states_[cell] |= static_cast<CellState>(other.isHeld(cell) ? 0 : never);
+    std::vector<std::uint32_t> cells;
+    findStates(states_, oneHolder, beyondHeld, [&](std::uint32_t cell) { cells.push_back(cell); });
+    return cells;
+}
+
+void CellTaking::restrictTo(std::span<const std::uint32_t> cells)
+{
+    std::vector<CellState> kept;
+    for (const std::uint32_t cell : cells)
+        kept.push_back(states_[cell]);
+    for (CellState& state : states_)
+        state |= never;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        states_[cells[i]] = kept[i];
     const auto waiting = std::span(cells_).subspan(taken_, free_ - taken_);
-    const auto gone = std::ranges::remove_if(waiting, [&](std::uint32_t cell) { return !other.isHeld(cell); });
-    free_ -= gone.size();
+    free_ -= std::ranges::remove_if(waiting, [&](std::uint32_t cell) { return states_[cell] >= oneHolder; }).size();
 }
 
 void CellTaking::free(std::uint32_t cell)

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace tetra {
 
@@ -36,12 +37,13 @@ public:
     /// Puts cells that are neither taken nor left yet behind all that will be taken, the last one first, for good: they
     /// hold back for ever what they hold back. For what was taken from the other end. May throw std::bad_alloc.
     void leave(std::span<const std::uint32_t> cells);
-    /// From now on takes only cells that `other`, of the same graph, holds back. There is no order() then.
-    void restrictToHeldBy(const CellTaking& other);
+    /// From now on takes no other cells than these. There is no order() then. May throw std::bad_alloc.
+    void restrictTo(std::span<const std::uint32_t> cells);
     /// Takes a cell next that is held back.
     void free(std::uint32_t cell);
 
-    /// Whether a cell is neither taken nor left, and not free.
+    /// The cells that are neither taken nor left, and not free. May throw std::bad_alloc.
+    std::vector<std::uint32_t> held() const;
     bool isHeld(std::uint32_t cell) const { return isHeldBack(states_[cell]); }
     std::span<const std::uint32_t> taken() const { return std::span(cells_).first(taken_); }
     /// Whether all cells are taken or left.
@@ -56,10 +58,10 @@ private:
     using CellState = std::uint8_t;
     static constexpr unsigned facesOfState = 15;
     static constexpr unsigned oneHolder = 16;
+    static constexpr unsigned beyondHeld = 6 * oneHolder;
     static constexpr unsigned never = 15 * oneHolder;
-    static constexpr bool isHeldBack(unsigned state) { return state >= oneHolder && state < 6 * oneHolder; }
+    static constexpr bool isHeldBack(unsigned state) { return state >= oneHolder && state < beyondHeld; }
 
-    void findFree();
     void release(std::span<std::uint32_t> cells);
     void releaseHeldBy(std::span<const std::uint32_t> batch);
 

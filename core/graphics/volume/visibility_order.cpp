@@ -4,7 +4,6 @@
 #include "core/graphics/volume/cell_taking.h"
 
 #include <tbb/parallel_invoke.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,16 +30,17 @@ std::size_t breakCycles(const TetrahedralMesh& mesh, const EyePoint& eye, CellTa
 {
     const std::size_t all = mesh.tetrahedra.size();
     const std::size_t before = back.taken().size();
-    back.restrictToHeldBy(front);
+    const std::vector<std::uint32_t> held = front.held();
+    back.restrictTo(held);
     back.take(all);
     front.leave(back.taken().subspan(before));
-    std::vector<std::pair<double, std::uint32_t>> held;
-    for (std::uint32_t cell = 0; cell < all; ++cell)
+    std::vector<std::pair<double, std::uint32_t>> nearest;
+    for (const std::uint32_t cell : held)
         if (front.isHeld(cell))
-            held.emplace_back(distanceOf(mesh, cell, eye), cell);
-    std::ranges::sort(held);
+            nearest.emplace_back(distanceOf(mesh, cell, eye), cell);
+    std::ranges::sort(nearest);
     std::size_t broken = 0;
-    for (const auto& [distance, cell] : held)
+    for (const auto& [distance, cell] : nearest)
         if (front.isHeld(cell)) {
             ++broken;
             front.free(cell);
@@ -62,22 +62,16 @@ VisibilityOrder orderByAdjacency(const TetrahedralMesh& mesh, const FaceAdjacenc
         cells.emplace(graph, end);
         cells->take(most);
     };
-    if (tbb::this_task_arena::max_concurrency() > 1) {
-        // One half each: a fixed number, as the order must not depend on which thread is faster. What is taken from the
-        // back hides only what is taken from there as well, so it may come last, but for what both have taken.
-        tbb::parallel_invoke([&] { takeFrom(OrderEnd::Front, front, all - all / 2); },
-                             [&] { takeFrom(OrderEnd::Back, back, all / 2); });
-        front->leave(back->taken());
-        front->take(all);
-    } else {
-        takeFrom(OrderEnd::Front, front, all);
-    }
+    // One half each, on one thread as well: pictures must not depend on how many threads there are or which is faster.
+    tbb::parallel_invoke([&] { takeFrom(OrderEnd::Front, front, all - all / 2); },
+                         [&] { takeFrom(OrderEnd::Back, back, all / 2); });
+    // What is taken from the back hides only what is taken from there as well: it may come last, but for what both
+    // took.
+    front->leave(back->taken());
+    front->take(all);
     VisibilityOrder order;
-    if (!front->isComplete()) {
-        if (!back)
-            back.emplace(graph, OrderEnd::Back);
+    if (!front->isComplete())
         order.brokenCycles = breakCycles(mesh, eye, *front, *back);
-    }
     order.cells = std::move(*front).order();
     return order;
 }

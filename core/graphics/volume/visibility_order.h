@@ -24,11 +24,10 @@ struct VisibilityOrder {
 /// it is exact for the rays whose gaps `relations` holds. Cells before and behind all cycles are in order; only of
 /// those between them the nearest is taken where none is free.
 ///
-/// O(cells + relations). Facing is on all threads of the current arena. Where it has more than one, two take cells: one
-/// from the front, the other from the back, until each has half of them. What remains in the middle, because some were
-/// taken twice, is then taken from the front. So with one thread and with more the orders may differ, equally exact;
-/// with as many threads it is the same each time. Several times faster where the mesh is in spatial order. May throw
-/// std::bad_alloc.
+/// O(cells + relations), several times faster where the mesh is in spatial order. Facing is on all threads of the
+/// current arena. Then two take cells at the same time, one from the front, the other from the back, until each has
+/// half of them; what remains in the middle, because others were taken by both, is taken from the front. The same order
+/// with any number of threads. May throw std::bad_alloc.
 VisibilityOrder orderByAdjacency(const TetrahedralMesh& mesh, const FaceAdjacency& adjacency, const EyePoint& eye,
                                  std::span<const CellRelation> relations = {});
 
