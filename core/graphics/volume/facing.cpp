@@ -157,11 +157,10 @@ bool allKnown(std::uint64_t facing)
 }
 
 /// The facing of a cell, some faces of which are not known yet.
-std::uint8_t exactFacing(const std::array<std::uint32_t, 4>& cell, const PaddedPosition* positions, const double* eye,
-                         double perspective, unsigned known)
+std::uint8_t exactFacing(const std::array<std::uint32_t, 4>& cell, const PaddedPosition* positions,
+                         const std::array<double, 3>& from, double perspective, unsigned known)
 {
     using Point = std::array<double, 3>;
-    const Point from{eye[0], eye[1], eye[2]};
     for (unsigned face = 0; face < 4; ++face) {
         if ((known >> face & 0x11u) != 0)
             continue;
@@ -199,7 +198,7 @@ TETRA_SIMD_INLINE void faceEight(const std::array<std::uint32_t, 4>* cells, cons
     std::memcpy(facing, &known, lanes);
     if (!allKnown(known))
         for (std::size_t lane = 0; lane < lanes; ++lane)
-            facing[lane] = exactFacing(cells[lane], positions, eye, perspective, facing[lane]);
+            facing[lane] = exactFacing(cells[lane], positions, {eye[0], eye[1], eye[2]}, perspective, facing[lane]);
 }
 
 /// `count` at least 8 cells.
@@ -207,9 +206,10 @@ TETRA_SIMD_CLONES void faceCells(const std::array<std::uint32_t, 4>* cells, std:
                                  const PaddedPosition* positions, const double* eye, double perspective,
                                  std::uint8_t* facing)
 {
+    const double from[3] = {eye[0], eye[1], eye[2]}; // no byte of it can be one of `facing`
     for (std::size_t first = 0; first < count; first += lanes) {
         const std::size_t start = std::min(first, count - lanes); // the last eight may overlap those before
-        faceEight(cells + start, positions, eye, perspective, facing + start);
+        faceEight(cells + start, positions, from, perspective, facing + start);
     }
 }
 

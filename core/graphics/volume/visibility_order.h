@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/buffer.h"
+#include "core/graphics/volume/cell_relations.h"
 #include "core/graphics/volume/facing.h"
 #include "core/mesh/face_adjacency.h"
 
@@ -9,14 +10,6 @@
 #include <span>
 
 namespace tetra {
-
-/// A cell that must be drawn before another, though no face is between them: in the samples of a picture the one is
-/// left and later the other entered, with a gap of the domain between.
-struct CellRelation {
-    std::uint32_t front;
-    std::uint32_t back;
-    auto operator<=>(const CellRelation&) const = default;
-};
 
 /// Cells front to back. Any array of cell numbers will do for drawing, from wherever it comes (S14).
 struct VisibilityOrder {
@@ -28,8 +21,13 @@ struct VisibilityOrder {
 /// Orders all cells by adjacency: a cell comes after its neighbours across the faces that look to the eye (P. Williams,
 /// "Visibility ordering meshed polyhedra", ACM Transactions on Graphics 11, 1992) and after the fronts of `relations`.
 /// For a convex domain and cells that are not inverted that is exact for every ray, unless there are cycles; for others
-/// it is exact for the rays whose gaps `relations` holds. O(cells + relations); facing on all threads of the current
-/// arena, the order on one. Several times faster where the mesh is in spatial order. May throw std::bad_alloc.
+/// it is exact for the rays whose gaps `relations` holds. Cells before and behind all cycles are in order; only of
+/// those between them the nearest is taken where none is free.
+///
+/// O(cells + relations), several times faster where the mesh is in spatial order. Facing is on all threads of the
+/// current arena. Then two take cells at the same time, one from the front, the other from the back, until each has
+/// half of them; what remains in the middle, because others were taken by both, is taken from the front. The same order
+/// with any number of threads. May throw std::bad_alloc.
 VisibilityOrder orderByAdjacency(const TetrahedralMesh& mesh, const FaceAdjacency& adjacency, const EyePoint& eye,
                                  std::span<const CellRelation> relations = {});
 
