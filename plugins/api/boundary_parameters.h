@@ -74,8 +74,10 @@ inline Status addBoundary(BoundaryMaker& maker, const std::vector<Parameter>& pa
     look.backFacesOnly = parameterValue<bool>(parameters, values, boundaryFarSideId);
     if (shown == boundaryTranslucent)
         look.opacity = static_cast<float>(parameterValue<double>(parameters, values, boundaryOpacityId));
-    else if (shown != boundaryValues)
+    else if (shown != boundaryValues) {
+        progress.report(1, {});
         return {};
+    }
     const auto surface =
         shown == boundaryValues
             ? maker.coloured(parameterValue<TransferFunction>(parameters, values, transferId), look, progress)
@@ -83,6 +85,7 @@ inline Status addBoundary(BoundaryMaker& maker, const std::vector<Parameter>& pa
     if (!surface)
         return surface.error();
     scene.surfaces.push_back(*surface);
+    progress.report(1, {});
     return {};
 }
 
