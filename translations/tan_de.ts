@@ -693,6 +693,10 @@
         <translation>Der Bau bis zum Fehler 0 braucht etwa %1 Arbeitsspeicher, %2 Plattenplatz und %3.</translation>
     </message>
     <message>
+        <source>Decimating to the coarsest mesh takes up to %1 of memory, %2 of disk and %3.</source>
+        <translation>Die Vergröberung bis zum gröbsten Netz braucht bis zu %1 Arbeitsspeicher, %2 Plattenplatz und %3.</translation>
+    </message>
+    <message>
         <source>Building to an error of 0 takes up to %1 of memory, %2 of disk and %3.</source>
         <translation>Der Bau bis zum Fehler 0 braucht bis zu %1 Arbeitsspeicher, %2 Plattenplatz und %3.</translation>
     </message>
@@ -992,7 +996,7 @@
     </message>
     <message>
         <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where the dataset is large.</source>
-        <translation>Die Zellen entlang einer Kante der Blöcke, die unabhängig verfeinert werden, mit Speicher für einige davon; &apos;none&apos; verfeinert den Datensatz als Ganzes; &apos;automatic&apos; nimmt Blöcke, wo der Datensatz groß ist.</translation>
+        <translation>Die Zellen entlang einer Kante der Blöcke, die unabhängig verfeinert werden, mit Speicher für einige davon; „keine“ verfeinert den Datensatz als Ganzes; „automatisch“ nimmt Blöcke, wo der Datensatz groß ist.</translation>
     </message>
     <message>
         <source>cells</source>
@@ -1244,7 +1248,7 @@
     </message>
     <message>
         <source>Which scalar of the solution: automatic takes the density, or if that is the same everywhere the first that varies.</source>
-        <translation>Welcher Skalar der Lösung: automatic nimmt die Dichte, oder wenn sie überall gleich ist, den ersten, der sich ändert.</translation>
+        <translation>Welcher Skalar der Lösung: „automatisch“ nimmt die Dichte, oder wenn sie überall gleich ist, den ersten, der sich ändert.</translation>
     </message>
     <message>
         <source>Solution file</source>
@@ -1360,7 +1364,7 @@
     </message>
     <message>
         <source>automatic</source>
-        <translation>automatic</translation>
+        <translation>automatisch</translation>
     </message>
     <message>
         <source>density</source>
@@ -1553,6 +1557,46 @@
     <message>
         <source>stress in a plate with five holes and a closed cavity: an irregular mesh</source>
         <translation>Spannung in einer Platte mit fünf Löchern und einem geschlossenen Hohlraum: ein unregelmäßiges Netz</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Boundary</source>
+        <translation>Berandung</translation>
+    </message>
+    <message>
+        <source>Shows where the mesh ends, holes and cavities included: &apos;translucent&apos; in one light colour, so that one sees what is inside within its walls, or in the colours that the transfer function gives the &apos;values&apos; there.</source>
+        <translation>Zeigt, wo das Netz endet, mit Löchern und Hohlräumen: „durchscheinend“ in einer hellen Farbe, so dass man sieht, was darin ist, oder in den Farben, die die Transferfunktion den „Werten“ dort gibt.</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>translucent</source>
+        <translation>durchscheinend</translation>
+    </message>
+    <message>
+        <source>values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>The opacity of a translucent boundary; 1 hides what lies behind.</source>
+        <translation>Die Deckkraft einer durchscheinenden Berandung; 1 verdeckt, was dahinter liegt.</translation>
+    </message>
+    <message>
+        <source>Hide what faces the eye</source>
+        <translation>Verbergen, was zum Auge zeigt</translation>
+    </message>
+    <message>
+        <source>Shows of the boundary only the walls on the far side, from within, and leaves out those that face the eye.</source>
+        <translation>Zeigt von der Berandung nur die Wände auf der abgewandten Seite, von innen, und lässt weg, was zum Auge zeigt.</translation>
     </message>
 </context>
 <context>
@@ -2437,6 +2481,14 @@
     <message>
         <source>%1 parts inside other parts, one at %2</source>
         <translation>%1 Teile in anderen Teilen, zum Beispiel bei %2</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the boundary of the mesh. Lower the accuracy of the mesh.</source>
+        <translation>Der Speicher reicht nicht für die Berandung des Netzes. Verringern Sie die Genauigkeit des Netzes.</translation>
+    </message>
+    <message>
+        <source>The mesh has too many tetrahedra for its boundary to be shown. Lower the accuracy of the mesh.</source>
+        <translation>Das Netz hat zu viele Tetraeder, um seine Berandung zu zeigen. Verringern Sie die Genauigkeit des Netzes.</translation>
     </message>
 </context>
 <context>
@@ -4465,8 +4517,8 @@ Verwerfung %2</translation>
         <translation>Tetraeder im gezeigten Netz</translation>
     </message>
     <message>
-        <source>Triangles of all isosurfaces that are shown</source>
-        <translation>Dreiecke aller gezeigten Isoflächen</translation>
+        <source>Triangles of all surfaces that are shown</source>
+        <translation>Dreiecke aller gezeigten Flächen</translation>
     </message>
     <message>
         <source>Time for taking the mesh out of the model</source>

@@ -693,6 +693,10 @@
         <translation>La costruzione fino a un errore di 0 richiede circa %1 di memoria, %2 di disco e %3.</translation>
     </message>
     <message>
+        <source>Decimating to the coarsest mesh takes up to %1 of memory, %2 of disk and %3.</source>
+        <translation>La decimazione fino alla mesh più rada richiede al più %1 di memoria, %2 di disco e %3.</translation>
+    </message>
+    <message>
         <source>Building to an error of 0 takes up to %1 of memory, %2 of disk and %3.</source>
         <translation>La costruzione fino a un errore di 0 richiede al più %1 di memoria, %2 di disco e %3.</translation>
     </message>
@@ -992,7 +996,7 @@
     </message>
     <message>
         <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where the dataset is large.</source>
-        <translation>Le celle lungo uno spigolo dei blocchi raffinati indipendentemente, con memoria per pochi di essi; &apos;none&apos; raffina l&apos;insieme di dati come un tutto; &apos;automatic&apos; usa blocchi dove i dati sono molti.</translation>
+        <translation>Le celle lungo uno spigolo dei blocchi raffinati indipendentemente, con memoria per pochi di essi; «nessuno» raffina l&apos;insieme di dati come un tutto; «automatico» usa blocchi dove i dati sono molti.</translation>
     </message>
     <message>
         <source>cells</source>
@@ -1553,6 +1557,46 @@
     <message>
         <source>Edits the colour and the opacity of each value, over how often the values occur.</source>
         <translation>Modifica il colore e l&apos;opacità di ogni valore, sopra la frequenza dei valori.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nessuno</translation>
+    </message>
+    <message>
+        <source>Boundary</source>
+        <translation>Contorno</translation>
+    </message>
+    <message>
+        <source>Shows where the mesh ends, holes and cavities included: &apos;translucent&apos; in one light colour, so that one sees what is inside within its walls, or in the colours that the transfer function gives the &apos;values&apos; there.</source>
+        <translation>Mostra dove finisce la mesh, con fori e cavità: «traslucido» in un solo colore chiaro, così che si veda che cosa c&apos;è dentro le sue pareti, oppure con i colori che la funzione di trasferimento dà ai «valori» in quei punti.</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>spento</translation>
+    </message>
+    <message>
+        <source>translucent</source>
+        <translation>traslucido</translation>
+    </message>
+    <message>
+        <source>values</source>
+        <translation>valori</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacità</translation>
+    </message>
+    <message>
+        <source>The opacity of a translucent boundary; 1 hides what lies behind.</source>
+        <translation>L&apos;opacità di un contorno traslucido; 1 nasconde ciò che sta dietro.</translation>
+    </message>
+    <message>
+        <source>Hide what faces the eye</source>
+        <translation>Nascondi ciò che è rivolto all&apos;occhio</translation>
+    </message>
+    <message>
+        <source>Shows of the boundary only the walls on the far side, from within, and leaves out those that face the eye.</source>
+        <translation>Mostra del contorno solo le pareti sul lato lontano, da dentro, e tralascia quelle rivolte all&apos;occhio.</translation>
     </message>
 </context>
 <context>
@@ -2437,6 +2481,14 @@
     <message>
         <source>%1 parts inside other parts, one at %2</source>
         <translation>%1 parti dentro altre, per esempio in %2</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the boundary of the mesh. Lower the accuracy of the mesh.</source>
+        <translation>La memoria non basta per il contorno della mesh. Ridurre la precisione della mesh.</translation>
+    </message>
+    <message>
+        <source>The mesh has too many tetrahedra for its boundary to be shown. Lower the accuracy of the mesh.</source>
+        <translation>La mesh ha troppi tetraedri perché se ne mostri il contorno. Ridurre la precisione della mesh.</translation>
     </message>
 </context>
 <context>
@@ -4465,8 +4517,8 @@ deformazione %2</translation>
         <translation>Tetraedri nella mesh mostrata</translation>
     </message>
     <message>
-        <source>Triangles of all isosurfaces that are shown</source>
-        <translation>Triangoli di tutte le isosuperfici mostrate</translation>
+        <source>Triangles of all surfaces that are shown</source>
+        <translation>Triangoli di tutte le superfici mostrate</translation>
     </message>
     <message>
         <source>Time for taking the mesh out of the model</source>

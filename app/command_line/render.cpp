@@ -79,13 +79,17 @@ ParameterValues completed(ParameterValues values, const Renderer& renderer, cons
 
 /// What is written over the picture: of the values that it is drawn with.
 AnnotationContent annotationsFor(const Arguments& arguments, const ModelDescription& data,
-                                 const ParameterValues& values, const Camera& camera)
+                                 const std::vector<Parameter>& parameters, const ParameterValues& values,
+                                 const Camera& camera)
 {
     AnnotationContent content = annotationsOf(arguments);
     content.range = data.range;
     content.field = fieldName(data);
     content.camera = camera;
-    for (const auto& [id, value] : values) {
+    for (const Parameter& parameter : parameters) {
+        if (!matters(parameter, parameters, values))
+            continue;
+        const ParameterValue& value = values.at(parameter.id);
         if (const auto* transfer = std::get_if<TransferFunction>(&value))
             content.transfer = *transfer;
         if (const auto* isovalues = std::get_if<std::vector<Isovalue>>(&value))
@@ -163,8 +167,9 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, const RenderReq
     figures["tetrahedra"] = static_cast<qint64>(shown->tetrahedra());
     if (shown->focus)
         figures["focus_tetrahedra"] = static_cast<qint64>(shown->focus->mesh->tetrahedra.size());
-    return PreparedScene{*scene, *camera, annotationsFor(invocation.arguments, data, look, *camera), figures,
-                         shown->tetrahedra()};
+    return PreparedScene{*scene, *camera,
+                         annotationsFor(invocation.arguments, data, renderer.plugin->parameters({}), look, *camera),
+                         figures, shown->tetrahedra()};
 }
 
 std::size_t triangleCount(const Scene& scene)
@@ -238,6 +243,8 @@ Syntax renderSyntax(PluginHost& host)
              "A volume through a transfer function of your own, with light."},
             {"tan render engine.tan --mode hybrid --isovalue 180:gold --clip 0,-1,0,-128 -o engine.png",
              "A surface in a volume, cut open at the plane y = 128."},
+            {"tan render part.tan --isovalue 0.5:gold --boundary translucent -o part.png",
+             "A surface within the walls of an irregular mesh."},
             {"tan render engine.tan --mode focus --error 4 --focus sphere:90,60,60,40 --focus-error 0.5 --falloff 10 "
              "-o engine.png",
              "A volume that is fine inside a ball and coarse outside, blended over a length of 10."},

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cells/boundary_manifold.h"
 
+#include "core/base/disjoint_sets.h"
+
 #include <algorithm>
-#include <numeric>
 #include <unordered_map>
 
 namespace tetra {
@@ -46,21 +47,6 @@ template <class Visit> void forEdges(const std::vector<EdgeUse>& uses, Visit&& v
     }
 }
 
-class Unions {
-public:
-    explicit Unions(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0); }
-    std::uint32_t root(std::uint32_t item)
-    {
-        while (parents_[item] != item)
-            item = parents_[item] = parents_[parents_[item]];
-        return item;
-    }
-    void join(std::uint32_t a, std::uint32_t b) { parents_[std::max(root(a), root(b))] = std::min(root(a), root(b)); }
-
-private:
-    std::vector<std::uint32_t> parents_;
-};
-
 bool sound(const EdgeUse& a, const EdgeUse& b)
 {
     return a.upwards != b.upwards;
@@ -72,7 +58,7 @@ ManifoldBreaches findBreaches(std::span<const Triangle> triangles)
 {
     ManifoldBreaches breaches;
     const std::vector<EdgeUse> uses = sortedEdgeUses(triangles);
-    Unions fans(3 * triangles.size()); // of the corners of triangles
+    DisjointSets fans(3 * triangles.size()); // of the corners of triangles
     forEdges(uses, [&](std::size_t first, std::size_t count) {
         const EdgeUse& a = uses[first];
         if (count != 2 || !sound(a, uses[first + 1])) {
@@ -104,7 +90,7 @@ ManifoldBreaches findBreaches(std::span<const Triangle> triangles)
 std::vector<std::uint32_t> surfaceComponents(std::span<const Triangle> triangles)
 {
     const std::vector<EdgeUse> uses = sortedEdgeUses(triangles);
-    Unions joined(triangles.size());
+    DisjointSets joined(triangles.size());
     forEdges(uses, [&](std::size_t first, std::size_t count) {
         for (std::size_t i = 1; i < count; ++i)
             joined.join(uses[first].triangle, uses[first + i].triangle);

@@ -20,18 +20,21 @@ namespace tetra {
 struct VolumeMesh;
 struct VolumeTransfer;
 
-/// Triangles with shared vertices and a unit normal at each.
+/// Triangles with shared vertices and a unit normal at each; colours and values are linear between vertices.
 struct TriangleMesh {
     Buffer<Eigen::Vector3f> positions;
     Buffer<Eigen::Vector3f> normals;
     Buffer<std::array<std::uint32_t, 3>> triangles;
+    Buffer<float> values{};   ///< of the field at each vertex; none where that is not told
+    Buffer<Colour> colours{}; ///< of each vertex; none where the surface's colour holds
 };
 
-/// A surface of one colour, lit from both sides. Opacity in (0, 1]; below one it is blended in depth order (R19).
+/// A surface, lit from both sides. Opacity in (0, 1]; below one it is blended in depth order (R19).
 struct Surface {
     std::shared_ptr<const TriangleMesh> mesh;
     Colour colour;
     float opacity = 1;
+    bool backFacesOnly = false; ///< triangles that the eye sees counterclockwise are not drawn
 };
 
 /// Straight lines of one colour, hidden by what lies before them.

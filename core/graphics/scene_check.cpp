@@ -11,6 +11,9 @@ Status checkMesh(const TriangleMesh& mesh)
 {
     if (mesh.normals.size() != mesh.positions.size())
         return Error{ErrorKind::WrongUsage, "A surface of the scene has not one normal for each vertex."};
+    const auto fits = [&](std::size_t count) { return count == 0 || count == mesh.positions.size(); };
+    if (!fits(mesh.values.size()) || !fits(mesh.colours.size()))
+        return Error{ErrorKind::WrongUsage, "A surface of the scene has not one value or colour for each vertex."};
     for (const auto& triangle : mesh.triangles)
         if (std::ranges::max(triangle) >= mesh.positions.size())
             return Error{ErrorKind::WrongUsage, "A triangle of the scene has a corner that does not exist."};

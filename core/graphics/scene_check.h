@@ -6,7 +6,8 @@
 
 namespace tetra {
 
-/// An error if the mesh has not one normal a vertex, or a triangle has a corner that does not exist. O(triangles).
+/// An error if the mesh has not one normal a vertex, or as many values or colours if any, or a triangle has a corner
+/// that does not exist. O(triangles).
 Status checkMesh(const TriangleMesh& mesh);
 /// An error if a segment has an end that does not exist. O(segments).
 Status checkLines(const LineSet& lines);

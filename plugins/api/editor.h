@@ -36,7 +36,7 @@ enum class EditorChange {
 struct PickedValue {
     double value = 0;
     Eigen::Vector3d place{0, 0, 0};
-    bool onSurface = false; ///< of that isovalue; else in the volume
+    bool onSurface = false; ///< of that isovalue; else in the volume or on its boundary
     bool operator==(const PickedValue&) const = default;
 };
 

@@ -4,6 +4,7 @@
 #include "core/graphics/isovalue.h"
 #include "core/transfer/transfer_function.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -18,6 +19,15 @@ using ParameterValue = std::variant<bool, std::int64_t, double, std::string, std
 /// Values by parameter id; what is missing has its default.
 using ParameterValues = std::map<std::string, ParameterValue>;
 
+/// When a parameter matters: while the parameter `id` has one of the values. Without an id always.
+struct ParameterCondition {
+    std::string id{};
+    std::vector<ParameterValue> values{};
+};
+
+/// What is no parameter, but what their conditions may ask for: the std::string domainClassName() of the dataset.
+inline constexpr const char* domainId = "domain";
+
 /// A parameter as data: the shell makes forms, command-line options and session entries from it. The type is that of
 /// `defaultValue`. Texts are for the user, in English, and are translated by the shell.
 struct Parameter {
@@ -29,12 +39,28 @@ struct Parameter {
     double minimum = 0;                 ///< of numbers
     double maximum = 0;                 ///< of numbers; not above minimum means unbounded
     std::vector<std::string> choices{}; ///< of strings; empty means free text
+    std::vector<std::string> words{}; ///< of free texts: those that are words, which forms show in the user's language
     /// Of strings that are lists, else 0: what separates their entries. On the command line, entries may also be given
     /// one at a time; the list's option is then called by its id without the plural s.
     char separator = 0;
     /// Of strings: why a text cannot be used, for the user; empty if it can. May be missing. Quick, any thread.
     std::function<std::string(const std::string& text)> mistake{};
+    /// Elsewhere it is not looked at, and forms hide it.
+    ParameterCondition onlyWith{};
 };
+
+/// Whether a parameter matters beside the `values` of all `parameters`; also if it depends on what is not known.
+inline bool matters(const Parameter& parameter, const std::vector<Parameter>& parameters, const ParameterValues& values)
+{
+    const ParameterCondition& condition = parameter.onlyWith;
+    const auto isMet = [&](const ParameterValue& value) {
+        return std::ranges::find(condition.values, value) != condition.values.end();
+    };
+    if (const auto found = values.find(condition.id); found != values.end())
+        return isMet(found->second);
+    const auto known = std::ranges::find(parameters, condition.id, &Parameter::id);
+    return condition.id.empty() || known == parameters.end() || isMet(known->defaultValue);
+}
 
 /// The value of `id` in `values`, else the default of the description in `parameters`. T is the parameter's type; a
 /// value of another type counts as missing.

@@ -1,7 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
-uniform vec4 colour;
-
+in vec3 surfaceColour;
 in vec3 surfaceNormal;
 in vec3 towardsEye;
 in vec3 placeInMesh;
@@ -15,5 +14,5 @@ void main()
 {
     if (isCutOff(placeInMesh))
         discard;
-    result = vec4(lit(colour.rgb, surfaceNormal, towardsEye), 1.0);
+    result = vec4(lit(surfaceColour, surfaceNormal, towardsEye), 1.0);
 }

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Draws, of the translucent fragments behind the layer before, the nearest: the depth test picks it. Fragments of equal
 // depth count as ordered by their triangle, so none is lost.
-uniform vec4 colour;
+uniform vec4 colour;              // whose alpha is the opacity
 uniform uint firstTriangle;       // number of the surface's first triangle in the scene
 uniform float saturated;          // what lies behind this opacity cannot be seen
 uniform sampler2D opaqueDepth;
 uniform usampler2D previousLayer; // depth as bits, triangle number plus one
 uniform sampler2D accumulated;    // all layers before
 
+in vec3 surfaceColour;
 in vec3 surfaceNormal;
 in vec3 towardsEye;
 in vec3 placeInMesh;
@@ -30,6 +31,6 @@ void main()
     bool hidden = gl_FragCoord.z >= texelFetch(opaqueDepth, place, 0).x;
     if (peeled || hidden || texelFetch(accumulated, place, 0).w > saturated)
         discard;
-    layerColour = vec4(lit(colour.rgb, surfaceNormal, towardsEye) * colour.a, colour.a);
+    layerColour = vec4(lit(surfaceColour, surfaceNormal, towardsEye) * colour.a, colour.a);
     layerKey = key;
 }

@@ -3,10 +3,14 @@
 // A lit surface. Positions are relative to an origin of the mesh's own: far from zero, floats would be too coarse.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 vertexColour; // if coloured
 
 uniform mat4 clipFromMesh;
+uniform vec4 colour;
+uniform bool coloured;
 uniform vec4 eye; // its place (w = 1), or the direction towards it (w = 0)
 
+out vec3 surfaceColour;
 out vec3 surfaceNormal;
 out vec3 towardsEye;
 out vec3 placeInMesh;
@@ -18,6 +22,7 @@ void main()
 {
     gl_Position = clipFromMesh * vec4(position, 1.0);
     placeInMesh = position;
+    surfaceColour = coloured ? vertexColour : colour.rgb;
     surfaceNormal = normal;
     towardsEye = eye.xyz - eye.w * position;
 }

@@ -262,6 +262,23 @@ private slots:
         QVERIFY(largestDifference(drawn({"--shaded", "--samples", "1"}).first, coarse) > 5);
     }
 
+    void theBoundaryIsDrawn()
+    {
+        const QStringList plain{"--transfer", "nothing.json", "--no-outline"};
+        QCOMPARE(coloured(drawn(plain).first), 0);
+        const auto [faint, figures] = drawn(plain + QStringList{"--boundary", "translucent"});
+        QVERIFY(coloured(faint) > 1000);
+        QVERIFY(figures["triangles"].toInteger() > 100);
+        const QImage solid = drawn(plain + QStringList{"--boundary", "translucent", "--boundary-opacity", "1"}).first;
+        QVERIFY(solid.pixelColor(30, 30).red() < faint.pixelColor(30, 30).red());
+        const QStringList red{"--transfer", "cloud.json", "--no-outline", "--boundary", "values"};
+        for (const char* mode : {"volume", "isosurface", "hybrid"}) {
+            const QColor seen = drawn(red, mode).first.pixelColor(30, 30);
+            QVERIFY2(seen.red() > 200 && seen.green() < 60, mode);
+        }
+        QVERIFY(drawn(red).first != drawn(red + QStringList{"--boundary-far-side"}).first);
+    }
+
     void wrongUseIsRefused_data()
     {
         QTest::addColumn<QStringList>("options");
@@ -275,6 +292,8 @@ private slots:
         row("unknown order", {"--mode", "hybrid", "--order", "random"}, 2, "exact, with-cell");
         row("no clip plane", {"--clip", "1,2,3"}, 2, "'1,2,3' is no clip plane");
         row("no normal", {"--clip", "1,0,0,0", "--clip", "0,0,0,1"}, 2, "'0,0,0,1'");
+        row("unknown boundary", {"--boundary", "thick"}, 2, "off, translucent, values");
+        row("boundary of no opacity", {"--boundary-opacity", "0"}, 2, "0.01");
         row("missing function", {"--transfer", "gone.json"}, 3, "'gone.json'");
         row("no JSON", {"--transfer", "c60.nrrd"}, 3, "c60.nrrd': ");
         row("slip in a function", {"--transfer", "slip.json"}, 3, "slip.json': ");

@@ -37,7 +37,7 @@ AnnotationContent annotationContent(Workbench& workbench, const Camera& camera, 
     if (!session.model())
         return content;
     content.range = session.range();
-    const auto parameters = workbench.renderingParameters();
+    const auto parameters = workbench.matteringParameters();
     if (hasParameter<TransferFunction>(parameters))
         content.transfer = session.view().look().transfer;
     if (hasParameter<std::vector<Isovalue>>(parameters))

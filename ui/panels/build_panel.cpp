@@ -240,6 +240,8 @@ void BuildPanel::showBuilder()
     reason_->setText(builder_->currentData(Qt::ToolTipRole).toString());
     const auto builder = workbench_.host().builder(builder_->currentData().toString().toStdString());
     options_->setParameters(builder ? builder->plugin->parameters() : std::vector<Parameter>{});
+    if (const auto& dataset = workbench_.dataset())
+        options_->setSurroundings({{domainId, std::string(domainClassName(dataset->domain))}});
     build_->setEnabled(builder.ok());
 }
 

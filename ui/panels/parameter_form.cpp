@@ -94,17 +94,37 @@ Control controlFor(const Parameter& parameter, double value)
             [box](const ParameterValue& shown) { box->setValue(std::get<double>(shown)); }};
 }
 
+/// A word of the parameter as the user reads it; any other text as it is.
+QString wordShown(const std::string& text, const std::vector<std::string>& words)
+{
+    return std::ranges::find(words, text) != words.end() ? pluginText(text) : QString::fromStdString(text);
+}
+
+/// What the user wrote: the parameter's word that it is, in either language, else the text.
+std::string wordMeant(const QString& text, const std::vector<std::string>& words)
+{
+    const auto isMeant = [&](const std::string& word) {
+        return text.compare(pluginText(word), Qt::CaseInsensitive) == 0;
+    };
+    const auto found = std::ranges::find_if(words, isMeant);
+    return found != words.end() ? *found : text.toStdString();
+}
+
+Control lineFor(const Parameter& parameter, const std::string& value)
+{
+    auto* line = new QLineEdit(wordShown(value, parameter.words));
+    line->setClearButtonEnabled(true);
+    return {line, [line, words = parameter.words] { return wordMeant(line->text(), words); },
+            [line, words = parameter.words](const ParameterValue& shown) {
+                if (const auto text = wordShown(std::get<std::string>(shown), words); line->text() != text)
+                    line->setText(text);
+            }};
+}
+
 Control controlFor(const Parameter& parameter, const std::string& value)
 {
-    if (parameter.choices.empty()) {
-        auto* line = new QLineEdit(QString::fromStdString(value));
-        line->setClearButtonEnabled(true);
-        return {line, [line] { return line->text().toStdString(); },
-                [line](const ParameterValue& shown) {
-                    if (const auto text = QString::fromStdString(std::get<std::string>(shown)); line->text() != text)
-                        line->setText(text);
-                }};
-    }
+    if (parameter.choices.empty())
+        return lineFor(parameter, value);
     auto* box = new QComboBox;
     for (const std::string& choice : parameter.choices)
         box->addItem(pluginText(choice), QString::fromStdString(choice));
@@ -152,6 +172,7 @@ ParameterForm::ParameterForm(const QString& prefix, QWidget* parent)
     layout_->setContentsMargins({});
     layout_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     layout_->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    connect(this, &ParameterForm::edited, this, &ParameterForm::showMattering);
 }
 
 void ParameterForm::setParameters(const std::vector<Parameter>& parameters, const ParameterChoices& choices)
@@ -164,6 +185,21 @@ void ParameterForm::setParameters(const std::vector<Parameter>& parameters, cons
         add(parameter, known != choices.end() ? known->second : std::vector<ParameterChoice>());
     }
     setVisible(!isEmpty());
+    showMattering();
+}
+
+void ParameterForm::setSurroundings(const ParameterValues& surroundings)
+{
+    surroundings_ = surroundings;
+    showMattering();
+}
+
+void ParameterForm::showMattering()
+{
+    ParameterValues known = values();
+    known.insert(surroundings_.begin(), surroundings_.end());
+    for (const Field& field : fields_)
+        layout_->setRowVisible(field.widget, matters(field.parameter, {}, known));
 }
 
 void ParameterForm::add(const Parameter& parameter, const std::vector<ParameterChoice>& choices)
@@ -186,7 +222,7 @@ void ParameterForm::add(const Parameter& parameter, const std::vector<ParameterC
         layout_->addRow(unit.isEmpty() ? label : tr("%1 (%2)").arg(label, unit), widget);
     if (auto* line = qobject_cast<QLineEdit*>(widget); line != nullptr && parameter.mistake)
         tellMistakes(*line, parameter);
-    fields_.push_back({parameter.id, parameter.defaultValue, widget, control.read, control.show});
+    fields_.push_back({parameter, widget, control.read, control.show});
     tellEdits(parameter, widget);
 }
 
@@ -211,24 +247,26 @@ void ParameterForm::tellEdits(const Parameter& parameter, QWidget* widget)
 void ParameterForm::setValues(const ParameterValues& values)
 {
     for (const Field& field : fields_) {
-        const auto found = values.find(field.id);
-        const bool fits = found != values.end() && found->second.index() == field.byDefault.index();
+        const ParameterValue& byDefault = field.parameter.defaultValue;
+        const auto found = values.find(field.parameter.id);
+        const bool fits = found != values.end() && found->second.index() == byDefault.index();
         const QSignalBlocker blocker(qobject_cast<QLineEdit*>(field.widget) == nullptr ? field.widget : nullptr);
-        field.show(fits ? found->second : field.byDefault);
+        field.show(fits ? found->second : byDefault);
     }
+    showMattering();
 }
 
 void ParameterForm::setExample(const std::string& id, const QString& example)
 {
     for (const Field& field : fields_)
-        if (auto* line = qobject_cast<QLineEdit*>(field.widget); line != nullptr && field.id == id)
+        if (auto* line = qobject_cast<QLineEdit*>(field.widget); line != nullptr && field.parameter.id == id)
             line->setPlaceholderText(tr("for example %1").arg(example));
 }
 
 ParameterValue ParameterForm::value(const std::string& id) const
 {
     for (const Field& field : fields_)
-        if (field.id == id)
+        if (field.parameter.id == id)
             return field.value();
     return {};
 }
@@ -253,7 +291,7 @@ ParameterValues ParameterForm::values() const
 {
     ParameterValues result;
     for (const Field& field : fields_)
-        result[field.id] = field.value();
+        result[field.parameter.id] = field.value();
     return result;
 }
 

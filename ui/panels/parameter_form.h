@@ -29,6 +29,8 @@ public:
 
     /// Begins anew, with the defaults. A parameter that has choices here is one of them, whatever its type.
     void setParameters(const std::vector<Parameter>& parameters, const ParameterChoices& choices = {});
+    /// What the conditions of parameters may ask for beside the parameters. Those that do not matter are not shown.
+    void setSurroundings(const ParameterValues& surroundings);
     ParameterValues values() const;
     /// Shown in a line as long as it is empty: how its text is written.
     void setExample(const std::string& id, const QString& example);
@@ -44,19 +46,20 @@ signals:
 
 private:
     struct Field {
-        std::string id;
-        ParameterValue byDefault;
+        Parameter parameter;
         QWidget* widget = nullptr;
         std::function<ParameterValue()> value;
         std::function<void(const ParameterValue&)> show;
     };
     void add(const Parameter& parameter, const std::vector<ParameterChoice>& choices);
     void tellEdits(const Parameter& parameter, QWidget* widget);
+    void showMattering();
     void tellMistakes(QLineEdit& line, const Parameter& parameter);
 
     QString prefix_;
     QFormLayout* layout_;
     std::vector<Field> fields_;
+    ParameterValues surroundings_;
 };
 
 } // namespace tetra

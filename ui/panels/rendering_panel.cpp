@@ -88,7 +88,7 @@ QWidget* RenderingPanel::makeContent()
 void RenderingPanel::chooseMode(const QString& id)
 {
     workbench_.session().setMode(id.toStdString());
-    const auto parameters = workbench_.renderingParameters();
+    const auto parameters = workbench_.matteringParameters();
     if (hasParameter<TransferFunction>(parameters))
         emit transferWanted();
     else if (hasParameter<std::vector<Isovalue>>(parameters))

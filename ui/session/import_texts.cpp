@@ -127,14 +127,25 @@ ImportCheck countPart(const Lattice& lattice, const DatasetPart& part)
                       .arg(sizeText(taken->size), countText(taken->pointCount()), countText(lattice.pointCount()))};
 }
 
+namespace {
+
+/// Irregular meshes are decimated, from an error of 0 down.
+QString needsText(const BuildSize& size)
+{
+    if (size.domain == DomainClass::Irregular)
+        return ImportTexts::tr("Decimating to the coarsest mesh takes up to %1 of memory, %2 of disk and %3.");
+    return size.siteShare < 1
+               ? ImportTexts::tr("Building to an error of 0 takes about %1 of memory, %2 of disk and %3.")
+               : ImportTexts::tr("Building to an error of 0 takes up to %1 of memory, %2 of disk and %3.");
+}
+
+} // namespace
+
 QString estimateText(const BuildSize& size)
 {
     const BuildEstimate estimate = estimateBuild(size, std::max(1u, std::thread::hardware_concurrency()));
-    const QString text =
-        size.siteShare < 1 ? ImportTexts::tr("Building to an error of 0 takes about %1 of memory, %2 of disk and %3.")
-                           : ImportTexts::tr("Building to an error of 0 takes up to %1 of memory, %2 of disk and %3.");
-    const QString needs = text.arg(roughBytesText(estimate.memoryBytes), roughBytesText(estimate.diskBytes),
-                                   roughDurationText(estimate.seconds));
+    const QString needs = needsText(size).arg(roughBytesText(estimate.memoryBytes), roughBytesText(estimate.diskBytes),
+                                              roughDurationText(estimate.seconds));
     const std::uint64_t usable = usableBytes();
     if (usable != 0 && estimate.memoryBytes > usable)
         return needs + " " + ImportTexts::tr("This machine has %1 of memory.").arg(bytesText(usable));

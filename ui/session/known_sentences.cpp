@@ -99,6 +99,8 @@ constexpr std::array sentences{
     QT_TRANSLATE_NOOP("Sentence", "Not enough memory for the mesh of the focus. Choose a larger error or a smaller focus."),
     QT_TRANSLATE_NOOP("Sentence", "There is not enough memory for a picture of this size."),
     QT_TRANSLATE_NOOP("Sentence", "Not enough memory for a picture of this size and scene. Make the picture smaller or lower the accuracy of the mesh."),
+    QT_TRANSLATE_NOOP("Sentence", "Not enough memory for the boundary of the mesh. Lower the accuracy of the mesh."),
+    QT_TRANSLATE_NOOP("Sentence", "The mesh has too many tetrahedra for its boundary to be shown. Lower the accuracy of the mesh."),
     QT_TRANSLATE_NOOP("Sentence", "Not enough memory for the isosurface. Close other programs or lower the accuracy of the mesh."),
     QT_TRANSLATE_NOOP("Sentence", "Not enough memory for the isosurfaces. Show fewer of them or lower the accuracy of the mesh."),
     QT_TRANSLATE_NOOP("Sentence", "Not enough memory to draw this mesh as a volume. Close other programs or lower the accuracy of the mesh."),

@@ -2,6 +2,7 @@
 #include "ui/session/look.h"
 
 #include "core/transfer/default_transfer_functions.h"
+#include "plugins/api/boundary_parameters.h"
 
 #include <algorithm>
 #include <array>
@@ -54,15 +55,18 @@ std::vector<Provided<Renderer>> renderingModes(PluginHost& host)
     return modes;
 }
 
-Look startingLook(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field)
+Look startingLook(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field, DomainClass domain)
 {
     const auto parameters = parametersOf(modes, field);
     const auto* transfer = firstDefault<TransferFunction>(parameters);
     const double diagonal = field.bounds.isEmpty() ? unitDistances : field.bounds.diagonal().norm();
-    return {modes.empty() ? std::string() : modes.front().id,
-            transfer != nullptr
-                ? *transfer
-                : sequentialTransferFunction(field.range.minimum, field.range.maximum, diagonal / unitDistances)};
+    Look look{modes.empty() ? std::string() : modes.front().id,
+              transfer != nullptr
+                  ? *transfer
+                  : sequentialTransferFunction(field.range.minimum, field.range.maximum, diagonal / unitDistances)};
+    if (domain == DomainClass::Irregular)
+        look.settings[boundaryId] = std::string(boundaryTranslucent);
+    return look;
 }
 
 std::vector<Isovalue> startingIsovalues(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field)
@@ -86,6 +90,15 @@ ParameterValues rendererValues(const std::vector<Parameter>& parameters, const L
             values[parameter.id] = found->second;
     }
     return values;
+}
+
+std::vector<Parameter> matteringParameters(const std::vector<Parameter>& parameters, const ParameterValues& values)
+{
+    std::vector<Parameter> mattering;
+    for (const Parameter& parameter : parameters)
+        if (matters(parameter, parameters, values))
+            mattering.push_back(parameter);
+    return mattering;
 }
 
 std::vector<Parameter> settingParameters(const std::vector<Parameter>& parameters)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/data/domain_class.h"
 #include "plugins/api/parameter.h"
 #include "plugins/host/plugin_host.h"
 
@@ -21,8 +22,9 @@ struct Look {
 /// The plugins that can show a model: isosurfaces, volume and both first, then others by id.
 std::vector<Provided<Renderer>> renderingModes(PluginHost& host);
 
-/// The first mode, with the defaults for the field.
-Look startingLook(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field);
+/// The first mode, with the defaults for the field. An irregular domain, whose shape no box tells, begins with its
+/// boundary shown.
+Look startingLook(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field, DomainClass domain);
 
 /// The isovalues to start with: those of the first mode that has some.
 std::vector<Isovalue> startingIsovalues(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field);
@@ -31,6 +33,9 @@ std::vector<Isovalue> startingIsovalues(const std::vector<Provided<Renderer>>& m
 /// or no choice here, is left to its default.
 ParameterValues rendererValues(const std::vector<Parameter>& parameters, const Look& look,
                                const std::vector<Isovalue>& isovalues);
+
+/// Those that matter with these values.
+std::vector<Parameter> matteringParameters(const std::vector<Parameter>& parameters, const ParameterValues& values);
 
 /// The parameters for a form: those that have no panel of their own.
 std::vector<Parameter> settingParameters(const std::vector<Parameter>& parameters);

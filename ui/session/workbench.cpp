@@ -166,7 +166,8 @@ std::function<void()> Workbench::whenModelRead(const Result<std::shared_ptr<cons
 void Workbench::showModel(const std::shared_ptr<const Model>& model, const FieldExtent& field)
 {
     if (prepareToShow(model, field))
-        session_.open(model, startingIsovalues(modes_, field), startingLook(modes_, field));
+        session_.open(model, startingIsovalues(modes_, field),
+                      startingLook(modes_, field, model->description().domain));
 }
 
 /// Whether there is a way to show it.
@@ -310,6 +311,11 @@ std::vector<Parameter> Workbench::renderingParameters() const
 {
     const Renderer* mode = renderer();
     return mode != nullptr && session_.model() ? mode->parameters(field_) : std::vector<Parameter>{};
+}
+
+std::vector<Parameter> Workbench::matteringParameters() const
+{
+    return tetra::matteringParameters(renderingParameters(), session_.view().look().settings);
 }
 
 SceneRequest Workbench::sceneRequest() const

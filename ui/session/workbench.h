@@ -53,6 +53,8 @@ public:
     const std::vector<Provided<Renderer>>& modes() const noexcept { return modes_; }
     /// The parameters of the mode that is in use, fitting the model; empty without one.
     std::vector<Parameter> renderingParameters() const;
+    /// Those of them that matter as they are set.
+    std::vector<Parameter> matteringParameters() const;
     /// The dataset that models can be built of; none before one was opened.
     const std::shared_ptr<const Dataset>& dataset() const noexcept { return dataset_; }
     /// What building it is expected to take follows from this; zeros without one.

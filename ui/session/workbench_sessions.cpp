@@ -11,15 +11,15 @@
 namespace tetra {
 namespace {
 
-/// The look of the session, where it says one that is known here; else how the model is looked at first.
+/// The look of the session, where it says one that is known here; else how the model is looked at first. What settings
+/// the session does not have are the renderers' own defaults: how it was seen when it was saved.
 Look lookOf(const SessionDocument& document, const std::vector<Provided<Renderer>>& modes, Look look)
 {
     if (std::ranges::find(modes, document.look.mode, &Provided<Renderer>::id) != modes.end())
         look.mode = document.look.mode;
     if (!document.look.transfer.points.empty())
         look.transfer = document.look.transfer;
-    for (const auto& [id, value] : document.look.settings)
-        look.settings[id] = value;
+    look.settings = document.look.settings;
     return look;
 }
 
@@ -54,7 +54,8 @@ void Workbench::showSession(const std::shared_ptr<const Model>& model, const Fie
 {
     if (!prepareToShow(model, field))
         return;
-    session_.open(model, document.isovalues, lookOf(document, modes_, startingLook(modes_, field)), document.query);
+    session_.open(model, document.isovalues,
+                  lookOf(document, modes_, startingLook(modes_, field, model->description().domain)), document.query);
     session_.restore(document.annotations, document.animation);
     emit sessionOpened(document);
     if (document.identity != 0 && document.identity != modelIdentity(*model))

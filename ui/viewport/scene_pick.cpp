@@ -9,7 +9,18 @@ std::optional<Eigen::Vector3d> placeSeenAt(const Scene& scene, const PictureProj
 {
     const SightLine line = projection.sightLine(pixel);
     const auto crossings = surfaceCrossings(scene.surfaces, line, shownPart(line, scene.clipPlanes));
-    return crossings.empty() ? std::nullopt : std::optional(line.at(crossings.front().at));
+    std::optional<Eigen::Vector3d> place;
+    double light = 1; // that is left
+    double most = 0;  // that one of them takes
+    for (const SurfaceCrossing& crossing : crossings) {
+        const double opacity = scene.surfaces[crossing.surface].opacity;
+        if (light * opacity > most) {
+            most = light * opacity;
+            place = line.at(crossing.at);
+        }
+        light *= 1 - opacity;
+    }
+    return place;
 }
 
 } // namespace tetra

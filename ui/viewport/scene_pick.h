@@ -8,8 +8,8 @@
 
 namespace tetra {
 
-/// The place on a surface that is seen at a pixel: the nearest to the viewer that no clip plane cuts away. Nothing
-/// where no surface is.
+/// The place on a surface that is seen at a pixel: where no clip plane cuts it away, and of several the one that is
+/// seen most, so that a faint boundary does not stand before what is in it. Nothing where no surface is.
 /// O(triangles).
 std::optional<Eigen::Vector3d> placeSeenAt(const Scene& scene, const PictureProjection& projection, QPointF pixel);
 

@@ -10,6 +10,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include <algorithm>
 #include <new>
 #include <utility>
 
@@ -20,19 +21,37 @@ constexpr double clickReach = 3; ///< pixels that a hand may move while it click
 constexpr double ringRadius = 6;
 constexpr double labelDistance = 10;
 
-/// Those of the scene's surfaces, in their order; nothing if the scene is one of other isovalues.
+/// Whether the surface itself says which values the field has on it.
+bool tellsValues(const Surface& surface)
+{
+    return surface.mesh && !surface.mesh->values.empty();
+}
+
+/// Those of the scene's isosurfaces, which come first, in their order; nothing if the scene is one of other isovalues.
 std::vector<double> isovaluesOf(const Scene& scene, const std::vector<Isovalue>& isovalues)
 {
+    const auto count = static_cast<std::size_t>(
+        std::ranges::count_if(scene.surfaces, [](const Surface& surface) { return !tellsValues(surface); }));
     std::vector<double> values;
     for (const Isovalue& isovalue : isovalues) {
         if (!isovalue.visible)
             continue;
         const Colour colour{isovalue.red, isovalue.green, isovalue.blue};
-        if (values.size() == scene.surfaces.size() || scene.surfaces[values.size()].colour != colour)
+        if (values.size() == count || scene.surfaces[values.size()].colour != colour)
             return {};
         values.push_back(isovalue.value);
     }
-    return values.size() == scene.surfaces.size() ? values : std::vector<double>();
+    return values.size() == count ? values : std::vector<double>();
+}
+
+/// On an isosurface its isovalue, elsewhere what the field has there; nothing on a surface that is not known.
+std::optional<PickedValue> pickedOf(const SeenPlace& seen, const Scene& scene, const std::vector<double>& isovalues)
+{
+    if (!seen.surface || tellsValues(scene.surfaces[*seen.surface]))
+        return PickedValue{seen.value, seen.place, false};
+    if (*seen.surface >= isovalues.size())
+        return std::nullopt;
+    return PickedValue{isovalues[*seen.surface], seen.place, true};
 }
 
 std::optional<SeenPlace> seenOrNothing(const Scene& scene, const SightLine& line, const Progress& progress)
@@ -99,20 +118,18 @@ void ValuePick::look()
     job_.submit([this, number = ++newest_, scene, line,
                  isovalues = isovaluesOf(*scene, workbench_.session().view().isovalues())](std::stop_token stop) {
         const auto seen = seenOrNothing(*scene, line, Progress(std::move(stop), {}));
+        const auto picked = seen ? pickedOf(*seen, *scene, isovalues) : std::nullopt;
         QMetaObject::invokeMethod(
-            this, [this, number, seen, isovalues] { arrived(number, seen, isovalues); }, Qt::QueuedConnection);
+            this, [this, number, picked] { arrived(number, picked); }, Qt::QueuedConnection);
     });
 }
 
-void ValuePick::arrived(quint64 number, const std::optional<SeenPlace>& seen, const std::vector<double>& isovalues)
+void ValuePick::arrived(quint64 number, const std::optional<PickedValue>& picked)
 {
     if (number != newest_)
         return;
     found_ = number;
-    if (!seen || (seen->surface && *seen->surface >= isovalues.size()))
-        return setPicked(std::nullopt);
-    setPicked(
-        PickedValue{seen->surface ? isovalues[*seen->surface] : seen->value, seen->place, seen->surface.has_value()});
+    setPicked(picked);
 }
 
 void ValuePick::setPicked(const std::optional<PickedValue>& picked)

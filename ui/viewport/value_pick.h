@@ -12,10 +12,10 @@ class QMouseEvent;
 namespace tetra {
 
 class Viewport;
-struct SeenPlace;
 
-/// Finds the value of the data that is seen where the user clicks in the picture, and marks its place there: on a
-/// surface the isovalue, in a volume the value that most is seen of (seenPlace()). A click is a press of the left
+/// Finds the value of the data that is seen where the user clicks in the picture, and marks its place there: on
+/// an isosurface its isovalue, on the boundary the value there, in a volume the value that most is seen of
+/// (seenPlace()). A click is a press of the left
 /// button without a drag and without keys. Looks for it in a worker; the same with either back end, as nothing is read
 /// from the picture. The mark goes with Escape, with a click beside everything, and with another model.
 class ValuePick : public QWidget {
@@ -46,7 +46,7 @@ protected:
 private:
     void followMouse(const QMouseEvent& event);
     void look();
-    void arrived(quint64 number, const std::optional<SeenPlace>& seen, const std::vector<double>& isovalues);
+    void arrived(quint64 number, const std::optional<PickedValue>& picked);
     void setPicked(const std::optional<PickedValue>& picked);
 
     Workbench& workbench_;

@@ -38,7 +38,7 @@ StatusLine::StatusLine(QStatusBar* bar) : QObject(bar), bar_(bar), file_(new QLa
     errors_ = add("status.errors", {});
     sites_ = add("status.sites", tr("Data points in the mesh that is shown"));
     tetrahedra_ = add("status.tetrahedra", tr("Tetrahedra in the mesh that is shown"));
-    triangles_ = add("status.triangles", tr("Triangles of all isosurfaces that are shown"));
+    triangles_ = add("status.triangles", tr("Triangles of all surfaces that are shown"));
     extraction_ = add("status.extraction", tr("Time for taking the mesh out of the model"));
     frame_ =
         add("status.frame",

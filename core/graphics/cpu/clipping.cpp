@@ -22,8 +22,9 @@ double distanceFrom(std::size_t plane, const Eigen::Vector4d& p)
 ClipVertex cutPoint(const ClipVertex& inner, double innerDistance, const ClipVertex& outer, double outerDistance)
 {
     const double fraction = innerDistance / (innerDistance - outerDistance);
+    const auto part = static_cast<float>(fraction);
     return {inner.position + fraction * (outer.position - inner.position),
-            inner.normal + static_cast<float>(fraction) * (outer.normal - inner.normal)};
+            inner.normal + part * (outer.normal - inner.normal), inner.colour + part * (outer.colour - inner.colour)};
 }
 
 ClippedPolygon cutBy(std::size_t plane, const ClippedPolygon& polygon)

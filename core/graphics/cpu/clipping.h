@@ -12,6 +12,7 @@ namespace tetra {
 struct ClipVertex {
     Eigen::Vector4d position{0, 0, 0, 1};
     Eigen::Vector3f normal{0, 0, 1};
+    Eigen::Vector3f colour{0, 0, 0}; ///< red, green, blue; where vertices have colours
 };
 
 /// How far beyond the picture's edge a corner may lie, in units of half the picture, before its triangle is cut: far

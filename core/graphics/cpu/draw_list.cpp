@@ -62,17 +62,32 @@ private:
 struct Piece {
     static constexpr std::uint32_t own = 0x80000000;
     std::vector<ScreenVertex> vertices;
+    std::vector<Colour> colours; ///< of the vertices
     std::vector<ScreenTriangle> triangles;
 
     void addPolygon(const ClippedPolygon& polygon, const Projector& projector, std::uint32_t material)
     {
         const std::uint32_t first = own | static_cast<std::uint32_t>(vertices.size());
-        for (std::size_t i = 0; i < polygon.count; ++i)
-            vertices.push_back(projector.toScreen(polygon.corners[i]));
+        for (std::size_t i = 0; i < polygon.count; ++i) {
+            const ClipVertex& corner = polygon.corners[i];
+            vertices.push_back(projector.toScreen(corner));
+            colours.push_back({corner.colour.x(), corner.colour.y(), corner.colour.z()});
+        }
         for (std::uint32_t i = 2; i < polygon.count; ++i)
             triangles.push_back({{first, first + i - 1, first + i}, material});
     }
 };
+
+/// Whether the eye sees a triangle counterclockwise, wherever its corners lie: the side of its plane that the eye is on
+/// (M. Olano and T. Greer, "Triangle Scan Conversion using 2D Homogeneous Coordinates", 1997).
+bool facesEye(const std::array<Eigen::Vector4d, 3>& corners)
+{
+    Eigen::Matrix3d places;
+    for (int i = 0; i < 3; ++i)
+        places.col(i) << corners[static_cast<std::size_t>(i)].x(), corners[static_cast<std::size_t>(i)].y(),
+            corners[static_cast<std::size_t>(i)].w();
+    return places.determinant() > 0;
+}
 
 class Builder {
 public:
@@ -87,7 +102,12 @@ public:
 private:
     ClipVertex toClip(const TriangleMesh& mesh, std::uint32_t vertex) const
     {
-        return {projector_.toClip(mesh.positions[vertex]), mesh.normals[vertex]};
+        ClipVertex corner{projector_.toClip(mesh.positions[vertex]), mesh.normals[vertex]};
+        if (!mesh.colours.empty()) {
+            const Colour& colour = mesh.colours[vertex];
+            corner.colour = {colour.red, colour.green, colour.blue};
+        }
+        return corner;
     }
     std::uint32_t addMaterial(const Material& material)
     {
@@ -95,9 +115,10 @@ private:
         return static_cast<std::uint32_t>(list_.materials.size() - 1);
     }
     Buffer<std::uint8_t> projectVertices(const TriangleMesh& mesh);
-    Piece projectTriangles(const TriangleMesh& mesh, std::size_t first, std::size_t last,
+    Piece projectTriangles(const Surface& surface, std::size_t first, std::size_t last,
                            const Buffer<std::uint8_t>& bits, std::uint32_t firstVertex, std::uint32_t material) const;
-    void append(std::span<const Piece> pieces);
+    bool isDrawn(const Surface& surface, const std::array<std::uint32_t, 3>& triangle) const;
+    void append(std::span<const Piece> pieces, bool coloured);
 
     const Projector& projector_;
     DrawList& list_;
@@ -123,16 +144,23 @@ Buffer<std::uint8_t> Builder::projectVertices(const TriangleMesh& mesh)
     return bits;
 }
 
-Piece Builder::projectTriangles(const TriangleMesh& mesh, std::size_t first, std::size_t last,
+bool Builder::isDrawn(const Surface& surface, const std::array<std::uint32_t, 3>& triangle) const
+{
+    const auto corner = [&](std::size_t i) { return projector_.toClip(surface.mesh->positions[triangle[i]]); };
+    return !surface.backFacesOnly || !facesEye({corner(0), corner(1), corner(2)});
+}
+
+Piece Builder::projectTriangles(const Surface& surface, std::size_t first, std::size_t last,
                                 const Buffer<std::uint8_t>& bits, std::uint32_t firstVertex,
                                 std::uint32_t material) const
 {
     Piece piece;
+    const TriangleMesh& mesh = *surface.mesh;
     for (std::size_t t = first; t != last; ++t) {
         const auto& [a, b, c] = mesh.triangles[t];
         const unsigned all = bits[a] & bits[b] & bits[c];
         const unsigned any = bits[a] | bits[b] | bits[c];
-        if ((all & outside::view) != 0 || (any & outside::notFinite) != 0)
+        if ((all & outside::view) != 0 || (any & outside::notFinite) != 0 || !isDrawn(surface, mesh.triangles[t]))
             continue;
         if ((any & outside::cut) == 0)
             piece.triangles.push_back({{firstVertex + a, firstVertex + b, firstVertex + c}, material});
@@ -142,11 +170,13 @@ Piece Builder::projectTriangles(const TriangleMesh& mesh, std::size_t first, std
     return piece;
 }
 
-void Builder::append(std::span<const Piece> pieces)
+void Builder::append(std::span<const Piece> pieces, bool coloured)
 {
     for (const Piece& piece : pieces) {
         const auto firstOwn = static_cast<std::uint32_t>(list_.vertices.size());
         list_.vertices.insert(list_.vertices.end(), piece.vertices.begin(), piece.vertices.end());
+        if (coloured)
+            list_.colours.insert(list_.colours.end(), piece.colours.begin(), piece.colours.end());
         for (ScreenTriangle triangle : piece.triangles) {
             for (std::uint32_t& vertex : triangle.vertices)
                 if ((vertex & Piece::own) != 0)
@@ -165,19 +195,24 @@ Status Builder::addSurface(const Surface& surface)
         return status;
     if (mesh.positions.size() + list_.vertices.size() >= Piece::own)
         return Error{ErrorKind::OutOfResource, "The scene has more than two thousand million vertices."};
-    const std::uint32_t material = addMaterial({surface.colour, std::min(surface.opacity, 1.0f), true});
+    const bool coloured = !mesh.colours.empty();
+    const std::uint32_t material = addMaterial({surface.colour, std::min(surface.opacity, 1.0f), true, coloured});
     const auto firstVertex = static_cast<std::uint32_t>(list_.vertices.size());
     const Buffer<std::uint8_t> bits = projectVertices(mesh);
+    if (coloured) {
+        list_.colours.resize(firstVertex); // of what has no colours
+        list_.colours.insert(list_.colours.end(), mesh.colours.begin(), mesh.colours.end());
+    }
     std::vector<Piece> pieces((mesh.triangles.size() + chunkSize - 1) / chunkSize);
     tbb::parallel_for(std::size_t(0), pieces.size(), [&](std::size_t p) {
         if (progress_.cancelled())
             return;
         const std::size_t first = p * chunkSize;
         const std::size_t last = std::min(first + chunkSize, mesh.triangles.size());
-        pieces[p] = projectTriangles(mesh, first, last, bits, firstVertex, material);
+        pieces[p] = projectTriangles(surface, first, last, bits, firstVertex, material);
     });
     if (!progress_.cancelled())
-        append(pieces);
+        append(pieces, coloured);
     return {};
 }
 
@@ -190,7 +225,7 @@ void Builder::addLines(const LineSet& lines, double samplesPerPixelAxis)
             piece.addPolygon(clipTriangle({ClipVertex{quad[0]}, ClipVertex{quad[static_cast<std::size_t>(b)]},
                                            ClipVertex{quad[static_cast<std::size_t>(c)]}}),
                              projector_, material);
-    append({&piece, 1});
+    append({&piece, 1}, false);
 }
 
 } // namespace

@@ -32,7 +32,8 @@ struct ScreenVertex {
 struct Material {
     Colour colour;
     float opacity = 1;
-    bool surface = true; ///< lit and clipped; else a line
+    bool surface = true;   ///< lit and clipped; else a line
+    bool coloured = false; ///< at each vertex by itself
 };
 
 struct ScreenTriangle {
@@ -41,9 +42,11 @@ struct ScreenTriangle {
 };
 
 /// A scene projected into a picture: all that the tiles need. Triangles are in the order of the scene; those outside
-/// the view are left out, those that reach behind the eye or far beyond the picture are cut.
+/// the view or turned away from it as the surface does not want are left out, those that reach behind the eye or far
+/// beyond the picture are cut.
 struct DrawList {
     Buffer<ScreenVertex> vertices;
+    Buffer<Colour> colours; ///< of vertices whose material is coloured, at their places; may end before them
     Buffer<ScreenTriangle> triangles;
     std::vector<Material> materials;
 };

@@ -84,11 +84,29 @@ void TilePainter::collectTranslucent(std::uint32_t triangle)
     });
 }
 
+/// Of a fragment whose vertices have colours.
+Colour TilePainter::ownColour(const Fragment& fragment) const
+{
+    const ScreenTriangle& triangle = list_.triangles[fragment.triangle];
+    const std::array<float, 3> shares = {1 - fragment.b - fragment.c, fragment.b, fragment.c};
+    Colour sum;
+    float whole = 0;
+    for (std::size_t corner = 0; corner < shares.size(); ++corner) {
+        const std::uint32_t vertex = triangle.vertices[corner];
+        const float share = shares[corner] * list_.vertices[vertex].weight;
+        sum.red += share * list_.colours[vertex].red;
+        sum.green += share * list_.colours[vertex].green;
+        sum.blue += share * list_.colours[vertex].blue;
+        whole += share;
+    }
+    return {sum.red / whole, sum.green / whole, sum.blue / whole};
+}
+
 PremultipliedColour TilePainter::lit(const Fragment& fragment, std::size_t sample) const
 {
     const ScreenTriangle& triangle = list_.triangles[fragment.triangle];
     const Material& material = list_.materials[triangle.material];
-    Colour colour = material.colour;
+    Colour colour = material.coloured ? ownColour(fragment) : material.colour;
     if (material.surface) {
         const ScreenVertex& a = list_.vertices[triangle.vertices[0]];
         const ScreenVertex& b = list_.vertices[triangle.vertices[1]];

@@ -59,6 +59,7 @@ private:
     void drawOpaque(std::uint32_t triangle);
     void collectTranslucent(std::uint32_t triangle);
     bool shows(std::size_t sample, float nearness, bool clipped) const;
+    Colour ownColour(const Fragment& fragment) const;
     PremultipliedColour lit(const Fragment& fragment, std::size_t sample) const;
     void sortTranslucent(std::size_t sample);
     /// Calls visit(nearness, colour) for the lit fragments of a sample, front to back, until nothing shines through.

@@ -17,9 +17,11 @@ void fillBuffer(const GlFunctions& gl, unsigned target, const GlObject& buffer, 
     gl.bufferData(target, static_cast<std::ptrdiff_t>(data.size_bytes()), data.data(), gl::staticDraw);
 }
 
-void fillVectors(const GlFunctions& gl, unsigned attribute, const GlObject& buffer,
-                 std::span<const Eigen::Vector3f> data)
+/// Three floats for each vertex.
+template <class Triple>
+void fillTriples(const GlFunctions& gl, unsigned attribute, const GlObject& buffer, std::span<const Triple> data)
 {
+    static_assert(sizeof(Triple) == 3 * sizeof(float));
     fillBuffer(gl, gl::arrayBuffer, buffer, data);
     gl.enableVertexAttribArray(attribute);
     gl.vertexAttribPointer(attribute, 3, gl::floatType, 0, 0, nullptr);
@@ -64,8 +66,12 @@ Result<MeshBuffers> MeshBufferCache::upload(const TriangleMesh& mesh) const
     buffers.normals = {gl_.genBuffers, gl_.deleteBuffers};
     buffers.triangles = {gl_.genBuffers, gl_.deleteBuffers};
     gl_.bindVertexArray(buffers.vertexArray.name());
-    fillVectors(gl_, 0, buffers.positions, relative);
-    fillVectors(gl_, 1, buffers.normals, mesh.normals);
+    fillTriples<Eigen::Vector3f>(gl_, 0, buffers.positions, relative);
+    fillTriples<Eigen::Vector3f>(gl_, 1, buffers.normals, mesh.normals);
+    if (!mesh.colours.empty()) {
+        buffers.colours = {gl_.genBuffers, gl_.deleteBuffers};
+        fillTriples<Colour>(gl_, 2, buffers.colours, mesh.colours);
+    }
     fillBuffer(gl_, gl::elementArrayBuffer, buffers.triangles, std::span<const std::uint32_t>(corners));
     gl_.bindVertexArray(0);
     if (gl_.getError() == gl::outOfMemory)

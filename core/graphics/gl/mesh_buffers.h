@@ -17,6 +17,7 @@ struct MeshBuffers {
     GlObject vertexArray;
     GlObject positions;
     GlObject normals;
+    GlObject colours; ///< if the mesh has some
     GlObject triangles;
     int indexCount = 0;
     Eigen::Vector3d origin{0, 0, 0}; ///< the positions are relative to it

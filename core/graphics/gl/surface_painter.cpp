@@ -89,6 +89,8 @@ void SurfacePainter::draw(const GlProgram& program, const DrawnSurface& drawn) c
                                               : Eigen::Vector4f(transform_.towardsEye.x(), transform_.towardsEye.y(),
                                                                 transform_.towardsEye.z(), 0));
     program.set("colour", colourOf(*drawn.surface));
+    program.set("coloured", drawn.surface->mesh->colours.empty() ? 0 : 1);
+    program.set("backFacesOnly", drawn.surface->backFacesOnly ? 1 : 0);
     program.set("light", Eigen::Vector3f(Shading::ambient, Shading::diffuse, Shading::specular));
     setCuts(program, scene_->clipPlanes, origin);
     gl_.bindVertexArray(drawn.buffers->vertexArray.name());

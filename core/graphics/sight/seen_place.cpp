@@ -21,7 +21,7 @@ public:
     void passSurface(const SurfaceCrossing& crossing, double opacity)
     {
         if (light_ * opacity > surface_.share)
-            surface_ = {line_.at(crossing.at), crossing.surface, 0, light_ * opacity};
+            surface_ = {line_.at(crossing.at), crossing.surface, crossing.value, light_ * opacity};
         light_ *= 1 - opacity;
     }
 

@@ -13,7 +13,7 @@ namespace tetra {
 struct SeenPlace {
     Eigen::Vector3d place{0, 0, 0};
     std::optional<std::size_t> surface{}; ///< of Scene::surfaces; none: it is in the volume
-    double value = 0;                     ///< of the volume there; of a surface it is the isovalue, not said here
+    double value = 0;                     ///< of the field there; not said of a surface whose mesh has no values
     double share = 0;                     ///< of the light that the surface, or the whole volume, takes; in (0, 1]
 };
 

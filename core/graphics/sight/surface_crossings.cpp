@@ -12,8 +12,15 @@ namespace {
 /// Crossings of one surface that are nearer to each other than this part of their distance are one, on an edge.
 constexpr double sameCrossing = 1e-9;
 
-/// Where the line passes through the triangle, from either side (Möller and Trumbore).
-std::optional<double> crossing(const SightLine& line, const std::array<Eigen::Vector3d, 3>& corners)
+/// Where a line passes through a triangle.
+struct TriangleCrossing {
+    double at;   ///< of SightLine
+    double u, v; ///< weights of the second and the third corner
+    bool front;  ///< the line comes from where the corners are seen counterclockwise
+};
+
+/// From either side (Möller and Trumbore).
+std::optional<TriangleCrossing> crossing(const SightLine& line, const std::array<Eigen::Vector3d, 3>& corners)
 {
     const Eigen::Vector3d one = corners[1] - corners[0];
     const Eigen::Vector3d other = corners[2] - corners[0];
@@ -27,7 +34,15 @@ std::optional<double> crossing(const SightLine& line, const std::array<Eigen::Ve
     const double v = line.direction.dot(beside) / volume;
     if (u < 0 || v < 0 || u + v > 1)
         return std::nullopt;
-    return other.dot(beside) / volume;
+    return TriangleCrossing{other.dot(beside) / volume, u, v, volume > 0};
+}
+
+double valueAt(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle, const TriangleCrossing& met)
+{
+    if (mesh.values.empty())
+        return 0;
+    const double first = mesh.values[triangle[0]];
+    return first + met.u * (mesh.values[triangle[1]] - first) + met.v * (mesh.values[triangle[2]] - first);
 }
 
 bool isSame(const SurfaceCrossing& one, const SurfaceCrossing& other)
@@ -48,9 +63,9 @@ std::vector<SurfaceCrossing> surfaceCrossings(const std::vector<Surface>& surfac
             const auto corner = [&](std::size_t i) -> Eigen::Vector3d {
                 return mesh.positions[triangle[i]].cast<double>();
             };
-            const auto at = crossing(line, {corner(0), corner(1), corner(2)});
-            if (at && part.contains(*at))
-                crossings.push_back({*at, surface});
+            const auto met = crossing(line, {corner(0), corner(1), corner(2)});
+            if (met && part.contains(met->at) && !(met->front && surfaces[surface].backFacesOnly))
+                crossings.push_back({met->at, surface, valueAt(mesh, triangle, *met)});
         }
     }
     std::ranges::sort(crossings, {}, [](const SurfaceCrossing& one) { return std::tuple(one.surface, one.at); });

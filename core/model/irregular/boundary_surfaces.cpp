@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/irregular/boundary_surfaces.h"
 
-#include "core/model/irregular/disjoint_sets.h"
+#include "core/base/disjoint_sets.h"
 
 #include <algorithm>
 #include <numeric>

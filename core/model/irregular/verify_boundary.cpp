@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/irregular/verify_boundary.h"
 
+#include "core/base/disjoint_sets.h"
 #include "core/model/findings.h"
-#include "core/model/irregular/disjoint_sets.h"
 #include "core/model/irregular/face_meeting.h"
 #include "core/model/scattered_cells.h"
 #include "core/model/verify_each.h"

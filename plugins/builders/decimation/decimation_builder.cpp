@@ -107,14 +107,18 @@ Acceptance DecimationBuilder::accepts(const Dataset& dataset) const
 
 std::vector<Parameter> DecimationBuilder::parameters() const
 {
+    Parameter warping =
+        percentParameter("warping", "Warping",
+                         "For curvilinear and irregular data: the warping at which to stop. Its ratio to the error "
+                         "says how much the shape counts against the values, 1 : 1 if either is 0, and then the "
+                         "other holds for both; two of 0 go on to the coarsest mesh.",
+                         "% of the diagonal");
+    for (const DomainClass domain : {DomainClass::Curvilinear, DomainClass::Irregular})
+        warping.onlyWith.values.emplace_back(std::string(domainClassName(domain)));
+    warping.onlyWith.id = domainId;
     return {percentParameter("error", "Error", "The error at which to stop; 0 goes on to the coarsest mesh.",
                              "% of the value range"),
-            percentParameter("warping", "Warping",
-                             "For curvilinear and irregular data: the warping at which to stop. Its ratio to the error "
-                             "says how much the shape counts against the values, 1 : 1 if either is 0, and then the "
-                             "other holds for both; two of 0 go on to the coarsest mesh.",
-                             "% of the diagonal"),
-            orderParameter(), weightsParameter()};
+            warping, orderParameter(), weightsParameter()};
 }
 
 Result<BuildReport> DecimationBuilder::build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,

@@ -49,6 +49,7 @@ Parameter blockParameter()
         "refines the dataset as a whole; 'automatic' takes blocks where the dataset is large.";
     block.unit = "cells";
     block.defaultValue = std::string("automatic");
+    block.words = {"automatic", "none"};
     return block;
 }
 

@@ -36,6 +36,11 @@ Parameter errorParameter()
 constexpr std::string_view normalised = "normalised";
 constexpr std::string_view paper = "paper";
 
+ParameterCondition forCurvilinear()
+{
+    return {domainId, {std::string(domainClassName(DomainClass::Curvilinear))}};
+}
+
 Parameter warpingParameter()
 {
     Parameter warping;
@@ -48,6 +53,7 @@ Parameter warpingParameter()
     warping.defaultValue = 0.0;
     warping.minimum = 0;
     warping.maximum = 100;
+    warping.onlyWith = forCurvilinear();
     return warping;
 }
 
@@ -61,6 +67,7 @@ Parameter selectionParameter()
                             "data and does not look at cells that turn over, as the paper did, to compare with it.";
     selection.defaultValue = std::string(normalised);
     selection.choices = {std::string(normalised), std::string(paper)};
+    selection.onlyWith = forCurvilinear();
     return selection;
 }
 

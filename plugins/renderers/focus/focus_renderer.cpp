@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/renderers/focus/focus_renderer.h"
 
-#include "plugins/api/scene_parameters.h"
+#include "plugins/api/boundary_parameters.h"
 #include "plugins/renderers/focus/focus_session.h"
 
 namespace tetra {
 
 std::vector<Parameter> FocusRenderer::parameters(const FieldExtent& field) const
 {
-    return {transferParameter(field), shadedParameter(), clipParameter(), outlineParameter()};
+    return {transferParameter(field),   shadedParameter(), boundaryParameter(), boundaryOpacityParameter(),
+            boundaryFarSideParameter(), clipParameter(),   outlineParameter()};
 }
 
 std::unique_ptr<RendererSession> FocusRenderer::open(std::shared_ptr<const TetrahedralMesh> mesh,

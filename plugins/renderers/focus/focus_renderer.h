@@ -6,7 +6,8 @@
 namespace tetra {
 
 /// A volume in two resolutions, blended at the border of the focus (R24, S18); without a focus in one. Its parameters
-/// are "transfer", "shaded", "clip" and "outline" of plugins/api/scene_parameters.h.
+/// are "transfer", "shaded", "clip" and "outline" of plugins/api/scene_parameters.h, and those of
+/// plugins/api/boundary_parameters.h, for the boundary of the mesh outside.
 class FocusRenderer : public Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override;

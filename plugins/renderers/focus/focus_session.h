@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/graphics/boundary_maker.h"
 #include "core/graphics/volume/volume_maker.h"
 #include "plugins/api/renderer.h"
 
@@ -8,7 +9,7 @@
 
 namespace tetra {
 
-/// Keeps what VolumeMaker keeps of both meshes.
+/// Keeps what VolumeMaker keeps of both meshes, and the boundary of the one outside.
 class FocusSession : public RendererSession {
 public:
     /// `defaults` are the parameters for this mesh.
@@ -22,6 +23,7 @@ public:
 private:
     Eigen::AlignedBox3d bounds_;
     std::vector<Parameter> defaults_;
+    BoundaryMaker boundary_;
     VolumeMaker volume_;
     std::optional<FocusMesh> focus_;
     std::optional<VolumeMaker> fine_; ///< of the focus

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/renderers/hybrid/hybrid_renderer.h"
 
-#include "plugins/api/scene_parameters.h"
+#include "plugins/api/boundary_parameters.h"
 #include "plugins/renderers/hybrid/hybrid_session.h"
 
 namespace tetra {
@@ -26,9 +26,9 @@ Parameter orderParameter()
 
 std::vector<Parameter> HybridRenderer::parameters(const FieldExtent& field) const
 {
-    return {transferParameter(field), isovaluesParameter(field.range),
-            shadedParameter(),        orderParameter(),
-            clipParameter(),          outlineParameter()};
+    return {transferParameter(field), isovaluesParameter(field.range), shadedParameter(),          orderParameter(),
+            boundaryParameter(),      boundaryOpacityParameter(),      boundaryFarSideParameter(), clipParameter(),
+            outlineParameter()};
 }
 
 std::unique_ptr<RendererSession> HybridRenderer::open(std::shared_ptr<const TetrahedralMesh> mesh,

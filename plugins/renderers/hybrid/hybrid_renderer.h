@@ -8,7 +8,8 @@ namespace tetra {
 inline constexpr const char* orderId = "order";
 
 /// Isosurfaces in a volume (R21). Its parameters are "transfer", "isovalues", "shaded", "order", "clip" and "outline";
-/// all but "order" are those of plugins/api/scene_parameters.h.
+/// all but "order" are those of plugins/api/scene_parameters.h; and the boundary's
+/// (plugins/api/boundary_parameters.h).
 class HybridRenderer : public Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override;

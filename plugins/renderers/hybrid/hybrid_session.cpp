@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/renderers/hybrid/hybrid_session.h"
 
-#include "plugins/api/scene_parameters.h"
+#include "plugins/api/boundary_parameters.h"
 #include "plugins/renderers/hybrid/hybrid_renderer.h"
 
 namespace tetra {
@@ -14,7 +14,7 @@ HybridSession::HybridSession(std::shared_ptr<const TetrahedralMesh> mesh, const 
 
 HybridSession::HybridSession(const std::shared_ptr<OrderedMesh>& mesh, const Eigen::AlignedBox3d& bounds,
                              std::vector<Parameter> defaults)
-    : bounds_(bounds), defaults_(std::move(defaults)), surfaces_(mesh), volume_(mesh)
+    : bounds_(bounds), defaults_(std::move(defaults)), boundary_(mesh->original()), surfaces_(mesh), volume_(mesh)
 {
 }
 
@@ -30,15 +30,17 @@ Result<std::shared_ptr<const Scene>> HybridSession::prepare(const ParameterValue
     scene->hybridOrder = *order;
     // First what puts the mesh in spatial order: surfaces are quicker then.
     auto volume = volume_.update(parameterValue<TransferFunction>(defaults_, values, transferId),
-                                 parameterValue<bool>(defaults_, values, shadedId), progress.part(0, 0.5));
+                                 parameterValue<bool>(defaults_, values, shadedId), progress.part(0, 0.4));
     if (!volume)
         return volume.error();
     scene->volume = *std::move(volume);
-    auto surfaces =
-        surfaces_.update(parameterValue<std::vector<Isovalue>>(defaults_, values, isovaluesId), progress.part(0.5, 1));
+    auto surfaces = surfaces_.update(parameterValue<std::vector<Isovalue>>(defaults_, values, isovaluesId),
+                                     progress.part(0.4, 0.8));
     if (!surfaces)
         return surfaces.error();
     scene->surfaces = *std::move(surfaces);
+    if (const Status added = addBoundary(boundary_, defaults_, values, progress.part(0.8, 1), *scene); !added)
+        return added.error();
     return std::make_shared<const Scene>(*std::move(scene));
 }
 

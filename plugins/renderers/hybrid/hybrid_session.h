@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/graphics/boundary_maker.h"
 #include "core/graphics/isosurface_set.h"
 #include "core/graphics/volume/volume_maker.h"
 #include "plugins/api/renderer.h"
 
 namespace tetra {
 
-/// Keeps what IsosurfaceSet and VolumeMaker keep.
+/// Keeps what IsosurfaceSet, VolumeMaker and BoundaryMaker keep.
 class HybridSession : public RendererSession {
 public:
     /// `defaults` are the parameters for this mesh.
@@ -24,6 +25,7 @@ private:
 
     Eigen::AlignedBox3d bounds_;
     std::vector<Parameter> defaults_;
+    BoundaryMaker boundary_;
     IsosurfaceSet surfaces_;
     VolumeMaker volume_;
 };

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/renderers/isosurface/isosurface_renderer.h"
 
-#include "plugins/api/scene_parameters.h"
+#include "plugins/api/boundary_parameters.h"
 #include "plugins/renderers/isosurface/isosurface_session.h"
 
 namespace tetra {
 
 std::vector<Parameter> IsosurfaceRenderer::parameters(const FieldExtent& field) const
 {
-    return {isovaluesParameter(field.range), clipParameter(), outlineParameter()};
+    return {
+        isovaluesParameter(field.range),  boundaryParameter(), boundaryOpacityParameter(), boundaryFarSideParameter(),
+        boundaryTransferParameter(field), clipParameter(),     outlineParameter()};
 }
 
 std::unique_ptr<RendererSession> IsosurfaceRenderer::open(std::shared_ptr<const TetrahedralMesh> mesh,

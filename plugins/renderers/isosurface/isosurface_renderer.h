@@ -6,7 +6,8 @@
 namespace tetra {
 
 /// Isosurfaces by marching tetrahedra, several at once (R19), and the domain's outline. Its parameters are "isovalues",
-/// "clip" and "outline" (plugins/api/scene_parameters.h).
+/// "transfer" for the boundary's values, "clip" and "outline" (plugins/api/scene_parameters.h), and the boundary's
+/// (plugins/api/boundary_parameters.h).
 class IsosurfaceRenderer : public Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/graphics/boundary_maker.h"
 #include "core/graphics/isosurface_set.h"
 #include "plugins/api/renderer.h"
 
 namespace tetra {
 
-/// Keeps what IsosurfaceSet keeps.
+/// Keeps what IsosurfaceSet and BoundaryMaker keep.
 class IsosurfaceSession : public RendererSession {
 public:
     /// `defaults` are the parameters for this mesh.
@@ -20,6 +21,7 @@ public:
 private:
     Eigen::AlignedBox3d bounds_;
     std::vector<Parameter> defaults_;
+    BoundaryMaker boundary_;
     IsosurfaceSet surfaces_;
 };
 

@@ -6,7 +6,7 @@
 namespace tetra {
 
 /// Direct volume rendering (R20). Its parameters are "transfer", "shaded", "clip" and "outline"
-/// (plugins/api/scene_parameters.h).
+/// (plugins/api/scene_parameters.h), and the boundary's (plugins/api/boundary_parameters.h).
 class VolumeRenderer : public Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/graphics/boundary_maker.h"
 #include "core/graphics/volume/volume_maker.h"
 #include "plugins/api/renderer.h"
 
 namespace tetra {
 
-/// Keeps what VolumeMaker keeps: another transfer function leaves the mesh as it is, another shading or clip plane
-/// both.
+/// Keeps what VolumeMaker and BoundaryMaker keep: another transfer function leaves the mesh as it is, another shading
+/// or clip plane both.
 class VolumeSession : public RendererSession {
 public:
     /// `defaults` are the parameters for this mesh.
@@ -21,6 +22,7 @@ public:
 private:
     Eigen::AlignedBox3d bounds_;
     std::vector<Parameter> defaults_;
+    BoundaryMaker boundary_;
     VolumeMaker volume_;
 };
 

@@ -27,6 +27,32 @@ inline std::shared_ptr<const Scene> prepared(RendererSession& session, const Par
     return *scene;
 }
 
+/// Checks that the renderer shows the boundary of its mesh as its parameters say, behind `before` other surfaces.
+inline void checkBoundary(const Renderer& renderer, std::size_t before)
+{
+    const auto session = renderer.open(cone(4), unitBox);
+    const auto boundaryOf = [&](const ParameterValues& values) {
+        const auto scene = prepared(*session, values);
+        return scene->surfaces.size() == before + 1 ? scene->surfaces.back() : Surface();
+    };
+    QCOMPARE(prepared(*session, {})->surfaces.size(), before);
+    const Surface faint = boundaryOf({{"boundary", std::string("translucent")}, {"boundary-opacity", 0.4}});
+    QVERIFY(faint.mesh);
+    QCOMPARE(faint.mesh->triangles.size(), std::size_t(6 * 4 * 4 * 2));
+    QVERIFY(faint.opacity == 0.4f && !faint.backFacesOnly && faint.mesh->colours.empty());
+    const TransferFunction red{{{0, {1, 0, 0}, 0.5f}, {1, {1, 0, 0}, 0.5f}}, 1};
+    const Surface coloured = boundaryOf({{"boundary", std::string("values")},
+                                         {"boundary-far-side", true},
+                                         {"transfer", red},
+                                         {"boundary-opacity", 0.4}});
+    QVERIFY(coloured.mesh && coloured.opacity == 1 && coloured.backFacesOnly);
+    QVERIFY(!coloured.mesh->colours.empty());
+    for (const Colour& colour : coloured.mesh->colours)
+        QVERIFY(colour == (Colour{1, 0, 0}));
+    const auto wrong = session->prepare({{"boundary", std::string("translucent")}, {"boundary-opacity", 0.0}}, {}, {});
+    QVERIFY(!wrong && wrong.error().kind == ErrorKind::WrongUsage);
+}
+
 /// Checks that the file is a plugin that says that it is the renderer of this name, and loads.
 inline void checkRendererPlugin(const QString& file, const QString& id)
 {

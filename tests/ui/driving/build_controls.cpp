@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the controls of the dock Build are driven.
+#include "core/data/analytic_fields.h"
+#include "plugins/host/dataset_saving.h"
 #include "tests/ui/driving/driver.h"
 
 #include <QComboBox>
@@ -37,6 +39,24 @@ Driver::Step withBuilder(const QString& id)
     return [id](DrivenWindow& window) { chooseBuilder(window, id); };
 }
 
+/// With a dataset on a curvilinear grid, for what only such data need.
+Driver::Step withGrid(const QString& builder)
+{
+    return [builder](DrivenWindow& window) {
+        const auto path = window.folderPath() + "/grid.xyz";
+        SampleRequest request;
+        request.name = "bent-duct";
+        request.size = 8;
+        const auto grid = makeSample(request);
+        if (!grid || !saveDataset(*window.host, *grid, path))
+            qFatal("the grid could not be made");
+        window.workbench.importDataset(path, {}); // as if what the window asks were answered
+        if (!QTest::qWaitFor([&] { return window.workbench.dataset()->source.path == path; }, 30'000))
+            qFatal("the grid did not open");
+        chooseBuilder(window, builder);
+    };
+}
+
 bool isBuilt(const DrivenWindow& window)
 {
     return !window.workbench.building().running() && window.session().model() &&
@@ -51,7 +71,7 @@ std::string parameterOf(const DrivenWindow& window, const std::string& id)
 }
 
 /// The model says by what it was built.
-Driver option(const QString& id, const QString& builder, const std::string& expected,
+Driver option(const QString& id, const Driver::Step& prepare, const std::string& expected,
               const std::function<void(QWidget&)>& use)
 {
     const QString name = "build.option." + id;
@@ -60,21 +80,21 @@ Driver option(const QString& id, const QString& builder, const std::string& expe
         [id, expected](const DrivenWindow& window) {
             return isBuilt(window) && parameterOf(window, id.toStdString()) == expected;
         },
-        withBuilder(builder),
+        prepare,
         [name, use](DrivenWindow& window) {
             use(window.find<QWidget>(name));
             window.press("build.start", Qt::Key_Space);
         });
 }
 
-Driver steppedOption(const QString& id, const QString& builder, const std::string& expected)
+Driver steppedOption(const QString& id, const Driver::Step& prepare, const std::string& expected)
 {
-    return option(id, builder, expected, &useByKeys);
+    return option(id, prepare, expected, &useByKeys);
 }
 
-Driver typedOption(const QString& id, const QString& builder, const QString& text)
+Driver typedOption(const QString& id, const Driver::Step& prepare, const QString& text)
 {
-    return option(id, builder, text.toStdString(), [text](QWidget& control) { typeInto(control, text); });
+    return option(id, prepare, text.toStdString(), [text](QWidget& control) { typeInto(control, text); });
 }
 
 void beginBuilding(DrivenWindow& window)
@@ -124,12 +144,12 @@ Drivers buildControls()
             },
             &beginBuilding),
         showing("build.keep", &isBuilt, &beginBuilding),
-        typedOption("error", refinement, "1.5"),
-        typedOption("warping", refinement, "1.5"),
-        typedOption("block", refinement, "4"),
-        steppedOption("selection", refinement, "paper"),
-        typedOption("weights", refinement, "value:50,20,0.5"),
-        steppedOption("order", decimation, "paper"),
+        typedOption("error", withBuilder(refinement), "1.5"),
+        typedOption("warping", withGrid(refinement), "1.5"),
+        typedOption("block", withBuilder(refinement), "4"),
+        steppedOption("selection", withGrid(refinement), "paper"),
+        typedOption("weights", withBuilder(refinement), "value:50,20,0.5"),
+        steppedOption("order", withBuilder(decimation), "paper"),
     };
 }
 

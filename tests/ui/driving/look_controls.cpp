@@ -31,6 +31,18 @@ Driver setting(const QString& id, Driver::Step use = {})
             inMode("hybrid", "dock.rendering"), std::move(use)};
 }
 
+/// A setting of the boundary, which is shown first.
+Driver boundarySetting(const QString& id)
+{
+    Driver driver = setting(id);
+    driver.prepare = [show = driver.prepare](DrivenWindow& window) {
+        show(window);
+        window.session().setSetting("boundary", std::string("translucent"));
+        QCoreApplication::processEvents(); // what belongs to it is seen
+    };
+    return driver;
+}
+
 Drivers renderingControls()
 {
     return {
@@ -38,6 +50,9 @@ Drivers renderingControls()
         setting("shaded"),
         setting("order"),
         setting("outline"),
+        setting("boundary"),
+        boundarySetting("boundary-opacity"),
+        boundarySetting("boundary-far-side"),
         setting("clip",
                 [](DrivenWindow& window) {
                     auto& line = window.find<QWidget>("rendering.setting.clip");

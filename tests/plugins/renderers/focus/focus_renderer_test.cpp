@@ -62,6 +62,8 @@ private slots:
         QVERIFY(!scene && !scene.error().text.empty());
     }
 
+    void showsTheBoundary() { checkBoundary(FocusRenderer(), 0); }
+
     void pluginLoads() { checkRendererPlugin(TAN_PLUGIN_FILE, "focus"); }
 };
 

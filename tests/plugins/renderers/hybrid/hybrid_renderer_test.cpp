@@ -17,9 +17,10 @@ private slots:
     void parametersAreThoseOfBothAndTheOrder()
     {
         const auto parameters = HybridRenderer().parameters({{-10, 30}, unitBox});
-        for (const char* id : {"transfer", "isovalues", "shaded", "order", "clip", "outline"})
+        for (const char* id : {"transfer", "isovalues", "shaded", "order", "boundary", "boundary-opacity",
+                               "boundary-far-side", "clip", "outline"})
             QVERIFY2(std::ranges::count(parameters, id, &Parameter::id) == 1, id);
-        QCOMPARE(parameters.size(), std::size_t(6));
+        QCOMPARE(parameters.size(), std::size_t(9));
         const auto order = std::ranges::find(parameters, "order", &Parameter::id);
         QCOMPARE(order->choices, (std::vector<std::string>{"exact", "with-cell"}));
         QCOMPARE(std::get<std::string>(order->defaultValue), std::string("exact"));
@@ -82,6 +83,8 @@ private slots:
         QCOMPARE(last, 1.0);
         QVERIFY(!falls);
     }
+
+    void showsTheBoundary() { checkBoundary(HybridRenderer(), 1); }
 
     void pluginLoads() { checkRendererPlugin(TAN_PLUGIN_FILE, "hybrid"); }
 };

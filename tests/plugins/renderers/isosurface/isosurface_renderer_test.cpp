@@ -13,7 +13,7 @@ private slots:
     void defaultsFitTheRange()
     {
         const auto parameters = IsosurfaceRenderer().parameters({{-10, 30}});
-        QCOMPARE(parameters.size(), std::size_t(3));
+        QCOMPARE(parameters.size(), std::size_t(7));
         QCOMPARE(parameters[0].id, std::string("isovalues"));
         const auto isovalues = parameterValue<std::vector<Isovalue>>(parameters, {}, "isovalues");
         QCOMPARE(isovalues.size(), std::size_t(1));
@@ -69,6 +69,8 @@ private slots:
         QVERIFY(scene->surfaces[0].mesh->triangles.empty());
         QCOMPARE(scene->lines.size(), std::size_t(1));
     }
+
+    void showsTheBoundary() { checkBoundary(IsosurfaceRenderer(), 1); }
 
     void pluginLoads() { checkRendererPlugin(TAN_PLUGIN_FILE, "isosurface"); }
 };

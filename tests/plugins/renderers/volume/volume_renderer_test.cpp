@@ -97,6 +97,8 @@ private slots:
         QCOMPARE(scene->lines.size(), std::size_t(1));
     }
 
+    void showsTheBoundary() { checkBoundary(VolumeRenderer(), 0); }
+
     void pluginLoads() { checkRendererPlugin(TAN_PLUGIN_FILE, "volume"); }
 };
 
