@@ -11,13 +11,13 @@ namespace {
 
 Parameter described(ParameterValue byDefault, double least = 0, double most = 0)
 {
-    Parameter parameter;
-    parameter.id = "it";
-    parameter.unit = "%";
-    parameter.defaultValue = std::move(byDefault);
-    parameter.minimum = least;
-    parameter.maximum = most;
-    return parameter;
+    return {.id = "it",
+            .label = "",
+            .explanation = "",
+            .unit = "%",
+            .defaultValue = std::move(byDefault),
+            .minimum = least,
+            .maximum = most};
 }
 
 } // namespace
