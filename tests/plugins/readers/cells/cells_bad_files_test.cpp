@@ -143,7 +143,7 @@ private slots:
                 default: text.erase(place, random() % 20); break;
                 }
                 if (text.empty())
-                    text = " ";
+                    text.assign(1, ' ');
             }
             const auto dataset = read(trial % 2 == 0 ? "m.vtu" : "m.inp", text);
             good += dataset.ok();
