@@ -71,8 +71,10 @@ def write_all(folder: pathlib.Path, tan, source: pathlib.Path):
     write_grids(folder, tan)
     write_head(folder)
     write_quakes(folder)
-    shutil.copyfile(source / "docs/pictures/bluntfin-transfer.json", folder / "bones.json")
+    for name in ("bones.json", "stress.json"):
+        shutil.copyfile(source / "docs/pictures/bluntfin-transfer.json", folder / name)
     (folder / "view.json").write_text('{"azimuth": 30, "elevation": 20}')
     for name, words in (("c60.nrrd", ["sample", "c60", "--size", "24"]), ("c60.tan", ["build", "c60.nrrd"]),
-                        ("engine.tan", ["build", "engine.nrrd"]), ("fin.tan", ["build", "bluntfinxyz.bin"])):
+                        ("engine.tan", ["build", "engine.nrrd"]), ("fin.tan", ["build", "bluntfinxyz.bin"]),
+                        ("part.vtu", ["sample", "part", "--size", "12"]), ("part.tan", ["build", "part.vtu"])):
         subprocess.run([tan, *words, "-o", name], check=True, capture_output=True, cwd=folder)
