@@ -31,6 +31,7 @@ using Long8 = long __attribute__((vector_size(64)));
 using Double4 = double __attribute__((vector_size(32)));
 using Long4 = long __attribute__((vector_size(32)));
 using Int4 = int __attribute__((vector_size(16)));
+using UInt4 = unsigned __attribute__((vector_size(16)));
 
 #if defined(TETRA_SIMD_16)
 /// Whether this machine has what TETRA_SIMD_8 asks for.

@@ -10,20 +10,11 @@
 using namespace tetra;
 using namespace tetra::testing;
 
-class GlBoundaryTest : public QObject {
+class GlBoundaryTest : public GlTest {
     Q_OBJECT
 
-private:
-    std::unique_ptr<RenderBackend> cpu_ = makeCpuBackend();
-    std::unique_ptr<RenderBackend> gl_;
-
 private slots:
-    void initTestCase()
-    {
-        if (const std::string reason = whyNoGl(TAN_GL_LEVEL); !reason.empty())
-            QSKIP(reason.c_str());
-        gl_ = glBackendOf(TAN_GL_LEVEL);
-    }
+    void initTestCase() { makeGl(TAN_GL_LEVEL); }
 
     void sameAsTheCpu_data()
     {

@@ -59,13 +59,10 @@ int differingPixels(const Picture& one, const Picture& other)
 
 } // namespace
 
-class GlFocusTest : public QObject {
+class GlFocusTest : public GlTest {
     Q_OBJECT
 
 private:
-    std::unique_ptr<RenderBackend> cpu_ = makeCpuBackend();
-    std::unique_ptr<RenderBackend> gl_;
-
     /// Checks that both back ends draw the same, and something else than without the focus.
     void compare(const Scene& scene, const Camera& camera, const PictureOptions& options = usual, int strays = 0,
                  int leastChanged = 20)
@@ -93,12 +90,7 @@ private:
     }
 
 private slots:
-    void initTestCase()
-    {
-        if (const std::string reason = whyNoGl(TAN_GL_LEVEL); !reason.empty())
-            QSKIP(reason.c_str());
-        gl_ = glBackendOf(TAN_GL_LEVEL);
-    }
+    void initTestCase() { makeGl(TAN_GL_LEVEL); }
 
     void sameAsTheCpu_data()
     {

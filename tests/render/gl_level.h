@@ -5,6 +5,8 @@
 #include "core/graphics/gl/egl_context.h"
 #include "core/graphics/render_backend.h"
 
+#include <QObject>
+#include <QTest>
 #include <QtGlobal>
 
 #include <memory>
@@ -35,5 +37,20 @@ inline std::unique_ptr<RenderBackend> glBackendOf(GlLevel level)
         qFatal("%s", backend.error().text.c_str());
     return std::move(*backend);
 }
+
+/// A test of OpenGL's back end, by some level at most, against the CPU's.
+class GlTest : public QObject {
+protected:
+    /// For initTestCase(), which it must end: skips the whole test where this machine has no such OpenGL.
+    void makeGl(GlLevel level)
+    {
+        if (const std::string reason = whyNoGl(level); !reason.empty())
+            QSKIP(reason.c_str());
+        gl_ = glBackendOf(level);
+    }
+
+    std::unique_ptr<RenderBackend> cpu_ = makeCpuBackend();
+    std::unique_ptr<RenderBackend> gl_;
+};
 
 } // namespace tetra::testing

@@ -15,13 +15,10 @@
 using namespace tetra;
 using namespace tetra::testing;
 
-class GlVolumeTest : public QObject {
+class GlVolumeTest : public GlTest {
     Q_OBJECT
 
 private:
-    std::unique_ptr<RenderBackend> cpu_ = makeCpuBackend();
-    std::unique_ptr<RenderBackend> gl_;
-
     /// Checks that OpenGL's picture is `expected`, twice, and that there is something to be seen.
     void compare(const Picture& expected, const Scene& scene, const Camera& camera, const PictureOptions& options,
                  double leastSeen = 0.05, int strays = 0)
@@ -35,12 +32,7 @@ private:
     }
 
 private slots:
-    void initTestCase()
-    {
-        if (const std::string reason = whyNoGl(TAN_GL_LEVEL); !reason.empty())
-            QSKIP(reason.c_str());
-        gl_ = glBackendOf(TAN_GL_LEVEL);
-    }
+    void initTestCase() { makeGl(TAN_GL_LEVEL); }
 
     void sameAsTheCpu_data()
     {

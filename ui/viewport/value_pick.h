@@ -13,11 +13,11 @@ namespace tetra {
 
 class Viewport;
 
-/// Finds the value of the data that is seen where the user clicks in the picture, and marks its place there: on
-/// an isosurface its isovalue, on the boundary the value there, in a volume the value that most is seen of
-/// (seenPlace()). A click is a press of the left
-/// button without a drag and without keys. Looks for it in a worker; the same with either back end, as nothing is read
-/// from the picture. The mark goes with Escape, with a click beside everything, and with another model.
+/// Finds the value of the data that is seen where the user clicks in the picture, and marks its place there: on an
+/// isosurface its isovalue, on the boundary the value there, in a volume the value that most is seen of (seenPlace()).
+/// A click is a press of the left button without a drag and without keys. Looks for it in a worker; the same with
+/// either back end, as nothing is read from the picture. The mark goes with Escape, with a click beside everything, and
+/// with another model.
 class ValuePick : public QWidget {
     Q_OBJECT
 public:

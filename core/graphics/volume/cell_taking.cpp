@@ -46,7 +46,8 @@ TETRA_SIMD_CLONES std::size_t heldNeighbours(const std::uint32_t* cells, std::si
     std::uint32_t* place = held;
     for (std::size_t i = 0; i < count; ++i) {
         const unsigned faces = states[cells[i]] & 15u;
-        Int4 row, chosen;
+        UInt4 row; // numbers up to 2^32, which >> must not take for negative ones
+        Int4 chosen;
         std::memcpy(&row, &neighbours[cells[i]], sizeof row);
         std::memcpy(&chosen, &chosenFaces[faces], sizeof chosen);
         row = __builtin_shuffle(row, chosen) >> 2; // FaceAdjacency::cellOf()
