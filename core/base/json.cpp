@@ -10,7 +10,7 @@
 namespace tetra {
 namespace {
 
-constexpr int deepest = 64;
+constexpr int deepestNesting = 64;
 
 bool isDigit(char character)
 {
@@ -92,7 +92,7 @@ private:
         skipBlanks();
         JsonValue value;
         value.place = {line_, next_ - lineStart_ + 1};
-        if (depth > deepest)
+        if (depth > deepestNesting)
             return fail("too many levels");
         if (take("null"))
             return value;

@@ -16,26 +16,26 @@ namespace tetra {
 
 namespace {
 
-constexpr std::uintptr_t nothing = std::numeric_limits<std::uintptr_t>::max();
+constexpr std::uintptr_t noAddress = std::numeric_limits<std::uintptr_t>::max();
 
 /// One guarded mapping. `begin` is written last and taken back first, so that the handler never matches half an entry.
-struct Entry {
+struct GuardedRange {
     std::atomic<bool> taken{false};
-    std::atomic<std::uintptr_t> begin{nothing};
+    std::atomic<std::uintptr_t> begin{noAddress};
     std::atomic<std::uintptr_t> end{0};
     std::atomic<bool> damaged{false};
 };
 static_assert(std::atomic<std::uintptr_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
 constexpr int capacity = 1024;
-constinit Entry table[capacity];
+constinit GuardedRange table[capacity];
 struct sigaction previousAction {};
 std::uintptr_t pageMask = 0; ///< set before the handler is installed
 
 /// Puts zero pages where the file has gone. Only async-signal-safe things happen here (mmap is a bare system call).
 bool replaceByZeros(std::uintptr_t address) noexcept
 {
-    for (Entry& entry : table) {
+    for (GuardedRange& entry : table) {
         const std::uintptr_t begin = entry.begin.load(std::memory_order_acquire);
         const std::uintptr_t end = entry.end.load(std::memory_order_acquire);
         if (address < begin || address >= end || entry.begin.load(std::memory_order_acquire) != begin)
@@ -97,7 +97,7 @@ int guardMapping(std::span<const std::byte> mapping)
 {
     installHandler();
     for (int index = 0; index < capacity; ++index) {
-        Entry& entry = table[index];
+        GuardedRange& entry = table[index];
         bool taken = false;
         if (!entry.taken.compare_exchange_strong(taken, true))
             continue;
@@ -112,7 +112,7 @@ int guardMapping(std::span<const std::byte> mapping)
 
 void unguardMapping(int index) noexcept
 {
-    table[index].begin.store(nothing, std::memory_order_release);
+    table[index].begin.store(noAddress, std::memory_order_release);
     table[index].end.store(0, std::memory_order_release);
     table[index].taken.store(false, std::memory_order_release);
 }

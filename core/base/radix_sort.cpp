@@ -16,7 +16,7 @@ constexpr std::size_t digitCount = std::size_t(1) << digitBits;
 constexpr std::size_t smallestBlock = std::size_t(1) << 16;
 constexpr std::size_t mostBlocks = 64;
 
-using Places = std::array<std::size_t, digitCount>;
+using DigitPlaces = std::array<std::size_t, digitCount>;
 
 std::size_t digitOf(const KeyedIndex& item, int shift) noexcept
 {
@@ -24,13 +24,13 @@ std::size_t digitOf(const KeyedIndex& item, int shift) noexcept
 }
 
 /// Turns the counts of each block and digit into the places where they begin; false if all items have one digit.
-bool placesFromCounts(std::vector<Places>& blocks, std::size_t count)
+bool placesFromCounts(std::vector<DigitPlaces>& blocks, std::size_t count)
 {
     std::size_t place = 0;
     bool several = true;
     for (std::size_t digit = 0; digit < digitCount; ++digit) {
         const std::size_t before = place;
-        for (Places& block : blocks)
+        for (DigitPlaces& block : blocks)
             place += std::exchange(block[digit], place);
         several = several && place - before < count;
     }
@@ -43,7 +43,7 @@ void radixSort(Buffer<KeyedIndex>& items, int keyBits, const Progress& progress)
 {
     const std::size_t count = items.size();
     const std::size_t blockSize = std::max(smallestBlock, (count + mostBlocks - 1) / mostBlocks);
-    std::vector<Places> places((count + blockSize - 1) / blockSize);
+    std::vector<DigitPlaces> places((count + blockSize - 1) / blockSize);
     Buffer<KeyedIndex> sorted(count);
     for (int shift = 0; shift < keyBits && !progress.cancelled(); shift += digitBits) {
         tbb::parallel_for(std::size_t(0), places.size(), [&](std::size_t block) {

@@ -14,10 +14,10 @@ using Triangle = std::array<std::uint32_t, 3>;
 using Tetrahedron = std::array<std::uint32_t, 4>;
 
 /// Of one cavity.
-constexpr std::uint64_t mostSteps = 5000;
+constexpr std::uint64_t mostFillingSteps = 5000;
 
 /// The same triangle, its smallest corner first.
-Triangle turned(Triangle triangle)
+Triangle turnedAround(Triangle triangle)
 {
     std::ranges::rotate(triangle, std::ranges::min_element(triangle));
     return triangle;
@@ -29,7 +29,7 @@ public:
         : positions_(positions), stepsLeft_(steps)
     {
         for (const Triangle& triangle : surface) {
-            front_.push_back(turned(triangle));
+            front_.push_back(turnedAround(triangle));
             corners_.insert(corners_.end(), triangle.begin(), triangle.end());
         }
         std::ranges::sort(corners_);
@@ -70,11 +70,11 @@ private:
     {
         for (const auto& corners : cornersOfFace) {
             const Triangle face = {piece[corners[0]], piece[corners[1]], piece[corners[2]]};
-            if (const auto found = std::ranges::find(front_, turned(face)); found != front_.end()) {
+            if (const auto found = std::ranges::find(front_, turnedAround(face)); found != front_.end()) {
                 front_.erase(found);
                 continue;
             }
-            const Triangle back = turned({face[0], face[2], face[1]});
+            const Triangle back = turnedAround({face[0], face[2], face[1]});
             if (std::ranges::find(front_, back) != front_.end())
                 return false;
             front_.push_back(back);
@@ -94,7 +94,7 @@ private:
 std::optional<CellPieces> fillCavity(std::span<const Eigen::Vector3d> positions, const CellSurface& surface,
                                      std::uint64_t& stepsLeft)
 {
-    const std::uint64_t steps = std::min(stepsLeft, mostSteps);
+    const std::uint64_t steps = std::min(stepsLeft, mostFillingSteps);
     CavitySearch search(positions, surface, steps);
     const bool filled = !surface.empty() && search.fill();
     stepsLeft -= steps - search.stepsLeft();

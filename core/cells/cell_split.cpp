@@ -42,7 +42,7 @@ template <class Visit> void forTriangles(const CellPolygon& polygon, std::uint32
     }
 }
 
-bool holds(const CellPolygon& polygon, std::uint32_t node)
+bool polygonHas(const CellPolygon& polygon, std::uint32_t node)
 {
     return std::ranges::count(std::span(polygon.nodes).first(polygon.count), node) != 0;
 }
@@ -51,7 +51,7 @@ bool holds(const CellPolygon& polygon, std::uint32_t node)
 void pull(std::span<const CellPolygon> faces, std::uint32_t apex, CellPieces& pieces)
 {
     for (const CellPolygon& face : faces)
-        if (!holds(face, apex))
+        if (!polygonHas(face, apex))
             forTriangles(face, smallestPlace(face), [&](const auto& triangle) {
                 pieces.push_back({triangle[0], triangle[2], triangle[1], apex});
             });

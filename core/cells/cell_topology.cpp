@@ -28,7 +28,7 @@ constexpr CellTopology tetrahedron{4, tetrahedronFaces, tetrahedronEdges};
 constexpr CellTopology pyramid{5, pyramidFaces, pyramidEdges};
 constexpr CellTopology prism{6, prismFaces, prismEdges};
 constexpr CellTopology hexahedron{8, hexahedronFaces, hexahedronEdges};
-constexpr CellTopology none{0, {}, {}};
+constexpr CellTopology noTopology{0, {}, {}};
 
 } // namespace
 
@@ -48,7 +48,7 @@ const CellTopology& cellTopology(CellShape shape)
     case CellShape::Polyhedron:
     case CellShape::Flat: break;
     }
-    return none;
+    return noTopology;
 }
 
 std::uint32_t nodeCount(CellShape shape)

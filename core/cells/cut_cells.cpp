@@ -12,7 +12,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::string_view activity = "Cutting the cells";
+constexpr std::string_view cuttingCells = "Cutting the cells";
 
 bool repeatsCorner(CellShape shape, std::span<const std::uint32_t> nodes)
 {
@@ -42,8 +42,8 @@ public:
         for (std::uint32_t cell = 0; cell < cells_.count(); ++cell) {
             if (cell % cellsBetweenReports == 0) {
                 if (progress.cancelled())
-                    return cancelledError(activity);
-                progress.report(static_cast<double>(cell) / static_cast<double>(cells_.count()), activity);
+                    return cancelledError(cuttingCells);
+                progress.report(static_cast<double>(cell) / static_cast<double>(cells_.count()), cuttingCells);
             }
             if (result_.tetrahedra.size() > largestAdjacentCellCount - mostPieces)
                 return Error{ErrorKind::OutOfResource, "The cells make more than " +
@@ -60,7 +60,7 @@ public:
             return {};
         RecutCells recut = recutCells(positions_, cells_, failing_, progress);
         if (progress.cancelled())
-            return cancelledError(activity);
+            return cancelledError(cuttingCells);
         mending_.recut += recut.pieces.size();
         removeOf(recut.pieces);
         for (const auto& [cell, pieces] : recut.pieces)

@@ -15,9 +15,9 @@ namespace tetra {
 namespace {
 
 using Positions = std::span<const Eigen::Vector3d>;
-using Tetrahedra = std::span<const std::array<std::uint32_t, 4>>;
+using TetrahedronSpan = std::span<const std::array<std::uint32_t, 4>>;
 
-constexpr std::string_view activity = "Checking the mesh";
+constexpr std::string_view checkingMesh = "Checking the mesh";
 
 std::string placeText(const Eigen::Vector3d& place)
 {
@@ -38,7 +38,7 @@ Eigen::Vector3d centreOf(Positions positions, const std::array<std::uint32_t, 4>
            4;
 }
 
-Status checkSigns(Positions positions, Tetrahedra tetrahedra)
+Status checkSigns(Positions positions, TetrahedronSpan tetrahedra)
 {
     std::uint64_t count = 0;
     std::size_t first = 0;
@@ -51,7 +51,7 @@ Status checkSigns(Positions positions, Tetrahedra tetrahedra)
                  centreOf(positions, tetrahedra[first]));
 }
 
-Status checkFaces(Positions positions, Tetrahedra tetrahedra, const MeshFaces& faces)
+Status checkFaces(Positions positions, TetrahedronSpan tetrahedra, const MeshFaces& faces)
 {
     if (!faces.crowded.empty())
         return fault(faces.crowded.size(), "tetrahedron at a face that three or more share",
@@ -98,7 +98,8 @@ Status checkPoints(const Dataset& dataset)
 
 } // namespace
 
-Status checkTetrahedra(Positions positions, Tetrahedra tetrahedra, const MeshFaces& faces, const Progress& progress)
+Status checkTetrahedra(Positions positions, TetrahedronSpan tetrahedra, const MeshFaces& faces,
+                       const Progress& progress)
 {
     if (const Status matching = checkFaces(positions, tetrahedra, faces); !matching)
         return matching;
@@ -107,10 +108,10 @@ Status checkTetrahedra(Positions positions, Tetrahedra tetrahedra, const MeshFac
         boundary.push_back(sideCorners(tetrahedra, side));
     if (const Status manifold = checkManifold(positions, findBreaches(boundary)); !manifold)
         return manifold;
-    progress.report(0.6, activity);
+    progress.report(0.6, checkingMesh);
     const BoundaryFaults faults = checkBoundary(positions, boundary, progress);
     if (progress.cancelled())
-        return cancelledError(activity);
+        return cancelledError(checkingMesh);
     if (faults.meetings > 0)
         return fault(faults.meetings,
                      "pair of boundary faces that cut or touch each other: cells overlap or do not fit "
@@ -127,7 +128,7 @@ Status checkIrregular(const Dataset& dataset, const Progress& progress)
 {
     if (const Status points = checkPoints(dataset); !points)
         return points;
-    const Tetrahedra tetrahedra = *dataset.tetrahedra;
+    const TetrahedronSpan tetrahedra = *dataset.tetrahedra;
     if (tetrahedra.size() > largestAdjacentCellCount)
         return Error{ErrorKind::OutOfResource, "The mesh has more than " + std::to_string(largestAdjacentCellCount) +
                                                    " tetrahedra. Take a part of it."};

@@ -20,21 +20,22 @@ using Tetrahedra = std::vector<std::array<std::uint32_t, 4>>;
 /// Holes that cells too warped to be cut leave are said; with more than one in so many the mesh is another one.
 constexpr std::uint64_t cellsPerWarpedOne = 100;
 
-Status checkWarped(const CellComplex& complex, const PreparedCells& cells, const CutCells& cut, Mending& mending)
+Status checkWarped(const CellComplex& complex, const PreparedCells& cells, const CutCells& cutChecked, Mending& mending)
 {
-    mending.warped = cut.warped.size();
-    if (cut.warped.size() * cellsPerWarpedOne <= cells.count())
+    mending.warped = cutChecked.warped.size();
+    if (cutChecked.warped.size() * cellsPerWarpedOne <= cells.count())
         return {};
-    const std::uint64_t origin = cells.origins[cut.warped.front()];
+    const std::uint64_t origin = cells.origins[cutChecked.warped.front()];
     const Eigen::Vector3d& place = complex.positions[complex.corners[complex.offsets[origin]]];
     return Error{ErrorKind::BadInput,
-                 std::to_string(cut.warped.size()) +
+                 std::to_string(cutChecked.warped.size()) +
                      " cells are folded or so warped that no tetrahedra fill them; the first is cell " +
                      std::to_string(origin) + " at (" + std::to_string(place[0]) + ", " + std::to_string(place[1]) +
                      ", " + std::to_string(place[2]) + "). Mend the mesh where it was made."};
 }
 
-Result<CutCells> cut(const CellComplex& complex, PreparedCells& cells, Mending& mending, const Progress& progress)
+Result<CutCells> cutChecked(const CellComplex& complex, PreparedCells& cells, Mending& mending,
+                            const Progress& progress)
 {
     const Mending before = mending;
     dropMiddlesIfMixed(cells, mending);
@@ -53,15 +54,16 @@ Result<CutCells> cut(const CellComplex& complex, PreparedCells& cells, Mending& 
 /// so is what would be taken away: no more than one in so many tetrahedra.
 constexpr std::uint64_t tetrahedraPerPinchingOne = 100;
 
-Status mendMesh(std::span<const Eigen::Vector3d> positions, CutCells& cut, Mending& mending, const Progress& progress)
+Status mendMesh(std::span<const Eigen::Vector3d> positions, CutCells& cutChecked, Mending& mending,
+                const Progress& progress)
 {
-    MeshFaces faces = findMeshFaces(cut.tetrahedra);
-    mending.duplicates = removeDuplicates(cut, faces);
+    MeshFaces faces = findMeshFaces(cutChecked.tetrahedra);
+    mending.duplicates = removeDuplicates(cutChecked, faces);
     const bool holes = mending.blanked + mending.notFinite + mending.warped > 0;
-    const std::uint64_t count = cut.tetrahedra.size();
+    const std::uint64_t count = cutChecked.tetrahedra.size();
     mending.pinching =
-        removePinches(cut, faces, holes ? count : count / tetrahedraPerPinchingOne, progress.part(0, 0.3));
-    return checkTetrahedra(positions, cut.tetrahedra, faces, progress.part(0.3, 1));
+        removePinches(cutChecked, faces, holes ? count : count / tetrahedraPerPinchingOne, progress.part(0, 0.3));
+    return checkTetrahedra(positions, cutChecked.tetrahedra, faces, progress.part(0.3, 1));
 }
 
 /// Numbers the points that are used from 0, in their order. Returns which they were.
@@ -105,7 +107,7 @@ try {
     auto cells = prepareCells(complex, values, mending);
     if (!cells)
         return cells.error();
-    auto cutting = cut(complex, *cells, mending, progress.part(0, 0.5));
+    auto cutting = cutChecked(complex, *cells, mending, progress.part(0, 0.5));
     if (!cutting)
         return cutting.error();
     if (const Status sound = checkWarped(complex, *cells, *cutting, mending); !sound)

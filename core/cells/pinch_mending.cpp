@@ -27,7 +27,7 @@ void keepOnly(CutCells& cut, const std::vector<bool>& removed)
     cut.cells.resize(kept);
 }
 
-bool holds(const Tetrahedron& tetrahedron, std::uint32_t vertex)
+bool hasVertex(const Tetrahedron& tetrahedron, std::uint32_t vertex)
 {
     return std::ranges::find(tetrahedron, vertex) != tetrahedron.end();
 }
@@ -39,7 +39,7 @@ public:
            const std::vector<std::uint32_t>& around)
     {
         for (const std::uint32_t t : around)
-            if (std::ranges::all_of(centre, [&](std::uint32_t v) { return holds(cut.tetrahedra[t], v); }))
+            if (std::ranges::all_of(centre, [&](std::uint32_t v) { return hasVertex(cut.tetrahedra[t], v); }))
                 group_.emplace(t, unset);
         for (auto& [first, group] : group_)
             if (group == unset)

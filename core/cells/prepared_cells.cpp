@@ -13,7 +13,7 @@ namespace tetra {
 
 namespace {
 
-Error badInput(std::string text)
+Error badCells(std::string text)
 {
     return {ErrorKind::BadInput, std::move(text)};
 }
@@ -27,20 +27,20 @@ Status checkArrays(const CellComplex& complex, const ComplexValues& values)
 {
     const std::size_t cells = complex.shapes.size();
     if (cells == 0 || complex.positions.empty())
-        return badInput("The mesh has no cells or no points.");
+        return badCells("The mesh has no cells or no points.");
     if (complex.positions.size() >= std::numeric_limits<std::uint32_t>::max())
         return Error{ErrorKind::OutOfResource, "The mesh has " + std::to_string(complex.positions.size()) +
                                                    " points; at most 4294967294 can be numbered. Take a part of it."};
     if (complex.offsets.size() != cells + 1 || complex.offsets.front() != 0 ||
         complex.offsets.back() != complex.corners.size() || !std::ranges::is_sorted(complex.offsets))
-        return badInput("The cells' lists of corners do not fit together: their offsets do not rise from 0 to the "
+        return badCells("The cells' lists of corners do not fit together: their offsets do not rise from 0 to the "
                         "number of corners.");
     if (!complex.blanked.empty() && complex.blanked.size() != cells)
-        return badInput("The mesh has " + std::to_string(cells) + " cells, but says of " +
+        return badCells("The mesh has " + std::to_string(cells) + " cells, but says of " +
                         std::to_string(complex.blanked.size()) + " whether they are blanked out.");
     const std::size_t wanted = values.perCell ? cells : complex.positions.size();
     if (values.values.size() != wanted)
-        return badInput("The mesh has " + std::to_string(wanted) + (values.perCell ? " cells" : " points") + ", but " +
+        return badCells("The mesh has " + std::to_string(wanted) + (values.perCell ? " cells" : " points") + ", but " +
                         std::to_string(values.values.size()) + " values.");
     return {};
 }
@@ -124,18 +124,18 @@ private:
                 chosen_.push_back(cell);
         }
         if (range.any())
-            return badInput(range.text("name points that do not exist") + "The mesh has " +
+            return badCells(range.text("name points that do not exist") + "The mesh has " +
                             std::to_string(complex_.positions.size()) + " points, the file is damaged.");
         if (counts.any())
-            return badInput(counts.text("have another number of corners than their shape") + "The file is damaged.");
+            return badCells(counts.text("have another number of corners than their shape") + "The file is damaged.");
         if (polyhedra.any())
-            return badInput(polyhedra.text("are polyhedra with any number of faces") +
+            return badCells(polyhedra.text("are polyhedra with any number of faces") +
                             "Cut them into tetrahedra first (in ParaView the filter Tetrahedralize).");
         if (places.any())
-            return badInput(places.text("have a corner whose place is not finite") +
+            return badCells(places.text("have a corner whose place is not finite") +
                             "Mend the points or blank the cells.");
         if (chosen_.empty())
-            return badInput("No cell of the mesh has a volume and finite values: nothing is left.");
+            return badCells("No cell of the mesh has a volume and finite values: nothing is left.");
         return {};
     }
 

@@ -15,7 +15,7 @@ namespace {
 
 /// Of all searches together: seconds. A warped cell takes some dozens, so that meshes which can be mended are; one of
 /// garbage is given up.
-constexpr std::uint64_t mostSteps = 1'000'000;
+constexpr std::uint64_t mostRecuttingSteps = 1'000'000;
 
 using FaceKey = std::array<std::uint32_t, 4>;
 
@@ -148,7 +148,7 @@ private:
     const std::vector<std::uint32_t>& failing_;
     std::map<FaceKey, std::vector<std::uint32_t>> sides_;
     std::set<FaceKey> turned_;
-    std::uint64_t stepsLeft_ = mostSteps;
+    std::uint64_t stepsLeft_ = mostRecuttingSteps;
     RecutCells result_;
 };
 

@@ -10,12 +10,12 @@ namespace tetra {
 namespace {
 
 /// The sine and cosine of an angle in turns. Exact at multiples of a quarter.
-struct Direction {
+struct GridDirection {
     double cosine;
     double sine;
 };
 
-Direction direction(double turns)
+GridDirection direction(double turns)
 {
     return {portableCosineOfTurns(turns), portableCosineOfTurns(turns - 0.25)};
 }
@@ -37,8 +37,8 @@ double roundedTo(int bits, double x)
 GridPoint bluntBody(const std::array<double, 3>& place)
 {
     const double radius = 1 + place[0] * (0.7 + 1.3 * place[0]);
-    const Direction fromAxis = direction(place[1] / 4);
-    const Direction around = direction(place[2] / 2);
+    const GridDirection fromAxis = direction(place[1] / 4);
+    const GridDirection around = direction(place[2] / 2);
     const double shock = 1.5 + 0.6 * (1 - fromAxis.cosine);
     const double inside = smoothStep((shock - radius) / 0.05);
     const double strength = 0.3 + 0.7 * fromAxis.cosine * fromAxis.cosine;
@@ -51,7 +51,7 @@ GridPoint bluntBody(const std::array<double, 3>& place)
 GridPoint oGrid(const std::array<double, 3>& place)
 {
     constexpr double length = 4;
-    const Direction around = direction(place[0]);
+    const GridDirection around = direction(place[0]);
     const double radius = 0.5 * portableExponential(3 * place[1]);
     const double inverseSquare = 0.25 / (radius * radius);
     const double outwards = (1 - inverseSquare) * around.cosine;
@@ -63,7 +63,7 @@ GridPoint oGrid(const std::array<double, 3>& place)
 
 GridPoint bentDuct(const std::array<double, 3>& place)
 {
-    const Direction bend = direction(place[0] / 4);
+    const GridDirection bend = direction(place[0] / 4);
     const double radius = 1.5 + place[1];
     const double profile = 16 * place[1] * (1 - place[1]) * place[2] * (1 - place[2]);
     const double shifted = 1 + 0.8 * (place[1] - 0.5) * bend.sine;

@@ -17,14 +17,14 @@ constexpr double tileEdge = 2, holeRadius = 0.5, thickness = 1;
 /// The tile with the cavity.
 constexpr std::uint32_t closedX = 1, closedY = 1;
 
-using Place = Eigen::Vector2d;
+using PlanePlace = Eigen::Vector2d;
 
 struct Quadrilateral {
     std::array<std::uint32_t, 4> corners;
     bool overCavity;
 };
 
-Place centreOf(std::uint32_t tileX, std::uint32_t tileY)
+PlanePlace centreOf(std::uint32_t tileX, std::uint32_t tileY)
 {
     return {tileEdge * (tileX + 0.5), tileEdge * (tileY + 0.5)};
 }
@@ -38,7 +38,7 @@ public:
             for (std::uint32_t x = 0; x < tilesAlongX; ++x)
                 addTile(x, y);
     }
-    const std::vector<Place>& places() const { return places_; }
+    const std::vector<PlanePlace>& places() const { return places_; }
     const std::vector<Quadrilateral>& cells() const { return cells_; }
 
 private:
@@ -56,12 +56,12 @@ private:
         }
     }
     /// In [-1, 1]^2.
-    Place onSquare(const Index& index) const
+    PlanePlace onSquare(const Index& index) const
     {
         return {2.0 * index.first / edgeCells_ - 1, 2.0 * index.second / edgeCells_ - 1};
     }
 
-    std::uint32_t add(const Place& place)
+    std::uint32_t add(const PlanePlace& place)
     {
         places_.push_back(place);
         return static_cast<std::uint32_t>(places_.size() - 1);
@@ -78,16 +78,16 @@ private:
 
     void addTile(std::uint32_t tileX, std::uint32_t tileY)
     {
-        const Place centre = centreOf(tileX, tileY);
+        const PlanePlace centre = centreOf(tileX, tileY);
         const std::uint32_t steps = 4 * edgeCells_;
         std::vector<std::vector<std::uint32_t>> rings(ringCells_ + 1);
         for (std::uint32_t ring = 0; ring <= ringCells_; ++ring)
             for (std::uint32_t step = 0; step < steps; ++step) {
-                const Place corner = onSquare(around(step));
+                const PlanePlace corner = onSquare(around(step));
                 const double part = static_cast<double>(ring) / ringCells_;
                 const double outwards = part * (0.5 + 0.5 * part); // finer at the hole
-                const Place inner = holeRadius * corner / corner.norm();
-                const Place outer = tileEdge / 2 * corner;
+                const PlanePlace inner = holeRadius * corner / corner.norm();
+                const PlanePlace outer = tileEdge / 2 * corner;
                 rings[ring].push_back(ring == ringCells_ ? edgePoint(tileX, tileY, around(step))
                                                          : add(centre + inner + outwards * (outer - inner)));
             }
@@ -101,7 +101,7 @@ private:
             addCore(centre, rings[0]);
     }
 
-    void addCore(const Place& centre, const std::vector<std::uint32_t>& circle)
+    void addCore(const PlanePlace& centre, const std::vector<std::uint32_t>& circle)
     {
         std::map<Index, std::uint32_t> points;
         for (std::uint32_t step = 0; step < circle.size(); ++step)
@@ -109,10 +109,10 @@ private:
         for (std::uint32_t j = 1; j < edgeCells_; ++j)
             for (std::uint32_t i = 1; i < edgeCells_; ++i) {
                 // Squares that become round outwards.
-                const Place place = onSquare({i, j});
+                const PlanePlace place = onSquare({i, j});
                 const double outwards = place.cwiseAbs().maxCoeff();
                 const double length = place.norm();
-                const Place onDisk = length > 0 ? Place(place * (outwards / length)) : place;
+                const PlanePlace onDisk = length > 0 ? PlanePlace(place * (outwards / length)) : place;
                 constexpr double squareness = 0.7;
                 points[{i, j}] = add(centre + holeRadius * (outwards * onDisk + (1 - outwards) * squareness * place));
             }
@@ -124,13 +124,13 @@ private:
 
     std::uint32_t edgeCells_;
     std::uint32_t ringCells_;
-    std::vector<Place> places_;
+    std::vector<PlanePlace> places_;
     std::vector<Quadrilateral> cells_;
     std::map<Index, std::uint32_t> edgePoints_;
 };
 
 /// xx, yy and xy of what a hole around the origin changes of a stress of 1 along x.
-Eigen::Vector3d stressOfHole(const Place& place)
+Eigen::Vector3d stressOfHole(const PlanePlace& place)
 {
     const double square = std::max(place.squaredNorm(), holeRadius * holeRadius);
     const double length = std::max(place.squaredNorm(), 1e-30);
@@ -209,7 +209,7 @@ AnalyticMesh analyticPart(std::uint32_t size)
     AnalyticMesh mesh;
     mesh.positions.reserve(std::size_t(perLayer) * (layers + 1));
     for (std::uint32_t layer = 0; layer <= layers; ++layer)
-        for (const Place& place : plan.places()) {
+        for (const PlanePlace& place : plan.places()) {
             const Eigen::Vector3d position(place[0], place[1], thickness * layer / layers);
             mesh.positions.push_back(position.cast<float>().cast<double>()); // files and models stay small
         }

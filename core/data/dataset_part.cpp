@@ -41,7 +41,7 @@ Error wrongPart(const std::string& text)
     return {ErrorKind::WrongUsage, text};
 }
 
-std::string sizeText(const std::array<std::uint32_t, 3>& size)
+std::string partSizeText(const std::array<std::uint32_t, 3>& size)
 {
     return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
 }
@@ -167,8 +167,8 @@ Result<Dataset> partOfGrid(const Dataset& dataset, const DatasetPart& part, cons
         result.lattice = *partOfLattice(dataset.lattice, part);
     if (!staysInFile(dataset, *grid))
         result.mappedFile = nullptr;
-    result.remarks.push_back("A part of " + sizeText(grid->count) + " of the " + sizeText(dataset.lattice.size) +
-                             " points.");
+    result.remarks.push_back("A part of " + partSizeText(grid->count) + " of the " +
+                             partSizeText(dataset.lattice.size) + " points.");
     return result;
 }
 

@@ -9,9 +9,9 @@ namespace tetra {
 
 namespace {
 
-constexpr double farthest = 1e100; ///< volumes of such coordinates are still numbers
+constexpr double farthestCoordinate = 1e100; ///< volumes of such coordinates are still numbers
 
-std::string placeText(const Lattice& lattice, std::uint64_t point)
+std::string pointText(const Lattice& lattice, std::uint64_t point)
 {
     const auto c = lattice.coordinates(point);
     return "(" + std::to_string(c[0]) + ", " + std::to_string(c[1]) + ", " + std::to_string(c[2]) + ")";
@@ -22,9 +22,9 @@ std::string placeText(const Lattice& lattice, std::uint64_t point)
 Status checkGrid(const Dataset& dataset)
 {
     for (std::uint64_t point = 0; point < dataset.pointCount(); ++point)
-        if (!((*dataset.positions)[point].cwiseAbs().maxCoeff() <= farthest) ||
+        if (!((*dataset.positions)[point].cwiseAbs().maxCoeff() <= farthestCoordinate) ||
             !(*dataset.positions)[point].allFinite())
-            return Error{ErrorKind::BadInput, "the position of point " + placeText(dataset.lattice, point) +
+            return Error{ErrorKind::BadInput, "the position of point " + pointText(dataset.lattice, point) +
                                                   " is no number, or far beyond what can be reckoned with. Repair the "
                                                   "file."};
     if (dataset.values.notFiniteCount() > 0)

@@ -10,12 +10,12 @@ namespace tetra {
 
 namespace {
 
-using Corners = std::array<std::uint32_t, 4>;
+using PartCell = std::array<std::uint32_t, 4>;
 
 /// Sets that are joined; the members are 0 to n - 1.
-class Groups {
+class PointGroups {
 public:
-    explicit Groups(std::size_t members) : parent_(members) { std::iota(parent_.begin(), parent_.end(), 0u); }
+    explicit PointGroups(std::size_t members) : parent_(members) { std::iota(parent_.begin(), parent_.end(), 0u); }
 
     std::uint32_t of(std::uint32_t member)
     {
@@ -29,17 +29,17 @@ private:
     std::vector<std::uint32_t> parent_;
 };
 
-bool holds(const Corners& corners, std::uint32_t point)
+bool hasCorner(const PartCell& corners, std::uint32_t point)
 {
     return std::ranges::find(corners, point) != corners.end();
 }
 
 /// The tetrahedra around each point, one after the other.
-struct Stars {
+struct PartStars {
     std::vector<std::uint64_t> begin;
     std::vector<std::uint32_t> tetrahedra;
 
-    Stars(std::span<const Corners> all, std::uint32_t points, const std::vector<std::uint8_t>& chosen)
+    PartStars(std::span<const PartCell> all, std::uint32_t points, const std::vector<std::uint8_t>& chosen)
         : begin(points + std::size_t(1), 0)
     {
         forEach(all, chosen, [&](std::uint32_t, std::uint32_t point) { ++begin[point + std::size_t(1)]; });
@@ -56,7 +56,7 @@ struct Stars {
 
 private:
     template <class Visit>
-    static void forEach(std::span<const Corners> all, const std::vector<std::uint8_t>& chosen, const Visit& visit)
+    static void forEach(std::span<const PartCell> all, const std::vector<std::uint8_t>& chosen, const Visit& visit)
     {
         for (std::uint32_t cell = 0; cell < all.size(); ++cell)
             if (chosen[cell] != 0)
@@ -68,7 +68,7 @@ private:
 /// What lies around a point: its tetrahedra as triangles of the point's link, and their edges.
 class Link {
 public:
-    Link(std::span<const Corners> all, std::uint32_t centre, std::vector<std::uint32_t> cells)
+    Link(std::span<const PartCell> all, std::uint32_t centre, std::vector<std::uint32_t> cells)
         : all_(all), centre_(centre), cells_(std::move(cells))
     {
         for (std::uint32_t i = 0; i < cells_.size(); ++i)
@@ -79,7 +79,7 @@ public:
     /// The tetrahedra that must go for the boundary to be a manifold here; empty if it is.
     std::vector<std::uint32_t> superfluous() const
     {
-        Groups parts = joined([](const Edge&) { return true; });
+        PointGroups parts = joined([](const Edge&) { return true; });
         if (auto cells = allButTheLargest(parts, cells_); !cells.empty())
             return cells;
         const std::vector<Edge> rim = rimEdges();
@@ -100,7 +100,7 @@ private:
 
     void addEdges(std::uint32_t triangle)
     {
-        const Corners& corners = all_[cells_[triangle]];
+        const PartCell& corners = all_[cells_[triangle]];
         for (std::size_t i = 0; i < 4; ++i)
             for (std::size_t j = i + 1; j < 4; ++j)
                 if (corners[i] != centre_ && corners[j] != centre_)
@@ -108,9 +108,9 @@ private:
     }
 
     /// Triangles that share an edge which `counts`.
-    template <class Counts> Groups joined(const Counts& counts) const
+    template <class Counts> PointGroups joined(const Counts& counts) const
     {
-        Groups groups(cells_.size());
+        PointGroups groups(cells_.size());
         for (std::size_t i = 1; i < edges_.size(); ++i)
             if (edges_[i].sameAs(edges_[i - 1]) && counts(edges_[i]))
                 groups.join(edges_[i].triangle, edges_[i - 1].triangle);
@@ -152,7 +152,7 @@ private:
         const auto number = [&](std::uint32_t point) {
             return static_cast<std::uint32_t>(std::ranges::lower_bound(points, point) - points.begin());
         };
-        Groups loops(points.size());
+        PointGroups loops(points.size());
         for (const Edge& edge : rim)
             loops.join(number(edge.a), number(edge.b));
         std::size_t count = 0;
@@ -163,16 +163,16 @@ private:
 
     std::vector<std::uint32_t> aroundEdge(std::uint32_t other) const
     {
-        Groups fans = joined([other](const Edge& edge) { return edge.a == other || edge.b == other; });
+        PointGroups fans = joined([other](const Edge& edge) { return edge.a == other || edge.b == other; });
         std::vector<std::uint32_t> around;
         for (const std::uint32_t cell : cells_)
-            if (holds(all_[cell], other))
+            if (hasCorner(all_[cell], other))
                 around.push_back(cell);
         return allButTheLargest(fans, around);
     }
 
     /// Of the cells `among`, those that are not in the group with most of them.
-    std::vector<std::uint32_t> allButTheLargest(Groups& groups, const std::vector<std::uint32_t>& among) const
+    std::vector<std::uint32_t> allButTheLargest(PointGroups& groups, const std::vector<std::uint32_t>& among) const
     {
         std::vector<std::pair<std::uint32_t, std::uint32_t>> members; // group and cell
         for (std::uint32_t i = 0; i < cells_.size(); ++i)
@@ -197,14 +197,14 @@ private:
         return others;
     }
 
-    std::span<const Corners> all_;
+    std::span<const PartCell> all_;
     std::uint32_t centre_;
     std::vector<std::uint32_t> cells_;
     std::vector<Edge> edges_;
 };
 
 /// Elsewhere the mesh is as it was.
-std::vector<std::uint32_t> pointsOfOthers(std::span<const Corners> tetrahedra, std::uint32_t points,
+std::vector<std::uint32_t> pointsOfOthers(std::span<const PartCell> tetrahedra, std::uint32_t points,
                                           const std::vector<std::uint8_t>& chosen)
 {
     std::vector<std::uint8_t> isOne(points);
@@ -224,7 +224,7 @@ std::vector<std::uint32_t> pointsOfOthers(std::span<const Corners> tetrahedra, s
 std::uint64_t restrictToManifold(std::span<const std::array<std::uint32_t, 4>> tetrahedra, std::uint32_t points,
                                  std::vector<std::uint8_t>& chosen)
 {
-    const Stars stars(tetrahedra, points, chosen);
+    const PartStars stars(tetrahedra, points, chosen);
     std::vector<std::uint32_t> toLookAt = pointsOfOthers(tetrahedra, points, chosen);
     std::uint64_t removed = 0;
     while (!toLookAt.empty()) {

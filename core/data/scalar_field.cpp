@@ -38,7 +38,7 @@ template <class T> Extremes<T> extend(Extremes<T> extremes, std::span<const T> s
     return extremes;
 }
 
-template <class T> Extremes<T> joined(const Extremes<T>& a, const Extremes<T>& b)
+template <class T> Extremes<T> joinedExtremes(const Extremes<T>& a, const Extremes<T>& b)
 {
     return {std::min(a.minimum, b.minimum), std::max(a.maximum, b.maximum), a.notFinite + b.notFinite};
 }
@@ -51,7 +51,7 @@ template <class T> Extremes<T> extremesOf(std::span<const T> samples)
         [&](const Part& part, const Extremes<T>& before) {
             return extend(before, samples.subspan(part.begin(), part.size()));
         },
-        joined<T>);
+        joinedExtremes<T>);
 }
 
 } // namespace
@@ -83,7 +83,7 @@ bool ScalarField::findRange(const Progress& progress)
             if (progress.cancelled())
                 return false;
             const auto piece = samples.subspan(begin, std::min(samplesInPiece, samples.size() - begin));
-            extremes = joined(extremes, extremesOf(piece));
+            extremes = joinedExtremes(extremes, extremesOf(piece));
             progress.report(static_cast<double>(begin + piece.size()) / static_cast<double>(count_), "Reading");
         }
         notFinite_ = extremes.notFinite;

@@ -115,7 +115,7 @@ std::string listOf(std::span<const double> numbers)
     return text;
 }
 
-std::string textOf(const SpaceWeight& place)
+std::string weightText(const SpaceWeight& place)
 {
     const Eigen::Vector3d& low = place.box.min();
     const Eigen::Vector3d& high = place.box.max();
@@ -142,7 +142,7 @@ std::string weightingText(const Weighting& weighting)
     std::string text;
     const auto add = [&text](const std::string& term) { text += (text.empty() ? "" : ";") + term; };
     for (const SpaceWeight& place : weighting.places)
-        add(textOf(place));
+        add(weightText(place));
     for (const ValueWeight& term : weighting.values)
         add("value:" + listOf(std::array{term.value, term.reach, term.floor}));
     return text;

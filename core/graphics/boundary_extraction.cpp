@@ -20,10 +20,10 @@
 namespace tetra {
 namespace {
 
-constexpr std::string_view activity = "Finding the boundary";
+constexpr std::string_view findingBoundary = "Finding the boundary";
 constexpr std::size_t largestTriangleCount = 0xffffffff / 3; // corners have numbers
 
-Error tooLarge()
+Error tooManyFaces()
 {
     return {ErrorKind::OutOfResource,
             "The mesh has too many tetrahedra for its boundary to be shown. Lower the accuracy of the mesh."};
@@ -140,19 +140,19 @@ Result<TriangleMesh> boundaryOfMesh(const TetrahedralMesh& mesh, double featureA
 {
     const BoundaryFaces faces = boundaryFaces(mesh.positions.size(), mesh.tetrahedra);
     if (faces.triangles.size() > largestTriangleCount)
-        return tooLarge();
+        return tooManyFaces();
     if (progress.cancelled())
-        return cancelledError(activity);
-    progress.report(0.5, activity);
+        return cancelledError(findingBoundary);
+    progress.report(0.5, findingBoundary);
     const Boundary boundary = boundaryOf(faces.triangles, [&](std::uint32_t vertex) -> Eigen::Vector3d {
         return mesh.positions[faces.vertices[vertex]].cast<double>();
     });
     DisjointSets joined = smoothCorners(boundary, featureAngle);
     if (progress.cancelled())
-        return cancelledError(activity);
+        return cancelledError(findingBoundary);
     TriangleMesh surface =
         surfaceOf(boundary, joined, [&](std::uint32_t vertex) { return mesh.values[faces.vertices[vertex]]; });
-    progress.report(1, activity);
+    progress.report(1, findingBoundary);
     return surface;
 }
 
@@ -160,9 +160,9 @@ Result<TriangleMesh> boundaryOfMesh(const TetrahedralMesh& mesh, double featureA
 
 Result<TriangleMesh> extractBoundary(const TetrahedralMesh& mesh, double featureAngle, const Progress& progress)
 try {
-    progress.report(0, activity);
+    progress.report(0, findingBoundary);
     if (mesh.tetrahedra.size() > largestAdjacentCellCount)
-        return tooLarge();
+        return tooManyFaces();
     return boundaryOfMesh(mesh, featureAngle, progress);
 } catch (const std::bad_alloc&) {
     return Error{ErrorKind::OutOfResource,

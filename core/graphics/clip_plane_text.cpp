@@ -15,7 +15,7 @@ namespace {
 constexpr char planeSeparator = ';';
 
 /// Cuts off and gives what stands before the separator, or all.
-std::string_view takePart(std::string_view& text, char separator)
+std::string_view takeToken(std::string_view& text, char separator)
 {
     const auto end = text.find(separator);
     const std::string_view part = text.substr(0, end);
@@ -23,7 +23,7 @@ std::string_view takePart(std::string_view& text, char separator)
     return part;
 }
 
-std::string_view trimmed(std::string_view text)
+std::string_view withoutBlanks(std::string_view text)
 {
     const auto begin = text.find_first_not_of(" \t");
     return begin == std::string_view::npos ? std::string_view()
@@ -36,7 +36,7 @@ std::optional<ClipPlane> parsePlane(std::string_view text)
     if (std::ranges::count(text, ',') != 3)
         return {};
     for (double& number : numbers) {
-        const auto parsed = parseNumber<double>(trimmed(takePart(text, ',')));
+        const auto parsed = parseNumber<double>(withoutBlanks(takeToken(text, ',')));
         if (!parsed || !std::isfinite(*parsed))
             return {};
         number = *parsed;
@@ -51,7 +51,7 @@ Result<std::vector<ClipPlane>> parseClipPlanes(std::string_view text)
 {
     std::vector<ClipPlane> planes;
     while (!text.empty()) {
-        const std::string_view part = trimmed(takePart(text, planeSeparator));
+        const std::string_view part = withoutBlanks(takeToken(text, planeSeparator));
         if (part.empty())
             continue;
         const auto plane = parsePlane(part);

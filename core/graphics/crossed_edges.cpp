@@ -13,12 +13,13 @@
 namespace tetra {
 namespace {
 
-using Corners = std::array<std::uint32_t, 4>;
+using CrossedCorners = std::array<std::uint32_t, 4>;
 
-EdgeKey* writeOneByOne(std::span<const Corners> tetrahedra, std::span<const CrossedTetrahedron> crossed, EdgeKey* edges)
+EdgeKey* writeOneByOne(std::span<const CrossedCorners> tetrahedra, std::span<const CrossedTetrahedron> crossed,
+                       EdgeKey* edges)
 {
     for (const CrossedTetrahedron one : crossed) {
-        const Corners& tetrahedron = tetrahedra[one / 16];
+        const CrossedCorners& tetrahedron = tetrahedra[one / 16];
         const MarchingCase& marching = marchingCases[one % 16];
         for (std::size_t corner = 0; corner < 4; ++corner) {
             const EdgeKey a = tetrahedron[marching.edges[corner][0]];
@@ -53,8 +54,8 @@ TETRA_SIMD_8 TETRA_SIMD_INLINE __m128i cornersOf(__m128i tetrahedron, const std:
 }
 
 /// The same with the four edges of a tetrahedron side by side.
-TETRA_SIMD_8 EdgeKey* writeFourAtOnce(std::span<const Corners> tetrahedra, std::span<const CrossedTetrahedron> crossed,
-                                      EdgeKey* edges)
+TETRA_SIMD_8 EdgeKey* writeFourAtOnce(std::span<const CrossedCorners> tetrahedra,
+                                      std::span<const CrossedTetrahedron> crossed, EdgeKey* edges)
 {
     for (const CrossedTetrahedron one : crossed) {
         const __m128i tetrahedron = _mm_loadu_si128(reinterpret_cast<const __m128i*>(&tetrahedra[one / 16]));
@@ -73,7 +74,7 @@ TETRA_SIMD_8 EdgeKey* writeFourAtOnce(std::span<const Corners> tetrahedra, std::
 
 } // namespace
 
-EdgeKey* writeCrossedEdges(std::span<const Corners> tetrahedra, std::span<const CrossedTetrahedron> crossed,
+EdgeKey* writeCrossedEdges(std::span<const CrossedCorners> tetrahedra, std::span<const CrossedTetrahedron> crossed,
                            EdgeKey* edges)
 {
 #if defined(TETRA_SIMD_16)

@@ -18,7 +18,7 @@
 namespace tetra {
 namespace {
 
-using Corners = std::array<std::uint32_t, 4>;
+using CrossedCorners = std::array<std::uint32_t, 4>;
 
 /// The smallest float that is inside.
 float smallestInside(double isovalue)
@@ -35,8 +35,8 @@ TETRA_SIMD_CLONES void classify(const float* values, std::size_t count, float th
 }
 
 /// Written always and kept only if crossed: cheaper than a branch that is hard to predict.
-CrossedTetrahedron* findOneByOne(std::span<const Corners> tetrahedra, std::size_t first, const std::uint8_t* inside,
-                                 CrossedTetrahedron* found)
+CrossedTetrahedron* findOneByOne(std::span<const CrossedCorners> tetrahedra, std::size_t first,
+                                 const std::uint8_t* inside, CrossedTetrahedron* found)
 {
     constexpr unsigned crossing = 0b0111111111111110;
     for (std::size_t i = 0; i < tetrahedra.size(); ++i) {
@@ -50,11 +50,12 @@ CrossedTetrahedron* findOneByOne(std::span<const Corners> tetrahedra, std::size_
 
 #if defined(TETRA_SIMD_16)
 
-constexpr std::size_t atOnce = 16;
+constexpr std::size_t cellsScannedAtOnce = 16;
 
 /// Four bits a tetrahedron, corner by corner as they lie in memory: four gathers of sixteen corners each need no
 /// transposition.
-TETRA_SIMD_16 TETRA_SIMD_INLINE std::uint64_t sidesOfCorners(const Corners* tetrahedra, const std::uint8_t* inside)
+TETRA_SIMD_16 TETRA_SIMD_INLINE std::uint64_t sidesOfCorners(const CrossedCorners* tetrahedra,
+                                                             const std::uint8_t* inside)
 {
     const __m512i one = _mm512_set1_epi32(1);
     std::uint64_t bits = 0;
@@ -67,12 +68,12 @@ TETRA_SIMD_16 TETRA_SIMD_INLINE std::uint64_t sidesOfCorners(const Corners* tetr
 }
 
 /// A whole number of sixteens.
-TETRA_SIMD_16 CrossedTetrahedron* findSixteenAtOnce(std::span<const Corners> tetrahedra, std::size_t first,
+TETRA_SIMD_16 CrossedTetrahedron* findSixteenAtOnce(std::span<const CrossedCorners> tetrahedra, std::size_t first,
                                                     const std::uint8_t* inside, CrossedTetrahedron* found)
 {
     constexpr std::uint64_t firstCorners = 0x1111111111111111;
     constexpr Int16 lanes = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-    for (std::size_t i = 0; i < tetrahedra.size(); i += atOnce) {
+    for (std::size_t i = 0; i < tetrahedra.size(); i += cellsScannedAtOnce) {
         const std::uint64_t bits = sidesOfCorners(tetrahedra.data() + i, inside);
         const std::uint64_t differ = bits ^ bits >> 1; // of one corner and the next one
         const std::uint64_t crossed = (differ | differ >> 1 | differ >> 2) & firstCorners;
@@ -100,7 +101,7 @@ VertexSides::VertexSides(std::span<const float> values, double isovalue) : bytes
     std::fill_n(bytes_.end() - padding, padding, std::uint8_t(0));
 }
 
-CrossedTetrahedron* findCrossed(std::span<const Corners> tetrahedra, std::size_t first, const VertexSides& sides,
+CrossedTetrahedron* findCrossed(std::span<const CrossedCorners> tetrahedra, std::size_t first, const VertexSides& sides,
                                 CrossedTetrahedron* found)
 {
 #if defined(TETRA_SIMD_16)
@@ -108,7 +109,7 @@ CrossedTetrahedron* findCrossed(std::span<const Corners> tetrahedra, std::size_t
     constexpr auto mostVertices =
         static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()); // gathers' numbers
     if (atOnceIsThere && sides.size() <= mostVertices) {
-        const std::size_t count = tetrahedra.size() / atOnce * atOnce;
+        const std::size_t count = tetrahedra.size() / cellsScannedAtOnce * cellsScannedAtOnce;
         found = findSixteenAtOnce(tetrahedra.first(count), first, sides.bytes(), found);
         tetrahedra = tetrahedra.subspan(count);
         first += count;

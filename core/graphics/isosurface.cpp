@@ -17,7 +17,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::string_view activity = "Extracting the isosurface";
+constexpr std::string_view extractingIsosurface = "Extracting the isosurface";
 
 using Triangle = std::array<std::uint32_t, 3>;
 
@@ -59,10 +59,10 @@ Status checkArguments(const TetrahedralMesh& mesh, const IsosurfaceIndex* index,
 Result<TriangleMesh> extract(const TetrahedralMesh& mesh, const IsosurfaceIndex* index,
                              std::span<const Eigen::Vector3f> gradients, double isovalue, const Progress& progress)
 {
-    progress.report(0, activity);
+    progress.report(0, extractingIsosurface);
     const std::vector<SurfaceRun> runs = makeSurfaceRuns(mesh, index, isovalue, progress);
     if (progress.cancelled())
-        return cancelledError(activity);
+        return cancelledError(extractingIsosurface);
     std::uint64_t edges = 0;
     for (const SurfaceRun& run : runs)
         edges += run.edges.size();
@@ -70,22 +70,22 @@ Result<TriangleMesh> extract(const TetrahedralMesh& mesh, const IsosurfaceIndex*
         return Error{ErrorKind::OutOfResource, "The isosurface has more than four thousand million vertices. Lower the "
                                                "accuracy of the mesh."};
 
-    progress.report(0.6, activity);
+    progress.report(0.6, extractingIsosurface);
     const SurfaceVertices vertices = numberVertices(runs, index, mesh.positions.size());
     if (progress.cancelled())
-        return cancelledError(activity);
-    progress.report(0.7, activity);
+        return cancelledError(extractingIsosurface);
+    progress.report(0.7, extractingIsosurface);
     TriangleMesh surface;
     const PlacingFindings found = placeVertices(mesh, gradients, vertices.edges, isovalue, surface);
     if (progress.cancelled())
-        return cancelledError(activity);
-    progress.report(0.9, activity);
+        return cancelledError(extractingIsosurface);
+    progress.report(0.9, extractingIsosurface);
     surface.triangles = joinTriangles(runs, vertices);
     if (!found.ties.empty())
         weldAtMeshVertices(found.ties, surface);
     if (found.normalsMissing)
         fillNormalsFromTriangles(surface);
-    progress.report(1, activity);
+    progress.report(1, extractingIsosurface);
     return surface;
 }
 

@@ -15,7 +15,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::string_view activity = "Extracting isosurfaces";
+constexpr std::string_view extractingIsosurfaces = "Extracting isosurfaces";
 
 /// The mean of several pieces of work that report from their own threads; never falls.
 class JointProgress {
@@ -28,7 +28,7 @@ public:
             const std::scoped_lock lock(mutex_);
             fractions_[index] = fraction;
             const double sum = std::accumulate(fractions_.begin(), fractions_.end(), 0.0);
-            whole_.report(sum / static_cast<double>(fractions_.size()), activity);
+            whole_.report(sum / static_cast<double>(fractions_.size()), extractingIsosurfaces);
         };
     }
 
@@ -100,7 +100,7 @@ Status IsosurfaceSet::extractMissing(std::span<const Isovalue> isovalues, const 
     if (const Status chosen = chooseMesh(progress.part(0, 0.3)); !chosen)
         return chosen;
     if (progress.cancelled())
-        return cancelledError(activity);
+        return cancelledError(extractingIsosurfaces);
     const Progress extraction = progress.part(0.3, 1);
     JointProgress joint(extraction, missing.size());
     std::vector<std::optional<Result<TriangleMesh>>> extracted(missing.size());
@@ -122,10 +122,10 @@ try {
     if (!std::ranges::all_of(isovalues, isUsable))
         return Error{ErrorKind::WrongUsage, "An isovalue must be a finite number, and its opacity between 0 and 1."};
     std::erase_if(surfaces_, [&](const auto& kept) { return !contains(isovalues, kept.first); });
-    progress.report(0, activity);
+    progress.report(0, extractingIsosurfaces);
     if (const Status extracted = extractMissing(isovalues, progress); !extracted)
         return extracted.error();
-    progress.report(1, activity);
+    progress.report(1, extractingIsosurfaces);
     std::vector<Surface> surfaces;
     for (const Isovalue& isovalue : isovalues)
         if (isShown(isovalue))

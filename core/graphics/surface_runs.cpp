@@ -16,7 +16,7 @@
 namespace tetra {
 namespace {
 
-using Corners = std::array<std::uint32_t, 4>;
+using RunCorners = std::array<std::uint32_t, 4>;
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Crossed tetrahedra that are marched through step by step together: what lies between the steps stays in the nearest
@@ -64,7 +64,7 @@ private:
 
     /// Lists the chunks to look at first, so that what is fetched is one of them.
     template <class IsCrossed> std::span<const CrossedTetrahedron>
-    findCrossedIn(std::span<const Corners> run, std::size_t firstChunk, IsCrossed&& isCrossed)
+    findCrossedIn(std::span<const RunCorners> run, std::size_t firstChunk, IsCrossed&& isCrossed)
     {
         const std::size_t chunkCount = (run.size() + rangedChunkSize - 1) / rangedChunkSize;
         std::array<std::uint32_t, surfaceRunSize / rangedChunkSize + chunksAhead> chunks; // their first tetrahedra
@@ -76,7 +76,7 @@ private:
         std::fill_n(chunks.begin() + static_cast<std::ptrdiff_t>(count), chunksAhead, 0u);
         CrossedTetrahedron* last = crossed_.data();
         for (std::size_t i = 0; i < count; ++i) {
-            const Corners* next = run.data() + chunks[i + chunksAhead];
+            const RunCorners* next = run.data() + chunks[i + chunksAhead];
             for (std::size_t t = 0; t < rangedChunkSize; t += 4)
                 __builtin_prefetch(next + t);
             last = findCrossed(run.subspan(chunks[i], std::min(rangedChunkSize, run.size() - chunks[i])), chunks[i],
@@ -85,7 +85,8 @@ private:
         return {crossed_.data(), last};
     }
 
-    Triangle* marchSome(std::span<const Corners> run, std::span<const CrossedTetrahedron> crossed, Triangle* triangles)
+    Triangle* marchSome(std::span<const RunCorners> run, std::span<const CrossedTetrahedron> crossed,
+                        Triangle* triangles)
     {
         std::array<EdgeKey, 4 * marchedTogether> edges;
         std::array<std::uint32_t, 4 * marchedTogether> numbers;

@@ -40,7 +40,7 @@ Buffer<std::uint32_t> findOwners(std::span<const SurfaceRun> runs, std::size_t v
     return owners;
 }
 
-std::size_t partOf(EdgeKey edge) noexcept
+std::size_t tablePartOf(EdgeKey edge) noexcept
 {
     return (edge ^ edge >> 29) * 0xbf58476d1ce4e5b9u >> (64 - partBits);
 }
@@ -54,7 +54,7 @@ struct Places {
     /// branch.
     std::size_t take(EdgeKey edge, bool isOwn) noexcept
     {
-        std::size_t& part = parts[partOf(edge)];
+        std::size_t& part = parts[tablePartOf(edge)];
         const std::size_t place = isOwn ? own : part;
         own += isOwn ? 1 : 0;
         part += isOwn ? 0 : 1;

@@ -11,9 +11,9 @@
 namespace tetra {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-Colour between(const Colour& one, const Colour& other, float part)
+Colour mixedColour(const Colour& one, const Colour& other, float part)
 {
     return {std::lerp(one.red, other.red, part), std::lerp(one.green, other.green, part),
             std::lerp(one.blue, other.blue, part)};
@@ -21,16 +21,16 @@ Colour between(const Colour& one, const Colour& other, float part)
 
 /// Values in whose range the colour is linear.
 struct ColourSpan {
-    double least = -infinity;
-    double largest = infinity;
+    double least = -unbounded;
+    double largest = unbounded;
     Colour atLeast;
     Colour atLargest;
 
     Colour at(double value) const
     {
-        if (!(largest - least < infinity))
+        if (!(largest - least < unbounded))
             return atLeast; // beyond the first and the last point
-        return between(atLeast, atLargest, static_cast<float>((value - least) / (largest - least)));
+        return mixedColour(atLeast, atLargest, static_cast<float>((value - least) / (largest - least)));
     }
 };
 
@@ -43,11 +43,11 @@ Colour colourOf(const TransferPoint& point)
 std::vector<ColourSpan> spansOf(const TransferFunction& function)
 {
     const auto& points = function.points;
-    std::vector<ColourSpan> spans{{-infinity, points.front().value, colourOf(points.front()), {}}};
+    std::vector<ColourSpan> spans{{-unbounded, points.front().value, colourOf(points.front()), {}}};
     for (std::size_t i = 1; i < points.size(); ++i)
         if (points[i - 1].value < points[i].value)
             spans.push_back({points[i - 1].value, points[i].value, colourOf(points[i - 1]), colourOf(points[i])});
-    spans.push_back({points.back().value, infinity, colourOf(points.back()), {}});
+    spans.push_back({points.back().value, unbounded, colourOf(points.back()), {}});
     return spans;
 }
 
@@ -59,33 +59,35 @@ std::size_t spanOf(std::span<const ColourSpan> spans, double value)
 }
 
 /// A corner of a piece of a triangle.
-struct Corner {
+struct ColouredCorner {
     Eigen::Vector3d position;
     Eigen::Vector3f normal;
     double value;
     std::uint32_t vertex; ///< of the surface, or `cut`
 };
-constexpr std::uint32_t cut = 0xffffffff;
+constexpr std::uint32_t isNewVertex = 0xffffffff;
 
 /// On the edge from one to the other, reckoned from the smaller value, so that both its triangles get the same place.
-Corner cornerAt(double value, const Corner* one, const Corner* other)
+ColouredCorner cornerAt(double value, const ColouredCorner* one, const ColouredCorner* other)
 {
     if (one->value > other->value)
         std::swap(one, other);
     const double part = (value - one->value) / (other->value - one->value);
     const auto single = static_cast<float>(part);
     return {one->position + part * (other->position - one->position),
-            one->normal + single * (other->normal - one->normal), value, cut};
+            one->normal + single * (other->normal - one->normal), value, isNewVertex};
 }
 
 /// What of a convex polygon has values on one side of `value`.
-std::vector<Corner> sideOf(const std::vector<Corner>& polygon, double value, bool above)
+std::vector<ColouredCorner> sideOf(const std::vector<ColouredCorner>& polygon, double value, bool above)
 {
-    const auto isInside = [&](const Corner& corner) { return above ? corner.value >= value : corner.value <= value; };
-    std::vector<Corner> result;
+    const auto isInside = [&](const ColouredCorner& corner) {
+        return above ? corner.value >= value : corner.value <= value;
+    };
+    std::vector<ColouredCorner> result;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Corner& current = polygon[i];
-        const Corner& next = polygon[(i + 1) % polygon.size()];
+        const ColouredCorner& current = polygon[i];
+        const ColouredCorner& next = polygon[(i + 1) % polygon.size()];
         if (isInside(current))
             result.push_back(current);
         if (isInside(current) != isInside(next) && current.value != value && next.value != value)
@@ -111,12 +113,12 @@ public:
     TriangleMesh take() { return std::move(coloured_); }
 
 private:
-    Corner cornerOf(std::uint32_t vertex) const
+    ColouredCorner cornerOf(std::uint32_t vertex) const
     {
         return {surface_.positions[vertex].cast<double>(), surface_.normals[vertex], surface_.values[vertex], vertex};
     }
-    std::uint32_t numberOf(const Corner& corner, const ColourSpan& span);
-    void addPiece(const std::vector<Corner>& polygon, const ColourSpan& span);
+    std::uint32_t numberOf(const ColouredCorner& corner, const ColourSpan& span);
+    void addPiece(const std::vector<ColouredCorner>& polygon, const ColourSpan& span);
 
     const TriangleMesh& surface_;
     std::vector<ColourSpan> spans_;
@@ -125,10 +127,10 @@ private:
 
 /// A vertex of the surface itself where that has the span's colour, else a new one: at a cut, and on a step's lower
 /// side.
-std::uint32_t Colouring::numberOf(const Corner& corner, const ColourSpan& span)
+std::uint32_t Colouring::numberOf(const ColouredCorner& corner, const ColourSpan& span)
 {
     const Colour colour = span.at(corner.value);
-    if (corner.vertex != cut && coloured_.colours[corner.vertex] == colour)
+    if (corner.vertex != isNewVertex && coloured_.colours[corner.vertex] == colour)
         return corner.vertex;
     const auto number = static_cast<std::uint32_t>(coloured_.positions.size());
     coloured_.positions.push_back(corner.position.cast<float>());
@@ -138,12 +140,12 @@ std::uint32_t Colouring::numberOf(const Corner& corner, const ColourSpan& span)
     return number;
 }
 
-void Colouring::addPiece(const std::vector<Corner>& polygon, const ColourSpan& span)
+void Colouring::addPiece(const std::vector<ColouredCorner>& polygon, const ColourSpan& span)
 {
     if (polygon.size() < 3)
         return;
     std::vector<std::uint32_t> numbers;
-    for (const Corner& corner : polygon)
+    for (const ColouredCorner& corner : polygon)
         numbers.push_back(numberOf(corner, span));
     for (std::size_t i = 2; i < numbers.size(); ++i)
         coloured_.triangles.push_back({numbers[0], numbers[i - 1], numbers[i]});
@@ -151,11 +153,11 @@ void Colouring::addPiece(const std::vector<Corner>& polygon, const ColourSpan& s
 
 void Colouring::add(const std::array<std::uint32_t, 3>& triangle)
 {
-    const std::vector<Corner> corners = {cornerOf(triangle[0]), cornerOf(triangle[1]), cornerOf(triangle[2])};
-    const auto [least, largest] = std::ranges::minmax(corners, {}, &Corner::value);
+    const std::vector<ColouredCorner> corners = {cornerOf(triangle[0]), cornerOf(triangle[1]), cornerOf(triangle[2])};
+    const auto [least, largest] = std::ranges::minmax(corners, {}, &ColouredCorner::value);
     // Cut upwards from the span of the smallest value; of a triangle of one value only that is there.
     std::size_t span = spanOf(spans_, least.value);
-    std::vector<Corner> rest = corners;
+    std::vector<ColouredCorner> rest = corners;
     for (; spans_[span].largest < largest.value; ++span) {
         addPiece(sideOf(rest, spans_[span].largest, false), spans_[span]);
         rest = sideOf(rest, spans_[span].largest, true);

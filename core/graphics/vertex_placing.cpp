@@ -15,7 +15,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::size_t fetchedAhead = 24;
+constexpr std::size_t edgesFetchedAhead = 24;
 constexpr std::size_t blockSize = 64;
 
 using Components = std::array<std::array<float, blockSize>, 3>;
@@ -36,7 +36,7 @@ void load(const TetrahedralMesh& mesh, std::span<const Eigen::Vector3f> gradient
           double isovalue, std::size_t first, std::size_t count, VertexBlock& block)
 {
     for (std::size_t i = 0; i < count; ++i) {
-        for (const std::uint32_t end : endsOf(edges[std::min(first + i + fetchedAhead, edges.size() - 1)])) {
+        for (const std::uint32_t end : endsOf(edges[std::min(first + i + edgesFetchedAhead, edges.size() - 1)])) {
             __builtin_prefetch(&mesh.positions[end]);
             __builtin_prefetch(&mesh.values[end]);
             __builtin_prefetch(&gradients[end]);
@@ -88,8 +88,8 @@ TETRA_SIMD_CLONES void compute(VertexBlock& block, double isovalue)
     }
 }
 
-void store(const VertexBlock& block, std::size_t first, std::size_t count, TriangleMesh& surface,
-           PlacingFindings& found)
+void storeBlock(const VertexBlock& block, std::size_t first, std::size_t count, TriangleMesh& surface,
+                PlacingFindings& found)
 {
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t vertex = first + i;
@@ -119,7 +119,7 @@ PlacingFindings placeVertices(const TetrahedralMesh& mesh, std::span<const Eigen
             const std::size_t count = std::min(blockSize, range.end() - first);
             load(mesh, gradients, edges, isovalue, first, count, block);
             compute(block, isovalue);
-            store(block, first, count, surface, mine);
+            storeBlock(block, first, count, surface, mine);
         }
     });
     PlacingFindings all;

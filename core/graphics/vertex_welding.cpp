@@ -9,12 +9,12 @@
 namespace tetra {
 namespace {
 
-constexpr std::size_t grain = 1 << 13;
+constexpr std::size_t tiesAtOnce = 1 << 13;
 constexpr std::uint32_t welded = 0xffffffff;
 
 /// The new number of each vertex; those that are welded get the number of the first of their place. Their positions
 /// and normals go.
-Buffer<std::uint32_t> renumber(std::span<const Tie> ties, TriangleMesh& surface)
+Buffer<std::uint32_t> renumberVertices(std::span<const Tie> ties, TriangleMesh& surface)
 {
     const std::size_t count = surface.positions.size();
     Buffer<std::uint32_t> numbers(count);
@@ -42,8 +42,8 @@ Buffer<std::uint32_t> renumber(std::span<const Tie> ties, TriangleMesh& surface)
 
 void weldAtMeshVertices(std::span<const Tie> ties, TriangleMesh& surface)
 {
-    const Buffer<std::uint32_t> numbers = renumber(ties, surface);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surface.triangles.size(), grain), [&](const auto& range) {
+    const Buffer<std::uint32_t> numbers = renumberVertices(ties, surface);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surface.triangles.size(), tiesAtOnce), [&](const auto& range) {
         for (std::size_t t = range.begin(); t != range.end(); ++t)
             for (std::uint32_t& corner : surface.triangles[t])
                 corner = numbers[corner];

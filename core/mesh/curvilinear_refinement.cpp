@@ -12,13 +12,13 @@ namespace tetra {
 namespace {
 
 /// What comes next, and the key of the mesh before it.
-struct Choice {
+struct NextPoint {
     CurvilinearMesh::Candidate candidate;
     float key = 0;
     bool consistent = true;
 };
 
-Choice chooseNormalised(CurvilinearMesh& mesh)
+NextPoint chooseNormalised(CurvilinearMesh& mesh)
 {
     if (const CurvilinearMesh::Candidate flipped = mesh.flipped(); flipped.exists())
         return {flipped, std::numeric_limits<float>::infinity(), false};
@@ -26,7 +26,7 @@ Choice chooseNormalised(CurvilinearMesh& mesh)
     return {worst, worst.measure};
 }
 
-Choice chooseAsThePaper(CurvilinearMesh& mesh)
+NextPoint chooseAsThePaper(CurvilinearMesh& mesh)
 {
     const CurvilinearMesh::Candidate error = mesh.worst();
     const CurvilinearMesh::Candidate warping = mesh.worstWarping();
@@ -65,7 +65,7 @@ Result<CurvilinearRefinementResult> refine(const LiftedGrid& grid, const BlockDi
     constexpr std::uint64_t workBetweenReports = 1u << 20;
     std::uint64_t work = 0;
     for (;;) {
-        const Choice choice =
+        const NextPoint choice =
             options.selection == CurvilinearSelection::Paper ? chooseAsThePaper(mesh) : chooseNormalised(mesh);
         if (choice.consistent && choice.key <= options.stopKey) {
             if (Status status = sink.finish(choice.key); !status)

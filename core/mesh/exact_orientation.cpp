@@ -14,7 +14,7 @@ namespace tetra {
 
 namespace {
 
-using Point = std::array<double, 3>;
+using SpacePoint = std::array<double, 3>;
 
 /// A sum of doubles without rounding: its terms do not overlap and grow in size, so that the last has the sum's sign.
 class ExactSum {
@@ -48,7 +48,7 @@ public:
         addProduct(high, z);
     }
     /// Adds or subtracts det(u, v, w).
-    void addDeterminant(const Point& u, const Point& v, const Point& w, double sign)
+    void addDeterminant(const SpacePoint& u, const SpacePoint& v, const SpacePoint& w, double sign)
     {
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t next = (k + 1) % 3, last = (k + 2) % 3;
@@ -65,12 +65,12 @@ private:
 };
 
 /// A double as mantissa * 2^exponent, the mantissa odd or 0.
-struct Parts {
+struct NumberParts {
     std::int64_t mantissa;
     int exponent;
 };
 
-Parts partsOf(double number)
+NumberParts splitNumber(double number)
 {
     constexpr int mantissaBits = 52, bias = 1075;
     const auto bits = std::bit_cast<std::uint64_t>(number);
@@ -86,12 +86,12 @@ Parts partsOf(double number)
 
 /// The sign of det(b - a, c - a, d - a) by integers of 128 bits, where the differences are whole multiples below 2^41
 /// of one power of two, as those of floats and of points in a plane along the axes mostly are.
-std::optional<int> integerSign(const Point& a, const Point& b, const Point& c, const Point& d)
+std::optional<int> integerSign(const SpacePoint& a, const SpacePoint& b, const SpacePoint& c, const SpacePoint& d)
 {
     constexpr int mostBits = 41;
-    std::array<std::array<Parts, 3>, 3> parts{};
+    std::array<std::array<NumberParts, 3>, 3> parts{};
     int lowest = std::numeric_limits<int>::max(), highest = std::numeric_limits<int>::min();
-    const std::array<const Point*, 3> others = {&b, &c, &d};
+    const std::array<const SpacePoint*, 3> others = {&b, &c, &d};
     for (std::size_t row = 0; row < 3; ++row)
         for (std::size_t k = 0; k < 3; ++k) {
             const double to = (*others[row])[k], from = a[k];
@@ -99,7 +99,7 @@ std::optional<int> integerSign(const Point& a, const Point& b, const Point& c, c
             const double kept = to - difference;
             if (to - (difference + kept) + (kept - from) != 0)
                 return std::nullopt;
-            const Parts part = parts[row][k] = partsOf(difference);
+            const NumberParts part = parts[row][k] = splitNumber(difference);
             if (part.mantissa == 0)
                 continue;
             lowest = std::min(lowest, part.exponent);
@@ -111,7 +111,7 @@ std::optional<int> integerSign(const Point& a, const Point& b, const Point& c, c
     std::array<std::array<__int128, 3>, 3> m{};
     for (std::size_t row = 0; row < 3; ++row)
         for (std::size_t k = 0; k < 3; ++k)
-            if (const Parts part = parts[row][k]; part.mantissa != 0)
+            if (const NumberParts part = parts[row][k]; part.mantissa != 0)
                 m[row][k] = static_cast<__int128>(part.mantissa) * (std::int64_t(1) << (part.exponent - lowest));
     const __int128 determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) +
                                  m[0][1] * (m[1][2] * m[2][0] - m[1][0] * m[2][2]) +
@@ -119,7 +119,7 @@ std::optional<int> integerSign(const Point& a, const Point& b, const Point& c, c
     return determinant > 0 ? 1 : determinant < 0 ? -1 : 0;
 }
 
-int exactSign(const Point& a, const Point& b, const Point& c, const Point& d)
+int exactSign(const SpacePoint& a, const SpacePoint& b, const SpacePoint& c, const SpacePoint& d)
 {
     ExactSum sum;
     sum.addDeterminant(b, c, d, 1);
@@ -136,7 +136,7 @@ double lostOf(double minuend, double subtrahend, double difference)
     return (minuend - (difference + part)) + (part - subtrahend);
 }
 
-bool areExactOffsets(const Point& from, const Point& to, const Point& offset)
+bool areExactOffsets(const SpacePoint& from, const SpacePoint& to, const SpacePoint& offset)
 {
     for (std::size_t k = 0; k < 3; ++k) {
         if (lostOf(to[k], from[k], offset[k]) != 0)
@@ -145,14 +145,14 @@ bool areExactOffsets(const Point& from, const Point& to, const Point& offset)
     return true;
 }
 
-Point offsetOf(const Point& from, const Point& to)
+SpacePoint offsetOf(const SpacePoint& from, const SpacePoint& to)
 {
     return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
 }
 
 /// The sign of det(u, v, w) if rounding cannot have changed it; 0 only of what has a zero in every product. The vectors
 /// may be rounded differences.
-std::optional<int> roundedSign(const Point& u, const Point& v, const Point& w)
+std::optional<int> roundedSign(const SpacePoint& u, const SpacePoint& v, const SpacePoint& w)
 {
     double determinant = 0;
     double magnitude = 0;
@@ -171,9 +171,9 @@ std::optional<int> roundedSign(const Point& u, const Point& v, const Point& w)
 }
 
 /// The cross product, if nothing is rounded in it.
-std::optional<Point> exactNormal(const Point& u, const Point& v)
+std::optional<SpacePoint> exactNormal(const SpacePoint& u, const SpacePoint& v)
 {
-    Point normal{};
+    SpacePoint normal{};
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t next = (k + 1) % 3, last = (k + 2) % 3;
         const double plus = u[next] * v[last], minus = u[last] * v[next];
@@ -186,7 +186,7 @@ std::optional<Point> exactNormal(const Point& u, const Point& v)
 }
 
 /// The sign of normal . (to - from).
-int heightSign(const Point& normal, const Point& from, const Point& to)
+int heightSign(const SpacePoint& normal, const SpacePoint& from, const SpacePoint& to)
 {
     ExactSum sum;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -200,9 +200,9 @@ int heightSign(const Point& normal, const Point& from, const Point& to)
 
 } // namespace
 
-int orientationSign(const Point& a, const Point& b, const Point& c, const Point& d)
+int orientationSign(const SpacePoint& a, const SpacePoint& b, const SpacePoint& c, const SpacePoint& d)
 {
-    const Point u = offsetOf(a, b), v = offsetOf(a, c), w = offsetOf(a, d);
+    const SpacePoint u = offsetOf(a, b), v = offsetOf(a, c), w = offsetOf(a, d);
     if (const auto sign = roundedSign(u, v, w))
         return *sign;
     if (a == b || a == c || a == d || b == c || b == d || c == d)
@@ -222,9 +222,9 @@ int orientationSign(const Point& a, const Point& b, const Point& c, const Point&
     return exactSign(a, b, c, d);
 }
 
-int directionSign(const Point& a, const Point& b, const Point& c, const Point& direction)
+int directionSign(const SpacePoint& a, const SpacePoint& b, const SpacePoint& c, const SpacePoint& direction)
 {
-    const Point u = offsetOf(a, b), v = offsetOf(a, c);
+    const SpacePoint u = offsetOf(a, b), v = offsetOf(a, c);
     if (const auto sign = roundedSign(u, v, direction))
         return *sign;
     ExactSum sum;

@@ -12,7 +12,7 @@
 namespace tetra {
 namespace {
 
-using Cell = std::array<std::uint32_t, 4>;
+using MeshCell = std::array<std::uint32_t, 4>;
 
 /// A face whose other side is not known yet.
 struct OpenFace {
@@ -34,7 +34,7 @@ struct OpenFace {
 constexpr OpenFace noFace{~std::uint64_t(0), FaceAdjacency::none, FaceAdjacency::none};
 
 /// The faces of a cell, its corners sorted without branches.
-std::array<OpenFace, 4> facesOf(const Cell& cell, std::uint32_t index) noexcept
+std::array<OpenFace, 4> facesOf(const MeshCell& cell, std::uint32_t index) noexcept
 {
     std::uint64_t corners[4];
     for (std::size_t i = 0; i < 4; ++i)
@@ -62,11 +62,12 @@ class BlockMatcher {
 public:
     static constexpr std::size_t blockSize = std::size_t(1) << 16;
 
-    explicit BlockMatcher(Buffer<Cell>& neighbours) : neighbours_(neighbours), table_(tableSize), left_(4 * blockSize)
+    explicit BlockMatcher(Buffer<MeshCell>& neighbours)
+        : neighbours_(neighbours), table_(tableSize), left_(4 * blockSize)
     {
     }
 
-    Buffer<OpenFace> match(std::span<const Cell> cells, std::size_t first, std::size_t end)
+    Buffer<OpenFace> match(std::span<const MeshCell> cells, std::size_t first, std::size_t end)
     {
         std::ranges::fill(table_, noFace);
         std::size_t left = 0;
@@ -100,7 +101,7 @@ private:
 
     std::uint32_t& sideOf(std::uint32_t name) { return neighbours_.data()[name >> 2][name & 3]; }
 
-    Buffer<Cell>& neighbours_;
+    Buffer<MeshCell>& neighbours_;
     Buffer<OpenFace> table_;
     Buffer<OpenFace> left_;
 };
@@ -136,7 +137,7 @@ public:
         });
     }
 
-    void match(Buffer<Cell>& neighbours) const
+    void match(Buffer<MeshCell>& neighbours) const
     {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, partCount()), [&](const auto& range) {
             std::vector<OpenFace> table;
@@ -151,7 +152,7 @@ private:
     std::size_t partCount() const { return std::size_t(1) << partBits_; }
     std::size_t partOf(const OpenFace& face) const { return face.hash() & (partCount() - 1); }
 
-    static void matchPart(std::span<const OpenFace> faces, std::vector<OpenFace>& table, Buffer<Cell>& neighbours)
+    static void matchPart(std::span<const OpenFace> faces, std::vector<OpenFace>& table, Buffer<MeshCell>& neighbours)
     {
         const std::size_t room = std::bit_ceil(2 * faces.size() + 1);
         const int shift = 64 - std::countr_zero(room);
@@ -176,7 +177,7 @@ private:
     Buffer<OpenFace> faces_;
 };
 
-Buffer<std::uint8_t> innerFacesOf(const Buffer<Cell>& neighbours)
+Buffer<std::uint8_t> innerFacesOf(const Buffer<MeshCell>& neighbours)
 {
     Buffer<std::uint8_t> inner(neighbours.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, inner.size(), 1 << 14), [&](const auto& range) {
@@ -192,7 +193,7 @@ Buffer<std::uint8_t> innerFacesOf(const Buffer<Cell>& neighbours)
 
 } // namespace
 
-FaceAdjacency matchFaces(std::span<const Cell> tetrahedra)
+FaceAdjacency matchFaces(std::span<const MeshCell> tetrahedra)
 {
     constexpr std::size_t blockSize = BlockMatcher::blockSize;
     FaceAdjacency adjacency;

@@ -12,7 +12,7 @@ namespace {
 using Offset = std::array<double, 3>;
 
 /// Tetrahedra between two looks at whether the work was cancelled.
-constexpr std::size_t tetrahedraAtOnce = 1 << 16;
+constexpr std::size_t loadedAtOnce = 1 << 16;
 
 Offset offset(const PackedLattice& lattice, PackedPoint from, PackedPoint to)
 {
@@ -20,7 +20,7 @@ Offset offset(const PackedLattice& lattice, PackedPoint from, PackedPoint to)
             static_cast<double>(lattice.z(to) - lattice.z(from))};
 }
 
-Offset cross(const Offset& a, const Offset& b)
+Offset crossOf(const Offset& a, const Offset& b)
 {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -37,7 +37,7 @@ std::array<double, 4> sphereOf(const PackedLattice& lattice, const std::array<Pa
     const Offset a = offset(lattice, vertices[0], vertices[1]);
     const Offset b = offset(lattice, vertices[0], vertices[2]);
     const Offset c = offset(lattice, vertices[0], vertices[3]);
-    const Offset bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+    const Offset bc = crossOf(b, c), ca = crossOf(c, a), ab = crossOf(a, b);
     const double squareA = square(a, weights), squareB = square(b, weights), squareC = square(c, weights);
     std::array<double, 4> sphere{};
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -104,7 +104,7 @@ MeshLoading LatticeDelaunay::loadTetrahedra(std::span<const std::array<PackedPoi
     std::array<std::uint32_t, atOnce> borders{};
     std::uint64_t volume = 0;
     for (std::size_t first = 0; first < tetrahedra.size(); first += atOnce) {
-        if (first % tetrahedraAtOnce == 0 && progress.cancelled())
+        if (first % loadedAtOnce == 0 && progress.cancelled())
             return MeshLoading::Cancelled;
         const std::size_t count = std::min(atOnce, tetrahedra.size() - first);
         for (std::size_t i = 0; i < count; ++i) {
@@ -147,7 +147,7 @@ MeshLoading LatticeDelaunay::loadTetrahedra(std::span<const std::array<PackedPoi
 MeshLoading LatticeDelaunay::checkDelaunay(const Progress& progress) const
 {
     for (std::uint32_t slot = 0; slot < slotCount_; ++slot) {
-        if (slot % tetrahedraAtOnce == 0 && progress.cancelled())
+        if (slot % loadedAtOnce == 0 && progress.cancelled())
             return MeshLoading::Cancelled;
         const DelaunayTetrahedron& one = at(slot);
         for (const std::uint32_t neighbour : one.neighbours) {

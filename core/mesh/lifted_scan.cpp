@@ -14,9 +14,9 @@ namespace tetra {
 namespace {
 
 /// What is so little below a limit may be beyond it, but for rounding.
-constexpr double nearly = 1 - 1e-12;
+constexpr double nearlyOneLifted = 1 - 1e-12;
 
-using Place = std::array<std::int32_t, 3>;
+using LatticePlace = std::array<std::int32_t, 3>;
 using Lifted = Eigen::Array4d; ///< x, y, z and the value
 
 /// One tetrahedron in computational space, and what it has at its vertices in physical space.
@@ -41,13 +41,13 @@ public:
     }
 
     /// Where the bounding box begins and ends.
-    Place first{}, last{};
+    LatticePlace first{}, last{};
 
-    bool isCorner(const Place& place) const { return std::ranges::find(corners_, place) != corners_.end(); }
+    bool isCorner(const LatticePlace& place) const { return std::ranges::find(corners_, place) != corners_.end(); }
 
     /// What the point has less what the tetrahedron makes of its vertices there; false if it lies outside. Volumes of
     /// integers, so exact.
-    bool residual(const Place& place, const LiftedPoint& point, Lifted& result) const
+    bool residual(const LatticePlace& place, const LiftedPoint& point, Lifted& result) const
     {
         const Eigen::Vector3d offset(place[0] - corners_[0][0], place[1] - corners_[0][1], place[2] - corners_[0][2]);
         std::array<double, 4> volumes{};
@@ -70,7 +70,7 @@ private:
     }
 
     double determinant_;
-    std::array<Place, 4> corners_{};
+    std::array<LatticePlace, 4> corners_{};
     std::array<Lifted, 4> lifted_;
     std::array<Eigen::Vector3d, 3> normals_; ///< towards the corners 1, 2, 3
 };
@@ -87,7 +87,7 @@ public:
     {
         const DelaunayTetrahedron& tetrahedron = mesh_.mesh()[slot];
         const LiftedTetrahedron lifted(lattice_, grid_, tetrahedron);
-        Place first = lifted.first, last = lifted.last;
+        LatticePlace first = lifted.first, last = lifted.last;
         if (part == ScannedPart::Limited)
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 first[axis] = std::max(first[axis], limits_.first[axis]);
@@ -96,7 +96,7 @@ public:
         WorstSample worst;
         worst.slot = slot;
         worst.tetrahedron = tetrahedron.vertices;
-        Place place{};
+        LatticePlace place{};
         for (place[2] = first[2]; place[2] <= last[2]; ++place[2])
             for (place[1] = first[1]; place[1] <= last[1]; ++place[1])
                 for (place[0] = first[0]; place[0] <= last[0]; ++place[0])
@@ -105,7 +105,7 @@ public:
     }
 
 private:
-    void compare(const LiftedTetrahedron& lifted, const Place& place, WorstSample& worst) const
+    void compare(const LiftedTetrahedron& lifted, const LatticePlace& place, WorstSample& worst) const
     {
         const PackedPoint point =
             lattice_.pack(static_cast<std::uint32_t>(place[0]), static_cast<std::uint32_t>(place[1]),
@@ -129,7 +129,7 @@ private:
     /// How far beyond its limit, 0 if not at all. What rounding alone makes is nothing.
     static double excessOf(double amount, double limit, double least)
     {
-        return amount > least && amount > limit * nearly ? amount / limit : 0;
+        return amount > least && amount > limit * nearlyOneLifted ? amount / limit : 0;
     }
 
     const LocalDelaunay& mesh_;

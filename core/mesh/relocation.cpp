@@ -12,7 +12,7 @@ namespace tetra {
 namespace {
 
 /// Point arrays are padded to what the search tests at a time.
-constexpr std::size_t lanes = coneSearchLanes;
+constexpr std::size_t relocationLanes = coneSearchLanes;
 
 /// Coordinates relative to the apex, eight points at a time.
 TETRA_SIMD_CLONES void unpackPoints(const PackedLattice& lattice, PackedPoint apex, const PackedPoint* points,
@@ -20,7 +20,7 @@ TETRA_SIMD_CLONES void unpackPoints(const PackedLattice& lattice, PackedPoint ap
 {
     const std::int32_t apexX = lattice.x(apex), apexY = lattice.y(apex), apexZ = lattice.z(apex);
     const PackedLattice local = lattice;
-    for (std::size_t i = 0; i < count; i += lanes) {
+    for (std::size_t i = 0; i < count; i += relocationLanes) {
         Int8 packed, pointX, pointY, pointZ;
         std::memcpy(&packed, points + i, sizeof packed);
         local.unpack(packed, pointX, pointY, pointZ);
@@ -69,7 +69,7 @@ void Relocation::run(const PackedLattice& lattice, const LatticeSamples& samples
     if (points_.capacity() > std::max(roomWorthKeeping, 16 * points.size()))
         *this = Relocation();
     // The padding repeats the apex, which every tetrahedron has.
-    const std::size_t padded = (points.size() + lanes - 1) / lanes * lanes;
+    const std::size_t padded = (points.size() + relocationLanes - 1) / relocationLanes * relocationLanes;
     points_.resize(padded);
     std::ranges::copy(points, points_.begin());
     std::fill(points_.begin() + static_cast<std::ptrdiff_t>(points.size()), points_.end(), star.apex());

@@ -22,7 +22,7 @@ namespace tetra {
 namespace {
 
 /// Sums of a few products in floats are off by less than this, in parts of the largest of these.
-constexpr double roundingShare = 2e-6;
+constexpr double sampleRounding = 2e-6;
 /// Beyond this floats cannot be relied on.
 constexpr double largestNumber = 1e30;
 constexpr std::int32_t rowsAtOnce = 16;
@@ -118,7 +118,7 @@ private:
         const Double4 perY = slopeY * scale, perZ = slopeZ * scale;
         const Double4 sizeAt = at < 0.0 ? -at : at, sizeY = perY < 0.0 ? -perY : perY,
                       sizeZ = perZ < 0.0 ? -perZ : perZ;
-        const Double4 room = roundingShare * (1.0 + extent[0] + sizeAt + sizeY * extent[1] + sizeZ * extent[2]);
+        const Double4 room = sampleRounding * (1.0 + extent[0] + sizeAt + sizeY * extent[1] + sizeZ * extent[2]);
         const Double4 widened = slopeX > 0.0 ? at - room : at + room;
         fromBelow_ = {planes.slopeX[0] > 0, planes.slopeX[1] > 0, planes.slopeX[2] > 0, planes.slopeX[3] > 0};
         bound_ = __builtin_convertvector(widened, Float4);
@@ -134,8 +134,8 @@ private:
         fieldZ_ = static_cast<float>(fieldZ);
         const double magnitude = reach_ + std::abs(field) + std::abs(fieldX) * extent[0] +
                                  std::abs(fieldY) * extent[1] + std::abs(fieldZ) * extent[2];
-        least_ = static_cast<float>(limits_.least - roundingShare * magnitude);
-        most_ = static_cast<float>(limits_.most - roundingShare * magnitude);
+        least_ = static_cast<float>(limits_.least - sampleRounding * magnitude);
+        most_ = static_cast<float>(limits_.most - sampleRounding * magnitude);
         const auto& size = lattice_.size();
         const std::size_t count = std::size_t(size[0]) * size[1] * size[2];
         const bool isNumbered = (extent[1] + 1) * (extent[2] + 1) <= mostRows &&

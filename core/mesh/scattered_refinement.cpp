@@ -18,14 +18,14 @@ namespace tetra {
 
 namespace {
 
-constexpr std::uint32_t none = ScatteredDelaunay::none;
+constexpr std::uint32_t noCell = ScatteredDelaunay::none;
 
 /// What is kept of a cell of the mesh.
 struct CellState {
     std::uint32_t history = 0;             ///< its number in the history
     std::array<std::uint32_t, 4> points{}; ///< its corners
     std::vector<std::uint32_t> inside;     ///< points in it that are no sites
-    std::uint32_t worst = none;            ///< that of the largest error, the first of them; none: no point has one
+    std::uint32_t worst = noCell;          ///< that of the largest error, the first of them; none: no point has one
     float error = 0;                       ///< its error, never rounded down
 };
 
@@ -41,7 +41,7 @@ class Refinement {
 public:
     Refinement(const ScatteredPoints& points, double stopError, HistorySink& sink)
         : points_(points), stopError_(stopError), sink_(sink), delaunay_(points.positions),
-          siteOfPoint_(points.positions.size(), none)
+          siteOfPoint_(points.positions.size(), noCell)
     {
     }
 
@@ -114,7 +114,7 @@ void Refinement::addInside(std::uint32_t slot, std::uint32_t point)
 void Refinement::closeCell(std::uint32_t slot)
 {
     const CellState& cell = cells_[slot];
-    if (cell.worst == none)
+    if (cell.worst == noCell)
         return;
     queue_.push({cell.error, cell.worst, slot});
     if (counts(cell.error))
@@ -151,10 +151,10 @@ Status Refinement::distribute(const Progress& progress)
                 return cancelledError("The refinement");
             progress.report(0, "Distributing the points");
         }
-        if (siteOfPoint_[point] != none)
+        if (siteOfPoint_[point] != noCell)
             continue;
         const std::uint32_t found = delaunay_.locate(point, slot);
-        if (found == none)
+        if (found == noCell)
             return Error{ErrorKind::BadInput, "Point " + std::to_string(point) +
                                                   " lies outside the convex hull that was computed. Coordinates of so "
                                                   "different magnitudes cannot be used; scale them."};
@@ -171,7 +171,7 @@ Status Refinement::addHull()
 {
     std::vector<std::uint32_t> corners;
     for (std::uint32_t point = 0; point < siteOfPoint_.size(); ++point)
-        if (siteOfPoint_[point] != none) {
+        if (siteOfPoint_[point] != noCell) {
             siteOfPoint_[point] = static_cast<std::uint32_t>(corners.size());
             corners.push_back(point);
         }
@@ -208,7 +208,7 @@ Status Refinement::insertWorst(Candidate candidate)
         CellState& cell = cells_[slot];
         destroyedHistory_.push_back(cell.history);
         moved_.insert(moved_.end(), cell.inside.begin(), cell.inside.end());
-        if (cell.worst != none && counts(cell.error))
+        if (cell.worst != noCell && counts(cell.error))
             pointsAboveStop_ -= cell.inside.size();
         cell = {};
     }
@@ -281,7 +281,7 @@ Result<ScatteredRefinementResult> Refinement::run(const Progress& progress)
 Result<ScatteredRefinementResult> refineScattered(const ScatteredPoints& points, double stopError, HistorySink& sink,
                                                   const Progress& progress)
 {
-    if (points.positions.size() >= none)
+    if (points.positions.size() >= noCell)
         return Error{ErrorKind::OutOfResource, "At most 4294967294 scattered points can be refined. Take a part."};
     try {
         return Refinement(points, stopError, sink).run(progress);

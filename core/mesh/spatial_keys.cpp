@@ -14,14 +14,14 @@
 namespace tetra {
 namespace {
 
-constexpr std::size_t grain = std::size_t(1) << 14;
+constexpr std::size_t pointsKeyedAtOnce = std::size_t(1) << 14;
 constexpr int axisBits = spatialKeyBits / 3;
 constexpr float cubes = 1 << axisBits;
 
-Eigen::AlignedBox3f boxOf(std::span<const Eigen::Vector3f> points)
+Eigen::AlignedBox3f boundsOf(std::span<const Eigen::Vector3f> points)
 {
     return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, points.size(), grain), Eigen::AlignedBox3f(),
+        tbb::blocked_range<std::size_t>(0, points.size(), pointsKeyedAtOnce), Eigen::AlignedBox3f(),
         [&](const auto& range, Eigen::AlignedBox3f box) {
             for (std::size_t i = range.begin(); i != range.end(); ++i)
                 if (points[i].allFinite())
@@ -86,12 +86,12 @@ TETRA_SIMD_CLONES void makeKeys(const float* coordinates, std::size_t first, std
 
 Buffer<KeyedIndex> spatialKeys(std::span<const Eigen::Vector3f> points)
 {
-    const Eigen::AlignedBox3f box = boxOf(points);
+    const Eigen::AlignedBox3f box = boundsOf(points);
     const Eigen::Vector3f origin = box.isEmpty() ? Eigen::Vector3f(0, 0, 0) : box.min();
     const float side = box.isEmpty() ? 0 : box.sizes().maxCoeff();
     const float scale = side > 0 ? cubes / side : 0;
     Buffer<KeyedIndex> keys(points.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), grain), [&](const auto& range) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), pointsKeyedAtOnce), [&](const auto& range) {
         makeKeys(points.data()->data(), range.begin(), range.end(), origin.data(), scale, keys.data());
     });
     return keys;

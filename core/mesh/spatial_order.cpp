@@ -17,12 +17,12 @@
 namespace tetra {
 namespace {
 
-constexpr std::string_view activity = "Ordering the mesh";
-constexpr std::size_t grain = std::size_t(1) << 14;
+constexpr std::string_view orderingMesh = "Ordering the mesh";
+constexpr std::size_t cellsOrderedAtOnce = std::size_t(1) << 14;
 
-using Cell = std::array<std::uint32_t, 4>;
+using MeshCell = std::array<std::uint32_t, 4>;
 
-std::uint32_t smallestOf(const Cell& cell) noexcept
+std::uint32_t smallestOf(const MeshCell& cell) noexcept
 {
     return std::min(std::min(cell[0], cell[1]), std::min(cell[2], cell[3]));
 }
@@ -36,7 +36,7 @@ Buffer<std::uint32_t> orderVertices(const TetrahedralMesh& mesh, TetrahedralMesh
     Buffer<std::uint32_t> numbers(count);
     ordered.positions.resize(count);
     ordered.values.resize(count);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, cellsOrderedAtOnce), [&](const auto& range) {
         for (std::size_t v = range.begin(); v != range.end(); ++v) {
             const std::uint32_t old = keys[v].index;
             numbers[old] = static_cast<std::uint32_t>(v);
@@ -63,7 +63,7 @@ public:
     }
 
     /// Takes the renumbered tetrahedra; false if a corner does not exist.
-    bool take(std::span<const Cell> old, const Buffer<std::uint32_t>& numbers, const Progress& progress)
+    bool take(std::span<const MeshCell> old, const Buffer<std::uint32_t>& numbers, const Progress& progress)
     {
         std::atomic<bool> valid = true;
         tbb::parallel_for(std::size_t(0), places_.size(), [&](std::size_t block) {
@@ -71,7 +71,7 @@ public:
             if (progress.cancelled())
                 return;
             for (std::size_t i = block * blockSize_; i < endOf(block); ++i) {
-                Cell& cell = cells_[i];
+                MeshCell& cell = cells_[i];
                 for (std::size_t corner = 0; corner < 4; ++corner) {
                     const std::uint32_t vertex = old[i][corner];
                     if (vertex >= vertexCount_) {
@@ -86,7 +86,7 @@ public:
         return valid;
     }
 
-    void deal(Buffer<Cell>& dealt, const Progress& progress)
+    void deal(Buffer<MeshCell>& dealt, const Progress& progress)
     {
         dealt.resize(cells_.size());
         const std::vector<std::size_t> first = placesFromCounts();
@@ -122,18 +122,18 @@ private:
     }
 
     /// What was taken is not needed any more: its memory, from `first` on, takes the copy.
-    void orderPart(std::span<Cell> part, std::size_t first, std::vector<std::size_t>& places)
+    void orderPart(std::span<MeshCell> part, std::size_t first, std::vector<std::size_t>& places)
     {
         const std::span copy = std::span(cells_).subspan(first, part.size());
         std::ranges::copy(part, copy.begin());
         const std::uint32_t mask = (1u << partShift_) - 1;
         places.assign(std::size_t(mask) + 1, 0);
-        for (const Cell& cell : copy)
+        for (const MeshCell& cell : copy)
             ++places[smallestOf(cell) & mask];
         std::size_t place = 0;
         for (std::size_t& of : places)
             place += std::exchange(of, place);
-        for (const Cell& cell : copy)
+        for (const MeshCell& cell : copy)
             part[places[smallestOf(cell) & mask]++] = cell;
     }
 
@@ -141,26 +141,26 @@ private:
     std::size_t blockSize_;
     int partShift_ = 0;
     std::size_t partCount_ = 0;
-    Buffer<Cell> cells_;
+    Buffer<MeshCell> cells_;
     std::vector<std::vector<std::size_t>> places_; ///< for each block and part
 };
 
 Result<TetrahedralMesh> order(const TetrahedralMesh& mesh, const Progress& progress)
 {
-    progress.report(0, activity);
+    progress.report(0, orderingMesh);
     TetrahedralMesh ordered;
     const Buffer<std::uint32_t> numbers = orderVertices(mesh, ordered, progress);
     if (progress.cancelled())
-        return cancelledError(activity);
-    progress.report(0.3, activity);
+        return cancelledError(orderingMesh);
+    progress.report(0.3, orderingMesh);
     CellDeal deal(mesh.positions.size(), mesh.tetrahedra.size());
     if (!deal.take(mesh.tetrahedra, numbers, progress))
         return Error{ErrorKind::WrongUsage, "A tetrahedron has a corner that does not exist."};
-    progress.report(0.6, activity);
+    progress.report(0.6, orderingMesh);
     deal.deal(ordered.tetrahedra, progress);
     if (progress.cancelled())
-        return cancelledError(activity);
-    progress.report(1, activity);
+        return cancelledError(orderingMesh);
+    progress.report(1, orderingMesh);
     return ordered;
 }
 

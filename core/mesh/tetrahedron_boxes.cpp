@@ -15,7 +15,7 @@ std::uint16_t shortened(std::int32_t coordinate)
     return static_cast<std::uint16_t>(std::clamp(coordinate, 0, 0xffff));
 }
 
-constexpr std::size_t atOnce = 4096;
+constexpr std::size_t boxesAtOnce = 4096;
 
 TETRA_SIMD_CLONES void keepMeeting(const std::uint16_t* first, const std::uint16_t* last, std::size_t count,
                                    std::uint16_t from, std::uint16_t to, std::uint16_t* meets)
@@ -54,9 +54,9 @@ void TetrahedronBoxes::findMeeting(const std::array<std::int32_t, 3>& first, con
     for (std::size_t axis = 0; axis < 3; ++axis)
         if (first[axis] > last[axis])
             return;
-    std::array<std::uint16_t, atOnce> meets{};
-    for (std::size_t start = 0; start < count; start += atOnce) {
-        const std::size_t piece = std::min(atOnce, count - start);
+    std::array<std::uint16_t, boxesAtOnce> meets{};
+    for (std::size_t start = 0; start < count; start += boxesAtOnce) {
+        const std::size_t piece = std::min(boxesAtOnce, count - start);
         meets.fill(1);
         for (std::size_t axis = 0; axis < 3; ++axis)
             keepMeeting(first_[axis].data() + start, last_[axis].data() + start, piece, shortened(first[axis]),

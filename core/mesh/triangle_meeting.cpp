@@ -12,12 +12,12 @@ namespace tetra {
 
 namespace {
 
-using Point = std::array<double, 3>;
-using Corners = std::array<Point, 3>;
+using TrianglePoint = std::array<double, 3>;
+using ExactCorners = std::array<TrianglePoint, 3>;
 
-Corners cornersOf(std::span<const Eigen::Vector3d> positions, const SurfaceTriangle& triangle)
+ExactCorners cornersOf(std::span<const Eigen::Vector3d> positions, const SurfaceTriangle& triangle)
 {
-    Corners corners;
+    ExactCorners corners;
     for (std::size_t i = 0; i < 3; ++i) {
         const Eigen::Vector3d& p = positions[triangle[i]];
         corners[i] = {p.x(), p.y(), p.z()};
@@ -26,14 +26,14 @@ Corners cornersOf(std::span<const Eigen::Vector3d> positions, const SurfaceTrian
 }
 
 /// The side of r of the line from p to q, seen along an axis.
-int sideAlong(std::size_t axis, const Point& p, const Point& q, const Point& r)
+int sideAlong(std::size_t axis, const TrianglePoint& p, const TrianglePoint& q, const TrianglePoint& r)
 {
     const std::size_t x = (axis + 1) % 3, y = (axis + 2) % 3;
     return orientationSign({p[x], p[y], 0}, {q[x], q[y], 0}, {r[x], r[y], 0}, {p[x], p[y], 1});
 }
 
 /// An axis along which the triangle is seen with an area; 3 if it has none.
-std::size_t viewingAxis(const Corners& t)
+std::size_t viewingAxis(const ExactCorners& t)
 {
     std::array<double, 3> area{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -50,7 +50,7 @@ std::size_t viewingAxis(const Corners& t)
 }
 
 /// Whether r, on the line through p and q, is between them or one of them.
-bool isBetween(const Point& p, const Point& q, const Point& r)
+bool isBetween(const TrianglePoint& p, const TrianglePoint& q, const TrianglePoint& r)
 {
     for (std::size_t k = 0; k < 3; ++k) {
         if (r[k] < std::min(p[k], q[k]) || r[k] > std::max(p[k], q[k]))
@@ -60,7 +60,8 @@ bool isBetween(const Point& p, const Point& q, const Point& r)
 }
 
 /// In one plane that is not seen edge-on along the axis; ends count.
-bool segmentsMeetInPlane(std::size_t axis, const Point& p, const Point& q, const Point& r, const Point& s)
+bool segmentsMeetInPlane(std::size_t axis, const TrianglePoint& p, const TrianglePoint& q, const TrianglePoint& r,
+                         const TrianglePoint& s)
 {
     const int rSide = sideAlong(axis, p, q, r), sSide = sideAlong(axis, p, q, s);
     if (rSide * sSide > 0)
@@ -73,7 +74,7 @@ bool segmentsMeetInPlane(std::size_t axis, const Point& p, const Point& q, const
     return isBetween(p, q, r) || isBetween(p, q, s) || isBetween(r, s, p);
 }
 
-bool segmentMeetsInPlane(const Point& p, const Point& q, const Corners& t)
+bool segmentMeetsInPlane(const TrianglePoint& p, const TrianglePoint& q, const ExactCorners& t)
 {
     const std::size_t axis = viewingAxis(t);
     if (axis == 3)
@@ -91,13 +92,13 @@ bool segmentMeetsInPlane(const Point& p, const Point& q, const Corners& t)
     return false;
 }
 
-int sideOf(const Corners& t, const Point& p)
+int sideOf(const ExactCorners& t, const TrianglePoint& p)
 {
     return orientationSign(t[0], t[1], t[2], p);
 }
 
 /// Of a segment whose ends are on the given sides of the triangle's plane; ends and edges count.
-bool segmentMeets(const Point& p, const Point& q, int pSide, int qSide, const Corners& t)
+bool segmentMeets(const TrianglePoint& p, const TrianglePoint& q, int pSide, int qSide, const ExactCorners& t)
 {
     if (pSide * qSide > 0)
         return false;
@@ -114,7 +115,7 @@ bool segmentMeets(const Point& p, const Point& q, int pSide, int qSide, const Co
     return true;
 }
 
-bool anyEdgeMeets(const Corners& edges, const std::array<int, 3>& sides, const Corners& t)
+bool anyEdgeMeets(const ExactCorners& edges, const std::array<int, 3>& sides, const ExactCorners& t)
 {
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t next = (i + 1) % 3;
@@ -129,7 +130,7 @@ bool allOnOneSide(const std::array<int, 3>& sides)
     return sides[0] != 0 && sides[0] == sides[1] && sides[0] == sides[2];
 }
 
-bool strangersMeet(const Corners& one, const Corners& other)
+bool strangersMeet(const ExactCorners& one, const ExactCorners& other)
 {
     for (std::size_t k = 0; k < 3; ++k) {
         const auto [low, high] = std::minmax({one[0][k], one[1][k], one[2][k]});
@@ -147,7 +148,7 @@ bool strangersMeet(const Corners& one, const Corners& other)
 }
 
 /// Their first corner is the same: whoever leaves it inside both comes to the opposite edge of one.
-bool meetBesideCorner(const Corners& one, const Corners& other)
+bool meetBesideCorner(const ExactCorners& one, const ExactCorners& other)
 {
     const int side1 = sideOf(one, other[1]), side2 = sideOf(one, other[2]);
     if (side1 * side2 > 0)
@@ -160,7 +161,7 @@ bool meetBesideCorner(const Corners& one, const Corners& other)
 }
 
 /// Their first two corners are the same.
-bool meetBesideEdge(const Corners& one, const Corners& other)
+bool meetBesideEdge(const ExactCorners& one, const ExactCorners& other)
 {
     if (sideOf(one, other[2]) != 0)
         return false;
@@ -186,7 +187,7 @@ bool surfaceTrianglesMeet(std::span<const Eigen::Vector3d> positions, const Surf
             break;
         }
     }
-    const Corners leftCorners = cornersOf(positions, left), rightCorners = cornersOf(positions, right);
+    const ExactCorners leftCorners = cornersOf(positions, left), rightCorners = cornersOf(positions, right);
     switch (shared) {
     case 0: return strangersMeet(leftCorners, rightCorners);
     case 1: return meetBesideCorner(leftCorners, rightCorners);

@@ -82,8 +82,8 @@ AliveScan scanWithSse2(const Stars& stars, std::uint32_t sites, Tetrahedron* out
 }
 
 /// The four lanes of each of four tetrahedra, for each set of them.
-constexpr std::array<std::uint16_t, 16> lanesOf = {0x0000, 0x000f, 0x00f0, 0x00ff, 0x0f00, 0x0f0f, 0x0ff0, 0x0fff,
-                                                   0xf000, 0xf00f, 0xf0f0, 0xf0ff, 0xff00, 0xff0f, 0xfff0, 0xffff};
+constexpr std::array<std::uint16_t, 16> laneTable = {0x0000, 0x000f, 0x00f0, 0x00ff, 0x0f00, 0x0f0f, 0x0ff0, 0x0fff,
+                                                     0xf000, 0xf00f, 0xf0f0, 0xf0ff, 0xff00, 0xff0f, 0xfff0, 0xffff};
 
 /// Four tetrahedra at a time: 12 numbers are spread to 16, the living ones pushed together. All but the last few of a
 /// star go without masks for what is there.
@@ -107,7 +107,7 @@ constexpr std::array<std::uint16_t, 16> lanesOf = {0x0000, 0x000f, 0x00f0, 0x00f
             const __m512i numbers = _mm512_maskz_loadu_epi32(twelve, stars.otherSites.data() + t);
             const __m512i four = _mm512_mask_permutexvar_epi32(creators, otherLanes, spread, numbers);
             wrong = _kor_mask16(wrong, _mm512_mask_cmpge_epu32_mask(otherLanes, four, creators));
-            _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(lanesOf[alive], four));
+            _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(laneTable[alive], four));
             out += __builtin_popcount(alive);
         }
         if (t < end) {
@@ -118,9 +118,9 @@ constexpr std::array<std::uint16_t, 16> lanesOf = {0x0000, 0x000f, 0x00f0, 0x00f
                 _mm_maskz_loadu_epi32(static_cast<__mmask8>(present), stars.destroyers.data() + t), bound);
             const __m512i numbers = _mm512_maskz_loadu_epi32(presentNumbers, stars.otherSites.data() + t);
             const __m512i four = _mm512_mask_permutexvar_epi32(creators, otherLanes, spread, numbers);
-            const auto otherNumbers = static_cast<__mmask16>(lanesOf[present] & otherLanes);
+            const auto otherNumbers = static_cast<__mmask16>(laneTable[present] & otherLanes);
             wrong = _kor_mask16(wrong, _mm512_mask_cmpge_epu32_mask(otherNumbers, four, creators));
-            _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(lanesOf[alive], four));
+            _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(laneTable[alive], four));
             out += __builtin_popcount(alive);
         }
     }

@@ -107,10 +107,10 @@ private:
     bool negative_ = false;
 };
 
-using Corners = std::array<Eigen::Vector3d, 4>;
+using VolumeCorners = std::array<Eigen::Vector3d, 4>;
 
 /// The coordinates as whole numbers of the smallest unit that any of them needs.
-std::array<std::array<Whole, 3>, 4> inWholeUnits(const Corners& corners)
+std::array<std::array<Whole, 3>, 4> inWholeUnits(const VolumeCorners& corners)
 {
     constexpr int mantissaBits = std::numeric_limits<double>::digits;
     int smallest = std::numeric_limits<int>::max();
@@ -134,7 +134,7 @@ std::array<std::array<Whole, 3>, 4> inWholeUnits(const Corners& corners)
     return whole;
 }
 
-int exactSign(const Corners& corners)
+int exactSign(const VolumeCorners& corners)
 {
     const auto p = inWholeUnits(corners);
     std::array<std::array<Whole, 3>, 3> edge;
@@ -157,7 +157,7 @@ bool isPlainlyFlat(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eig
 
 /// In 128 bits, where all differences are exact and whole numbers of less than 40 bits in a common unit, as they are of
 /// points that are near each other and were floats.
-std::optional<int> signInWholeNumbers(const Corners& corners)
+std::optional<int> signInWholeNumbers(const VolumeCorners& corners)
 {
     constexpr int mostBits = 40;
     constexpr int mantissaBits = std::numeric_limits<double>::digits;

@@ -19,7 +19,7 @@ using Tetrahedron = std::array<std::uint32_t, 4>;
 
 /// Scanned at once, as far as whole stars go: their offsets fit the cache, and the room behind the mesh is small.
 constexpr std::uint64_t tetrahedraAtOnce = 1 << 12;
-constexpr std::uint32_t starsAtOnce = 1 << 9;
+constexpr std::uint32_t starsScannedAtOnce = 1 << 9;
 /// Room behind the mesh for tetrahedra that are written before it is known that they are dead.
 constexpr std::uint64_t slack = 2 * tetrahedraAtOnce;
 /// Pieces between two looks at whether the work was cancelled.
@@ -84,7 +84,7 @@ Status PrefixScan::run(const Progress& progress)
 Status PrefixScan::readOffsets()
 {
     const std::uint64_t* const offsets = model_.starOffsets().data() + site_;
-    const std::uint32_t most = std::min(starsAtOnce, sites_ - site_);
+    const std::uint32_t most = std::min(starsScannedAtOnce, sites_ - site_);
     offsets_.assign(1, offsets_.empty() ? 0 : offsets_.back());
     while (offsets_.size() <= most && offsets_.back() - offsets_.front() < tetrahedraAtOnce) {
         const std::uint64_t next = offsets[offsets_.size()];
@@ -154,7 +154,7 @@ Status extractInto(const Model& model, std::uint32_t sites, const Progress& prog
 namespace {
 
 /// The largest running key of meshes that are as accurate as asked (S4).
-double keyAsked(const Model& model, const Accuracy& accuracy)
+double keyOf(const Model& model, const Accuracy& accuracy)
 {
     constexpr double unlimited = std::numeric_limits<double>::infinity();
     const double extent = model.description().range.extent();
@@ -168,7 +168,7 @@ double keyAsked(const Model& model, const Accuracy& accuracy)
 
 MeshSize meshSizeAt(const Model& model, const Accuracy& accuracy)
 {
-    const double asked = keyAsked(model, accuracy);
+    const double asked = keyOf(model, accuracy);
     const std::span<const float> errors = model.runningErrors();
     // The mesh of the first N sites has the error that was there before site N entered. Infinity is no mesh yet.
     const auto reached = std::ranges::partition_point(

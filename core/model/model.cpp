@@ -13,7 +13,7 @@ namespace {
 using format::Section;
 using format::SectionId;
 
-std::span<const std::byte> bytesOf(const MappedFile& file, const Section& section)
+std::span<const std::byte> sectionBytes(const MappedFile& file, const Section& section)
 {
     return file.bytes().subspan(section.offset, section.bytes);
 }
@@ -21,7 +21,7 @@ std::span<const std::byte> bytesOf(const MappedFile& file, const Section& sectio
 /// A section in place: offsets are multiples of 64 and sizes of the element's, so the cast is aligned and whole.
 template <class T> std::span<const T> elementsOf(const MappedFile& file, const FileLayout& layout, SectionId id)
 {
-    const std::span<const std::byte> bytes = bytesOf(file, layout.section(id));
+    const std::span<const std::byte> bytes = sectionBytes(file, layout.section(id));
     return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
 }
 
@@ -82,7 +82,7 @@ Result<bool> readHistoryKind(const MappedFile& file, const FileLayout& layout)
     if (!layout.has(SectionId::HistoryKind))
         return true;
     const Section& section = layout.section(SectionId::HistoryKind);
-    if (checksum(bytesOf(file, section)) != section.checksum)
+    if (checksum(sectionBytes(file, section)) != section.checksum)
         return Error{ErrorKind::BadInput, "'" + file.path().string() +
                                               "' is damaged: the checksum of its history kind is wrong. Copy it again "
                                               "from where it came from, or build it again."};
@@ -106,7 +106,7 @@ Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& pa
     if (!layout)
         return layout.error();
     const Section& textSection = layout->section(SectionId::Text);
-    const std::span<const std::byte> text = bytesOf(mapped, textSection);
+    const std::span<const std::byte> text = sectionBytes(mapped, textSection);
     if (checksum(text) != textSection.checksum)
         return Error{ErrorKind::BadInput, "'" + path.string() +
                                               "' is damaged: the checksum of its text is wrong. Copy it again from "

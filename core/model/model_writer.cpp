@@ -27,7 +27,7 @@ using format::SectionId;
 constexpr std::uint32_t commonSections = 10;
 
 /// Room in the table: also for the samples, which a model of few sites leaves out.
-std::uint32_t mostSections(DomainClass domain)
+std::uint32_t sectionLimit(DomainClass domain)
 {
     return commonSections + 2 + (canWarp(domain) ? 3 : 0);
 }
@@ -44,7 +44,7 @@ class HistoryFileWriter final : public ModelWriter, private ArrangedBatchSink {
 public:
     HistoryFileWriter(FileWriter file, const Dataset& dataset, ModelDescription description,
                       std::filesystem::path spoolFolder)
-        : target_(file.target()), sections_(std::move(file), mostSections(dataset.domain)), dataset_(dataset),
+        : target_(file.target()), sections_(std::move(file), sectionLimit(dataset.domain)), dataset_(dataset),
           description_(std::move(description)), spool_(std::move(spoolFolder)), arranger_(dataset.pointCount(), *this)
     {
     }

@@ -12,7 +12,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::size_t cellsAtOnce = 256;
+constexpr std::size_t cellsPerPointTask = 256;
 
 } // namespace
 
@@ -25,7 +25,7 @@ double PointCheck::ownBound(std::size_t number) const
 
 Status PointCheck::run(const Progress& progress)
 {
-    return verifyEach(cells_.size(), cellsAtOnce, "Verifying the error at every point", progress,
+    return verifyEach(cells_.size(), cellsPerPointTask, "Verifying the error at every point", progress,
                       [this](std::size_t number) { checkCell(number); });
 }
 

@@ -11,7 +11,7 @@ namespace tetra {
 
 namespace {
 
-using Face = std::array<std::uint32_t, 3>; ///< sites in increasing order
+using FaceSites = std::array<std::uint32_t, 3>; ///< sites in increasing order
 
 constexpr std::size_t groupsAtOnce = 256;
 
@@ -37,19 +37,19 @@ struct Destroyed {
 };
 
 /// The faces that belong to one of the tetrahedra, sorted.
-std::vector<Face> outerFaces(std::span<const std::array<std::uint32_t, 4>> tetrahedra)
+std::vector<FaceSites> outerFaces(std::span<const std::array<std::uint32_t, 4>> tetrahedra)
 {
-    std::vector<Face> faces;
+    std::vector<FaceSites> faces;
     for (const auto& t : tetrahedra)
         for (std::size_t opposite = 0; opposite < 4; ++opposite) {
-            Face face = {t[(opposite + 1) % 4], t[(opposite + 2) % 4], t[(opposite + 3) % 4]};
+            FaceSites face = {t[(opposite + 1) % 4], t[(opposite + 2) % 4], t[(opposite + 3) % 4]};
             std::ranges::sort(face);
             faces.push_back(face);
         }
     std::ranges::sort(faces);
-    std::vector<Face> outer;
+    std::vector<FaceSites> outer;
     for (auto begin = faces.begin(); begin != faces.end();) {
-        const auto end = std::find_if(begin, faces.end(), [&](const Face& face) { return face != *begin; });
+        const auto end = std::find_if(begin, faces.end(), [&](const FaceSites& face) { return face != *begin; });
         if (end - begin == 1)
             outer.push_back(*begin);
         begin = end;
@@ -95,8 +95,8 @@ private:
             emptied.push_back(sitesOf(destroyed_.numbers[i]));
         for (std::uint64_t number = model_.starOffsets()[first]; number < model_.starOffsets()[end]; ++number)
             filled.push_back(sitesOf(number));
-        const std::vector<Face> before = outerFaces(emptied);
-        for (const Face& face : outerFaces(filled))
+        const std::vector<FaceSites> before = outerFaces(emptied);
+        for (const FaceSites& face : outerFaces(filled))
             if (face[2] < first && !std::ranges::binary_search(before, face))
                 findings_.add(first, [&] {
                     return "The group of site " + std::to_string(first) + " has a tetrahedron on the face of sites " +

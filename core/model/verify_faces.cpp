@@ -17,13 +17,13 @@ namespace {
 constexpr std::uint64_t facesAtOnce = 8 << 20;
 
 /// A face as one of its cells sees it.
-struct Face {
+struct LevelFace {
     std::array<std::uint32_t, 3> vertices; ///< in increasing order
     bool odd;                              ///< whether sorting them turned the face over
     std::uint32_t cell;
 
     /// Cells break ties, so that messages do not depend on the sorting.
-    std::strong_ordering operator<=>(const Face& other) const
+    std::strong_ordering operator<=>(const LevelFace& other) const
     {
         if (const auto order = vertices <=> other.vertices; order != 0)
             return order;
@@ -32,11 +32,11 @@ struct Face {
 };
 
 /// Face `opposite` of a cell, with its normal outwards before it was sorted.
-Face faceOf(const std::array<std::uint32_t, 4>& s, int opposite, std::uint32_t cell)
+LevelFace faceOf(const std::array<std::uint32_t, 4>& s, int opposite, std::uint32_t cell)
 {
     constexpr std::array<std::array<int, 3>, 4> corners = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
     const auto& c = corners[static_cast<std::size_t>(opposite)];
-    Face face{{s[c[0]], s[c[1]], s[c[2]]}, false, cell};
+    LevelFace face{{s[c[0]], s[c[1]], s[c[2]]}, false, cell};
     for (const auto& [first, second] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{0, 1}})
         if (face.vertices[first] > face.vertices[second]) {
             std::swap(face.vertices[first], face.vertices[second]);
@@ -63,12 +63,12 @@ private:
     std::vector<std::uint32_t> batches() const;
     void gather(std::uint32_t firstVertex, std::uint32_t endVertex);
     void checkBatch();
-    void checkFace(std::span<const Face> sameFace);
+    void checkFace(std::span<const LevelFace> sameFace);
 
     const LevelCells& cells_;
     const FaceRule& rule_;
     std::vector<BoundaryFace>* boundary_;
-    std::vector<Face> faces_;
+    std::vector<LevelFace> faces_;
     Findings findings_;
 };
 
@@ -116,7 +116,7 @@ void FaceCheck::gather(std::uint32_t firstVertex, std::uint32_t endVertex)
     faces_.clear();
     for (std::size_t cell = 0; cell < cells_.size(); ++cell)
         for (int opposite = 0; opposite < 4; ++opposite) {
-            const Face face = faceOf(cells_.vertices(cell), opposite, static_cast<std::uint32_t>(cell));
+            const LevelFace face = faceOf(cells_.vertices(cell), opposite, static_cast<std::uint32_t>(cell));
             if (face.vertices[0] >= firstVertex && face.vertices[0] < endVertex)
                 faces_.push_back(face);
         }
@@ -125,16 +125,16 @@ void FaceCheck::gather(std::uint32_t firstVertex, std::uint32_t endVertex)
 void FaceCheck::checkBatch()
 {
     for (auto begin = faces_.begin(); begin != faces_.end();) {
-        const auto end =
-            std::find_if(begin, faces_.end(), [begin](const Face& face) { return face.vertices != begin->vertices; });
+        const auto end = std::find_if(begin, faces_.end(),
+                                      [begin](const LevelFace& face) { return face.vertices != begin->vertices; });
         checkFace({begin, end});
         begin = end;
     }
 }
 
-void FaceCheck::checkFace(std::span<const Face> sameFace)
+void FaceCheck::checkFace(std::span<const LevelFace> sameFace)
 {
-    const Face& face = sameFace.front();
+    const LevelFace& face = sameFace.front();
     std::string wrong;
     if (sameFace.size() == 1 && boundary_ != nullptr) {
         const auto& [a, b, c] = face.vertices;

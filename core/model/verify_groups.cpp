@@ -9,7 +9,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::uint32_t sitesAtOnce = 4096;
+constexpr std::uint32_t groupSitesAtOnce = 4096;
 
 class GroupCheck {
 public:
@@ -95,7 +95,7 @@ Status GroupCheck::run(const Progress& progress)
 {
     readGroups();
     checkOrder();
-    return verifyEach(model_.siteCount(), sitesAtOnce, "Verifying the groups", progress,
+    return verifyEach(model_.siteCount(), groupSitesAtOnce, "Verifying the groups", progress,
                       [this](std::size_t creator) { checkStar(static_cast<std::uint32_t>(creator)); });
 }
 

@@ -11,7 +11,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::uint32_t sitesAtOnce = 4096;
+constexpr std::uint32_t historySitesAtOnce = 4096;
 
 /// What the sites make and destroy, gathered from the tetrahedra alone.
 struct Balance {
@@ -71,7 +71,7 @@ Status HistoryCheck::run(const Progress& progress)
     checkOffsets();
     if (!offsets_.none())
         return {};
-    const Status checked = verifyEach(model_.siteCount(), sitesAtOnce, "Verifying the history", progress,
+    const Status checked = verifyEach(model_.siteCount(), historySitesAtOnce, "Verifying the history", progress,
                                       [this](std::size_t creator) { checkStar(static_cast<std::uint32_t>(creator)); });
     if (!checked)
         return checked;

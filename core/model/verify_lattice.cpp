@@ -17,7 +17,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::size_t cellsAtOnce = 1024;
+constexpr std::size_t latticeCellsAtOnce = 1024;
 
 /// What is known of a sample after all cells were visited.
 enum SampleState {
@@ -74,7 +74,7 @@ private:
 
 template <class Sample, class Errors> Status SampleCheck<Sample, Errors>::run(const Progress& progress)
 {
-    return verifyEach(cells_.size(), cellsAtOnce, "Verifying the error at every sample", progress,
+    return verifyEach(cells_.size(), latticeCellsAtOnce, "Verifying the error at every sample", progress,
                       [this](std::size_t number) { checkCell(number); });
 }
 

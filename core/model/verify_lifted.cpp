@@ -17,7 +17,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::size_t cellsAtOnce = 256;
+constexpr std::size_t liftedCellsAtOnce = 256;
 
 /// What of a mesh holds in physical space: that its cells are not inverted, and how far they are from the grid.
 class LiftedCheck {
@@ -68,7 +68,7 @@ private:
 
 Status LiftedCheck::run(const Progress& progress)
 {
-    return verifyEach(cells_.size(), cellsAtOnce, "Verifying the warping at every sample", progress,
+    return verifyEach(cells_.size(), liftedCellsAtOnce, "Verifying the warping at every sample", progress,
                       [this](std::size_t number) { checkCell(number); });
 }
 

@@ -15,7 +15,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::size_t sitesAtOnce = 64;
+constexpr std::size_t scatteredSitesAtOnce = 64;
 
 /// How many cells hold a place inside the domain. Conforming positive cells whose boundary is the domain's cover every
 /// place equally often, so one tells of all.
@@ -156,7 +156,8 @@ Status verifyPlacedHistory(const Model& model, const ScatteredOriginal& original
                 });
         }
     };
-    if (const Status checked = verifyEach(model.siteCount(), sitesAtOnce, "Verifying the history", progress, checkStar);
+    if (const Status checked =
+            verifyEach(model.siteCount(), scatteredSitesAtOnce, "Verifying the history", progress, checkStar);
         !checked)
         return checked;
     positions.moveTo(failures);

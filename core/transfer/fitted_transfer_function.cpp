@@ -50,7 +50,7 @@ double rarity(double frequency)
 }
 
 /// How opaque the points are against each other.
-std::vector<double> weightsOf(const std::vector<double>& frequency)
+std::vector<double> valueWeights(const std::vector<double>& frequency)
 {
     const double most = std::ranges::max(frequency);
     const double hidden = most > dominating ? rarity(most) : 0;
@@ -116,7 +116,7 @@ TransferFunction fittedTransferFunction(const ValueHistogram& volumes, double un
     if (volumes.highest() == 0 || !(volumes.least < volumes.largest))
         return sequentialTransferFunction(volumes.least, volumes.largest, unitDistance);
     const std::vector<double> frequency = frequencies(volumes);
-    const std::vector<double> weights = weightsOf(frequency);
+    const std::vector<double> weights = valueWeights(frequency);
     const double scale = scaleFor(weights, frequency);
     const std::vector<double> place = places(weights, frequency);
     const TransferFunction colours = sequentialTransferFunction(0, 1, 1);

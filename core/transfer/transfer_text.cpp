@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view formatName = "tan-transfer-function";
 constexpr int formatVersion = 1;
 
-Error wrong(const JsonValue& value, std::string_view what)
+Error wrongFunction(const JsonValue& value, std::string_view what)
 {
     return {ErrorKind::BadInput,
             "The transfer function cannot be read: " + std::string(what) + " (" + describePlace(value.place) + ")."};
@@ -25,7 +25,7 @@ template <class Number> Status readNumber(const JsonValue& value, std::string_vi
     const JsonValue::Number* text = value.number();
     const auto parsed = text != nullptr ? parseNumber<Number>(text->text) : std::nullopt;
     if (!parsed)
-        return wrong(value, std::string(name) + " must be a number that fits");
+        return wrongFunction(value, std::string(name) + " must be a number that fits");
     number = *parsed;
     return {};
 }
@@ -34,13 +34,13 @@ Status checkMembers(const JsonValue& object, std::initializer_list<std::string_v
                     std::initializer_list<std::string_view> optional, std::string_view what)
 {
     if (object.object() == nullptr)
-        return wrong(object, std::string(what) + " must be an object, in braces");
+        return wrongFunction(object, std::string(what) + " must be an object, in braces");
     for (const std::string_view name : needed)
         if (object.find(name) == nullptr)
-            return wrong(object, std::string(what) + " has no \"" + std::string(name) + "\"");
+            return wrongFunction(object, std::string(what) + " has no \"" + std::string(name) + "\"");
     for (const auto& [name, value] : *object.object())
         if (std::ranges::find(needed, name) == needed.end() && std::ranges::find(optional, name) == optional.end())
-            return wrong(value, "\"" + shownText(name) + "\" is not known here");
+            return wrongFunction(value, "\"" + shownText(name) + "\" is not known here");
     return {};
 }
 
@@ -48,7 +48,7 @@ Status readColour(const JsonValue& value, std::array<float, 3>& colour)
 {
     const JsonArray* channels = value.array();
     if (channels == nullptr || channels->size() != colour.size())
-        return wrong(value, "a colour must be three numbers in brackets");
+        return wrongFunction(value, "a colour must be three numbers in brackets");
     for (std::size_t channel = 0; channel < colour.size(); ++channel)
         if (Status status = readNumber((*channels)[channel], "a channel", colour[channel]); !status)
             return status;
@@ -78,7 +78,7 @@ Status readMask(const JsonValue& value, TransferMask& mask)
     if (Status status = readNumber(*value.find("largest"), "\"largest\"", mask.largest); !status)
         return status;
     if (Status status = checkMask(mask); !status)
-        return wrong(value, status.error().text);
+        return wrongFunction(value, status.error().text);
     return {};
 }
 
@@ -86,16 +86,17 @@ Status readFormat(const JsonValue& root)
 {
     const std::string* format = root.find("format")->string();
     if (format == nullptr || *format != formatName)
-        return wrong(*root.find("format"), "\"format\" is not \"" + std::string(formatName) + "\"");
+        return wrongFunction(*root.find("format"), "\"format\" is not \"" + std::string(formatName) + "\"");
     int version = 0;
     if (Status status = readNumber(*root.find("version"), "\"version\"", version); !status)
         return status;
     if (version != formatVersion)
-        return wrong(*root.find("version"), "this program knows version " + std::to_string(formatVersion) + " only");
+        return wrongFunction(*root.find("version"),
+                             "this program knows version " + std::to_string(formatVersion) + " only");
     return {};
 }
 
-std::string textOf(const TransferPoint& point)
+std::string maskText(const TransferPoint& point)
 {
     const auto& [red, green, blue] = point.colour;
     return "{\"value\": " + formatNumber(point.value) + ", \"colour\": [" + formatNumber(red) + ", " +
@@ -103,7 +104,7 @@ std::string textOf(const TransferPoint& point)
            (point.group ? ", \"group\": " + std::to_string(*point.group) : "") + "}";
 }
 
-std::string textOf(const TransferMask& mask)
+std::string maskText(const TransferMask& mask)
 {
     return "{\"least\": " + formatNumber(mask.least) + ", \"largest\": " + formatNumber(mask.largest) + "}";
 }
@@ -115,11 +116,11 @@ std::string transferFunctionToText(const TransferFunction& function)
     std::string text = "{\n  \"format\": " + jsonString(formatName) +
                        ",\n  \"version\": " + std::to_string(formatVersion) +
                        ",\n  \"unitDistance\": " + formatNumber(function.unitDistance) +
-                       (function.mask ? ",\n  \"mask\": " + textOf(*function.mask) : "") + ",\n  \"points\": [";
+                       (function.mask ? ",\n  \"mask\": " + maskText(*function.mask) : "") + ",\n  \"points\": [";
     std::string_view separator = "\n";
     for (const TransferPoint& point : function.points) {
         text += separator;
-        text += "    " + textOf(point);
+        text += "    " + maskText(point);
         separator = ",\n";
     }
     return text + "\n  ]\n}\n";
@@ -146,12 +147,12 @@ Result<TransferFunction> transferFunctionFromText(std::string_view text)
             return status.error();
     const JsonArray* points = root.find("points")->array();
     if (points == nullptr)
-        return wrong(*root.find("points"), "\"points\" must be a list, in brackets");
+        return wrongFunction(*root.find("points"), "\"points\" must be a list, in brackets");
     for (const JsonValue& value : *points)
         if (Status status = readPoint(value, function.points.emplace_back()); !status)
             return status.error();
     if (Status status = checkTransferFunction(function); !status)
-        return wrong(*root.find("points"), status.error().text);
+        return wrongFunction(*root.find("points"), status.error().text);
     return function;
 }
 

@@ -10,7 +10,7 @@ namespace {
 /// Opacities below this cannot be seen.
 constexpr float leastOpacity = 0.002F;
 
-template <class Number> Number between(Number first, Number second, double part)
+template <class Number> Number blendOf(Number first, Number second, double part)
 {
     return static_cast<Number>(first + (second - first) * part);
 }
@@ -18,14 +18,14 @@ template <class Number> Number between(Number first, Number second, double part)
 TransferFunction withMovedPoints(const TransferFunction& first, const TransferFunction& second, double part)
 {
     TransferFunction result = first;
-    result.unitDistance = between(first.unitDistance, second.unitDistance, part);
+    result.unitDistance = blendOf(first.unitDistance, second.unitDistance, part);
     for (std::size_t i = 0; i < result.points.size(); ++i) {
         TransferPoint& point = result.points[i];
         const TransferPoint& other = second.points[i];
-        point.value = between(point.value, other.value, part);
-        point.opacity = between(point.opacity, other.opacity, part);
+        point.value = blendOf(point.value, other.value, part);
+        point.opacity = blendOf(point.opacity, other.opacity, part);
         for (std::size_t channel = 0; channel < 3; ++channel)
-            point.colour[channel] = between(point.colour[channel], other.colour[channel], part);
+            point.colour[channel] = blendOf(point.colour[channel], other.colour[channel], part);
     }
     return result;
 }
@@ -65,8 +65,8 @@ TransferPoint pointBetween(double value, const TransferSample& first, const Tran
     point.value = value;
     for (std::size_t channel = 0; channel < 3; ++channel)
         point.colour[channel] =
-            static_cast<float>(std::clamp(between(first.colour[channel], second.colour[channel], part), 0.0, 1.0));
-    const double extinction = between(first.extinction, second.extinction, part);
+            static_cast<float>(std::clamp(blendOf(first.colour[channel], second.colour[channel], part), 0.0, 1.0));
+    const double extinction = blendOf(first.extinction, second.extinction, part);
     point.opacity = static_cast<float>(std::clamp(-std::expm1(-extinction * unitDistance), 0.0, 1.0));
     return point;
 }
@@ -74,7 +74,7 @@ TransferPoint pointBetween(double value, const TransferSample& first, const Tran
 TransferFunction withPointsOfBoth(const TransferFunction& first, const TransferFunction& second, double part)
 {
     TransferFunction result;
-    result.unitDistance = between(first.unitDistance, second.unitDistance, part);
+    result.unitDistance = blendOf(first.unitDistance, second.unitDistance, part);
     for (const double value : valuesOf(first, second)) {
         if (hasStep(first, value) || hasStep(second, value))
             result.points.push_back(
@@ -93,10 +93,10 @@ float seenOpacity(const Isovalue* isovalue)
 Isovalue isovalueBetween(const Isovalue& first, const Isovalue& second, double part)
 {
     Isovalue result = first;
-    result.value = between(first.value, second.value, part);
-    result.red = between(first.red, second.red, part);
-    result.green = between(first.green, second.green, part);
-    result.blue = between(first.blue, second.blue, part);
+    result.value = blendOf(first.value, second.value, part);
+    result.red = blendOf(first.red, second.red, part);
+    result.green = blendOf(first.green, second.green, part);
+    result.blue = blendOf(first.blue, second.blue, part);
     return result;
 }
 
@@ -128,7 +128,7 @@ std::vector<Isovalue> blended(const std::vector<Isovalue>& first, const std::vec
         const Isovalue& from = oneOpacity > 0 || other == nullptr ? *one : *other;
         const Isovalue& to = otherOpacity > 0 || one == nullptr ? *other : *one;
         Isovalue isovalue = isovalueBetween(from, to, part);
-        isovalue.opacity = between(oneOpacity, otherOpacity, part);
+        isovalue.opacity = blendOf(oneOpacity, otherOpacity, part);
         isovalue.visible = isovalue.opacity >= leastOpacity;
         isovalue.opacity = std::max(isovalue.opacity, leastOpacity);
         result.push_back(isovalue);

@@ -16,7 +16,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::size_t chunkSize = 1 << 14;
+constexpr std::size_t trianglesInChunk = 1 << 14;
 
 /// Puts corners to their places among the samples.
 class Projector {
@@ -59,7 +59,7 @@ private:
 };
 
 /// The triangles of one run, and the corners that cutting made. Corner numbers with the top bit set count these.
-struct Piece {
+struct DrawnPiece {
     static constexpr std::uint32_t own = 0x80000000;
     std::vector<ScreenVertex> vertices;
     std::vector<Colour> colours; ///< of the vertices
@@ -115,10 +115,11 @@ private:
         return static_cast<std::uint32_t>(list_.materials.size() - 1);
     }
     Buffer<std::uint8_t> projectVertices(const TriangleMesh& mesh);
-    Piece projectTriangles(const Surface& surface, std::size_t first, std::size_t last,
-                           const Buffer<std::uint8_t>& bits, std::uint32_t firstVertex, std::uint32_t material) const;
+    DrawnPiece projectTriangles(const Surface& surface, std::size_t first, std::size_t last,
+                                const Buffer<std::uint8_t>& bits, std::uint32_t firstVertex,
+                                std::uint32_t material) const;
     bool isDrawn(const Surface& surface, const std::array<std::uint32_t, 3>& triangle) const;
-    void append(std::span<const Piece> pieces, bool coloured);
+    void append(std::span<const DrawnPiece> pieces, bool coloured);
 
     const Projector& projector_;
     DrawList& list_;
@@ -131,7 +132,7 @@ Buffer<std::uint8_t> Builder::projectVertices(const TriangleMesh& mesh)
     const std::size_t before = list_.vertices.size();
     list_.vertices.resize(before + mesh.positions.size());
     Buffer<std::uint8_t> bits(mesh.positions.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, bits.size(), chunkSize), [&](const auto& range) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, bits.size(), trianglesInChunk), [&](const auto& range) {
         if (progress_.cancelled())
             return;
         for (std::size_t v = range.begin(); v != range.end(); ++v) {
@@ -150,11 +151,11 @@ bool Builder::isDrawn(const Surface& surface, const std::array<std::uint32_t, 3>
     return !surface.backFacesOnly || !facesEye({corner(0), corner(1), corner(2)});
 }
 
-Piece Builder::projectTriangles(const Surface& surface, std::size_t first, std::size_t last,
-                                const Buffer<std::uint8_t>& bits, std::uint32_t firstVertex,
-                                std::uint32_t material) const
+DrawnPiece Builder::projectTriangles(const Surface& surface, std::size_t first, std::size_t last,
+                                     const Buffer<std::uint8_t>& bits, std::uint32_t firstVertex,
+                                     std::uint32_t material) const
 {
-    Piece piece;
+    DrawnPiece piece;
     const TriangleMesh& mesh = *surface.mesh;
     for (std::size_t t = first; t != last; ++t) {
         const auto& [a, b, c] = mesh.triangles[t];
@@ -170,17 +171,17 @@ Piece Builder::projectTriangles(const Surface& surface, std::size_t first, std::
     return piece;
 }
 
-void Builder::append(std::span<const Piece> pieces, bool coloured)
+void Builder::append(std::span<const DrawnPiece> pieces, bool coloured)
 {
-    for (const Piece& piece : pieces) {
+    for (const DrawnPiece& piece : pieces) {
         const auto firstOwn = static_cast<std::uint32_t>(list_.vertices.size());
         list_.vertices.insert(list_.vertices.end(), piece.vertices.begin(), piece.vertices.end());
         if (coloured)
             list_.colours.insert(list_.colours.end(), piece.colours.begin(), piece.colours.end());
         for (ScreenTriangle triangle : piece.triangles) {
             for (std::uint32_t& vertex : triangle.vertices)
-                if ((vertex & Piece::own) != 0)
-                    vertex = firstOwn + (vertex & ~Piece::own);
+                if ((vertex & DrawnPiece::own) != 0)
+                    vertex = firstOwn + (vertex & ~DrawnPiece::own);
             list_.triangles.push_back(triangle);
         }
     }
@@ -193,7 +194,7 @@ Status Builder::addSurface(const Surface& surface)
     const TriangleMesh& mesh = *surface.mesh;
     if (Status status = checkMesh(mesh); !status)
         return status;
-    if (mesh.positions.size() + list_.vertices.size() >= Piece::own)
+    if (mesh.positions.size() + list_.vertices.size() >= DrawnPiece::own)
         return Error{ErrorKind::OutOfResource, "The scene has more than two thousand million vertices."};
     const bool coloured = !mesh.colours.empty();
     const std::uint32_t material = addMaterial({surface.colour, std::min(surface.opacity, 1.0f), true, coloured});
@@ -203,12 +204,12 @@ Status Builder::addSurface(const Surface& surface)
         list_.colours.resize(firstVertex); // of what has no colours
         list_.colours.insert(list_.colours.end(), mesh.colours.begin(), mesh.colours.end());
     }
-    std::vector<Piece> pieces((mesh.triangles.size() + chunkSize - 1) / chunkSize);
+    std::vector<DrawnPiece> pieces((mesh.triangles.size() + trianglesInChunk - 1) / trianglesInChunk);
     tbb::parallel_for(std::size_t(0), pieces.size(), [&](std::size_t p) {
         if (progress_.cancelled())
             return;
-        const std::size_t first = p * chunkSize;
-        const std::size_t last = std::min(first + chunkSize, mesh.triangles.size());
+        const std::size_t first = p * trianglesInChunk;
+        const std::size_t last = std::min(first + trianglesInChunk, mesh.triangles.size());
         pieces[p] = projectTriangles(surface, first, last, bits, firstVertex, material);
     });
     if (!progress_.cancelled())
@@ -219,7 +220,7 @@ Status Builder::addSurface(const Surface& surface)
 void Builder::addLines(const LineSet& lines, double samplesPerPixelAxis)
 {
     const std::uint32_t material = addMaterial({lines.colour, 1, false});
-    Piece piece;
+    DrawnPiece piece;
     for (const LineQuad& quad : thickLines(lines, projector_.transform(), lines.width * samplesPerPixelAxis))
         for (const auto& [b, c] : {std::array{1, 2}, std::array{2, 3}})
             piece.addPolygon(clipTriangle({ClipVertex{quad[0]}, ClipVertex{quad[static_cast<std::size_t>(b)]},

@@ -22,7 +22,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::string_view activity = "Drawing the picture";
+constexpr std::string_view drawingParts = "Drawing the picture";
 
 class Stopwatch {
 public:
@@ -179,14 +179,14 @@ Status drawPart(const Scene& scene, const PartView& view, const VolumeOrders& or
                 const Progress& progress, Picture& picture, RenderStatistics& statistics)
 {
     Stopwatch watch;
-    progress.report(0, activity);
+    progress.report(0, drawingParts);
     const TileGrid grid{view.part.width(), view.part.height(), tileSideFor(options.samplesPerAxis)};
     Result<DrawList> list = makeDrawList(scene, view.surfaces, options.samplesPerAxis,
                                          hasVolume(scene) ? SamplePlaces::Rays : SamplePlaces::Middle, progress);
     if (!list)
         return list.error();
     if (progress.cancelled())
-        return cancelledError(activity);
+        return cancelledError(drawingParts);
     TileBins bins(*list, grid);
     ProjectedPart part{std::move(list).value(), std::move(bins), ClipBounds(scene.clipPlanes, view.volume), {}, {}, {}};
     if (hasVolume(scene)) {
@@ -204,10 +204,10 @@ Status drawPart(const Scene& scene, const PartView& view, const VolumeOrders& or
         part.focus->source = setupSourceOf(*fine.mesh, *fine.transfer, part.focus->volume, view.volume, fine.shaded);
     }
     if (progress.cancelled())
-        return cancelledError(activity);
+        return cancelledError(drawingParts);
     statistics.setUpSeconds += watch.lap();
 
-    TileProgress done(progress.part(0.2, 1), grid.count(), activity);
+    TileProgress done(progress.part(0.2, 1), grid.count(), drawingParts);
     tbb::enumerable_thread_specific<PartPainter> painters([&] { return PartPainter(part, scene, view, options); });
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grid.count(), 1), [&](const auto& range) {
         PartPainter& painter = painters.local();
@@ -217,7 +217,7 @@ Status drawPart(const Scene& scene, const PartView& view, const VolumeOrders& or
         }
     });
     if (progress.cancelled())
-        return cancelledError(activity);
+        return cancelledError(drawingParts);
     for (const PartPainter& painter : painters) {
         statistics.cells += painter.cells();
         statistics.fragments += painter.fragments();

@@ -25,7 +25,7 @@ void addBehind(PremultipliedColour& front, float& transparency, const Premultipl
 
 /// Calls visit(sample, nearness, b, c) for each sample of the tile that the triangle covers.
 template <class Visit>
-void forEachSample(const DrawList& list, std::uint32_t triangle, const SampleRectangle& tile, Visit&& visit)
+void forEachCoveredSample(const DrawList& list, std::uint32_t triangle, const SampleRectangle& tile, Visit&& visit)
 {
     const ScreenTriangle& corners = list.triangles[triangle];
     const float a = list.vertices[corners.vertices[0]].nearness;
@@ -64,7 +64,7 @@ bool TilePainter::shows(std::size_t sample, float nearness, bool clipped) const
 void TilePainter::drawOpaque(std::uint32_t triangle)
 {
     const bool clipped = !shown_.empty() && list_.materials[list_.triangles[triangle].material].surface;
-    forEachSample(list_, triangle, tile_, [&](std::size_t sample, float nearness, float b, float c) {
+    forEachCoveredSample(list_, triangle, tile_, [&](std::size_t sample, float nearness, float b, float c) {
         if (!shows(sample, nearness, clipped))
             return;
         opaque_[sample] = {nearness, triangle, b, c};
@@ -75,7 +75,7 @@ void TilePainter::drawOpaque(std::uint32_t triangle)
 void TilePainter::collectTranslucent(std::uint32_t triangle)
 {
     const bool clipped = !shown_.empty() && list_.materials[list_.triangles[triangle].material].surface;
-    forEachSample(list_, triangle, tile_, [&](std::size_t sample, float nearness, float b, float c) {
+    forEachCoveredSample(list_, triangle, tile_, [&](std::size_t sample, float nearness, float b, float c) {
         if (!shows(sample, nearness, clipped))
             return;
         const auto place = static_cast<std::uint32_t>(listed_.size());

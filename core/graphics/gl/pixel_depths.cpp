@@ -10,7 +10,7 @@ namespace tetra {
 namespace {
 
 /// The distance from the eye along the view's axis.
-float distanceOf(float depth, const Eigen::Matrix4d& projection, bool perspective)
+float distanceOfDepth(float depth, const Eigen::Matrix4d& projection, bool perspective)
 {
     if (!(depth < 1))
         return std::numeric_limits<float>::infinity();
@@ -26,7 +26,7 @@ std::vector<float> pixelDepths(std::span<float> samples, const SampleView& view,
     const double aspectRatio = static_cast<double>(view.width) / view.height;
     const Eigen::Matrix4d projection = projectionMatrix(view.camera, aspectRatio, view.bounds);
     for (float& sample : samples)
-        sample = distanceOf(sample, projection, view.camera.perspective);
+        sample = distanceOfDepth(sample, projection, view.camera.perspective);
     for (auto first = samples.begin(), last = samples.end(); last - first > view.width; first += view.width) {
         last -= view.width;
         std::swap_ranges(first, first + view.width, last);

@@ -22,13 +22,13 @@
 namespace tetra {
 namespace {
 
-constexpr std::string_view activity = "Drawing the picture";
+constexpr std::string_view drawingScene = "Drawing the picture";
 
 /// Behind this opacity nothing changes an 8-bit channel; half floats cannot tell much more from 1.
 constexpr float saturatedOpacity = 1 - 1.0f / 1024;
 
-constexpr std::array<float, 4> nothing{};
-constexpr float farthest = 1;
+constexpr std::array<float, 4> transparentBlack{};
+constexpr float farthestDepth = 1;
 
 } // namespace
 
@@ -123,7 +123,7 @@ void ScenePainter::Implementation::drawOpaque(const PictureOptions& options) con
                                       : std::array<float, 4>{background.red, background.green, background.blue, 1};
     gl_.bindFramebuffer(gl::framebuffer, targets_.opaqueFramebuffer.name());
     gl_.clearBufferfv(gl::colour, 0, colour.data());
-    gl_.clearBufferfv(gl::depth, 0, &farthest);
+    gl_.clearBufferfv(gl::depth, 0, &farthestDepth);
     surfaces_->drawOpaque();
 }
 
@@ -133,9 +133,9 @@ bool ScenePainter::Implementation::drawLayer(std::size_t layer, unsigned nearest
     constexpr unsigned last = 0xffffffff;
     const std::array<unsigned, 4> nothingBehind{last, last, 0, 0};
     gl_.bindFramebuffer(gl::framebuffer, targets_.layerFramebuffers[layer % 2].name());
-    gl_.clearBufferfv(gl::colour, 0, nothing.data());
+    gl_.clearBufferfv(gl::colour, 0, transparentBlack.data());
     gl_.clearBufferuiv(gl::colour, 1, nothingBehind.data());
-    gl_.clearBufferfv(gl::depth, 0, &farthest);
+    gl_.clearBufferfv(gl::depth, 0, &farthestDepth);
 
     const GlProgram& program = *programs_.peel;
     program.use();
@@ -166,7 +166,7 @@ Status ScenePainter::Implementation::peel(bool withVolume, unsigned nearest, con
     bool anyLeft = true;
     for (std::size_t layer = 0; anyLeft; ++layer) {
         if (progress.cancelled())
-            return cancelledError(activity);
+            return cancelledError(drawingScene);
         anyLeft = drawLayer(layer, nearest);
         startBlending();
         Status status;
@@ -181,7 +181,7 @@ Status ScenePainter::Implementation::peel(bool withVolume, unsigned nearest, con
         endBlending(gl_);
         if (!status)
             return status;
-        progress.report(1 - 1 / static_cast<double>(layer + 2), activity); // how many come is not known
+        progress.report(1 - 1 / static_cast<double>(layer + 2), drawingScene); // how many come is not known
     }
     return {};
 }
@@ -222,9 +222,9 @@ void ScenePainter::Implementation::resolve(const PictureOptions& options, bool a
 Status ScenePainter::Implementation::drawTranslucent(bool withVolume, unsigned nearest, const Progress& progress)
 {
     gl_.bindFramebuffer(gl::framebuffer, targets_.accumulatedFramebuffer.name());
-    gl_.clearBufferfv(gl::colour, 0, nothing.data());
+    gl_.clearBufferfv(gl::colour, 0, transparentBlack.data());
     if (withVolume)
-        gl_.clearBufferfv(gl::depth, 0, &farthest);
+        gl_.clearBufferfv(gl::depth, 0, &farthestDepth);
     if (surfaces_->anyTranslucent())
         return peel(withVolume, nearest, progress);
     if (!withVolume)
@@ -252,7 +252,7 @@ Status ScenePainter::Implementation::findDepth(bool withVolume, const SampleView
         halfLight_.bindStep(*programs_.bisect, targets_, step == 0);
         drawOverScreen();
         halfLight_.stepDone();
-        progress.report(static_cast<double>(step) / HalfLight::steps, activity);
+        progress.report(static_cast<double>(step) / HalfLight::steps, drawingScene);
     }
     statistics_.fragments = fragments;
     std::vector<float> depths = halfLight_.read();
@@ -268,8 +268,8 @@ Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& came
     if (Status status = checkClipPlanes(scene.clipPlanes); !status)
         return status;
     if (progress.cancelled())
-        return cancelledError(activity);
-    progress.report(0, activity);
+        return cancelledError(drawingScene);
+    progress.report(0, drawingScene);
     forgetErrors(gl_);
     const int width = options.width * options.samplesPerAxis;
     const int height = options.height * options.samplesPerAxis;
@@ -292,7 +292,7 @@ Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& came
     setDrawingState(gl_);
     gl_.viewport(0, 0, width, height);
     drawOpaque(options);
-    progress.report(0.4, activity);
+    progress.report(0.4, drawingScene);
     Status status;
     if (layered)
         status = drawTranslucent(withVolume, targets_.opaqueDepth.name(), progress.part(0.4, options.depth ? 0.5 : 1));
@@ -305,7 +305,7 @@ Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& came
         status = Error{ErrorKind::OutOfResource, "The graphics card has not enough memory for this picture. Make it "
                                                  "smaller, or use the CPU back end."};
     statistics_.fillSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    progress.report(1, activity);
+    progress.report(1, drawingScene);
     return status;
 }
 

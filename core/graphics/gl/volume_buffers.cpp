@@ -24,7 +24,7 @@ Error outOfMemory()
                                       "the mesh, or use the CPU back end."};
 }
 
-template <class Element> std::span<const std::byte> bytesOf(const Element& elements)
+template <class Element> std::span<const std::byte> byteCount(const Element& elements)
 {
     return std::as_bytes(std::span(elements));
 }
@@ -67,7 +67,7 @@ Status fillVertices(const GlFunctions& gl, const TetrahedralMesh& mesh, VolumeBu
         const Eigen::Vector3f& place = mesh.positions[i];
         vertices[i] = {place.x(), place.y(), place.z(), mesh.values[i]};
     });
-    fillTextureBuffer(gl, buffers.vertices, gl::rgba32f, bytesOf(vertices));
+    fillTextureBuffer(gl, buffers.vertices, gl::rgba32f, byteCount(vertices));
     return gl.getError() == gl::outOfMemory ? Status(outOfMemory()) : Status();
 }
 
@@ -86,11 +86,11 @@ Status fillCells(const GlFunctions& gl, const TetrahedralMesh& mesh, const Volum
     buffers.sentBytes = 0;
     for (std::size_t i = 0; i < data.size(); ++i) {
         CellChunk& chunk = buffers.chunks[i];
-        fillTextureBuffer(gl, chunk.corners, gl::rgba32ui, bytesOf(data[i].corners), gl::streamDraw);
-        fillTextureBuffer(gl, chunk.segments, gl::rg16ui, bytesOf(data[i].segments), gl::streamDraw);
+        fillTextureBuffer(gl, chunk.corners, gl::rgba32ui, byteCount(data[i].corners), gl::streamDraw);
+        fillTextureBuffer(gl, chunk.segments, gl::rg16ui, byteCount(data[i].segments), gl::streamDraw);
         chunk.count = static_cast<int>(data[i].corners.size());
         buffers.cells += data[i].corners.size();
-        buffers.sentBytes += bytesOf(data[i].corners).size() + bytesOf(data[i].segments).size();
+        buffers.sentBytes += byteCount(data[i].corners).size() + byteCount(data[i].segments).size();
     }
     return gl.getError() == gl::outOfMemory ? Status(outOfMemory()) : Status();
 }
@@ -106,7 +106,7 @@ void fillSegments(const GlFunctions& gl, const ScaledSegments& segments, Texture
         texels.push_back({segment.halfExtinction, segment.halfExtinctionPerValue, red, green});
         texels.push_back({blue, redPerValue, greenPerValue, bluePerValue});
     }
-    fillTextureBuffer(gl, buffer, gl::rgba32f, bytesOf(texels), gl::streamDraw);
+    fillTextureBuffer(gl, buffer, gl::rgba32f, byteCount(texels), gl::streamDraw);
 }
 
 Result<VolumeBuffers*> VolumeBufferCache::buffersOf(const std::shared_ptr<const VolumeMesh>& mesh)

@@ -15,7 +15,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::string_view activity = "Drawing the volume";
+constexpr std::string_view drawingVolume = "Drawing the volume";
 constexpr int verticesPerCell = 12;
 /// How often in a picture the samples that nothing can be added to are marked: a pass over all samples each.
 constexpr std::size_t marks = 16;
@@ -273,7 +273,7 @@ Status VolumePainter::drawPart(const PainterPrograms& programs, const SampleTarg
     const std::size_t chunksPerMark = (chunks + marks - 1) / marks;
     for (std::size_t i = 0; i < chunks; ++i) {
         if (progress.cancelled())
-            return cancelledError(activity);
+            return cancelledError(drawingVolume);
         if (i > 0 && i % chunksPerMark == 0)
             markSaturated(*programs.saturated, targets);
         gl_.drawArrays(gl::triangles, 0, bindChunk(program, volume, i) * verticesPerCell);

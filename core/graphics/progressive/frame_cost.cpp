@@ -14,14 +14,14 @@ constexpr double fillPerCell = 1e-7;
 constexpr double fillPerFragment = 8e-9;
 constexpr double restPerSample = 1.5e-8;
 constexpr double restPerTriangle = 1e-7;
-constexpr double least = 1e-4; ///< of any picture
+constexpr double smallestCost = 1e-4; ///< of any picture
 
 /// One picture changes a factor by no more than this.
-constexpr double largestChange = 8;
+constexpr double largestCorrection = 8;
 /// Shorter times are not measured, but noise.
 constexpr double measurable = 1e-4;
 
-struct Parts {
+struct CostParts {
     double order = 0;
     double setUp = 0;
     double fill = 0;
@@ -29,19 +29,19 @@ struct Parts {
     double sum() const { return order + setUp + fill + rest; }
 };
 
-Parts partsOf(const FrameCost& cost, const FrameWork& work)
+CostParts costParts(const FrameCost& cost, const FrameWork& work)
 {
     const double fragments = cost.fragmentsPerCrossing * work.samples * std::cbrt(work.tetrahedra);
     return {cost.order * orderPerCell * work.tetrahedra, cost.setUp * setUpPerCell * work.tetrahedra,
             cost.fill * (fillPerCell * work.tetrahedra + fillPerFragment * fragments),
-            cost.rest * (least + restPerSample * work.samples + restPerTriangle * work.triangles)};
+            cost.rest * (smallestCost + restPerSample * work.samples + restPerTriangle * work.triangles)};
 }
 
 void learn(double& factor, double predicted, double measured)
 {
     if (predicted <= 0 || measured < measurable)
         return;
-    const double change = std::clamp(measured / predicted, 1 / largestChange, largestChange);
+    const double change = std::clamp(measured / predicted, 1 / largestCorrection, largestCorrection);
     factor *= std::sqrt(change);
 }
 
@@ -49,7 +49,7 @@ void learn(double& factor, double predicted, double measured)
 
 double predictedSeconds(const FrameCost& cost, const FrameWork& work)
 {
-    return partsOf(cost, work).sum();
+    return costParts(cost, work).sum();
 }
 
 FrameCost learned(const FrameCost& cost, const FrameWork& work, const RenderStatistics& statistics, double seconds)
@@ -66,7 +66,7 @@ FrameCost learned(const FrameCost& cost, const FrameWork& work, const RenderStat
     if (statistics.fragments > 0 && crossings > 0)
         learn(result.fragmentsPerCrossing, cost.fragmentsPerCrossing,
               static_cast<double>(statistics.fragments) / crossings);
-    const Parts parts = partsOf(result, work);
+    const CostParts parts = costParts(result, work);
     if (!statistics.orderReused)
         learn(result.order, parts.order, statistics.orderSeconds);
     learn(result.setUp, parts.setUp, statistics.setUpSeconds);

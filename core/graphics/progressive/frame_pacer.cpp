@@ -24,7 +24,7 @@ FrameCost changedAlike(FrameCost cost, const FrameCost& before, const FrameCost&
 }
 
 /// The level that says most about a mesh of so many tetrahedra: measured ones before others, then the nearest in size.
-const FrameLevel& nearest(const std::vector<FrameLevel>& levels, double tetrahedra)
+const FrameLevel& nearestLevel(const std::vector<FrameLevel>& levels, double tetrahedra)
 {
     const auto distance = [&](const FrameLevel& level) {
         return std::pair(level.measured == 0, std::abs(std::log((level.tetrahedra + 1) / (tetrahedra + 1))));
@@ -39,7 +39,7 @@ void FramePacer::setLevels(std::vector<FrameLevel> levels)
     if (levels.empty())
         levels.emplace_back();
     for (FrameLevel& level : levels) {
-        const FrameLevel& known = nearest(levels_, level.tetrahedra);
+        const FrameLevel& known = nearestLevel(levels_, level.tetrahedra);
         level.cost = known.cost;
         const bool same = known.tetrahedra == level.tetrahedra && known.isVolume == level.isVolume;
         level.measured = same ? known.measured : 0;
@@ -71,7 +71,7 @@ void FramePacer::learn(std::size_t level, double samples, const RenderStatistics
     ++drawn.measured;
     for (FrameLevel& other : levels_)
         if (other.measured == 0)
-            other.cost = nearest(levels_, other.tetrahedra).cost;
+            other.cost = nearestLevel(levels_, other.tetrahedra).cost;
         else if (&other != &drawn && drawn.measured > firstPictures)
             other.cost = changedAlike(other.cost, before, drawn.cost);
 }

@@ -7,7 +7,7 @@
 namespace tetra {
 namespace {
 
-constexpr SightPart nothing{1, 0};
+constexpr SightPart emptyPart{1, 0};
 
 /// Where the line has normal . place >= offset.
 SightPart partBeyond(const SightLine& line, const Eigen::Vector3d& normal, double offset)
@@ -15,7 +15,7 @@ SightPart partBeyond(const SightLine& line, const Eigen::Vector3d& normal, doubl
     const double slope = normal.dot(line.direction);
     const double missing = offset - normal.dot(line.origin);
     if (slope == 0)
-        return missing <= 0 ? SightPart{} : nothing;
+        return missing <= 0 ? SightPart{} : emptyPart;
     SightPart part;
     (slope > 0 ? part.from : part.to) = missing / slope;
     return part;
@@ -54,7 +54,7 @@ SightPart partWithin(const SightLine& line, const Sphere& sphere)
     const double middle = toCentre.dot(line.direction);
     const double room = sphere.radius * sphere.radius - (toCentre - middle * line.direction).squaredNorm();
     if (!(room > 0))
-        return nothing;
+        return emptyPart;
     return {middle - std::sqrt(room), middle + std::sqrt(room)};
 }
 

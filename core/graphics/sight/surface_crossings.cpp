@@ -37,7 +37,8 @@ std::optional<TriangleCrossing> crossing(const SightLine& line, const std::array
     return TriangleCrossing{other.dot(beside) / volume, u, v, volume > 0};
 }
 
-double valueAt(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle, const TriangleCrossing& met)
+double valueAtCrossing(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle,
+                       const TriangleCrossing& met)
 {
     if (mesh.values.empty())
         return 0;
@@ -65,7 +66,7 @@ std::vector<SurfaceCrossing> surfaceCrossings(const std::vector<Surface>& surfac
             };
             const auto met = crossing(line, {corner(0), corner(1), corner(2)});
             if (met && part.contains(met->at) && !(met->front && surfaces[surface].backFacesOnly))
-                crossings.push_back({met->at, surface, valueAt(mesh, triangle, *met)});
+                crossings.push_back({met->at, surface, valueAtCrossing(mesh, triangle, *met)});
         }
     }
     std::ranges::sort(crossings, {}, [](const SurfaceCrossing& one) { return std::tuple(one.surface, one.at); });

@@ -17,7 +17,7 @@ constexpr double samePassage = 1e-9;
 constexpr std::size_t cellsPerCheck = 1 << 16; ///< for a cancellation
 
 /// What a line has of a cell.
-struct CellPassage {
+struct RayInterval {
     SightPart part;
     double valueAtStart = 0;
     double valueAtEnd = 0;
@@ -49,10 +49,10 @@ bool allOnOneSide(const Four& numbers)
 }
 
 /// Where the line passes through the faces of a cell that is seen along it. Nothing if it passes beside, or touches.
-std::optional<CellPassage> passageOf(const Four& right, const Four& up, const Four& along, const Four& values)
+std::optional<RayInterval> passageOf(const Four& right, const Four& up, const Four& along, const Four& values)
 {
     constexpr std::array<std::array<std::size_t, 3>, 4> faces{{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
-    CellPassage passage{{SightPart{}.to, SightPart{}.from}, 0, 0};
+    RayInterval passage{{SightPart{}.to, SightPart{}.from}, 0, 0};
     for (const auto& face : faces) {
         std::array<double, 3> weights{};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -80,9 +80,9 @@ std::optional<CellPassage> passageOf(const Four& right, const Four& up, const Fo
 }
 
 /// Within a part of the line alone.
-std::optional<CellPassage> cut(const CellPassage& whole, const SightPart& part)
+std::optional<RayInterval> clippedInterval(const RayInterval& whole, const SightPart& part)
 {
-    CellPassage passage = whole;
+    RayInterval passage = whole;
     passage.part = common(whole.part, part);
     if (passage.part.isEmpty())
         return std::nullopt;
@@ -95,11 +95,11 @@ std::optional<CellPassage> cut(const CellPassage& whole, const SightPart& part)
     return passage;
 }
 
-std::vector<CellPassage> passagesAlong(const TetrahedralMesh& mesh, const SightLine& line, const SightPart& part,
+std::vector<RayInterval> passagesAlong(const TetrahedralMesh& mesh, const SightLine& line, const SightPart& part,
                                        const Progress& progress)
 {
     const LineFrame frame(line);
-    std::vector<CellPassage> passages;
+    std::vector<RayInterval> passages;
     for (std::size_t cell = 0; cell < mesh.tetrahedra.size(); ++cell) {
         if (cell % cellsPerCheck == 0 && progress.cancelled())
             break;
@@ -118,13 +118,13 @@ std::vector<CellPassage> passagesAlong(const TetrahedralMesh& mesh, const SightL
             values[i] = mesh.values[corners[i]];
         }
         if (const auto whole = passageOf(right, up, along, values))
-            if (const auto passage = cut(*whole, part))
+            if (const auto passage = clippedInterval(*whole, part))
                 passages.push_back(*passage);
     }
     return passages;
 }
 
-bool isSame(const CellPassage& one, const CellPassage& other)
+bool isSameInterval(const RayInterval& one, const RayInterval& other)
 {
     const double length = one.part.to - one.part.from;
     return std::abs(one.part.from - other.part.from) <= samePassage * length &&
@@ -137,7 +137,7 @@ double extinctionAt(const TransferSegment& segment, double value)
 }
 
 /// One slab for each segment that the values of the passage lie in, in the order in which the line meets them.
-void addSlabs(std::vector<SightSlab>& slabs, const CellPassage& passage, const std::vector<TransferSegment>& segments)
+void addSlabs(std::vector<SightSlab>& slabs, const RayInterval& passage, const std::vector<TransferSegment>& segments)
 {
     const double rise = passage.valueAtEnd - passage.valueAtStart;
     const auto [least, largest] = std::minmax(passage.valueAtStart, passage.valueAtEnd);
@@ -169,12 +169,12 @@ std::vector<SightSlab> slabsAlong(const Volume& volume, const SightLine& line, c
 {
     if (part.isEmpty())
         return {};
-    std::vector<CellPassage> passages = passagesAlong(*volume.mesh->mesh, line, part, progress);
-    std::ranges::sort(passages, {}, [](const CellPassage& passage) { return passage.part.from; });
-    const auto doubled = std::ranges::unique(passages, isSame);
+    std::vector<RayInterval> passages = passagesAlong(*volume.mesh->mesh, line, part, progress);
+    std::ranges::sort(passages, {}, [](const RayInterval& passage) { return passage.part.from; });
+    const auto doubled = std::ranges::unique(passages, isSameInterval);
     passages.erase(doubled.begin(), doubled.end());
     std::vector<SightSlab> slabs;
-    for (const CellPassage& passage : passages)
+    for (const RayInterval& passage : passages)
         addSlabs(slabs, passage, volume.transfer->segments);
     return slabs;
 }

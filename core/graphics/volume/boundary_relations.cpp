@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// A face of the boundary in the picture.
-struct BoundaryFace {
+struct HullFace {
     std::array<std::uint32_t, 3> corners;
     std::uint32_t cell;
     SampleRectangle box;
@@ -42,11 +42,11 @@ struct Passage {
     }
 };
 
-std::vector<BoundaryFace> facesInPicture(std::span<const std::array<std::uint32_t, 4>> tetrahedra,
-                                         const FaceAdjacency& adjacency, const ProjectedVertices& projected,
-                                         const VolumeView& view)
+std::vector<HullFace> facesInPicture(std::span<const std::array<std::uint32_t, 4>> tetrahedra,
+                                     const FaceAdjacency& adjacency, const ProjectedVertices& projected,
+                                     const VolumeView& view)
 {
-    std::vector<BoundaryFace> faces;
+    std::vector<HullFace> faces;
     constexpr std::uint8_t allFaces = 15;
     for (std::uint32_t cell = 0; cell < tetrahedra.size(); ++cell) {
         if (adjacency.innerFaces[cell] == allFaces)
@@ -54,7 +54,7 @@ std::vector<BoundaryFace> facesInPicture(std::span<const std::array<std::uint32_
         for (std::size_t face = 0; face < 4; ++face) {
             if (adjacency.neighbours[cell][face] != FaceAdjacency::none)
                 continue;
-            BoundaryFace found{{}, cell, {}};
+            HullFace found{{}, cell, {}};
             for (std::size_t i = 0; i < 3; ++i)
                 found.corners[i] = tetrahedra[cell][cornersOfFace[face][i]];
             found.box = intersection(boxOf(std::span<const std::uint32_t, 3>(found.corners), projected, view),
@@ -67,7 +67,7 @@ std::vector<BoundaryFace> facesInPicture(std::span<const std::array<std::uint32_
 }
 
 /// The faces of each tile.
-std::vector<std::vector<std::uint32_t>> dealFaces(const std::vector<BoundaryFace>& faces, const TileGrid& grid)
+std::vector<std::vector<std::uint32_t>> dealFaces(const std::vector<HullFace>& faces, const TileGrid& grid)
 {
     std::vector<std::vector<std::uint32_t>> tiles(grid.count());
     const TileFinder finder(grid);
@@ -80,7 +80,7 @@ std::vector<std::vector<std::uint32_t>> dealFaces(const std::vector<BoundaryFace
 /// A face made ready to be drawn in a picture.
 class ScreenFace {
 public:
-    ScreenFace(const BoundaryFace& face, const ProjectedVertices& projected, const VolumeView& view) : box_(face.box)
+    ScreenFace(const HullFace& face, const ProjectedVertices& projected, const VolumeView& view) : box_(face.box)
     {
         Vector3d corners[3];
         for (std::size_t i = 0; i < 3; ++i) {
@@ -137,7 +137,7 @@ private:
 /// The relations of one tile; keeps its memory from tile to tile.
 class TileRelations {
 public:
-    TileRelations(const std::vector<BoundaryFace>& faces, const ProjectedVertices& projected, const VolumeView& view)
+    TileRelations(const std::vector<HullFace>& faces, const ProjectedVertices& projected, const VolumeView& view)
         : faces_(faces), projected_(projected), view_(view),
           cut_(std::ranges::any_of(projected.samples, &VertexSample::isBehind))
     {
@@ -200,7 +200,7 @@ private:
         }
     }
 
-    const std::vector<BoundaryFace>& faces_;
+    const std::vector<HullFace>& faces_;
     const ProjectedVertices& projected_;
     const VolumeView& view_;
     bool cut_;                          ///< the near plane cuts the domain
@@ -214,7 +214,7 @@ std::vector<CellRelation> boundaryRelations(std::span<const std::array<std::uint
                                             const FaceAdjacency& adjacency, const ProjectedVertices& projected,
                                             const VolumeView& view, const TileGrid& grid, const Progress& progress)
 {
-    const std::vector<BoundaryFace> faces = facesInPicture(tetrahedra, adjacency, projected, view);
+    const std::vector<HullFace> faces = facesInPicture(tetrahedra, adjacency, projected, view);
     const auto facesOfTiles = dealFaces(faces, grid);
     tbb::enumerable_thread_specific<std::vector<CellRelation>> found;
     tbb::enumerable_thread_specific<TileRelations> workers([&] { return TileRelations(faces, projected, view); });

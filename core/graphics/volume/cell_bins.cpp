@@ -11,8 +11,8 @@
 namespace tetra {
 namespace {
 
-constexpr std::size_t chunkSize = 1 << 15;
-constexpr std::size_t fetchedAhead = 24;
+constexpr std::size_t cellsInChunk = 1 << 15;
+constexpr std::size_t cellsFetchedAhead = 24;
 
 struct BoxedCell {
     std::uint32_t cell;
@@ -43,18 +43,19 @@ CellBins binCells(std::span<const std::array<std::uint32_t, 4>> tetrahedra, std:
     const SampleRectangle picture{0, 0, grid.width, grid.height};
     const TileFinder finder(grid);
     const int side = grid.side;
-    std::vector<Chunk> chunks((order.size() + chunkSize - 1) / chunkSize);
+    std::vector<Chunk> chunks((order.size() + cellsInChunk - 1) / cellsInChunk);
     tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t index) {
         Chunk& chunk = chunks[index];
         chunk.places.assign(grid.count(), 0);
         if (progress.cancelled())
             return;
-        const auto ofChunk = order.subspan(index * chunkSize, std::min(chunkSize, order.size() - index * chunkSize));
+        const auto ofChunk =
+            order.subspan(index * cellsInChunk, std::min(cellsInChunk, order.size() - index * cellsInChunk));
         chunk.cells.resize(ofChunk.size());
         std::size_t count = 0;
         for (std::size_t i = 0; i < ofChunk.size(); ++i) {
             // Orders jump about; what the processor cannot guess is fetched ahead.
-            const std::uint32_t ahead = ofChunk[std::min(i + fetchedAhead, ofChunk.size() - 1)];
+            const std::uint32_t ahead = ofChunk[std::min(i + cellsFetchedAhead, ofChunk.size() - 1)];
             __builtin_prefetch(&tetrahedra[ahead]);
             __builtin_prefetch(&classes[ahead]);
             const std::uint32_t cell = ofChunk[i];

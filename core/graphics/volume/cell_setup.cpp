@@ -14,7 +14,7 @@ namespace {
 /// Of a cell whose volume is less than this part of the box of its edges, the gradient is not trusted.
 constexpr float thinnestCell = 1e-5f;
 /// A cell is flat if its volume could be rounding: if moving its corners by this part of their distances could undo it.
-constexpr float roundingShare = 2.5e-7f;
+constexpr float setupRounding = 2.5e-7f;
 /// A face's bound rises by no more than this a sample, so that faces seen edge-on have one.
 constexpr float steepestBound = 1e7f;
 
@@ -35,21 +35,22 @@ struct TransferOfCells {
     Int8 oneSegment;   ///< 0 or -1
 };
 
-TETRA_SIMD_INLINE Float8 smaller(Float8 a, Float8 b)
+TETRA_SIMD_INLINE Float8 smallerOf(Float8 a, Float8 b)
 {
     return a < b ? a : b;
 }
-TETRA_SIMD_INLINE Float8 larger(Float8 a, Float8 b)
+TETRA_SIMD_INLINE Float8 largerOf(Float8 a, Float8 b)
 {
     return a > b ? a : b;
 }
 TETRA_SIMD_INLINE Float8 magnitude(Float8 a)
 {
-    return larger(a, -a);
+    return largerOf(a, -a);
 }
 TETRA_SIMD_INLINE Float8 extent(const Float8 (&of)[4])
 {
-    return larger(larger(of[0], of[1]), larger(of[2], of[3])) - smaller(smaller(of[0], of[1]), smaller(of[2], of[3]));
+    return largerOf(largerOf(of[0], of[1]), largerOf(of[2], of[3])) -
+           smallerOf(smallerOf(of[0], of[1]), smallerOf(of[2], of[3]));
 }
 
 TETRA_SIMD_INLINE void makeBounds(const CellPlanes& planes, Float8 sign, bool perspective, SetupRows& rows)
@@ -61,7 +62,7 @@ TETRA_SIMD_INLINE void makeBounds(const CellPlanes& planes, Float8 sign, bool pe
         const Float8 c = (perspective ? planes.w[face] : -planes.offset[face]) * sign;
         const Float8 outside = (perspective ? planes.offset[face] : planes.w[face]) * sign;
         const Float8 least = (magnitude(a) + magnitude(b)) * (1 / steepestBound);
-        const Float8 steep = outside < 0.0f ? smaller(outside, -least) : larger(outside, least);
+        const Float8 steep = outside < 0.0f ? smallerOf(outside, -least) : largerOf(outside, least);
         const Float8 safe = magnitude(steep) > 1e-36f ? steep : Float8{} + 1e-36f;
         const Float8 scale = 1.0f / safe;
         transposeBack(a * scale, b * scale, c * scale, safe, rows.faces[face]);
@@ -87,8 +88,8 @@ TETRA_SIMD_INLINE Int8 directionOf(Float8 a, Float8 b, Float8 c, Float8 constant
     const Float8 right = a * __builtin_convertvector((boxes >> 16 & 255) * blockWidth, Float8);
     const Float8 bottom = b * __builtin_convertvector((boxes >> 24 & 255) * blockHeight, Float8) + c;
     // An affine function has its extremes at the corners of the box.
-    const Float8 lowest = smaller(left, right) + smaller(top, bottom);
-    const Float8 highest = larger(left, right) + larger(top, bottom);
+    const Float8 lowest = smallerOf(left, right) + smallerOf(top, bottom);
+    const Float8 highest = largerOf(left, right) + largerOf(top, bottom);
     const Int8 mixed = highest < 0.0f ? Int8{} + falling : Int8{} + static_cast<int>(Direction::Mixed);
     return lowest > 0.0f ? Int8{} + rising : mixed;
 }
@@ -108,15 +109,15 @@ TETRA_SIMD_INLINE void makeField(const CellCorners& c, const CellPlanes& planes,
     }
     const Float8 volume = magnitude(planes.volume);
     const Float8 thin = extent(c.u) * extent(c.v) * extent(c.w) * thinnestCell;
-    const Int8 hasVolume = volume > larger(roundingVolume, Float8{} + 1e-35f);
+    const Int8 hasVolume = volume > largerOf(roundingVolume, Float8{} + 1e-35f);
     const Int8 isSimple = transfer.oneSegment & (volume > thin);
     const Float8 atOrigin =
         c.value[0] - (u * c.u[0] + v * c.v[0] + w * c.w[0]) - (isSimple ? transfer.origin : Float8{});
     const Float8 slope = perspective ? w : atOrigin;
     const Float8 constant = perspective ? atOrigin : -w;
     transposeBack(u, v, slope, Float8{}, rows.slopes);
-    transposeBack(constant, smaller(smaller(c.value[0], c.value[1]), smaller(c.value[2], c.value[3])),
-                  larger(larger(c.value[0], c.value[1]), larger(c.value[2], c.value[3])), Float8{}, rows.fields);
+    transposeBack(constant, smallerOf(smallerOf(c.value[0], c.value[1]), smallerOf(c.value[2], c.value[3])),
+                  largerOf(largerOf(c.value[0], c.value[1]), largerOf(c.value[2], c.value[3])), Float8{}, rows.fields);
     rows.flat = ~hasVolume & 1;
     rows.simple = isSimple & 1;
     const Int8 direction = directionOf(u, v, slope, constant, binned, perspective);
@@ -145,7 +146,7 @@ TETRA_SIMD_CLONES void setUpRows(const SetupSource& source, const TileFrame& fra
     makeBounds(planes, planes.volume < 0.0f ? Float8{} - 1.0f : Float8{} + 1.0f, perspective, rows);
     const Float8 widthU = extent(corners.u), widthV = extent(corners.v), widthW = extent(corners.w);
     const Float8 roundingVolume =
-        roundingShare * (farU * widthV * widthW + farV * widthU * widthW + farW * widthU * widthV);
+        setupRounding * (farU * widthV * widthW + farV * widthU * widthW + farW * widthU * widthV);
     makeField(corners, planes, perspective, roundingVolume, transfer, binned, rows);
     const Float8 depth = transfer.extinction * widthW * frame.longestRay;
     rows.thickness = -(depth > faintDepth) - (depth > 1.0f);

@@ -16,8 +16,8 @@
 namespace tetra {
 namespace {
 
-constexpr std::size_t grain = 1 << 12;
-constexpr std::size_t lanes = 8;
+constexpr std::size_t cellsFacedAtOnce = 1 << 12;
+constexpr std::size_t facingLanes = 8;
 
 /// A position that loads at once.
 struct alignas(16) PaddedPosition {
@@ -32,8 +32,8 @@ template <class Lanes> struct Vectors {
 TETRA_SIMD_INLINE void loadCorner(const PaddedPosition* positions, const std::array<std::uint32_t, 4>* cells,
                                   std::size_t corner, Vectors<Float8>& vectors)
 {
-    Float4 rows[lanes];
-    for (std::size_t lane = 0; lane < lanes; ++lane)
+    Float4 rows[facingLanes];
+    for (std::size_t lane = 0; lane < facingLanes; ++lane)
         std::memcpy(&rows[lane], &positions[cells[lane][corner]], sizeof rows[lane]);
     Float8 unused;
     transpose(rows, vectors.x, vectors.y, vectors.z, unused);
@@ -60,7 +60,7 @@ TETRA_SIMD_INLINE void subtract(const Vectors<Lanes>& one, const Vectors<Lanes>&
 }
 
 template <class Lanes>
-TETRA_SIMD_INLINE void cross(const Vectors<Lanes>& a, const Vectors<Lanes>& b, Vectors<Lanes>& product)
+TETRA_SIMD_INLINE void crossProduct(const Vectors<Lanes>& a, const Vectors<Lanes>& b, Vectors<Lanes>& product)
 {
     product.x = a.y * b.z - a.z * b.y;
     product.y = a.z * b.x - a.x * b.z;
@@ -129,9 +129,9 @@ faceEight(const Vectors<Float8> (&corners)[4], const double* eye, double perspec
     // What the eye's own rounding may do, and that of the volume where the eye is near.
     distance += static_cast<Scalar>(std::abs(eye[0]) + std::abs(eye[1]) + std::abs(eye[2])) + lengths;
     // Outwards, those of the faces opposite to corners 1, 2, 3; with that opposite to 0 their sum is zero.
-    cross(edges[2], edges[1], normals[0]);
-    cross(edges[0], edges[2], normals[1]);
-    cross(edges[1], edges[0], normals[2]);
+    crossProduct(edges[2], edges[1], normals[0]);
+    crossProduct(edges[0], edges[2], normals[1]);
+    crossProduct(edges[1], edges[0], normals[2]);
     Lanes heights[4], minusVolume;
     for (std::size_t i = 0; i < 3; ++i)
         dot(normals[i], toEye, heights[i + 1]);
@@ -187,17 +187,17 @@ TETRA_SIMD_INLINE void faceEight(const std::array<std::uint32_t, 4>* cells, cons
     faceEight<Float8>(corners, eye, perspective, 1e-6f, quick);
     Byte8 bytes = __builtin_convertvector(quick, Byte8);
     std::uint64_t known = 0;
-    std::memcpy(&known, &bytes, lanes);
-    std::memcpy(facing, &known, lanes);
+    std::memcpy(&known, &bytes, facingLanes);
+    std::memcpy(facing, &known, facingLanes);
     if (allKnown(known))
         return;
     Long8 sure;
     faceEight<Double8>(corners, eye, perspective, 1e-14, sure);
     bytes = __builtin_convertvector(sure, Byte8);
-    std::memcpy(&known, &bytes, lanes);
-    std::memcpy(facing, &known, lanes);
+    std::memcpy(&known, &bytes, facingLanes);
+    std::memcpy(facing, &known, facingLanes);
     if (!allKnown(known))
-        for (std::size_t lane = 0; lane < lanes; ++lane)
+        for (std::size_t lane = 0; lane < facingLanes; ++lane)
             facing[lane] = exactFacing(cells[lane], positions, {eye[0], eye[1], eye[2]}, perspective, facing[lane]);
 }
 
@@ -207,8 +207,8 @@ TETRA_SIMD_CLONES void faceCells(const std::array<std::uint32_t, 4>* cells, std:
                                  std::uint8_t* facing)
 {
     const double from[3] = {eye[0], eye[1], eye[2]}; // no byte of it can be one of `facing`
-    for (std::size_t first = 0; first < count; first += lanes) {
-        const std::size_t start = std::min(first, count - lanes); // the last eight may overlap those before
+    for (std::size_t first = 0; first < count; first += facingLanes) {
+        const std::size_t start = std::min(first, count - facingLanes); // the last eight may overlap those before
         faceEight(cells + start, positions, from, perspective, facing + start);
     }
 }
@@ -216,7 +216,7 @@ TETRA_SIMD_CLONES void faceCells(const std::array<std::uint32_t, 4>* cells, std:
 Buffer<PaddedPosition> paddedPositions(const TetrahedralMesh& mesh)
 {
     Buffer<PaddedPosition> padded(mesh.positions.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, padded.size(), grain), [&](const auto& range) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, padded.size(), cellsFacedAtOnce), [&](const auto& range) {
         for (std::size_t v = range.begin(); v != range.end(); ++v)
             padded[v] = {mesh.positions[v].x(), mesh.positions[v].y(), mesh.positions[v].z(), 0};
     });
@@ -231,19 +231,19 @@ Buffer<std::uint8_t> faceFacing(const TetrahedralMesh& mesh, const EyePoint& eye
     const auto& cells = mesh.tetrahedra;
     const double perspective = eye.perspective ? 1 : 0;
     Buffer<std::uint8_t> facing(cells.size());
-    if (cells.size() < lanes) {
-        std::array<std::array<std::uint32_t, 4>, lanes> padded{};
-        std::array<std::uint8_t, lanes> bits{};
+    if (cells.size() < facingLanes) {
+        std::array<std::array<std::uint32_t, 4>, facingLanes> padded{};
+        std::array<std::uint8_t, facingLanes> bits{};
         std::ranges::copy(cells, padded.begin());
         if (!cells.empty())
-            faceCells(padded.data(), lanes, positions.data(), eye.place.data(), perspective, bits.data());
+            faceCells(padded.data(), facingLanes, positions.data(), eye.place.data(), perspective, bits.data());
         std::copy_n(bits.begin(), facing.size(), facing.begin());
         return facing;
     }
-    const std::size_t parts = std::max<std::size_t>(cells.size() / grain, 1);
+    const std::size_t parts = std::max<std::size_t>(cells.size() / cellsFacedAtOnce, 1);
     tbb::parallel_for(std::size_t(0), parts, [&](std::size_t part) {
-        const std::size_t begin = part * grain;
-        const std::size_t end = part + 1 == parts ? cells.size() : begin + grain;
+        const std::size_t begin = part * cellsFacedAtOnce;
+        const std::size_t end = part + 1 == parts ? cells.size() : begin + cellsFacedAtOnce;
         faceCells(&cells[begin], end - begin, positions.data(), eye.place.data(), perspective, &facing[begin]);
     });
     return facing;

@@ -11,8 +11,8 @@
 namespace tetra {
 namespace {
 
-constexpr int columns = volumeTileSide / blockWidth;
-constexpr int rows = volumeTileSide / blockHeight;
+constexpr int blockColumns = volumeTileSide / blockWidth;
+constexpr int blockRows = volumeTileSide / blockHeight;
 
 /// The samples of a tile along an axis.
 struct AxisSamples {
@@ -45,9 +45,9 @@ TETRA_SIMD_INLINE Float8 downBlock(const float* values)
 TETRA_SIMD_CLONES void fillBlocks(const AxisSamples& across, const AxisSamples& down, bool perspective,
                                   SampleBlock* blocks)
 {
-    for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column) {
-            SampleBlock& block = blocks[row * columns + column];
+    for (int row = 0; row < blockRows; ++row)
+        for (int column = 0; column < blockColumns; ++column) {
+            SampleBlock& block = blocks[row * blockColumns + column];
             const Float8 squares =
                 acrossBlock(across.squares + column * blockWidth) + downBlock(down.squares + row * blockHeight) + 1.0f;
             float lengths[blockWidth * blockHeight];
@@ -68,7 +68,7 @@ TETRA_SIMD_CLONES void coloursOfBlocks(const SampleBlock* blocks, const SampleRe
 {
     for (int top = 0; top < tile.height(); top += blockHeight)
         for (int left = 0; left < tile.width(); left += blockWidth) {
-            const SampleBlock& block = blocks[top / blockHeight * columns + left / blockWidth];
+            const SampleBlock& block = blocks[top / blockHeight * blockColumns + left / blockWidth];
             Float4 samples[blockWidth * blockHeight];
             transposeBack(block.red, block.green, block.blue, 1.0f - block.light, samples);
             const int width = std::min(blockWidth, tile.width() - left);

@@ -9,10 +9,10 @@ namespace tetra {
 namespace {
 
 /// Cells set up at a time.
-constexpr std::size_t batch = 64;
+constexpr std::size_t borderBatch = 64;
 
 /// The q (CellSetup) of a place w along a ray.
-float nearnessOf(double w, bool perspective)
+float focusNearness(double w, bool perspective)
 {
     if (!perspective)
         return static_cast<float>(-w);
@@ -69,9 +69,9 @@ void VolumeTilePainter::collectBorderOf(const SampleRectangle& tile, std::span<c
                             view_.perspective};
     const TileFrame frame = frameOf(tile);
     std::vector<BinnedCell> outside;
-    for (std::size_t first = 0; first < cells.size() && !progress.cancelled(); first += batch) {
+    for (std::size_t first = 0; first < cells.size() && !progress.cancelled(); first += borderBatch) {
         outside.clear();
-        for (const BinnedCell& cell : cells.subspan(first, std::min(batch, cells.size() - first)))
+        for (const BinnedCell& cell : cells.subspan(first, std::min(borderBatch, cells.size() - first)))
             if (!liesWithin(source.tetrahedra[cell.cell], positions, *focus.rays))
                 outside.push_back(cell);
         setUpCells(source, frame, outside, setups_);
@@ -138,14 +138,14 @@ void VolumeTilePainter::drawWithFocus(const SampleRectangle& tile, std::span<con
     constexpr Ends nothing{-farBound, farBound};
     const bool perspective = view_.perspective;
     drawBetween(source_, cells, [&](const FocusRays::Passage& passage, float front, float back) -> Ends {
-        return {front, passage.meets() ? nearnessOf(passage.enter, perspective) : back};
+        return {front, passage.meets() ? focusNearness(passage.enter, perspective) : back};
     });
     drawBetween(*focus.source, focus.cells, [&](const FocusRays::Passage& passage, float, float) -> Ends {
-        return passage.meets() ? Ends{nearnessOf(passage.in, perspective), nearnessOf(passage.out, perspective)}
+        return passage.meets() ? Ends{focusNearness(passage.in, perspective), focusNearness(passage.out, perspective)}
                                : nothing;
     });
     drawBetween(source_, cells, [&](const FocusRays::Passage& passage, float, float back) -> Ends {
-        return passage.meets() ? Ends{nearnessOf(passage.leave, perspective), back} : nothing;
+        return passage.meets() ? Ends{focusNearness(passage.leave, perspective), back} : nothing;
     });
     finish(tile, shading);
 }

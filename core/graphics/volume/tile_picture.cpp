@@ -14,10 +14,10 @@ namespace {
 constexpr int columns = volumeTileSide / blockWidth;
 constexpr int rows = volumeTileSide / blockHeight;
 /// Cells between two looks whether all is opaque, and whether to stop.
-constexpr std::size_t batch = 64;
+constexpr std::size_t cellsInBatch = 64;
 
 /// Calls visit(sample, block, lane) for the samples of a tile, row by row.
-template <class Visit> void forEachSample(const SampleRectangle& tile, Visit&& visit)
+template <class Visit> void forEachTileSample(const SampleRectangle& tile, Visit&& visit)
 {
     std::size_t sample = 0;
     for (int y = 0; y < tile.height(); ++y)
@@ -35,7 +35,7 @@ bool isLimited(const TileSurroundings& surroundings)
 } // namespace
 
 VolumeTilePainter::VolumeTilePainter(const SetupSource& source, const VolumeView& view)
-    : source_(source), view_(view), blocks_(static_cast<std::size_t>(columns * rows)), setups_(batch)
+    : source_(source), view_(view), blocks_(static_cast<std::size_t>(columns * rows)), setups_(cellsInBatch)
 {
 }
 
@@ -110,12 +110,12 @@ void VolumeTilePainter::finish(const SampleRectangle& tile, const TileShading& s
     colours_.resize(samples);
     depth_.resize(shading.depth ? samples : 0);
     if (shading.fragments != nullptr)
-        forEachSample(tile, [&](std::size_t, std::size_t block, std::size_t lane) {
+        forEachTileSample(tile, [&](std::size_t, std::size_t block, std::size_t lane) {
             drawSurfacesBehind(shading, lane, blocks_[block], limits_[block]);
         });
     takeColours(blocks_, tile, colours_);
     if (shading.depth)
-        forEachSample(tile, [&](std::size_t sample, std::size_t block, std::size_t lane) {
+        forEachTileSample(tile, [&](std::size_t sample, std::size_t block, std::size_t lane) {
             const float depth = blocks_[block].depth[lane];
             depth_[sample] =
                 depth < noDepth ? static_cast<float>(depth * view_.unit) : std::numeric_limits<float>::infinity();
@@ -128,16 +128,16 @@ void VolumeTilePainter::draw(const SetupSource& source, std::span<const BinnedCe
     const TileFrame frame = frameOf(tile);
     const auto batchFrom = [cells](std::size_t first) {
         const std::size_t begin = std::min(first, cells.size());
-        return cells.subspan(begin, std::min(batch, cells.size() - begin));
+        return cells.subspan(begin, std::min(cellsInBatch, cells.size() - begin));
     };
     fetchCells(source, batchFrom(0));
-    fetchCells(source, batchFrom(batch));
-    for (std::size_t first = 0; first < cells.size() && !progress.cancelled(); first += batch) {
+    fetchCells(source, batchFrom(cellsInBatch));
+    for (std::size_t first = 0; first < cells.size() && !progress.cancelled(); first += cellsInBatch) {
         const auto now = batchFrom(first);
         setUpCells(source, frame, now, setups_);
         // What comes next is asked for before a long time of drawing.
-        fetchCorners(source, batchFrom(first + batch));
-        fetchCells(source, batchFrom(first + 2 * batch));
+        fetchCorners(source, batchFrom(first + cellsInBatch));
+        fetchCells(source, batchFrom(first + 2 * cellsInBatch));
         drawn.fragments += drawCells(std::span(setups_).first(now.size()), shading, blocks_.data(), columns);
         drawn.cells += now.size();
         if (allDark())

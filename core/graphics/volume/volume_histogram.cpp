@@ -61,7 +61,7 @@ private:
     std::vector<double> steps_;
 };
 
-double volumeOf(const TetrahedralMesh& mesh, const std::array<std::uint32_t, 4>& cell)
+double cellVolume(const TetrahedralMesh& mesh, const std::array<std::uint32_t, 4>& cell)
 {
     const Eigen::Vector3f& origin = mesh.positions[cell[0]];
     const auto edge = [&](std::size_t corner) {
@@ -82,7 +82,7 @@ ValueHistogram volumeHistogram(const TetrahedralMesh& mesh, double least, double
     for (const auto& cell : mesh.tetrahedra) {
         const auto value = [&](std::size_t corner) { return double(mesh.values[cell[corner]]); };
         const auto [low, high] = std::minmax({value(0), value(1), value(2), value(3)});
-        const double volume = volumeOf(mesh, cell);
+        const double volume = cellVolume(mesh, cell);
         const double sum = value(0) + value(1) + value(2) + value(3);
         if (std::isfinite(sum) && std::isfinite(volume))
             sums.add((low - least) / extent * parts, (high - least) / extent * parts, volume);

@@ -4,7 +4,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::string_view activity = "Preparing the volume";
+constexpr std::string_view preparingVolume = "Preparing the volume";
 
 } // namespace
 
@@ -43,17 +43,17 @@ Status VolumeMaker::makeTransfer(const TransferFunction& function)
 
 Result<Volume> VolumeMaker::update(const TransferFunction& function, bool shaded, const Progress& progress)
 {
-    progress.report(0, activity);
+    progress.report(0, preparingVolume);
     if (progress.cancelled())
-        return cancelledError(activity);
+        return cancelledError(preparingVolume);
     if (const Status made = makeMesh(progress.part(0, 0.4)); !made)
         return made.error();
-    progress.report(0.8, activity);
+    progress.report(0.8, preparingVolume);
     if (progress.cancelled())
-        return cancelledError(activity);
+        return cancelledError(preparingVolume);
     if (const Status made = makeTransfer(function); !made)
         return made.error();
-    progress.report(1, activity);
+    progress.report(1, preparingVolume);
     return Volume{mesh_, transfer_, shaded};
 }
 

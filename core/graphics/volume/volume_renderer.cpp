@@ -18,7 +18,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::string_view activity = "Drawing the volume";
+constexpr std::string_view renderingVolume = "Drawing the volume";
 constexpr std::string_view ordering = "Ordering the tetrahedra";
 
 Status checkSize(const VolumeOptions& options)
@@ -52,11 +52,11 @@ void place(const DrawnTile& drawn, const SampleRectangle& tile, VolumePicture& p
 Result<VolumePicture> draw(const VolumeMesh& mesh, const VolumeTransfer& transfer, std::span<const std::uint32_t> order,
                            const VolumeView& view, const VolumeOptions& options, const Progress& progress)
 {
-    progress.report(0, activity);
+    progress.report(0, renderingVolume);
     const TileGrid grid = gridOf(view);
     const ProjectedVolume volume = projectVolume(mesh, transfer, order, view, grid, progress);
     if (progress.cancelled())
-        return cancelledError(activity);
+        return cancelledError(renderingVolume);
 
     VolumePicture picture{view.width, view.height, {}, {}, 0};
     const std::size_t samples = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
@@ -65,7 +65,7 @@ Result<VolumePicture> draw(const VolumeMesh& mesh, const VolumeTransfer& transfe
 
     const SetupSource source = setupSourceOf(mesh, transfer, volume, view, false);
     const TileSurroundings surroundings{.depth = options.depth};
-    TileProgress done(progress.part(0.2, 1), grid.count(), activity);
+    TileProgress done(progress.part(0.2, 1), grid.count(), renderingVolume);
     std::atomic<std::size_t> drawnCells = 0;
     tbb::enumerable_thread_specific<VolumeTilePainter> painters([&] { return VolumeTilePainter(source, view); });
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grid.count(), 1), [&](const auto& range) {
@@ -79,7 +79,7 @@ Result<VolumePicture> draw(const VolumeMesh& mesh, const VolumeTransfer& transfe
         }
     });
     if (progress.cancelled())
-        return cancelledError(activity);
+        return cancelledError(renderingVolume);
     picture.drawnCells = drawnCells;
     return picture;
 }

@@ -13,10 +13,10 @@ namespace tetra {
 
 namespace {
 
-constexpr std::size_t lanes = StarPoints::lanes;
-using Vector = std::array<double, 3>;
+constexpr std::size_t apexLanes = StarPoints::lanes;
+using FanVector = std::array<double, 3>;
 
-double dot(const Vector& a, const Vector& b)
+double dot(const FanVector& a, const FanVector& b)
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -26,7 +26,7 @@ double dot(const Vector& a, const Vector& b)
 TETRA_SIMD_CLONES void computeColumns(const double* corners, const double* values, std::size_t count,
                                       const double* apex, double apexValue, double* columns)
 {
-    for (std::size_t first = 0; first < count; first += lanes) {
+    for (std::size_t first = 0; first < count; first += apexLanes) {
         Double8 from[3][3], rows[3][3];
         for (std::size_t corner = 0; corner < 3; ++corner)
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -64,7 +64,7 @@ TETRA_SIMD_CLONES void findDeepest(const double* columns, std::size_t count, con
 {
     Double8 deepest = Double8{} - tolerance, owner = Double8{} - 1;
     Double8 number = {0, 1, 2, 3, 4, 5, 6, 7};
-    for (std::size_t first = 0; first < count; first += lanes) {
+    for (std::size_t first = 0; first < count; first += apexLanes) {
         Double8 weights[3];
         for (std::size_t row = 0; row < 3; ++row) {
             Double8 factors[3];
@@ -150,7 +150,7 @@ void ApexFan::compute(const VertexStar& star)
                    columns_.data());
 }
 
-std::array<double, 3> ApexFan::weightsAt(std::size_t face, const Vector& place) const
+std::array<double, 3> ApexFan::weightsAt(std::size_t face, const FanVector& place) const
 {
     const double* column = columns_.data() + face;
     const std::size_t n = columnLength_;
@@ -169,9 +169,9 @@ double ApexFan::interpolated(std::size_t face, std::size_t number, const std::ar
     return value;
 }
 
-std::uint32_t faceAt(const ApexFan& fan, const Vector& place, double tolerance)
+std::uint32_t faceAt(const ApexFan& fan, const FanVector& place, double tolerance)
 {
-    double depths[lanes], owners[lanes];
+    double depths[apexLanes], owners[apexLanes];
     findDeepest(fan.columns().data(), fan.columnLength(), place.data(), tolerance, depths, owners);
     const auto deepest = static_cast<std::size_t>(std::ranges::max_element(depths) - depths);
     return owners[deepest] < 0 ? 0xffffffff : static_cast<std::uint32_t>(owners[deepest]);
@@ -181,13 +181,13 @@ double evaluateFan(const ApexFan& fan, const FanMeasure& measure, double bound, 
 {
     double largest = 0;
     FanLocation location(tetrahedraOf(fan), points.count());
-    double steps[lanes];
-    for (std::size_t first = 0; first < points.count() && largest <= bound; first += lanes) {
+    double steps[apexLanes];
+    for (std::size_t first = 0; first < points.count() && largest <= bound; first += apexLanes) {
         location.locateEight(
             {points.place[0].data() + first, points.place[1].data() + first, points.place[2].data() + first},
             points.owner.data() + first, steps);
         // What is beyond the last point is a copy of the first.
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
+        for (std::size_t lane = 0; lane < apexLanes; ++lane) {
             const std::size_t point = first + lane;
             const double weight = points.weight.empty() ? 1 : points.weight[point];
             const double residual = points.value[point] - fan.apexValue() - steps[lane];
@@ -196,13 +196,13 @@ double evaluateFan(const ApexFan& fan, const FanMeasure& measure, double bound, 
         }
         if (!fan.lifted())
             continue;
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
+        for (std::size_t lane = 0; lane < apexLanes; ++lane) {
             const std::size_t point = first + lane, owner = points.owner[point];
-            Vector from{};
+            FanVector from{};
             for (std::size_t axis = 0; axis < 3; ++axis)
                 from[axis] = points.place[axis][point] - fan.apex()[axis];
-            const Vector weights = fan.weightsAt(owner, from);
-            Vector away{};
+            const FanVector weights = fan.weightsAt(owner, from);
+            FanVector away{};
             for (std::size_t axis = 0; axis < 3; ++axis)
                 away[axis] = points.lifted[axis][point] - fan.interpolated(owner, axis + 1, weights);
             const double weight = points.weight.empty() ? 1 : points.weight[point];
@@ -218,11 +218,11 @@ void vertexErrors(const VertexStar& star, const ApexFan& fan, const FanMeasure& 
 {
     errors.clear();
     FanLocation location(tetrahedraOf(fan), linkPlaces.size());
-    double places[3][lanes], steps[lanes];
-    std::uint32_t owners[lanes];
-    for (std::size_t first = 0; first < linkPlaces.size(); first += lanes) {
-        const std::size_t count = std::min(lanes, linkPlaces.size() - first);
-        for (std::size_t lane = 0; lane < lanes; ++lane)
+    double places[3][apexLanes], steps[apexLanes];
+    std::uint32_t owners[apexLanes];
+    for (std::size_t first = 0; first < linkPlaces.size(); first += apexLanes) {
+        const std::size_t count = std::min(apexLanes, linkPlaces.size() - first);
+        for (std::size_t lane = 0; lane < apexLanes; ++lane)
             for (std::size_t axis = 0; axis < 3; ++axis)
                 places[axis][lane] = -star.place(linkPlaces[first + (lane < count ? lane : 0)])[axis];
         location.locateEight({places[0], places[1], places[2]}, owners, steps);

@@ -9,9 +9,9 @@ namespace tetra {
 
 namespace {
 
-constexpr int deepest = 20; ///< below it a cell is a millionth of the whole
+constexpr int deepestLevel = 20; ///< below it a cell is a millionth of the whole
 
-Eigen::AlignedBox3d boxOf(std::span<const Eigen::Vector3d> positions, const SurfaceTriangle& triangle)
+Eigen::AlignedBox3d triangleBox(std::span<const Eigen::Vector3d> positions, const SurfaceTriangle& triangle)
 {
     Eigen::AlignedBox3d box;
     for (const std::uint32_t point : triangle)
@@ -33,7 +33,7 @@ bool isAmong(const SurfaceTriangle& triangle, std::span<const SurfaceTriangle> o
 /// The child on the way to a cell of these numbers, below a cell of that depth.
 std::size_t childAt(const std::array<std::uint32_t, 3>& numbers, int depth)
 {
-    const int bit = deepest - 1 - depth;
+    const int bit = deepestLevel - 1 - depth;
     std::size_t child = 0;
     for (std::size_t k = 0; k < 3; ++k)
         child |= std::size_t((numbers[k] >> bit) & 1U) << k;
@@ -82,18 +82,18 @@ BoundarySurface::BoundarySurface(std::span<const Eigen::Vector3d> positions, std
 
 BoundarySurface::Place BoundarySurface::placeOf(const SurfaceTriangle& triangle) const
 {
-    const Eigen::AlignedBox3d box = boxOf(positions_, triangle);
+    const Eigen::AlignedBox3d box = triangleBox(positions_, triangle);
     const double extent = box.sizes().maxCoeff();
     Place place;
     double cell = size_;
-    while (place.depth < deepest && cell / 2 >= extent) {
+    while (place.depth < deepestLevel && cell / 2 >= extent) {
         cell /= 2;
         ++place.depth;
     }
-    const Eigen::Vector3d middle = (box.center() - corner_) / size_ * double(1U << deepest);
-    const std::uint32_t kept = ~((1U << (deepest - place.depth)) - 1U);
+    const Eigen::Vector3d middle = (box.center() - corner_) / size_ * double(1U << deepestLevel);
+    const std::uint32_t kept = ~((1U << (deepestLevel - place.depth)) - 1U);
     for (std::size_t k = 0; k < 3; ++k) {
-        const double number = std::clamp(middle[Eigen::Index(k)], 0.0, double((1U << deepest) - 1U));
+        const double number = std::clamp(middle[Eigen::Index(k)], 0.0, double((1U << deepestLevel) - 1U));
         place.numbers[k] = static_cast<std::uint32_t>(number) & kept;
     }
     return place;
@@ -157,7 +157,7 @@ bool BoundarySurface::meetsInCell(const Cell& cell, const SurfaceTriangle& trian
 {
     for (std::uint32_t entry = cell.first; entry != none; entry = entries_[entry].next) {
         const SurfaceTriangle& other = entries_[entry].triangle;
-        if (box.intersects(boxOf(positions_, other)) && !isAmong(other, removed) &&
+        if (box.intersects(triangleBox(positions_, other)) && !isAmong(other, removed) &&
             surfaceTrianglesMeet(positions_, triangle, other))
             return true;
     }
@@ -171,11 +171,11 @@ bool BoundarySurface::meetsRest(const SurfaceTriangle& triangle, std::span<const
         int depth;
         Eigen::Vector3d middle;
     };
-    const Eigen::AlignedBox3d box = boxOf(positions_, triangle);
+    const Eigen::AlignedBox3d box = triangleBox(positions_, triangle);
     const double largest = corner_.cwiseAbs().maxCoeff() + size_;
     const RoughPlane plane(positions_, triangle, largest);
     // Seven of each depth wait at most.
-    std::array<Visit, 7 * deepest + 8> waiting;
+    std::array<Visit, 7 * deepestLevel + 8> waiting;
     std::size_t count = 0;
     waiting[count++] = {0, 0, corner_ + Eigen::Vector3d::Constant(size_ / 2)};
     while (count > 0) {

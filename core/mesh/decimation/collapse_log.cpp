@@ -11,14 +11,14 @@ namespace tetra {
 
 namespace {
 
-constexpr std::uint32_t none = CollapseLog::none;
+constexpr std::uint32_t noVertex = CollapseLog::none;
 
 /// Numbers sites and tetrahedra in the order of the history and hands them to a sink.
 class Emission {
 public:
     /// `madeCounts`: for each collapse how many tetrahedra it made.
     template <class Counts> Emission(std::span<const std::uint32_t> points, const Counts& madeCounts, HistorySink& sink)
-        : sink_(sink), points_(points), siteOfPoint_(points.size(), none)
+        : sink_(sink), points_(points), siteOfPoint_(points.size(), noVertex)
     {
         nextMade_.reserve(madeCounts.size());
         std::uint32_t total = 0;
@@ -37,12 +37,12 @@ public:
     {
         for (const std::uint32_t other : others)
             __builtin_prefetch(&siteOfPoint_[other]);
-        if (madeBy != none)
+        if (madeBy != noVertex)
             __builtin_prefetch(&nextMade_[madeBy]);
     }
     void prefetchMade(std::uint32_t madeBy) const
     {
-        if (madeBy != none)
+        if (madeBy != noVertex)
             __builtin_prefetch(&made_[nextMade_[madeBy]]);
     }
 
@@ -50,7 +50,7 @@ public:
     void add(const std::array<std::uint32_t, 3>& others, float error, float warping, std::uint32_t madeBy)
     {
         star_.push_back({{siteOf(others[0]), siteOf(others[1]), siteOf(others[2])}, error, warping});
-        if (madeBy != none)
+        if (madeBy != noVertex)
             made_[nextMade_[madeBy]++] = tetrahedronCount_;
         ++tetrahedronCount_;
     }
@@ -114,7 +114,7 @@ Status emitCoarsest(std::span<const CollapseLog::Coarsest> coarsest, std::span<c
                 others[i] = tetrahedron.vertices[order[next->latest][i]];
             emission.add(others, tetrahedron.error, tetrahedron.warping, tetrahedron.madeBy);
         }
-        if (Status status = emission.step(points[site], std::numeric_limits<float>::infinity(), none, 0); !status)
+        if (Status status = emission.step(points[site], std::numeric_limits<float>::infinity(), noVertex, 0); !status)
             return status;
     }
     return {};

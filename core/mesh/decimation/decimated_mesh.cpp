@@ -25,7 +25,7 @@ std::array<double, 3> arrayOf(const Eigen::Vector3d& vector)
 }
 
 /// Residuals are sums of a few products of numbers of this size, each rounded at 2^-53 of it.
-double roundingOf(double magnitude)
+double placeRounding(double magnitude)
 {
     return std::ldexp(magnitude, -48);
 }
@@ -67,8 +67,8 @@ DecimatedMesh::DecimatedMesh(const DecimationMesh& mesh, const DecimationOptions
     double largestValue = 0;
     for (const double value : input_.values)
         largestValue = std::max(largestValue, std::abs(value));
-    measure_ = {roundingOf(largestValue),
-                roundingOf(2 * largestCoordinate(input_.box ? input_.lifted : input_.positions)),
+    measure_ = {placeRounding(largestValue),
+                placeRounding(2 * largestCoordinate(input_.box ? input_.lifted : input_.positions)),
                 options.warpingWeight};
     handedness_ = handednessOfInput();
     findSides();

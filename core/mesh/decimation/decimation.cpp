@@ -14,7 +14,7 @@ namespace tetra {
 
 namespace {
 
-Error badInput(const std::string& text)
+Error cannotDecimate(const std::string& text)
 {
     return {ErrorKind::BadInput, "The mesh cannot be decimated: " + text};
 }
@@ -27,11 +27,11 @@ Status checkSizes(const DecimationMesh& mesh)
             ErrorKind::OutOfResource,
             "Meshes of more than 4294967294 points or 1073741823 tetrahedra cannot be decimated. Take a part."};
     if (mesh.tetrahedra.empty())
-        return badInput("it has no tetrahedra.");
+        return cannotDecimate("it has no tetrahedra.");
     if (mesh.values.size() != points || (!mesh.lifted.empty() && mesh.lifted.size() != points) ||
         (!mesh.weights.empty() && mesh.weights.size() != points))
-        return badInput("it has not one value, weight and place for each of its " + std::to_string(points) +
-                        " points.");
+        return cannotDecimate("it has not one value, weight and place for each of its " + std::to_string(points) +
+                              " points.");
     return {};
 }
 
@@ -40,25 +40,25 @@ Status checkNumbers(const DecimationMesh& mesh)
     const auto finite = [](const Eigen::Vector3d& position) { return position.allFinite(); };
     for (const auto& positions : {mesh.positions, mesh.lifted})
         if (const auto bad = std::ranges::find_if_not(positions, finite); bad != positions.end())
-            return badInput("point " + std::to_string(bad - positions.begin()) + " has no finite place.");
+            return cannotDecimate("point " + std::to_string(bad - positions.begin()) + " has no finite place.");
     if (const auto bad = std::ranges::find_if_not(mesh.values, [](double value) { return std::isfinite(value); });
         bad != mesh.values.end())
-        return badInput("point " + std::to_string(bad - mesh.values.begin()) + " has no finite value.");
+        return cannotDecimate("point " + std::to_string(bad - mesh.values.begin()) + " has no finite value.");
     if (!std::ranges::all_of(mesh.weights, [](float weight) { return weight > 0 && weight <= 1; }))
-        return badInput("weights must be above 0 and at most 1.");
+        return cannotDecimate("weights must be above 0 and at most 1.");
     std::vector<bool> used(mesh.positions.size(), false);
     for (const auto& tetrahedron : mesh.tetrahedra)
         for (const std::uint32_t vertex : tetrahedron) {
             if (vertex >= used.size())
-                return badInput("a tetrahedron has vertex " + std::to_string(vertex) + ", which does not exist.");
+                return cannotDecimate("a tetrahedron has vertex " + std::to_string(vertex) + ", which does not exist.");
             used[vertex] = true;
         }
     if (const auto alone = std::ranges::find(used, false); alone != used.end())
-        return badInput("point " + std::to_string(alone - used.begin()) + " is in no tetrahedron. Leave it out.");
+        return cannotDecimate("point " + std::to_string(alone - used.begin()) + " is in no tetrahedron. Leave it out.");
     return {};
 }
 
-Status checkOptions(const DecimationMesh& mesh, const DecimationOptions& options)
+Status checkDecimationOptions(const DecimationMesh& mesh, const DecimationOptions& options)
 {
     const bool warps = !mesh.box || !mesh.lifted.empty();
     if (!(options.warpingWeight >= 0) || !std::isfinite(options.warpingWeight) || (warps && options.warpingWeight == 0))
@@ -103,7 +103,7 @@ Result<DecimationResult> decimateSound(const DecimationMesh& mesh, const Decimat
 Result<DecimationResult> decimate(const DecimationMesh& mesh, const DecimationOptions& options, HistorySink& sink,
                                   const Progress& progress)
 {
-    for (const Status& status : {checkSizes(mesh), checkOptions(mesh, options)})
+    for (const Status& status : {checkSizes(mesh), checkDecimationOptions(mesh, options)})
         if (!status)
             return status.error();
     try {

@@ -14,7 +14,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::uint32_t none = 0xffffffff;
+constexpr std::uint32_t noNumber = 0xffffffff;
 
 #if defined(TETRA_SIMD_16)
 
@@ -76,12 +76,12 @@ void DistinctNumbers::findByTable(std::span<const std::uint32_t> numbers, std::v
 {
     distinct.clear();
     const std::size_t last = std::bit_ceil(2 * numbers.size() + 1) - 1;
-    table_.assign(last + 1, none);
+    table_.assign(last + 1, noNumber);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         std::size_t at = numbers[i] * std::size_t{0x9e3779b1} >> 7 & last;
-        while (table_[at] != none && distinct[table_[at]] != numbers[i])
+        while (table_[at] != noNumber && distinct[table_[at]] != numbers[i])
             at = (at + 1) & last;
-        if (table_[at] == none) {
+        if (table_[at] == noNumber) {
             table_[at] = static_cast<std::uint32_t>(distinct.size());
             distinct.push_back(numbers[i]);
         }

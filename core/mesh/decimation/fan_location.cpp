@@ -13,7 +13,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::size_t lanes = 8;
+constexpr std::size_t fanLanes = 8;
 
 /// Adds a column's numbers of eight faces, times the factors.
 TETRA_SIMD_INLINE void addTaken(const double* column, const std::uint32_t* faces, const Double8& factors, Double8& sum)
@@ -27,7 +27,7 @@ TETRA_SIMD_INLINE void addTaken(const double* column, const std::uint32_t* faces
 TETRA_SIMD_INLINE void takeOwners(const FanTetrahedra& tetrahedra, const Double8* from, const Double8& owner,
                                   std::uint32_t* owners, double* steps)
 {
-    for (std::size_t lane = 0; lane < lanes; ++lane)
+    for (std::size_t lane = 0; lane < fanLanes; ++lane)
         owners[lane] = tetrahedra.faces[static_cast<std::size_t>(owner[lane])];
     Double8 step{};
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -72,7 +72,7 @@ TETRA_SIMD_CLONES void locateThroughout(const FanTetrahedra& tetrahedra, const s
 #if defined(TETRA_SIMD_16)
 
 /// The weights of one corner of a face's tetrahedron at eight places.
-TETRA_SIMD_16 TETRA_SIMD_INLINE Double8 weightsOf(const double* row, std::size_t count, const Double8* from)
+TETRA_SIMD_16 TETRA_SIMD_INLINE Double8 barycentricRow(const double* row, std::size_t count, const Double8* from)
 {
     return row[0] * from[0] + row[count] * from[1] + row[2 * count] * from[2];
 }
@@ -95,7 +95,7 @@ TETRA_SIMD_16 std::size_t locateBeside(const FanTetrahedra& tetrahedra, std::siz
     Double8 deepest = zero + 1e300;
     for (std::size_t corner = 0; corner < 3; ++corner) {
         const double* row = tetrahedra.columns.data() + 3 * corner * count + tetrahedra.faces[latest];
-        const Double8 weight = weightsOf(row, count, from);
+        const Double8 weight = barycentricRow(row, count, from);
         deepest = weight < deepest ? weight : deepest;
     }
     // A little less, so that the search meets it again in its turn.
@@ -104,20 +104,20 @@ TETRA_SIMD_16 std::size_t locateBeside(const FanTetrahedra& tetrahedra, std::siz
     Double8 owner = zero;
     for (std::size_t i = 0; i < tetrahedra.faces.size(); ++i) {
         const double* row = tetrahedra.columns.data() + tetrahedra.faces[i];
-        const Double8 a = weightsOf(row, count, from);
+        const Double8 a = barycentricRow(row, count, from);
         if (!anyGreater(a, deepest))
             continue;
-        const Double8 b = weightsOf(row + 3 * count, count, from);
+        const Double8 b = barycentricRow(row + 3 * count, count, from);
         const Double8 lower = a < b ? a : b;
         if (!anyGreater(lower, deepest))
             continue;
-        const Double8 c = weightsOf(row + 6 * count, count, from);
+        const Double8 c = barycentricRow(row + 6 * count, count, from);
         const Double8 depth = lower < c ? lower : c;
         owner = depth > deepest ? zero + static_cast<double>(i) : owner;
         deepest = depth > deepest ? depth : deepest;
     }
     takeOwners(tetrahedra, from, owner, owners, steps);
-    return static_cast<std::size_t>(owner[lanes - 1]);
+    return static_cast<std::size_t>(owner[fanLanes - 1]);
 }
 
 #endif

@@ -35,7 +35,7 @@ template <std::size_t Count> constexpr std::array<CellCut, Count> positive(std::
     return cuts;
 }
 
-constexpr std::array<CellCut, 5> mirrored(std::array<CellCut, 5> cuts)
+constexpr std::array<CellCut, 5> mirroredCuts(std::array<CellCut, 5> cuts)
 {
     for (CellCut& cut : cuts)
         for (std::uint8_t& corner : cut)
@@ -48,7 +48,7 @@ constexpr std::array<CellCut, 5> mirrored(std::array<CellCut, 5> cuts)
 std::vector<std::array<std::uint32_t, 4>> latticeTetrahedra(const std::array<std::uint32_t, 3>& size, LatticeCut cut)
 {
     static constexpr auto even = positive(fiveOfEvenCells);
-    static constexpr auto odd = positive(mirrored(fiveOfEvenCells));
+    static constexpr auto odd = positive(mirroredCuts(fiveOfEvenCells));
     static constexpr auto always = positive(six);
     std::vector<std::array<std::uint32_t, 4>> tetrahedra;
     if (size[0] < 2 || size[1] < 2 || size[2] < 2)

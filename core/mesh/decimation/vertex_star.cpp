@@ -11,13 +11,13 @@ namespace tetra {
 
 namespace {
 
-constexpr std::size_t lanes = VertexStar::lanes;
+constexpr std::size_t starLanes = VertexStar::lanes;
 
 /// Fills the eight columns of VertexStar's planes. Vectors are named because compilers do not see them in such loops.
 TETRA_SIMD_CLONES void computePlanes(const double* corners, double* planes, std::size_t count)
 {
     const Double8 zero{};
-    for (std::size_t first = 0; first < count; first += lanes) {
+    for (std::size_t first = 0; first < count; first += starLanes) {
         Double8 corner[3][3], along[2][3];
         for (std::size_t i = 0; i < 3; ++i)
             for (std::size_t axis = 0; axis < 3; ++axis)
@@ -168,13 +168,13 @@ void VertexStar::measure()
 
 void VertexStar::countVolumes()
 {
-    const std::size_t room = (link_.size() + lanes - 1) / lanes * lanes, planeRoom = paddedFaceCount();
+    const std::size_t room = (link_.size() + starLanes - 1) / starLanes * starLanes, planeRoom = paddedFaceCount();
     apexes_.resize(3 * room);
     positive_.resize(room);
     for (std::size_t place = 0; place < room; ++place)
         for (std::size_t axis = 0; axis < 3; ++axis)
             apexes_[axis * room + place] = place < ofLink_.size() ? ofLink_[place].place[axis] : 0;
-    for (std::size_t first = 0; first < room; first += lanes) {
+    for (std::size_t first = 0; first < room; first += starLanes) {
         const double* apexes = apexes_.data() + first;
         double* positive = positive_.data() + first;
         if (doubt_ == 0)

@@ -13,22 +13,22 @@ namespace tetra {
 
 namespace {
 
-struct Format {
+struct MeshFormat {
     std::string_view ending;
     Status (*write)(const std::filesystem::path& path, const MeshContent& content, const Progress& progress);
 };
-constexpr std::array<Format, 7> formats = {{{".vtu", writeVtu},
-                                            {".vtk", writeVtk},
-                                            {".ply", writePlyMesh},
-                                            {".vtp", writeBoundary},
-                                            {".stl", writeBoundary},
-                                            {".obj", writeBoundary},
-                                            {".glb", writeBoundary}}};
+constexpr std::array<MeshFormat, 7> meshFormats = {{{".vtu", writeVtu},
+                                                    {".vtk", writeVtk},
+                                                    {".ply", writePlyMesh},
+                                                    {".vtp", writeBoundary},
+                                                    {".stl", writeBoundary},
+                                                    {".obj", writeBoundary},
+                                                    {".glb", writeBoundary}}};
 
-const Format* formatOf(const std::filesystem::path& path)
+const MeshFormat* meshFormatOf(const std::filesystem::path& path)
 {
-    const auto found = std::ranges::find(formats, fileEnding(path), &Format::ending);
-    return found == formats.end() ? nullptr : &*found;
+    const auto found = std::ranges::find(meshFormats, fileEnding(path), &MeshFormat::ending);
+    return found == meshFormats.end() ? nullptr : &*found;
 }
 
 Status checkArrays(const std::vector<NamedArray>& arrays, std::size_t count, std::string_view of)
@@ -61,7 +61,7 @@ std::string factText(const MeshFacts::value_type::second_type& fact)
 
 Status checkMeshFileName(const std::filesystem::path& path)
 {
-    if (formatOf(path) != nullptr)
+    if (meshFormatOf(path) != nullptr)
         return {};
     return Error{ErrorKind::WrongUsage,
                  "'" + path.string() +
@@ -78,7 +78,7 @@ Status writeMeshFile(const std::filesystem::path& path, const MeshContent& conte
     if (const Status fit = checkArrays(content.cellArrays, content.tetrahedra.size(), "tetrahedra"); !fit)
         return fit;
     try {
-        return formatOf(path)->write(path, content, progress);
+        return meshFormatOf(path)->write(path, content, progress);
     } catch (const std::bad_alloc&) {
         return Error{ErrorKind::OutOfResource, "Not enough memory to write '" + path.string() + "'."};
     }

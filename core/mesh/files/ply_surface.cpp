@@ -6,7 +6,7 @@ namespace tetra {
 
 namespace {
 
-std::string headOf(const SurfaceContent& content, const SurfaceSize& size, bool normals)
+std::string plyHead(const SurfaceContent& content, const SurfaceSize& size, bool normals)
 {
     PlyHead head;
     head.comment(content.title + " by TAn").facts(content.facts).element("vertex", size.vertices);
@@ -33,7 +33,7 @@ Status writePlySurface(const std::filesystem::path& path, const SurfaceContent& 
         MeshOutput::create(path, size.vertices * vertexBytes + size.triangles * faceBytes, writingSurfaces, progress);
     if (!out)
         return out.error();
-    if (const Status written = out->text(headOf(content, size, normals)); !written)
+    if (const Status written = out->text(plyHead(content, size, normals)); !written)
         return written;
     const auto vertex = [&](const SurfacePart& part, std::uint64_t, std::uint64_t index, std::byte* where) {
         for (const float coordinate : part.positions[index])

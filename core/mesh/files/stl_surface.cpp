@@ -13,7 +13,7 @@ constexpr std::size_t headBytes = 80;
 constexpr std::size_t triangleBytes = 12 * sizeof(float) + sizeof(std::uint16_t);
 
 /// Eighty bytes that must not begin with "solid": that is how text files begin.
-std::string headOf(const SurfaceContent& content)
+std::string stlHead(const SurfaceContent& content)
 {
     std::string head = "binary STL, " + content.title + " by TAn";
     head.resize(headBytes, ' ');
@@ -40,7 +40,7 @@ Status writeStl(const std::filesystem::path& path, const SurfaceContent& content
                                   writingSurfaces, progress);
     if (!out)
         return out.error();
-    if (const Status written = out->text(headOf(content)); !written)
+    if (const Status written = out->text(stlHead(content)); !written)
         return written;
     const auto count = static_cast<std::uint32_t>(size.triangles);
     if (const Status written = out->bytes(std::as_bytes(std::span(&count, 1))); !written)

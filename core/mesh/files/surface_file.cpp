@@ -11,23 +11,23 @@ namespace tetra {
 
 namespace {
 
-struct Format {
+struct SurfaceFormat {
     std::string_view ending;
     bool surfacesOnly;
     Status (*write)(const std::filesystem::path& path, const SurfaceContent& content, const Progress& progress);
 };
-constexpr std::array<Format, 7> formats = {{{".vtp", true, writeVtp},
-                                            {".vtk", false, writeVtkSurface},
-                                            {".vtu", false, writeVtuSurface},
-                                            {".ply", false, writePlySurface},
-                                            {".stl", true, writeStl},
-                                            {".obj", true, writeObj},
-                                            {".glb", true, writeGlb}}};
+constexpr std::array<SurfaceFormat, 7> surfaceFormats = {{{".vtp", true, writeVtp},
+                                                          {".vtk", false, writeVtkSurface},
+                                                          {".vtu", false, writeVtuSurface},
+                                                          {".ply", false, writePlySurface},
+                                                          {".stl", true, writeStl},
+                                                          {".obj", true, writeObj},
+                                                          {".glb", true, writeGlb}}};
 
-const Format* formatOf(const std::filesystem::path& path)
+const SurfaceFormat* surfaceFormatOf(const std::filesystem::path& path)
 {
-    const auto found = std::ranges::find(formats, fileEnding(path), &Format::ending);
-    return found == formats.end() ? nullptr : &*found;
+    const auto found = std::ranges::find(surfaceFormats, fileEnding(path), &SurfaceFormat::ending);
+    return found == surfaceFormats.end() ? nullptr : &*found;
 }
 
 Status misfit(const SurfacePart& part, std::string_view what)
@@ -75,7 +75,7 @@ Error tooLarge(const std::filesystem::path& path, std::string_view limit)
 
 Status checkSurfaceFileName(const std::filesystem::path& path)
 {
-    if (formatOf(path) != nullptr)
+    if (surfaceFormatOf(path) != nullptr)
         return {};
     return Error{ErrorKind::WrongUsage,
                  "'" + path.string() +
@@ -85,7 +85,7 @@ Status checkSurfaceFileName(const std::filesystem::path& path)
 
 bool isSurfaceFileOnly(const std::filesystem::path& path)
 {
-    const Format* format = formatOf(path);
+    const SurfaceFormat* format = surfaceFormatOf(path);
     return format != nullptr && format->surfacesOnly;
 }
 
@@ -98,7 +98,7 @@ Status writeSurfaceFile(const std::filesystem::path& path, const SurfaceContent&
         if (const Status fits = checkPart(part, normals); !fits)
             return fits;
     try {
-        return formatOf(path)->write(path, content, progress);
+        return surfaceFormatOf(path)->write(path, content, progress);
     } catch (const std::bad_alloc&) {
         return Error{ErrorKind::OutOfResource, "Not enough memory to write '" + path.string() + "'."};
     }

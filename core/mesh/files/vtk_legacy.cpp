@@ -20,7 +20,7 @@ std::string withLength(const std::string& text)
     return encoded + text;
 }
 
-std::string factsText(const MeshFacts& facts)
+std::string titleText(const MeshFacts& facts)
 {
     if (facts.empty())
         return "";
@@ -59,7 +59,7 @@ std::string vtkLegacyWord(std::string_view name)
 std::string vtkLegacyHead(std::string_view title, std::string_view dataset, const MeshFacts& facts)
 {
     return "# vtk DataFile Version 4.2\n" + std::string(title) + "\nBINARY\nDATASET " + std::string(dataset) + "\n" +
-           factsText(facts);
+           titleText(facts);
 }
 
 } // namespace tetra

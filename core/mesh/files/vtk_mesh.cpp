@@ -9,9 +9,9 @@ namespace tetra {
 
 namespace {
 
-constexpr std::int32_t vtkTetra = 10;
+constexpr std::int32_t legacyTetra = 10;
 
-template <class T> constexpr std::string_view typeName()
+template <class T> constexpr std::string_view legacyTypeName()
 {
     if constexpr (std::is_same_v<T, float>)
         return "float";
@@ -51,7 +51,7 @@ Status writeGeometry(MeshOutput& out, const MeshContent& content)
     if (const Status written = out.text("\nCELL_TYPES " + std::to_string(cells) + "\n"); !written)
         return written;
     if (const Status written =
-            out.records(cells, 4, [](std::uint64_t, std::byte* where) { putTurned(where, vtkTetra); });
+            out.records(cells, 4, [](std::uint64_t, std::byte* where) { putTurned(where, legacyTetra); });
         !written)
         return written;
     return out.text("\n");
@@ -67,7 +67,7 @@ Status writeArrays(MeshOutput& out, std::string_view keyword, std::uint64_t coun
     for (std::size_t number = 0; number < arrays.size(); ++number) {
         const Status written = std::visit(
             [&]<class T>(std::span<const T> values) -> Status {
-                const std::string type(typeName<T>());
+                const std::string type(legacyTypeName<T>());
                 std::string head = number == 1 ? "FIELD FieldData " + std::to_string(arrays.size() - 1) + "\n" : "";
                 head +=
                     number == 0

@@ -7,7 +7,7 @@ namespace tetra {
 namespace {
 
 constexpr std::size_t vectorBytes = 3 * sizeof(float);
-constexpr std::size_t triangleBytes = 4 * sizeof(std::int32_t);
+constexpr std::size_t legacyTriangleBytes = 4 * sizeof(std::int32_t);
 
 Status writeVectors(MeshOutput& out, const SurfaceContent& content,
                     std::span<const Eigen::Vector3f> SurfacePart::*which)
@@ -26,7 +26,7 @@ Status writeTriangles(MeshOutput& out, const SurfaceContent& content)
         for (const std::uint32_t corner : part.triangles[index])
             putTurned(where, static_cast<std::int32_t>(first + corner));
     };
-    return partRecords(out, content, triangleCount, triangleBytes, triangle);
+    return partRecords(out, content, triangleCount, legacyTriangleBytes, triangle);
 }
 
 Status writeValues(MeshOutput& out, const SurfaceContent& content)
@@ -70,7 +70,8 @@ Status writeVtkSurface(const std::filesystem::path& path, const SurfaceContent& 
     const SurfaceSize size = sizeOf(content);
     if (size.vertices > mostVtkLegacyNumbers || 4 * size.triangles > mostVtkLegacyNumbers)
         return tooLarge(path, "a legacy VTK file can number");
-    auto out = MeshOutput::create(path, size.vertices * 28 + size.triangles * triangleBytes, writingSurfaces, progress);
+    auto out =
+        MeshOutput::create(path, size.vertices * 28 + size.triangles * legacyTriangleBytes, writingSurfaces, progress);
     if (!out)
         return out.error();
     if (const Status written = writeAll(*out, content, size); !written)

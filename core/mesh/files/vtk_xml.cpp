@@ -8,7 +8,7 @@ namespace tetra {
 namespace {
 
 /// Numbers and texts of one tuple; texts as VTK writes them, by the codes of their bytes.
-std::string factsText(const MeshFacts& facts)
+std::string xmlFacts(const MeshFacts& facts)
 {
     if (facts.empty())
         return "";
@@ -33,7 +33,7 @@ std::string headOf(const XmlGrid& grid)
 {
     std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + grid.type +
                        "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<" + grid.type + ">\n" +
-                       factsText(grid.facts) + "<Piece" + grid.numbers + ">\n";
+                       xmlFacts(grid.facts) + "<Piece" + grid.numbers + ">\n";
     std::uint64_t offset = 0;
     for (const XmlElement& element : grid.elements) {
         text += "<" + element.name + element.attributes + ">\n";

@@ -9,7 +9,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::uint8_t vtkTetra = 10;
+constexpr std::uint8_t xmlTetra = 10;
 
 XmlElement elementOf(std::string name, const std::vector<NamedArray>& arrays)
 {
@@ -37,7 +37,7 @@ template <class Index> XmlGrid gridOf(const MeshContent& content)
     cells.arrays.push_back(
         madeXmlArray<Index>("offsets", tetrahedra.size(), [](std::uint64_t cell) { return 4 * (cell + 1); }));
     cells.arrays.push_back(
-        madeXmlArray<std::uint8_t>("types", tetrahedra.size(), [](std::uint64_t) { return vtkTetra; }));
+        madeXmlArray<std::uint8_t>("types", tetrahedra.size(), [](std::uint64_t) { return xmlTetra; }));
     return {"UnstructuredGrid",
             " NumberOfPoints=\"" + std::to_string(content.positions.size()) + "\" NumberOfCells=\"" +
                 std::to_string(tetrahedra.size()) + "\"",

@@ -15,7 +15,7 @@ namespace tetra {
 namespace {
 
 /// So many blocks, spread over the lattice, come first: what they came to tells what all will.
-constexpr std::uint32_t sampleSize = 64;
+constexpr std::uint32_t bytesPerSample = 64;
 
 std::uint64_t pointsOf(const LatticeBox& box)
 {
@@ -27,7 +27,7 @@ std::vector<std::uint32_t> orderOfWork(std::uint32_t blocks)
 {
     std::vector<std::uint32_t> order;
     std::vector<bool> taken(blocks);
-    const std::uint32_t sampled = std::min(sampleSize, blocks);
+    const std::uint32_t sampled = std::min(bytesPerSample, blocks);
     for (std::uint32_t i = 0; i < sampled; ++i) {
         // Multiples of the golden ratio fill an interval evenly, however many they are.
         const double place = 0.6180339887498949 * (i + 1);
@@ -139,7 +139,7 @@ Status RunMaker::account(std::uint32_t block)
     totals_.tetrahedra += header->tetrahedronCount;
     totals_.fileBytes += runBytes(*header);
     ++finished_;
-    if (!options_.check || finished_ < std::min<std::size_t>(sampleSize, order_.size()))
+    if (!options_.check || finished_ < std::min<std::size_t>(bytesPerSample, order_.size()))
         return {};
     const double share = static_cast<double>(allPoints_) / static_cast<double>(totals_.points);
     const auto scaled = [share](std::uint64_t amount) {

@@ -17,11 +17,11 @@ namespace {
 constexpr double numberedShare = 0.2;
 
 /// A chunk on its way through the pipeline.
-struct Piece {
+struct SectionPiece {
     MergedChunk chunk;
     TranslatedStars stars;
 };
-using PiecePointer = std::shared_ptr<Piece>;
+using PiecePointer = std::shared_ptr<SectionPiece>;
 
 /// Reads, translates and writes at once; the first thing that goes wrong stops all.
 class StarPipeline {
@@ -37,7 +37,7 @@ public:
 private:
     PiecePointer make(tbb::flow_control& control);
     PiecePointer translate(PiecePointer piece);
-    void write(const Piece& piece);
+    void write(const SectionPiece& piece);
     void fail(const Error& error);
 
     const RunFiles& runs_;
@@ -67,7 +67,7 @@ Status StarPipeline::run()
 
 PiecePointer StarPipeline::make(tbb::flow_control& control)
 {
-    auto piece = std::make_shared<Piece>();
+    auto piece = std::make_shared<SectionPiece>();
     if (progress_.cancelled())
         fail(cancelledError("Merging the blocks"));
     if (!failed_) {
@@ -94,7 +94,7 @@ PiecePointer StarPipeline::translate(PiecePointer piece)
     return piece;
 }
 
-void StarPipeline::write(const Piece& piece)
+void StarPipeline::write(const SectionPiece& piece)
 {
     if (failed_)
         return;

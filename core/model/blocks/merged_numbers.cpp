@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t sitesBetweenReports = 1 << 16;
 
-Error unfit()
+Error unfitNumbers()
 {
     return {ErrorKind::OutOfResource, "The runs of the blocks do not fit together. Start the build again."};
 }
@@ -52,7 +52,7 @@ Status MergedNumbers::fill(const RunFiles& runs, const Progress& progress)
         for (const MergedBatch::Part& part : batch.parts) {
             const std::uint64_t first = firsts_[part.block] + part.firstSite;
             if (first + part.siteCount > firsts_[part.block + 1])
-                return unfit();
+                return unfitNumbers();
             for (std::uint32_t site = 0; site < part.siteCount; ++site)
                 numbers[first + site] = siteCount_ + batch.places[part.firstPlace + site];
             done += part.siteCount;
@@ -65,7 +65,7 @@ Status MergedNumbers::fill(const RunFiles& runs, const Progress& progress)
             return cancelledError("Merging the blocks");
         progress.report(static_cast<double>(done) / static_cast<double>(numbers.size()), "Numbering the sites");
     }
-    return done == numbers.size() ? Status() : Status(unfit());
+    return done == numbers.size() ? Status() : Status(unfitNumbers());
 }
 
 } // namespace tetra

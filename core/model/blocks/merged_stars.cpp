@@ -67,7 +67,7 @@ struct Translated {
     std::uint16_t ownError;
 };
 
-Error unfit()
+Error unfitStars()
 {
     return {ErrorKind::OutOfResource, "The runs of the blocks do not fit together. Start the build again."};
 }
@@ -100,7 +100,7 @@ Status sortIntoStars(const std::vector<Translated>& tetrahedra, const MergedChun
     for (const Translated& tetrahedron : tetrahedra) {
         const std::uint32_t place = tetrahedron.sites[0] - chunk.firstSite;
         if (place >= chunk.points.size())
-            return unfit();
+            return unfitStars();
         ++stars.starSizes[place];
     }
     std::vector<std::uint32_t> next(chunk.points.size());
@@ -227,7 +227,7 @@ Result<TranslatedStars> translateStars(const MergedChunk& chunk, const RunFiles&
                                      : translatePart<WideTetrahedron>)(reader.of(number), part.tetrahedronCount,
                                                                        numbers.ofBlock(part.block), chunk, tetrahedra);
         if (!right)
-            return unfit();
+            return unfitStars();
     }
     TranslatedStars stars;
     if (const Status sorted = sortIntoStars(tetrahedra, chunk, stars); !sorted)

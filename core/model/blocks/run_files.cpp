@@ -42,7 +42,7 @@ bool belongs(const BlockRunHeader& header, std::uint64_t fingerprint, std::uint3
            header.wordCount < most && header.tetrahedronCount < 2ull * most && fileBytes == runBytes(header);
 }
 
-std::uint64_t sizeOf(int descriptor)
+std::uint64_t fileSize(int descriptor)
 {
     struct stat status {};
     return ::fstat(descriptor, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
@@ -124,7 +124,7 @@ Result<BlockRunHeader> RunFiles::readHeader(const OpenFile& file, std::uint32_t 
     if (file.descriptor() < 0)
         return unreadable(block, std::generic_category().message(errno));
     if (readAll(file.descriptor(), 0, std::as_writable_bytes(std::span(&header, 1))) != 0 ||
-        !belongs(header, fingerprint_, block, sizeOf(file.descriptor())))
+        !belongs(header, fingerprint_, block, fileSize(file.descriptor())))
         return unreadable(block, "it is not what was written");
     return header;
 }

@@ -11,18 +11,18 @@ namespace tetra {
 namespace {
 
 /// An edge as one of its triangles has it.
-struct Edge {
+struct SurfaceEdge {
     std::array<std::uint32_t, 2> points; ///< the smaller number first
     bool turned;                         ///< it runs from the larger one to the smaller
     std::uint32_t triangle;
     std::uint32_t corner; ///< of the triangle, where it begins
 
-    auto operator<=>(const Edge&) const = default;
+    auto operator<=>(const SurfaceEdge&) const = default;
 };
 
-std::vector<Edge> sortedEdges(std::span<const PointTriangle> triangles)
+std::vector<SurfaceEdge> sortedEdges(std::span<const PointTriangle> triangles)
 {
-    std::vector<Edge> edges;
+    std::vector<SurfaceEdge> edges;
     edges.reserve(3 * triangles.size());
     for (std::uint32_t triangle = 0; triangle < triangles.size(); ++triangle)
         for (std::uint32_t corner = 0; corner < 3; ++corner) {
@@ -34,10 +34,10 @@ std::vector<Edge> sortedEdges(std::span<const PointTriangle> triangles)
 }
 
 /// Fans: the corners of triangles that follow each other around a vertex.
-void joinFans(const Edge& first, const Edge& second, DisjointSets& fans)
+void joinFans(const SurfaceEdge& first, const SurfaceEdge& second, DisjointSets& fans)
 {
     // The edge begins in one triangle where it ends in the other.
-    const auto corner = [](const Edge& edge, std::uint32_t step) {
+    const auto corner = [](const SurfaceEdge& edge, std::uint32_t step) {
         return 3 * edge.triangle + (edge.corner + step) % 3;
     };
     fans.join(corner(first, 0), corner(second, 1));
@@ -87,12 +87,12 @@ void nameSurfaces(std::size_t triangleCount, DisjointSets& joined, DisjointSets&
 BoundarySurfaces boundarySurfaces(std::span<const PointTriangle> triangles)
 {
     BoundarySurfaces found;
-    const std::vector<Edge> edges = sortedEdges(triangles);
+    const std::vector<SurfaceEdge> edges = sortedEdges(triangles);
     DisjointSets joined(triangles.size());
     DisjointSets fans(3 * triangles.size());
     for (auto begin = edges.begin(); begin != edges.end();) {
         const auto end =
-            std::find_if(begin, edges.end(), [&](const Edge& edge) { return edge.points != begin->points; });
+            std::find_if(begin, edges.end(), [&](const SurfaceEdge& edge) { return edge.points != begin->points; });
         if (end - begin == 2 && begin->turned != (end - 1)->turned) {
             joined.join(begin->triangle, (end - 1)->triangle);
             joinFans(*begin, *(end - 1), fans);

@@ -13,23 +13,23 @@ namespace tetra {
 
 namespace {
 
-using Place = Eigen::Vector3d;
-using Corners = std::array<Place, 3>;
+using SpacePlace = Eigen::Vector3d;
+using MeetingTriangle = std::array<SpacePlace, 3>;
 
 /// The side of a line in the plane without the axis `out`: of c beside the line from a to b.
-int sideInPlane(const Place& a, const Place& b, const Place& c, int out)
+int sideInPlane(const SpacePlace& a, const SpacePlace& b, const SpacePlace& c, int out)
 {
-    Place p = a, q = b, r = c;
+    SpacePlace p = a, q = b, r = c;
     p[out] = q[out] = r[out] = 0;
-    Place above = p;
+    SpacePlace above = p;
     above[out] = 1;
     return volumeSign(p, q, r, above);
 }
 
 /// An axis along which the triangle, which is not flat, has a projection that is not flat.
-int axisToLeaveOut(const Corners& t)
+int axisToLeaveOut(const MeetingTriangle& t)
 {
-    const Place normal = (t[1] - t[0]).cross(t[2] - t[0]).cwiseAbs();
+    const SpacePlace normal = (t[1] - t[0]).cross(t[2] - t[0]).cwiseAbs();
     int best = 0;
     normal.maxCoeff(&best);
     for (const int axis : {best, (best + 1) % 3, (best + 2) % 3})
@@ -38,7 +38,7 @@ int axisToLeaveOut(const Corners& t)
     return best;
 }
 
-bool holdsInPlane(const Corners& t, const Place& place, int out)
+bool holdsInPlane(const MeetingTriangle& t, const SpacePlace& place, int out)
 {
     const int sides[] = {sideInPlane(t[0], t[1], place, out), sideInPlane(t[1], t[2], place, out),
                          sideInPlane(t[2], t[0], place, out)};
@@ -47,13 +47,13 @@ bool holdsInPlane(const Corners& t, const Place& place, int out)
 }
 
 /// Of segments on one line at most: whether their boxes overlap.
-bool boxesMeet(const Place& a, const Place& b, const Place& c, const Place& d)
+bool boxesMeet(const SpacePlace& a, const SpacePlace& b, const SpacePlace& c, const SpacePlace& d)
 {
     return (a.cwiseMin(b).array() <= c.cwiseMax(d).array()).all() &&
            (c.cwiseMin(d).array() <= a.cwiseMax(b).array()).all();
 }
 
-bool segmentsMeetInPlane(const Place& a, const Place& b, const Place& c, const Place& d, int out)
+bool segmentsMeetInPlane(const SpacePlace& a, const SpacePlace& b, const SpacePlace& c, const SpacePlace& d, int out)
 {
     if (!boxesMeet(a, b, c, d))
         return false;
@@ -62,14 +62,14 @@ bool segmentsMeetInPlane(const Place& a, const Place& b, const Place& c, const P
 }
 
 /// All in one plane.
-bool segmentMeetsInPlane(const Place& from, const Place& to, const Corners& t)
+bool segmentMeetsInPlane(const SpacePlace& from, const SpacePlace& to, const MeetingTriangle& t)
 {
     const int out = axisToLeaveOut(t);
     return holdsInPlane(t, from, out) || holdsInPlane(t, to, out) || segmentsMeetInPlane(from, to, t[0], t[1], out) ||
            segmentsMeetInPlane(from, to, t[1], t[2], out) || segmentsMeetInPlane(from, to, t[2], t[0], out);
 }
 
-bool segmentMeets(const Place& from, const Place& to, const Corners& t)
+bool segmentMeets(const SpacePlace& from, const SpacePlace& to, const MeetingTriangle& t)
 {
     const int first = volumeSign(t[0], t[1], t[2], from);
     const int second = volumeSign(t[0], t[1], t[2], to);
@@ -85,12 +85,12 @@ bool segmentMeets(const Place& from, const Place& to, const Corners& t)
 
 /// Two triangles with the points that they share in front, in the same order.
 struct Pair {
-    Corners first;
-    Corners second;
+    MeetingTriangle first;
+    MeetingTriangle second;
     std::size_t shared = 0;
 };
 
-Pair pairOf(std::span<const Place> positions, PointTriangle first, PointTriangle second)
+Pair pairOf(std::span<const SpacePlace> positions, PointTriangle first, PointTriangle second)
 {
     Pair pair;
     for (std::size_t i = pair.shared; i < 3; ++i) {
@@ -110,16 +110,16 @@ Pair pairOf(std::span<const Place> positions, PointTriangle first, PointTriangle
 
 /// Whether a plane across the axis has the triangles on its sides, with nothing but what they share in it; `doubt` is
 /// more than what rounding can do to a coordinate along an axis of length 1.
-bool separates(const Pair& pair, const Place& axis, double doubt)
+bool separates(const Pair& pair, const SpacePlace& axis, double doubt)
 {
     const double margin = doubt * axis.lpNorm<1>();
     if (!(margin > 0))
         return false;
     // The origin is shared, or the mean of two corners: where the plane goes through is free unless points are shared.
-    const Place& origin = pair.first[0];
+    const SpacePlace& origin = pair.first[0];
     double low[2], high[2];
     for (int which = 0; which < 2; ++which) {
-        const Corners& t = which == 0 ? pair.first : pair.second;
+        const MeetingTriangle& t = which == 0 ? pair.first : pair.second;
         low[which] = std::numeric_limits<double>::infinity();
         high[which] = -low[which];
         for (std::size_t i = pair.shared; i < 3; ++i) {
@@ -136,17 +136,19 @@ bool separates(const Pair& pair, const Place& axis, double doubt)
 /// True only if the triangles have nothing in common but one shared point, or nothing at all: what most pairs are.
 bool arePlainlyApart(const Pair& pair)
 {
-    const auto edges = [](const Corners& t) { return std::array<Place, 3>{t[1] - t[0], t[2] - t[1], t[0] - t[2]}; };
+    const auto edges = [](const MeetingTriangle& t) {
+        return std::array<SpacePlace, 3>{t[1] - t[0], t[2] - t[1], t[0] - t[2]};
+    };
     const auto first = edges(pair.first), second = edges(pair.second);
     double size = 0;
-    for (const Corners* t : {&pair.first, &pair.second})
-        for (const Place& corner : *t)
+    for (const MeetingTriangle* t : {&pair.first, &pair.second})
+        for (const SpacePlace& corner : *t)
             size = std::max(size, corner.cwiseAbs().maxCoeff());
     const double doubt = 0x1p-48 * size;
-    const Place firstNormal = first[0].cross(first[2]), secondNormal = second[0].cross(second[2]);
+    const SpacePlace firstNormal = first[0].cross(first[2]), secondNormal = second[0].cross(second[2]);
     if (separates(pair, firstNormal, doubt) || separates(pair, secondNormal, doubt))
         return true;
-    const Place middles = (pair.second[1] + pair.second[2]) - (pair.first[1] + pair.first[2]);
+    const SpacePlace middles = (pair.second[1] + pair.second[2]) - (pair.first[1] + pair.first[2]);
     if (separates(pair, middles, doubt))
         return true;
     for (std::size_t i = 0; i < 3; ++i)
@@ -154,17 +156,19 @@ bool arePlainlyApart(const Pair& pair)
             separates(pair, secondNormal.cross(second[i]), doubt))
             return true;
     if (pair.shared == 1) { // between the sides of the two that are next to each other
-        for (const Place& a : {Place(pair.first[1] - pair.first[0]), Place(pair.first[2] - pair.first[0])})
-            for (const Place& b : {Place(pair.second[1] - pair.first[0]), Place(pair.second[2] - pair.first[0])}) {
-                const Place between = a.normalized() + b.normalized();
+        for (const SpacePlace& a :
+             {SpacePlace(pair.first[1] - pair.first[0]), SpacePlace(pair.first[2] - pair.first[0])})
+            for (const SpacePlace& b :
+                 {SpacePlace(pair.second[1] - pair.first[0]), SpacePlace(pair.second[2] - pair.first[0])}) {
+                const SpacePlace between = a.normalized() + b.normalized();
                 if (separates(pair, firstNormal.cross(between), doubt) ||
                     separates(pair, secondNormal.cross(between), doubt))
                     return true;
             }
         return false;
     }
-    for (const Place& a : first)
-        for (const Place& b : second)
+    for (const SpacePlace& a : first)
+        for (const SpacePlace& b : second)
             if (separates(pair, a.cross(b), doubt))
                 return true;
     return false;
@@ -173,8 +177,8 @@ bool arePlainlyApart(const Pair& pair)
 /// Of two that share an edge: one lies on the other.
 bool areFolded(const Pair& pair)
 {
-    const auto normal = [](const Corners& t) -> Place { return (t[1] - t[0]).cross(t[2] - t[0]); };
-    const Place first = normal(pair.first), second = normal(pair.second);
+    const auto normal = [](const MeetingTriangle& t) -> SpacePlace { return (t[1] - t[0]).cross(t[2] - t[0]); };
+    const SpacePlace first = normal(pair.first), second = normal(pair.second);
     // On opposite sides of the edge the normals, which both turn about it the same way, point apart. Far from rounding.
     if (first.dot(second) < -0x1p-10 * first.norm() * second.norm() &&
         std::min(first.norm(), second.norm()) >
@@ -189,20 +193,21 @@ bool areFolded(const Pair& pair)
 
 } // namespace
 
-bool segmentMeetsTriangle(const Place& from, const Place& to, const Place& a, const Place& b, const Place& c)
+bool segmentMeetsTriangle(const SpacePlace& from, const SpacePlace& to, const SpacePlace& a, const SpacePlace& b,
+                          const SpacePlace& c)
 {
     return segmentMeets(from, to, {a, b, c});
 }
 
-bool facesMeet(std::span<const Place> positions, const PointTriangle& first, const PointTriangle& second)
+bool facesMeet(std::span<const SpacePlace> positions, const PointTriangle& first, const PointTriangle& second)
 {
     const Pair pair = pairOf(positions, first, second);
     if (pair.shared == 2)
         return areFolded(pair);
     if (arePlainlyApart(pair))
         return false;
-    const Corners& a = pair.first;
-    const Corners& b = pair.second;
+    const MeetingTriangle& a = pair.first;
+    const MeetingTriangle& b = pair.second;
     // What two triangles with a common corner share besides it reaches to a side opposite to that corner.
     if (pair.shared == 1)
         return segmentMeets(a[1], a[2], b) || segmentMeets(b[1], b[2], a);

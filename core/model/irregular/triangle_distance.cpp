@@ -10,27 +10,27 @@ namespace tetra {
 
 namespace {
 
-using Place = Eigen::Vector3d;
+using SpacePlace = Eigen::Vector3d;
 
 /// How far along the segment, from 0 to 1, its place next to `from` is.
-double alongSegment(const Place& a, const Place& b, const Place& from)
+double alongSegment(const SpacePlace& a, const SpacePlace& b, const SpacePlace& from)
 {
-    const Place edge = b - a;
+    const SpacePlace edge = b - a;
     const double length = edge.squaredNorm();
     return length > 0 ? std::clamp(edge.dot(from - a) / length, 0.0, 1.0) : 0;
 }
 
 /// Weights of the place where the triangle's plane is next to `from`; negative ones lie outside.
-std::array<double, 3> weightsInPlane(const TriangleCorners& t, const Place& from)
+std::array<double, 3> weightsInPlane(const TriangleCorners& t, const SpacePlace& from)
 {
-    const Place normal = (t[1] - t[0]).cross(t[2] - t[0]);
+    const SpacePlace normal = (t[1] - t[0]).cross(t[2] - t[0]);
     const double area = normal.squaredNorm();
     const double second = normal.dot((from - t[0]).cross(t[2] - t[0])) / area;
     const double third = normal.dot((t[1] - t[0]).cross(from - t[0])) / area;
     return {1 - second - third, second, third};
 }
 
-Place at(const TriangleCorners& t, const std::array<double, 3>& weights)
+SpacePlace at(const TriangleCorners& t, const std::array<double, 3>& weights)
 {
     return t[0] + weights[1] * (t[1] - t[0]) + weights[2] * (t[2] - t[0]);
 }
@@ -41,7 +41,7 @@ bool areInside(const std::array<double, 3>& weights)
 }
 
 /// The values at places that were found to be within the radius.
-struct Extremes {
+struct DistanceRange {
     const std::array<double, 3>& values;
     std::optional<std::array<double, 2>> range;
 
@@ -56,10 +56,11 @@ struct Extremes {
 };
 
 /// Where an edge goes into and out of the ball, or its ends inside.
-void addEdge(const TriangleCorners& t, std::size_t from, const Place& centre, double radius, Extremes& extremes)
+void addEdge(const TriangleCorners& t, std::size_t from, const SpacePlace& centre, double radius,
+             DistanceRange& extremes)
 {
     const std::size_t to = (from + 1) % 3;
-    const Place edge = t[to] - t[from];
+    const SpacePlace edge = t[to] - t[from];
     const double length = edge.squaredNorm();
     if (!(length > 0))
         return;
@@ -77,15 +78,15 @@ void addEdge(const TriangleCorners& t, std::size_t from, const Place& centre, do
 }
 
 /// Where the function is least and largest on the disc that the ball cuts out of the plane.
-void addDisc(const TriangleCorners& t, const std::array<double, 3>& values, const Place& centre, double radius,
-             Extremes& extremes)
+void addDisc(const TriangleCorners& t, const std::array<double, 3>& values, const SpacePlace& centre, double radius,
+             DistanceRange& extremes)
 {
     const std::array<double, 3> foot = weightsInPlane(t, centre);
     const double off = (at(t, foot) - centre).squaredNorm();
     if (!(off <= radius * radius))
         return;
-    const Place normal = (t[1] - t[0]).cross(t[2] - t[0]);
-    const Place gradient =
+    const SpacePlace normal = (t[1] - t[0]).cross(t[2] - t[0]);
+    const SpacePlace gradient =
         ((values[1] - values[0]) * (t[2] - t[0]).cross(normal) + (values[2] - values[0]) * normal.cross(t[1] - t[0])) /
         normal.squaredNorm();
     const double steepness = gradient.norm();
@@ -104,7 +105,7 @@ void addDisc(const TriangleCorners& t, const std::array<double, 3>& values, cons
 
 } // namespace
 
-TrianglePlace nearestPlace(const TriangleCorners& t, const Place& from)
+TrianglePlace nearestPlace(const TriangleCorners& t, const SpacePlace& from)
 {
     const std::array<double, 3> inPlane = weightsInPlane(t, from);
     if (areInside(inPlane))
@@ -124,9 +125,9 @@ TrianglePlace nearestPlace(const TriangleCorners& t, const Place& from)
 }
 
 std::optional<std::array<double, 2>> valuesWithin(const TriangleCorners& triangle, const std::array<double, 3>& values,
-                                                  const Place& centre, double radius)
+                                                  const SpacePlace& centre, double radius)
 {
-    Extremes extremes{values, {}};
+    DistanceRange extremes{values, {}};
     for (std::size_t corner = 0; corner < 3; ++corner)
         addEdge(triangle, corner, centre, radius, extremes);
     addDisc(triangle, values, centre, radius, extremes);

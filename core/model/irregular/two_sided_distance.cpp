@@ -15,7 +15,7 @@ constexpr double leastOfDiagonal = 1e-3;
 constexpr int mostCuts = 8; ///< a triangle becomes at most 4^8 pieces
 
 /// A piece of a triangle, to be looked at.
-struct Piece {
+struct TrianglePiece {
     TriangleCorners corners;
     std::uint32_t hint = 0; ///< a triangle that may be near
     int cuts = 0;
@@ -37,7 +37,7 @@ public:
     {
         waiting_ = {{triangle, tree_.nearest(middleOf(triangle)).triangle, 0}};
         while (!waiting_.empty()) {
-            const Piece piece = waiting_.back();
+            const TrianglePiece piece = waiting_.back();
             waiting_.pop_back();
             look(piece);
         }
@@ -45,7 +45,7 @@ public:
     }
 
 private:
-    void look(const Piece& piece)
+    void look(const TrianglePiece& piece)
     {
         const Eigen::Vector3d middle = middleOf(piece.corners);
         const TriangleTree::Nearest nearest = tree_.nearest(middle, piece.hint);
@@ -65,7 +65,7 @@ private:
             result_.bound = std::max(result_.bound, bound);
     }
 
-    void cut(const Piece& piece, std::uint32_t hint)
+    void cut(const TrianglePiece& piece, std::uint32_t hint)
     {
         const TriangleCorners& c = piece.corners;
         const Eigen::Vector3d ab = (c[0] + c[1]) / 2, bc = (c[1] + c[2]) / 2, ca = (c[2] + c[0]) / 2;
@@ -77,7 +77,7 @@ private:
     const TriangleTree& tree_;
     double least_;
     BoundaryDistances result_;
-    std::vector<Piece> waiting_;
+    std::vector<TrianglePiece> waiting_;
 };
 
 /// Points in increasing order, to compare triangles by.

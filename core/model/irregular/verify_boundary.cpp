@@ -39,7 +39,7 @@ std::vector<std::uint32_t> cellsOf(std::span<const BoundaryFace> faces)
 
 constexpr std::array<std::array<std::size_t, 3>, 4> cornersOfFaces = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
-Eigen::AlignedBox3d boxOf(const PlacedCell& cell)
+Eigen::AlignedBox3d boxOfPlaced(const PlacedCell& cell)
 {
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& corner : cell)
@@ -235,7 +235,7 @@ bool BoundaryCheck::isUndivided(std::size_t cell) const
         for (std::size_t i = 0; i < 3; ++i)
             faces[face][i] = cells_.point(c[cornersOfFaces[face][i]]);
     bool undivided = true;
-    boundary_.tree.visitMeeting(boxOf(corners), [&](std::uint32_t number) {
+    boundary_.tree.visitMeeting(boxOfPlaced(corners), [&](std::uint32_t number) {
         const PointTriangle& other = boundary_.triangles[number];
         undivided = undivided &&
                     std::ranges::none_of(boundary_.tree.corners(number),
@@ -255,7 +255,7 @@ bool BoundaryCheck::coversOnce(std::uint32_t triangle) const
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells_.size(), 4096), [&](const auto& range) {
         for (std::size_t cell = range.begin(); cell != range.end(); ++cell) {
             const PlacedCell c = placed(cell);
-            cells += boxOf(c).contains(middle) && volumeSign(c) > 0 && holds(c, middle) ? 1 : 0;
+            cells += boxOfPlaced(c).contains(middle) && volumeSign(c) > 0 && holds(c, middle) ? 1 : 0;
         }
     });
     return cells == 1 && isUndivided(boundary_.cells[triangle]);

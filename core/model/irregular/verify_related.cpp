@@ -16,7 +16,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::uint32_t pointsAtOnce = 64;
+constexpr std::uint32_t relatedPointsAtOnce = 64;
 
 class RelatedCheck {
 public:
@@ -90,7 +90,7 @@ private:
 
 Status RelatedCheck::run(const Progress& progress)
 {
-    return verifyEach(original_.points.positions.size(), pointsAtOnce,
+    return verifyEach(original_.points.positions.size(), relatedPointsAtOnce,
                       "Verifying the boundary's distance at every vertex", progress, [this](std::size_t point) {
                           if (!isVertex_[point])
                               checkPoint(static_cast<std::uint32_t>(point));

@@ -17,7 +17,7 @@ namespace {
 /// Sites between two looks at whether the work was cancelled.
 constexpr std::uint32_t sitesAtOnce = 1 << 12;
 /// Sites between asking memory for a star and looking at it.
-constexpr std::size_t ahead = 6;
+constexpr std::size_t sitesAhead = 6;
 /// The least scale that says that something was not reached.
 constexpr double moreThanAsked = 1 + std::numeric_limits<double>::epsilon();
 
@@ -49,13 +49,13 @@ private:
 /// Sites come in no order that memory could know.
 void Growth::fetchAhead(std::size_t next) const
 {
-    if (next + 2 * ahead < added_.size()) {
-        fetchStarOffsets(model_, added_[next + 2 * ahead]);
-        links_.fetchOffsets(added_[next + 2 * ahead]);
+    if (next + 2 * sitesAhead < added_.size()) {
+        fetchStarOffsets(model_, added_[next + 2 * sitesAhead]);
+        links_.fetchOffsets(added_[next + 2 * sitesAhead]);
     }
-    if (next + ahead < added_.size()) {
-        fetchStar(model_, added_[next + ahead], true);
-        links_.fetchParents(added_[next + ahead]);
+    if (next + sitesAhead < added_.size()) {
+        fetchStar(model_, added_[next + sitesAhead], true);
+        links_.fetchParents(added_[next + sitesAhead]);
     }
 }
 

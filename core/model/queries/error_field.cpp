@@ -73,10 +73,10 @@ Node combined(FieldOperation operation, const ErrorField& first, const ErrorFiel
 }
 
 /// Whether one of the leaves is of the type.
-template <class Leaf> bool holds(const Node& node)
+template <class Leaf> bool isNode(const Node& node)
 {
     if (const auto* const pair = std::get_if<Node::Pair>(&node.content))
-        return holds<Leaf>(pair->first.root()) || holds<Leaf>(pair->second.root());
+        return isNode<Leaf>(pair->first.root()) || isNode<Leaf>(pair->second.root());
     return std::holds_alternative<Leaf>(node.content);
 }
 
@@ -150,12 +150,12 @@ bool ErrorField::isConstant() const noexcept
 
 bool ErrorField::dependsOnValue() const noexcept
 {
-    return holds<ValueRamp>(*root_);
+    return isNode<ValueRamp>(*root_);
 }
 
 bool ErrorField::dependsOnPlace() const noexcept
 {
-    return holds<SpaceRamp>(*root_);
+    return isNode<SpaceRamp>(*root_);
 }
 
 const SpaceRamp* ErrorField::asSpaceRamp() const noexcept

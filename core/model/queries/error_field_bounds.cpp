@@ -20,7 +20,7 @@ constexpr auto valueOf = [](const std::array<double, 2>& knot) { return knot[0];
 constexpr auto errorOf = [](const std::array<double, 2>& knot) { return knot[1]; };
 
 /// From `first` at 0 to `second` at 1.
-double between(double first, double second, double part)
+double interpolated(double first, double second, double part)
 {
     if (!(part > 0)) // also infinity divided by itself
         return first;
@@ -34,7 +34,7 @@ double between(double first, double second, double part)
 double atDistance(const SpaceRamp& ramp, double distance)
 {
     if (ramp.falloff > 0)
-        return between(ramp.inner, ramp.outer, distance / ramp.falloff);
+        return interpolated(ramp.inner, ramp.outer, distance / ramp.falloff);
     return distance > 0 ? ramp.outer : ramp.inner;
 }
 
@@ -70,10 +70,10 @@ double at(const ValueRamp& ramp, double value)
     const auto& [valueBefore, errorBefore] = *(first - 1);
     if (first == ramp.knots.end())
         return errorBefore;
-    return between(errorBefore, errorOf(*first), (value - valueBefore) / (valueOf(*first) - valueBefore));
+    return interpolated(errorBefore, errorOf(*first), (value - valueBefore) / (valueOf(*first) - valueBefore));
 }
 
-double least(const ValueRamp& ramp, const ValueRange& values)
+double leastOf(const ValueRamp& ramp, const ValueRange& values)
 {
     if (!(values.minimum <= values.maximum))
         return leastOf(ramp);
@@ -84,7 +84,7 @@ double least(const ValueRamp& ramp, const ValueRange& values)
     return found;
 }
 
-double least(const SpaceRamp& ramp, const Hull& hull)
+double leastOf(const SpaceRamp& ramp, const Hull& hull)
 {
     if (!hull.finite)
         return leastOf(ramp);
@@ -110,10 +110,10 @@ public:
         if (const SpaceRamp* const ramp = std::get_if<SpaceRamp>(&node.content)) {
             if (!hull_)
                 hull_.emplace(corners_, margin_);
-            return least(*ramp, *hull_);
+            return leastOf(*ramp, *hull_);
         }
         if (const ValueRamp* const ramp = std::get_if<ValueRamp>(&node.content))
-            return least(*ramp, values_);
+            return leastOf(*ramp, values_);
         const Node::Pair& pair = *std::get_if<Node::Pair>(&node.content);
         return applied(pair.operation, of(pair.first.root()), of(pair.second.root()));
     }
@@ -171,7 +171,7 @@ double ErrorField::leastIn(const std::array<Eigen::Vector3d, 4>& corners, double
     if (const double* const number = std::get_if<double>(&root_->content))
         return *number;
     if (const SpaceRamp* const ramp = std::get_if<SpaceRamp>(&root_->content))
-        return least(*ramp, Hull(corners, margin));
+        return leastOf(*ramp, Hull(corners, margin));
     return Least(corners, margin, values).of(*root_);
 }
 

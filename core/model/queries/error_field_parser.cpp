@@ -13,7 +13,7 @@ namespace tetra {
 
 namespace {
 
-constexpr int deepest = 100;
+constexpr int deepestExpression = 100;
 constexpr int mostFields = 1000;
 
 using Combine = ErrorField (*)(const ErrorField&, const ErrorField&);
@@ -27,12 +27,12 @@ ErrorField multiplied(const ErrorField& a, const ErrorField& b)
     return a * b;
 }
 
-ErrorField smaller(const ErrorField& a, const ErrorField& b)
+ErrorField smallerField(const ErrorField& a, const ErrorField& b)
 {
     return smallerOf(a, b);
 }
 
-ErrorField larger(const ErrorField& a, const ErrorField& b)
+ErrorField largerField(const ErrorField& a, const ErrorField& b)
 {
     return largerOf(a, b);
 }
@@ -68,9 +68,9 @@ private:
 
     ErrorField field()
     {
-        if (++depth_ > deepest || ++fields_ > mostFields)
-            fail("fewer fields: at most " + std::to_string(mostFields) + ", nested " + std::to_string(deepest) +
-                 " deep");
+        if (++depth_ > deepestExpression || ++fields_ > mostFields)
+            fail("fewer fields: at most " + std::to_string(mostFields) + ", nested " +
+                 std::to_string(deepestExpression) + " deep");
         skipBlanks();
         const ErrorField found = error_ ? ErrorField() : startsName() ? call() : ErrorField(size());
         --depth_;
@@ -119,9 +119,9 @@ private:
         if (name == "product")
             return combined(multiplied);
         if (name == "min")
-            return combined(smaller);
+            return combined(smallerField);
         if (name == "max")
-            return combined(larger);
+            return combined(largerField);
         return {};
     }
 

@@ -16,9 +16,9 @@ namespace {
 
 using Tetrahedron = std::array<std::uint32_t, 4>;
 
-constexpr std::string_view activity = "Extracting a range of meshes";
+constexpr std::string_view extractingRange = "Extracting a range of meshes";
 /// Tetrahedra, or sites, between two looks at whether the work was cancelled.
-constexpr std::uint64_t atOnce = 1 << 16;
+constexpr std::uint64_t partAtOnce = 1 << 16;
 
 /// What is asked of tetrahedra besides their life.
 class Choice {
@@ -82,8 +82,8 @@ Status HistoryScan::run(const Progress& progress)
     if (choice_.includesAll())
         makeRoom();
     for (std::uint32_t site = 0; site < part_.fine.sites; ++site) {
-        if (site % atOnce == 0 && progress.cancelled())
-            return cancelledError(activity);
+        if (site % partAtOnce == 0 && progress.cancelled())
+            return cancelledError(extractingRange);
         const std::uint64_t end = model_.starOffsets()[site + 1];
         if (end < next_ || end > all_)
             return inconsistentModel(model_, "the star offsets of site " + std::to_string(site) + " make no sense");
@@ -111,10 +111,10 @@ void HistoryScan::makeRoom()
 Status HistoryScan::scanStar(std::uint32_t creator, std::uint64_t end, const Progress& progress)
 {
     for (; next_ < end; ++next_) {
-        if (next_ % atOnce == 0) {
+        if (next_ % partAtOnce == 0) {
             if (progress.cancelled())
-                return cancelledError(activity);
-            progress.report(static_cast<double>(next_) / static_cast<double>(all_), activity);
+                return cancelledError(extractingRange);
+            progress.report(static_cast<double>(next_) / static_cast<double>(all_), extractingRange);
         }
         // Of later batches than the creator: so a life that ends behind the coarse mesh has meshes from there on.
         const std::uint32_t destroyer = model_.destroyers()[next_];

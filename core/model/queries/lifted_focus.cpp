@@ -18,12 +18,12 @@ namespace tetra {
 namespace {
 
 /// Insertions between two looks at whether the work was cancelled.
-constexpr std::size_t insertionsAtOnce = 1024;
+constexpr std::size_t liftedInsertionsAtOnce = 1024;
 /// Likewise points, and tetrahedra.
-constexpr std::uint32_t pointsAtOnce = 1 << 16;
+constexpr std::uint32_t pointsLoadedAtOnce = 1 << 16;
 constexpr std::size_t slotsAtOnce = 256;
 /// Larger grids would need gigabytes.
-constexpr std::uint64_t mostPoints = 1 << 25;
+constexpr std::uint64_t mostLiftedPoints = 1 << 25;
 
 std::vector<Eigen::Vector3d> positionsOf(const Model& model)
 {
@@ -114,7 +114,7 @@ Status LiftedFocus::Work::findLimits(const MeshQuery& query, const Progress& pro
                      static_cast<std::int32_t>(size[2])};
     limits_.last = {-1, -1, -1};
     for (std::uint32_t index = 0; index < count; ++index) {
-        if (index % pointsAtOnce == 0 && progress.cancelled())
+        if (index % pointsLoadedAtOnce == 0 && progress.cancelled())
             return cancelledError("Extracting the mesh");
         const double value = grid_[index].components[3];
         const double error = query.error.at(positions_[index], value);
@@ -183,7 +183,7 @@ Status LiftedFocus::Work::add(PackedPoint point, std::uint32_t site)
 Status LiftedFocus::Work::insertSites(const Progress& progress)
 {
     for (std::uint32_t site = coarseSites_; site < model_.siteCount(); ++site) {
-        if (site % insertionsAtOnce == 0) {
+        if (site % liftedInsertionsAtOnce == 0) {
             if (progress.cancelled())
                 return cancelledError("Extracting the mesh");
             progress.report(static_cast<double>(site) / model_.siteCount(), "Refining the focus");
@@ -232,7 +232,7 @@ Status LiftedFocus::Work::repair(const Progress& progress)
     while (!worst_.empty()) {
         std::ranges::sort(worst_, isWorse);
         for (std::size_t i = 0; i < worst_.size(); ++i) {
-            if (i % insertionsAtOnce == 0 && progress.cancelled())
+            if (i % liftedInsertionsAtOnce == 0 && progress.cancelled())
                 return cancelledError("Extracting the mesh");
             const DelaunayTetrahedron& now = mesh_.mesh()[worst_[i].slot];
             if (!(now.determinant() > 0) || now.vertices != worst_[i].tetrahedron || mesh_.isVertex(worst_[i].point))
@@ -287,7 +287,7 @@ bool LiftedFocus::fits(const Model& model)
 {
     const auto& size = model.description().lattice.size;
     return model.description().domain == DomainClass::Curvilinear && model.description().delaunay &&
-           !model.samples().empty() && model.description().lattice.pointCount() <= mostPoints &&
+           !model.samples().empty() && model.description().lattice.pointCount() <= mostLiftedPoints &&
            PackedLattice::fits(size) && exactWithMetric(size, {1, 1, 1}) && parameterOf(model, "weights").empty() &&
            parameterOf(model, "selection") != "paper";
 }

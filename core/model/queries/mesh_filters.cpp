@@ -14,19 +14,19 @@ namespace {
 using Tetrahedron = std::array<std::uint32_t, 4>;
 
 /// Tetrahedra between two looks at whether the work was cancelled.
-constexpr std::size_t tetrahedraAtOnce = 1 << 16;
-constexpr std::string_view activity = "Choosing from the mesh";
+constexpr std::size_t filteredAtOnce = 1 << 16;
+constexpr std::string_view choosingCells = "Choosing from the mesh";
 
 /// Keeps those that the test is true of, in order.
 template <class Test> Status keepIf(Buffer<Tetrahedron>& tetrahedra, const Progress& progress, const Test& test)
 {
     const std::size_t count = tetrahedra.size();
     std::size_t kept = 0;
-    for (std::size_t first = 0; first < count; first += tetrahedraAtOnce) {
+    for (std::size_t first = 0; first < count; first += filteredAtOnce) {
         if (progress.cancelled())
-            return cancelledError(activity);
-        progress.report(static_cast<double>(first) / static_cast<double>(count), activity);
-        for (std::size_t t = first; t < std::min(first + tetrahedraAtOnce, count); ++t) {
+            return cancelledError(choosingCells);
+        progress.report(static_cast<double>(first) / static_cast<double>(count), choosingCells);
+        for (std::size_t t = first; t < std::min(first + filteredAtOnce, count); ++t) {
             const Tetrahedron tetrahedron = tetrahedra[t];
             tetrahedra[kept] = tetrahedron;
             kept += test(tetrahedron) ? 1 : 0;

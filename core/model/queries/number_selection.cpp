@@ -40,7 +40,7 @@ constexpr std::array<std::array<std::uint8_t, 8>, 256> packedLanes()
                 table[set][count++] = static_cast<std::uint8_t>(lane);
     return table;
 }
-constexpr std::array<std::array<std::uint8_t, 8>, 256> lanesOf = packedLanes();
+constexpr std::array<std::array<std::uint8_t, 8>, 256> selectedLanes = packedLanes();
 
 [[gnu::target("avx2,popcnt")]] std::uint32_t*
 selectWithAvx2(std::span<const std::uint32_t> numbers, std::uint32_t least, std::uint32_t largest, std::uint32_t* out)
@@ -53,7 +53,7 @@ selectWithAvx2(std::span<const std::uint32_t> numbers, std::uint32_t least, std:
         const __m256i offsets = _mm256_sub_epi32(eight, lows);
         const __m256i within = _mm256_cmpeq_epi32(_mm256_min_epu32(offsets, widths), offsets);
         const auto set = static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(within)));
-        const __m128i lanes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(lanesOf[set].data()));
+        const __m128i lanes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(selectedLanes[set].data()));
         const __m256i places =
             _mm256_add_epi32(_mm256_cvtepu8_epi32(lanes), _mm256_set1_epi32(static_cast<int>(place)));
         _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), places);

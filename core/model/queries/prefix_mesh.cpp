@@ -14,7 +14,7 @@ namespace tetra {
 namespace {
 
 /// Beyond this share of the sites that come or go, a mesh is quicker made afresh.
-constexpr double largestChange = 0.4;
+constexpr double largestRefill = 0.4;
 /// Tetrahedra of the history that are searched for dead ones at a time: their numbers fit 32 bits.
 constexpr std::uint64_t searchedAtOnce = 1 << 16;
 
@@ -34,7 +34,7 @@ Status PrefixMesh::moveTo(const Model& model, std::uint32_t sites, const SitePla
     const std::uint32_t before = std::exchange(sites_, 0);
     const double change = std::abs(static_cast<double>(sites) - before);
     consistent_ = true;
-    if (before == 0 || change > largestChange * std::min(sites, before)) {
+    if (before == 0 || change > largestRefill * std::min(sites, before)) {
         if (const Status extracted = extract(model, sites, progress, out); !extracted)
             return extracted;
     } else if (sites != before) {

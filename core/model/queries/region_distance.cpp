@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+constexpr double distanceRounding = 8 * std::numeric_limits<double>::epsilon();
 /// What the separating axes and the distance from a tetrahedron may be wrong by, relative to the coordinates.
 constexpr double testRounding = 1e-13;
 
@@ -47,7 +47,7 @@ double farthest(const Sphere& sphere, const Hull& hull)
 double uncertainty(const HalfSpace& half, const Hull& hull)
 {
     const Vector3d size = hull.least.cwiseAbs().cwiseMax(hull.largest.cwiseAbs());
-    return hull.margin + rounding * (half.normal.cwiseAbs().dot(size) + std::abs(half.offset) + hull.margin);
+    return hull.margin + distanceRounding * (half.normal.cwiseAbs().dot(size) + std::abs(half.offset) + hull.margin);
 }
 
 double distance(const HalfSpace& half, const Hull& hull)
@@ -108,7 +108,8 @@ Hull::Hull(const Corners& hullCorners, double hullMargin)
       largest(corners[0].cwiseMax(corners[1]).cwiseMax(corners[2].cwiseMax(corners[3]))),
       finite(std::isfinite((corners[0] + corners[1] + corners[2] + corners[3]).sum() + margin))
 {
-    const Vector3d pad = (rounding * least.cwiseAbs().cwiseMax(largest.cwiseAbs())).array() + margin * (1 + rounding);
+    const Vector3d pad =
+        (distanceRounding * least.cwiseAbs().cwiseMax(largest.cwiseAbs())).array() + margin * (1 + distanceRounding);
     least -= pad;
     largest += pad;
 }

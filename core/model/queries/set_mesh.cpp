@@ -11,9 +11,9 @@ namespace tetra {
 
 namespace {
 
-constexpr std::uint32_t sitesAtOnce = 1 << 14;
+constexpr std::uint32_t starsAtOnce = 1 << 14;
 /// Sites between asking memory for a star and reading it.
-constexpr std::size_t ahead = 6;
+constexpr std::size_t starsAhead = 6;
 
 /// Copies the tetrahedra of the stars that none of the sites destroys.
 class SetScan {
@@ -54,15 +54,15 @@ Status SetScan::run(const Progress& progress)
     Buffer<std::array<std::uint32_t, 4>>& tetrahedra = out_.mesh.tetrahedra;
     tetrahedra.resize(set_.tetrahedra);
     for (std::size_t vertex = 0; vertex < out_.sites.size(); ++vertex) {
-        if (vertex % sitesAtOnce == 0) {
+        if (vertex % starsAtOnce == 0) {
             if (progress.cancelled())
                 return cancelledError("Extracting the mesh");
             progress.report(static_cast<double>(vertex) / static_cast<double>(out_.sites.size()),
                             "Extracting the mesh");
         }
-        if (vertex + 2 * ahead < out_.sites.size()) {
-            fetchStarOffsets(model_, out_.sites[vertex + 2 * ahead]);
-            fetchStar(model_, out_.sites[vertex + ahead], false);
+        if (vertex + 2 * starsAhead < out_.sites.size()) {
+            fetchStarOffsets(model_, out_.sites[vertex + 2 * starsAhead]);
+            fetchStar(model_, out_.sites[vertex + starsAhead], false);
         }
         scanStar(out_.sites[vertex]);
     }

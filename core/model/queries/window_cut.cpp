@@ -14,11 +14,11 @@ namespace tetra {
 namespace {
 
 using Tetrahedron = std::array<std::uint32_t, 4>;
-using Place = BoxSides::Place;
+using CutPlace = BoxSides::Place;
 
-constexpr std::string_view activity = "Cutting at the window";
+constexpr std::string_view cuttingAtWindow = "Cutting at the window";
 /// Tetrahedra between two looks at whether the work was cancelled, and at how many vertices there are.
-constexpr std::size_t tetrahedraAtOnce = 1 << 16;
+constexpr std::size_t cutAtOnce = 1 << 16;
 constexpr std::size_t mostVertices = 0xfffffffe;
 
 Box roundedToFloats(const Box& box)
@@ -122,14 +122,14 @@ Status takeOutThoseAcross(TetrahedralMesh& mesh, const BoxSides& sides, Buffer<T
 {
     std::size_t kept = 0;
     for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
-        if (t % tetrahedraAtOnce == 0 && progress.cancelled())
-            return cancelledError(activity);
+        if (t % cutAtOnce == 0 && progress.cancelled())
+            return cancelledError(cuttingAtWindow);
         const Tetrahedron tetrahedron = mesh.tetrahedra[t];
-        const Place place = sides.placeOf(tetrahedron);
-        if (place == Place::Across)
+        const CutPlace place = sides.placeOf(tetrahedron);
+        if (place == CutPlace::Across)
             across.push_back(tetrahedron);
         mesh.tetrahedra[kept] = tetrahedron;
-        kept += place == Place::Inside ? 1 : 0;
+        kept += place == CutPlace::Inside ? 1 : 0;
     }
     mesh.tetrahedra.resize(kept);
     return {};
@@ -140,14 +140,14 @@ Status cutAt(const Plane& plane, TetrahedralMesh& mesh, Buffer<Tetrahedron>& tet
     PlaneCut cutter(plane, mesh);
     Buffer<Tetrahedron> kept;
     kept.reserve(tetrahedra.size());
-    for (std::size_t first = 0; first < tetrahedra.size(); first += tetrahedraAtOnce) {
-        const std::size_t end = std::min(first + tetrahedraAtOnce, tetrahedra.size());
+    for (std::size_t first = 0; first < tetrahedra.size(); first += cutAtOnce) {
+        const std::size_t end = std::min(first + cutAtOnce, tetrahedra.size());
         if (progress.cancelled())
-            return cancelledError(activity);
+            return cancelledError(cuttingAtWindow);
         if (mesh.positions.size() + 4 * (end - first) > mostVertices)
             return Error{ErrorKind::OutOfResource, "The mesh that is cut at the window has more vertices than fit: "
                                                    "choose a larger error or a smaller window."};
-        progress.report(static_cast<double>(first) / static_cast<double>(tetrahedra.size()), activity);
+        progress.report(static_cast<double>(first) / static_cast<double>(tetrahedra.size()), cuttingAtWindow);
         for (std::size_t t = first; t < end; ++t)
             cutter.cut(tetrahedra[t], kept);
     }

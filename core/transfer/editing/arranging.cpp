@@ -11,7 +11,7 @@
 namespace tetra {
 namespace {
 
-double aligned(const std::vector<double>& numbers, Alignment alignment)
+double alignedTo(const std::vector<double>& numbers, Alignment alignment)
 {
     switch (alignment) {
     case Alignment::First: return numbers.front();
@@ -75,7 +75,7 @@ EditedSelection alignOpacities(const TransferFunction& function, const TransferS
         opacities.push_back(function.points[i].opacity);
     if (opacities.empty())
         return {function, selection};
-    return withOpacity(function, selection, aligned(opacities, alignment));
+    return withOpacity(function, selection, alignedTo(opacities, alignment));
 }
 
 EditedSelection alignValues(const TransferFunction& function, const TransferSelection& selection, Alignment alignment)
@@ -88,7 +88,7 @@ EditedSelection alignValues(const TransferFunction& function, const TransferSele
         return edited;
     TransferPoint &lower = edited.function.points[selection[0]], &upper = edited.function.points[selection[1]];
     const double value = alignment == Alignment::Mean ? std::midpoint(lower.value, upper.value)
-                                                      : aligned({lower.value, upper.value}, alignment);
+                                                      : alignedTo({lower.value, upper.value}, alignment);
     lower.value = upper.value = value;
     return edited;
 }

@@ -12,7 +12,7 @@
 namespace tetra {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double noLimit = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-12; ///< of a number from its logarithm and back
 
 /// The columns seen in the direction of a move: `sign` is -1 for one downward, where all is mirrored, and 1 otherwise.
@@ -42,7 +42,7 @@ Way wayOf(const TransferFunction& function, const TransferSelection& selection, 
 /// How far the selection can go, up to `wanted`, both not negative.
 double allowed(const Way& way, double wanted, NeighbourRule rule)
 {
-    double room = infinity, pushed = 0;
+    double room = noLimit, pushed = 0;
     for (std::size_t i = way.columns.size(); i-- > 0;) {
         const bool last = i + 1 == way.columns.size();
         if (rule == NeighbourRule::Push && !last && way.value(i + 1) <= way.largest)

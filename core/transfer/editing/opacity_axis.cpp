@@ -10,7 +10,7 @@ namespace {
 /// One over the opacity about which the logarithmic axis goes over to a straight one.
 constexpr double fineness = 1000;
 
-double cut(double number)
+double clampedShare(double number)
 {
     return number > 0 ? std::min(number, 1.0) : 0;
 }
@@ -20,19 +20,19 @@ double cut(double number)
 double heightOf(double opacity, OpacityAxis axis) noexcept
 {
     if (axis == OpacityAxis::Linear)
-        return cut(opacity);
+        return clampedShare(opacity);
     if (axis == OpacityAxis::SquareRoot)
-        return std::sqrt(cut(opacity));
-    return cut(std::log1p(fineness * cut(opacity)) / std::log1p(fineness));
+        return std::sqrt(clampedShare(opacity));
+    return clampedShare(std::log1p(fineness * clampedShare(opacity)) / std::log1p(fineness));
 }
 
 double opacityAtHeight(double height, OpacityAxis axis) noexcept
 {
     if (axis == OpacityAxis::Linear)
-        return cut(height);
+        return clampedShare(height);
     if (axis == OpacityAxis::SquareRoot)
-        return cut(height) * cut(height);
-    return cut(std::expm1(cut(height) * std::log1p(fineness)) / fineness);
+        return clampedShare(height) * clampedShare(height);
+    return clampedShare(std::expm1(clampedShare(height) * std::log1p(fineness)) / fineness);
 }
 
 std::span<const double> opacityTicks(OpacityAxis axis) noexcept

@@ -28,7 +28,7 @@ template <class Node> std::size_t nodeBeyond(std::span<const Node> nodes, double
     return static_cast<std::size_t>(std::ranges::upper_bound(nodes, value, {}, &Node::value) - nodes.begin());
 }
 
-SrgbColour colourAt(const ColourCurve& curve, double value)
+SrgbColour curveColourAt(const ColourCurve& curve, double value)
 {
     const std::size_t beyond = nodeBeyond(std::span(curve.nodes), value);
     if (beyond == 0 || beyond == curve.nodes.size())
@@ -81,13 +81,13 @@ Look lookOf(const CurvePreset& preset, const TransferFunction& present, double v
 {
     Look look = lookOf(present, value);
     if (!preset.colours.nodes.empty())
-        look.colour = colourAt(preset.colours, value);
+        look.colour = curveColourAt(preset.colours, value);
     if (!preset.opacities.empty())
         look.opacity = opacityAt(preset.opacities, value);
     return look;
 }
 
-bool near(const Look& left, const Look& right)
+bool nearlySame(const Look& left, const Look& right)
 {
     for (std::size_t channel = 0; channel < left.colour.size(); ++channel)
         if (!(std::abs(left.colour[channel] - right.colour[channel]) <= tolerance))
@@ -173,7 +173,7 @@ TransferFunction transferFunctionOf(const CurvePreset& preset, const TransferFun
         const auto matches = [&](double a, double b, double place) {
             const TransferFunction straight{{pointAt(a), pointAt(b)}, function.unitDistance};
             const double value = std::lerp(from, to, place);
-            return near(lookOf(straight, value), look(std::clamp(value, first, last)));
+            return nearlySame(lookOf(straight, value), look(std::clamp(value, first, last)));
         };
         for (const double share : adaptivePoints(matches))
             add(pointAt(share));

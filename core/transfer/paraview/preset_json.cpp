@@ -9,7 +9,7 @@
 namespace tetra {
 namespace {
 
-Error wrong(const JsonValue& value, const std::string& what)
+Error wrongJson(const JsonValue& value, const std::string& what)
 {
     return {ErrorKind::BadInput,
             "The ParaView preset cannot be read: " + what + " (" + describePlace(value.place) + ")."};
@@ -23,12 +23,12 @@ Result<std::vector<double>> numbersOf(const JsonValue* value, std::string_view n
         return numbers;
     const JsonArray* array = value->array();
     if (array == nullptr || array->size() % stride != 0)
-        return wrong(*value, "\"" + std::string(name) + "\" must be a list of numbers, " + std::to_string(stride) +
-                                 " for each point");
+        return wrongJson(*value, "\"" + std::string(name) + "\" must be a list of numbers, " + std::to_string(stride) +
+                                     " for each point");
     for (const JsonValue& element : *array) {
         const auto number = element.number() != nullptr ? parseNumber<double>(element.number()->text) : std::nullopt;
         if (!number)
-            return wrong(element, "\"" + std::string(name) + "\" holds something that is no number");
+            return wrongJson(element, "\"" + std::string(name) + "\" holds something that is no number");
         numbers.push_back(*number);
     }
     return numbers;
@@ -56,8 +56,8 @@ Status readColours(const JsonValue& object, ColourCurve& curve)
     const std::string name = space != nullptr && space->string() != nullptr ? *space->string() : "RGB";
     const auto known = colourSpaceNamed(name, isSet(object.find("HSVWrap")));
     if (!known)
-        return wrong(*space, "the colour space '" + name +
-                                 "' is not known here; choose another one in ParaView's colour map editor");
+        return wrongJson(*space, "the colour space '" + name +
+                                     "' is not known here; choose another one in ParaView's colour map editor");
     curve.space = *known;
     curve.logarithmic = isSet(object.find("UseLogScale"));
     return {};
@@ -76,7 +76,7 @@ Status readOpacities(const JsonValue& object, std::vector<OpacityNode>& nodes)
 Result<CurvePreset> presetOf(const JsonValue& object)
 {
     if (object.object() == nullptr)
-        return wrong(object, "a preset must be an object, in braces");
+        return wrongJson(object, "a preset must be an object, in braces");
     CurvePreset preset;
     if (const JsonValue* name = object.find("Name"); name != nullptr && name->string() != nullptr)
         preset.name = *name->string();
@@ -85,7 +85,7 @@ Result<CurvePreset> presetOf(const JsonValue& object)
     if (Status opacities = readOpacities(object, preset.opacities); !opacities)
         return opacities.error();
     if (preset.colours.nodes.empty() && preset.opacities.empty() && object.find("IndexedColors") != nullptr)
-        return wrong(object, "'" + preset.name + "' has colours for categories and none for values in between");
+        return wrongJson(object, "'" + preset.name + "' has colours for categories and none for values in between");
     if (Status good = checkCurves(preset); !good)
         return good.error();
     return preset;
@@ -115,7 +115,7 @@ Result<std::vector<CurvePreset>> presetsFromJson(std::string_view text)
         if (Status added = add(object); !added)
             return added.error();
     if (presets.empty())
-        return wrong(*root, "the list is empty");
+        return wrongJson(*root, "the list is empty");
     return presets;
 }
 

@@ -10,7 +10,7 @@
 namespace tetra {
 namespace {
 
-Error wrong(const std::string& what)
+Error wrongXml(const std::string& what)
 {
     return {ErrorKind::BadInput, "The ParaView preset cannot be read: " + what + "."};
 }
@@ -23,7 +23,7 @@ Result<double> numberOf(const pugi::xml_node& point, const char* name, std::opti
         return *absent;
     const auto number = parseNumber<double>(attribute.value());
     if (!number)
-        return wrong("a point's attribute '" + std::string(name) + "' is '" + attribute.value() + "' and no number");
+        return wrongXml("a point's attribute '" + std::string(name) + "' is '" + attribute.value() + "' and no number");
     return *number;
 }
 
@@ -49,7 +49,7 @@ Result<CurvePreset> presetOf(const pugi::xml_node& element)
     const std::string space = element.attribute("space").as_string("RGB");
     const auto known = colourSpaceNamed(space, false);
     if (!known)
-        return wrong("the colour space '" + space + "' of '" + preset.name + "' is not known here");
+        return wrongXml("the colour space '" + space + "' of '" + preset.name + "' is not known here");
     preset.colours.space = *known;
     for (const pugi::xml_node& point : element.children("Point"))
         if (Status added = addPoint(point, preset); !added)
@@ -67,7 +67,7 @@ Result<std::vector<CurvePreset>> presetsFromXml(std::string_view text)
 {
     pugi::xml_document document;
     if (const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size()); !parsed)
-        return wrong("the XML is damaged at byte " + std::to_string(parsed.offset) + ": " + parsed.description());
+        return wrongXml("the XML is damaged at byte " + std::to_string(parsed.offset) + ": " + parsed.description());
     std::vector<CurvePreset> presets;
     for (const pugi::xpath_node& found : document.select_nodes("//ColorMap")) {
         Result<CurvePreset> preset = presetOf(found.node());
@@ -76,7 +76,7 @@ Result<std::vector<CurvePreset>> presetsFromXml(std::string_view text)
         presets.push_back(std::move(*preset));
     }
     if (presets.empty())
-        return wrong("there is no ColorMap element in it");
+        return wrongXml("there is no ColorMap element in it");
     return presets;
 }
 

@@ -7,7 +7,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::string_view activity = "Ordering the tetrahedra";
+constexpr std::string_view orderingTetrahedra = "Ordering the tetrahedra";
 /// Rounds that are asked for at once: whether they changed anything is known only when the card has done them.
 constexpr unsigned roundsAtOnce = 8;
 /// Of a Delaunay mesh of points in a box most circumspheres have their centres in it; keys beyond four times what these
@@ -76,7 +76,7 @@ Result<bool> CardKeys::make(const ComputeContext& context, const ComputePrograms
     bool right = false;
     while (!right && rounds_ < mostRounds) {
         if (progress.cancelled())
-            return cancelledError(activity);
+            return cancelledError(orderingTetrahedra);
         right = relax(context, *programs.relax, mesh);
         if (Status status = checkDriver(context); !status)
             return status.error();

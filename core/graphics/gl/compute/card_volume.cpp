@@ -12,7 +12,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double secondsSince(Clock::time_point start)
+double secondsAfter(Clock::time_point start)
 {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -72,12 +72,12 @@ Status CardVolume::tryPreparing(const ComputeContext& context, const ComputeProg
     Clock::time_point start = Clock::now();
     if (Status status = order(context, programs, request, progress, statistics); !status)
         return status;
-    statistics.orderSeconds += secondsSince(start);
+    statistics.orderSeconds += secondsAfter(start);
     start = Clock::now();
     if (Status status = cells_.choose(context, programs, mesh_, keys_, *request.volume.transfer, request.setView);
         !status)
         return status;
-    statistics.setUpSeconds += secondsSince(start);
+    statistics.setUpSeconds += secondsAfter(start);
     statistics.sentBytes += cells_.sentBytes();
     statistics.cells += cells_.count();
     return {};

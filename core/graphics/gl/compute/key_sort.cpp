@@ -7,14 +7,14 @@ namespace tetra {
 namespace {
 
 /// As in digits.comp.
-constexpr std::size_t perInvocation = 16;
+constexpr std::size_t keysPerInvocation = 16;
 constexpr std::size_t digitValues = 16;
 constexpr unsigned bitsPerDigit = 4;
 constexpr std::size_t bytesPerPair = 2 * sizeof(unsigned);
 
 std::size_t runsFor(std::size_t count)
 {
-    return (count + perInvocation - 1) / perInvocation;
+    return (count + keysPerInvocation - 1) / keysPerInvocation;
 }
 
 } // namespace

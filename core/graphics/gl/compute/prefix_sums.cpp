@@ -5,12 +5,12 @@ namespace tetra {
 namespace {
 
 /// As in sums.comp.
-constexpr std::size_t perInvocation = 8;
-constexpr std::size_t perBlock = 256 * perInvocation;
+constexpr std::size_t countsPerInvocation = 8;
+constexpr std::size_t perBlock = 256 * countsPerInvocation;
 
 std::size_t invocationsFor(std::size_t count)
 {
-    return (count + perInvocation - 1) / perInvocation;
+    return (count + countsPerInvocation - 1) / countsPerInvocation;
 }
 
 } // namespace
