@@ -14,20 +14,20 @@ constexpr int cancelledExit = 130;
 
 sigset_t watchedSignals()
 {
-    sigset_t signals;
-    sigemptyset(&signals);
+    sigset_t watched;
+    sigemptyset(&watched);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-        sigaddset(&signals, signal);
-    return signals;
+        sigaddset(&watched, signal);
+    return watched;
 }
 
 /// Waits in a thread of its own, because almost nothing may be done in a signal handler.
 void wait(const std::stop_token& end, std::stop_source stop)
 {
-    const sigset_t signals = watchedSignals();
+    const sigset_t watched = watchedSignals();
     constexpr timespec lookUpEvery{.tv_sec = 0, .tv_nsec = 50'000'000};
     while (!end.stop_requested()) {
-        if (sigtimedwait(&signals, nullptr, &lookUpEvery) < 0)
+        if (sigtimedwait(&watched, nullptr, &lookUpEvery) < 0)
             continue;
         if (stop.stop_requested())
             _exit(cancelledExit);
@@ -39,8 +39,8 @@ void wait(const std::stop_token& end, std::stop_source stop)
 
 Interruption::Interruption()
 {
-    const sigset_t signals = watchedSignals();
-    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+    const sigset_t watched = watchedSignals();
+    pthread_sigmask(SIG_BLOCK, &watched, nullptr);
     waiter_ = std::jthread([stop = stop_](const std::stop_token& end) { wait(end, stop); });
 }
 

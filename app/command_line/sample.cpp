@@ -15,7 +15,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::int64_t defaultSize = 64;
+constexpr std::int64_t defaultSampleSize = 64;
 constexpr std::array<SampleType, 8> sampleTypes = {SampleType::UInt8,   SampleType::Int8,   SampleType::UInt16,
                                                    SampleType::Int16,   SampleType::UInt32, SampleType::Int32,
                                                    SampleType::Float32, SampleType::Float64};
@@ -47,7 +47,7 @@ Result<SampleRequest> requestOf(const Arguments& arguments)
 {
     SampleRequest request;
     request.name = arguments.positionals[0];
-    const auto size = wholeNumberOption(arguments, "size", defaultSize, smallestSampleSize, largestSampleSize);
+    const auto size = wholeNumberOption(arguments, "size", defaultSampleSize, smallestSampleSize, largestSampleSize);
     if (!size)
         return size.error();
     request.size = static_cast<std::uint32_t>(*size);
@@ -89,7 +89,7 @@ Syntax sampleSyntax(PluginHost& host)
                                     "; of scattered points the cube root of their number, of the part eight times the "
                                     "cells between two holes, to " +
                                     std::to_string(largestScatteredSize) + ".",
-                     .byDefault = std::to_string(defaultSize)},
+                     .byDefault = std::to_string(defaultSampleSize)},
                     {.name = "type",
                      .placeholder = typeNames(),
                      .explanation = "The type of the samples.",

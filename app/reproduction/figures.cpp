@@ -14,7 +14,7 @@ namespace tetra {
 
 namespace {
 
-constexpr QSizeF chartSize(1000, 640);
+constexpr QSizeF figureSize(1000, 640);
 constexpr QSizeF distributionSize(1200, 560);
 
 QString seriesName(const ReproducedModel& model)
@@ -114,9 +114,9 @@ Result<std::vector<std::filesystem::path>> drawFigures(const Reproduction& repro
 
     const Chart chart = sitesAgainstError(reproduction);
     if (!chart.series.empty())
-        if (const Status drawn = draw("figure10", chartSize,
+        if (const Status drawn = draw("figure10", figureSize,
                                       [&](QPainter& painter) {
-                                          drawChart(painter, {{0, 0}, chartSize}, chart);
+                                          drawChart(painter, {{0, 0}, figureSize}, chart);
                                       });
             !drawn)
             return drawn.error();

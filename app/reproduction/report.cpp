@@ -10,7 +10,7 @@ namespace tetra {
 
 namespace {
 
-QString toQString(const std::string& text)
+QString asQString(const std::string& text)
 {
     return QString::fromStdString(text);
 }
@@ -24,11 +24,11 @@ void addRows(const ReproducedModel& model, QJsonArray& rows)
 {
     for (const ReproducedLevel& level : model.levels)
         rows.append(QJsonObject{
-            {"dataset", toQString(model.paper.dataset)},
+            {"dataset", asQString(model.paper.dataset)},
             {"size", QJsonArray{static_cast<qint64>(model.paper.size[0]), static_cast<qint64>(model.paper.size[1]),
                                 static_cast<qint64>(model.paper.size[2])}},
             {"block", static_cast<qint64>(model.paper.blockEdge)},
-            {"variant", toQString(model.experiment.variant)},
+            {"variant", asQString(model.experiment.variant)},
             {"error", level.paper.error},
             {"warping", level.paper.warping},
             {"paper", meshFigures(level.paper.sites, level.paper.tetrahedra)},
@@ -39,9 +39,9 @@ void addRows(const ReproducedModel& model, QJsonArray& rows)
 
 QJsonObject modelFigures(const ReproducedModel& model)
 {
-    QJsonObject figures{{"dataset", toQString(model.paper.dataset)},
-                        {"variant", toQString(model.experiment.variant)},
-                        {"caveat", toQString(model.experiment.caveat)},
+    QJsonObject figures{{"dataset", asQString(model.paper.dataset)},
+                        {"variant", asQString(model.experiment.variant)},
+                        {"caveat", asQString(model.experiment.caveat)},
                         {"skipped", model.model == nullptr}};
     if (model.model == nullptr)
         return figures;
@@ -65,8 +65,8 @@ QJsonObject surfaceFigures(const ReproducedSurface& surface)
     ours["surface_seconds"] = surface.times.surface;
     ours["volume_seconds"] = surface.times.volume;
     ours["hybrid_seconds"] = surface.times.hybrid;
-    return {{"dataset", toQString(surface.paper.dataset)},
-            {"variant", toQString(surface.variant)},
+    return {{"dataset", asQString(surface.paper.dataset)},
+            {"variant", asQString(surface.variant)},
             {"isovalue", surface.paper.isovalue},
             {"error", surface.paper.error},
             {"warping", surface.paper.warping},

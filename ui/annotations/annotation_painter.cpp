@@ -14,7 +14,7 @@
 namespace tetra {
 namespace {
 
-constexpr int textSize = 12;
+constexpr int pixelTextSize = 12;
 constexpr double rimWidth = 3;
 constexpr double rimOpacity = 0.8;
 constexpr double least = 0.75; ///< of annotationScale()
@@ -41,7 +41,7 @@ Ink inkFor(const Colour& background)
 QFont fontOf(const AnnotationContent& content)
 {
     QFont font = content.font;
-    font.setPixelSize(textSize);
+    font.setPixelSize(pixelTextSize);
     return font;
 }
 

@@ -11,7 +11,7 @@
 namespace tetra {
 namespace {
 
-class Texts {
+class FieldTexts {
     Q_DECLARE_TR_FUNCTIONS(Annotations)
 };
 
@@ -32,7 +32,7 @@ QString fieldName(const ModelDescription& description)
     QStringList source = QString::fromStdString(description.sourceName).split(", ");
     source.erase(std::remove_if(source.begin() + 1, source.end(), isPart), source.end());
     const QString name = source.size() > 1 ? source.last() : QFileInfo(source.first()).completeBaseName();
-    return name.isEmpty() ? Texts::tr("Value") : name;
+    return name.isEmpty() ? FieldTexts::tr("Value") : name;
 }
 
 } // namespace tetra

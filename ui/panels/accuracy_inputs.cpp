@@ -18,25 +18,25 @@
 namespace tetra {
 namespace {
 
-constexpr int sliderSteps = 1000;
+constexpr int accuracySteps = 1000;
 
 } // namespace
 
 AccuracySlider::AccuracySlider(QWidget* parent) : QSlider(Qt::Horizontal, parent)
 {
     setObjectName("accuracy.slider");
-    setRange(0, sliderSteps);
+    setRange(0, accuracySteps);
     setAccessibleName(tr("Error in percent of the value range"));
     setToolTip(tr("Error in percent of the value range: coarse on the left, every sample exact on the right"));
     connect(this, &QSlider::valueChanged, this,
-            [this](int position) { emit chosen(accuracyAt(static_cast<double>(position) / sliderSteps)); });
+            [this](int position) { emit chosen(accuracyAt(static_cast<double>(position) / accuracySteps)); });
 }
 
 void AccuracySlider::setAccuracy(double percent)
 {
     accuracy_ = percent;
     const QSignalBlocker blocker(this);
-    setValue(static_cast<int>(std::lround(accuracyPosition(percent) * sliderSteps)));
+    setValue(static_cast<int>(std::lround(accuracyPosition(percent) * accuracySteps)));
 }
 
 int AccuracySlider::handleInset() const

@@ -9,7 +9,7 @@
 namespace tetra {
 namespace {
 
-class Texts {
+class AnnotationRowTexts {
     Q_DECLARE_TR_FUNCTIONS(Annotations)
 };
 
@@ -19,11 +19,11 @@ QString annotationText(AnnotationKind kind, bool mnemonic)
 {
     QString text;
     switch (kind) {
-    case AnnotationKind::ColourBar: text = Texts::tr("Colour &bar"); break;
-    case AnnotationKind::Axes: text = Texts::tr("A&xes"); break;
-    case AnnotationKind::ScaleBar: text = Texts::tr("&Scale bar"); break;
-    case AnnotationKind::Title: text = Texts::tr("&Title"); break;
-    case AnnotationKind::Accuracy: text = Texts::tr("A&ccuracy"); break;
+    case AnnotationKind::ColourBar: text = AnnotationRowTexts::tr("Colour &bar"); break;
+    case AnnotationKind::Axes: text = AnnotationRowTexts::tr("A&xes"); break;
+    case AnnotationKind::ScaleBar: text = AnnotationRowTexts::tr("&Scale bar"); break;
+    case AnnotationKind::Title: text = AnnotationRowTexts::tr("&Title"); break;
+    case AnnotationKind::Accuracy: text = AnnotationRowTexts::tr("A&ccuracy"); break;
     }
     return mnemonic ? text : text.remove('&');
 }
@@ -32,13 +32,16 @@ QString annotationExplanation(AnnotationKind kind)
 {
     switch (kind) {
     case AnnotationKind::ColourBar:
-        return Texts::tr("Values and their colours, in the units of the data; right their opacity, with marks at the "
-                         "isovalues");
-    case AnnotationKind::Axes: return Texts::tr("The directions of x, y and z");
+        return AnnotationRowTexts::tr(
+            "Values and their colours, in the units of the data; right their opacity, with marks at the "
+            "isovalues");
+    case AnnotationKind::Axes: return AnnotationRowTexts::tr("The directions of x, y and z");
     case AnnotationKind::ScaleBar:
-        return Texts::tr("A length in the units of the data; in perspective that of things as far away as the target");
-    case AnnotationKind::Title: return Texts::tr("The name of the model");
-    case AnnotationKind::Accuracy: return Texts::tr("The error that what is shown keeps, in % of the value range");
+        return AnnotationRowTexts::tr(
+            "A length in the units of the data; in perspective that of things as far away as the target");
+    case AnnotationKind::Title: return AnnotationRowTexts::tr("The name of the model");
+    case AnnotationKind::Accuracy:
+        return AnnotationRowTexts::tr("The error that what is shown keeps, in % of the value range");
     }
     return {};
 }

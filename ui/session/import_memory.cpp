@@ -9,7 +9,7 @@
 namespace tetra {
 namespace {
 
-constexpr qsizetype most = 50;
+constexpr qsizetype mostRemembered = 50;
 /// A list of lists: a file's path, then names and texts in turn; the newest first.
 constexpr const char* settingsKey = "imports";
 
@@ -30,7 +30,7 @@ void rememberImport(const std::filesystem::path& path, const ImportOptions& opti
         entry << QString::fromStdString(name) << QString::fromStdString(text);
     if (entry.size() > 1)
         all.prepend(entry);
-    QSettings().setValue(settingsKey, all.mid(0, most));
+    QSettings().setValue(settingsKey, all.mid(0, mostRemembered));
 }
 
 ImportOptions rememberedImport(const std::filesystem::path& path, PluginHost& host)

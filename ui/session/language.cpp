@@ -8,7 +8,7 @@
 namespace tetra {
 namespace {
 
-constexpr const char* key = "language";
+constexpr const char* languageKey = "language";
 constexpr std::array known{Language{"en", "English"}, Language{"de", "Deutsch"}, Language{"it", "Italiano"}};
 
 } // namespace
@@ -20,12 +20,12 @@ std::span<const Language> languages()
 
 QString chosenLanguage()
 {
-    return QSettings().value(key).toString();
+    return QSettings().value(languageKey).toString();
 }
 
 void chooseLanguage(const QString& code)
 {
-    QSettings().setValue(key, code);
+    QSettings().setValue(languageKey, code);
 }
 
 QLocale textLocale()

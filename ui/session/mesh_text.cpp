@@ -16,11 +16,11 @@ class MeshText {
 };
 
 /// Nothing differs by more; what is more is not worth a digit.
-constexpr double most = 100;
+constexpr double mostShownNumber = 100;
 
 QString keptText(double percent, double scale)
 {
-    return percentText(std::min(keptPercent(percent, scale), most));
+    return percentText(std::min(keptPercent(percent, scale), mostShownNumber));
 }
 
 QString limitText(const ShownMesh& mesh)

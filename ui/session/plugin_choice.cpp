@@ -11,9 +11,9 @@
 namespace tetra {
 namespace {
 
-constexpr const char* key = "plugins/disabled";
+constexpr const char* disabledPluginsKey = "plugins/disabled";
 
-QString text(std::string_view utf8)
+QString asQString(std::string_view utf8)
 {
     return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
 }
@@ -23,7 +23,7 @@ QString text(std::string_view utf8)
 std::vector<std::string> unwantedPlugins()
 {
     std::vector<std::string> ids;
-    for (const QString& id : QSettings().value(key).toStringList())
+    for (const QString& id : QSettings().value(disabledPluginsKey).toStringList())
         ids.push_back(id.toStdString());
     return ids;
 }
@@ -31,11 +31,11 @@ std::vector<std::string> unwantedPlugins()
 void setPluginWanted(const std::string& id, bool wanted)
 {
     QSettings settings;
-    QStringList ids = settings.value(key).toStringList();
-    ids.removeAll(text(id));
+    QStringList ids = settings.value(disabledPluginsKey).toStringList();
+    ids.removeAll(asQString(id));
     if (!wanted)
-        ids.append(text(id));
-    settings.setValue(key, ids);
+        ids.append(asQString(id));
+    settings.setValue(disabledPluginsKey, ids);
 }
 
 std::unique_ptr<PluginHost> wantedPlugins()
@@ -52,10 +52,11 @@ QString pluginReport(const PluginHost& host)
     QString report;
     for (const PluginStatus& plugin : host.plugins()) {
         const PluginMetadata& data = plugin.metadata;
-        QStringList line{text(data.name), text(data.id)};
+        QStringList line{asQString(data.name), asQString(data.id)};
         if (plugin.hasMetadata)
-            line << text(pluginKindName(data.kind)) << text(toText(data.version)) << text(data.interface);
-        line << text(pluginStateName(plugin.state)) << pathText(plugin.path) << text(plugin.error);
+            line << asQString(pluginKindName(data.kind)) << asQString(toText(data.version))
+                 << asQString(data.interface);
+        line << asQString(pluginStateName(plugin.state)) << pathText(plugin.path) << asQString(plugin.error);
         report += line.join('\t') + '\n';
     }
     for (const auto& folder : host.folders())

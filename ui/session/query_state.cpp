@@ -18,7 +18,7 @@ constexpr double finestWithBudget = 1e-3;
 /// A mesh that varies is never much better anywhere than the uniform one of the same size: this is room enough.
 constexpr double roomForScale = 4;
 /// The round numbers of a decade.
-constexpr std::array<double, 6> roundNumbers{1, 1.5, 2, 3, 5, 7};
+constexpr std::array<double, 6> roundAccuracies{1, 1.5, 2, 3, 5, 7};
 
 double numberOr(double value, double otherwise)
 {
@@ -202,7 +202,7 @@ std::uint64_t steppedBudget(std::uint64_t budget, int steps)
 {
     std::vector<double> ladder;
     for (double decade = 1000; decade < 1e10; decade *= 10)
-        for (const double number : roundNumbers)
+        for (const double number : roundAccuracies)
             ladder.push_back(number * decade);
     const auto count = static_cast<double>(budget);
     auto index = std::ranges::lower_bound(ladder, count) - ladder.begin();

@@ -7,14 +7,14 @@
 namespace tetra {
 namespace {
 
-constexpr qsizetype most = 10;
-constexpr const char* key = "recentFiles";
+constexpr qsizetype mostRecentFiles = 10;
+constexpr const char* recentFilesKey = "recentFiles";
 
 } // namespace
 
 QStringList recentFiles()
 {
-    QStringList files = QSettings().value(key).toStringList();
+    QStringList files = QSettings().value(recentFilesKey).toStringList();
     files.removeIf([](const QString& path) { return !QFileInfo::exists(path); });
     return files;
 }
@@ -25,12 +25,12 @@ void addRecentFile(const QString& path)
     QStringList files = recentFiles();
     files.removeAll(absolute);
     files.prepend(absolute);
-    QSettings().setValue(key, files.mid(0, most));
+    QSettings().setValue(recentFilesKey, files.mid(0, mostRecentFiles));
 }
 
 void forgetRecentFiles()
 {
-    QSettings().remove(key);
+    QSettings().remove(recentFilesKey);
 }
 
 } // namespace tetra

@@ -9,7 +9,7 @@ namespace tetra {
 namespace {
 
 constexpr std::array kindNames = {"turntable", "keyFrames"};
-constexpr std::array axisNames = {"vertical", "horizontal"};
+constexpr std::array axisKeys = {"vertical", "horizontal"};
 
 template <class Enumeration, std::size_t Count>
 const char* nameOf(const std::array<const char*, Count>& names, Enumeration value)
@@ -48,7 +48,7 @@ KeyFrame keyOf(const JsonFields& fields, std::optional<Error>& error)
 
 void readTurntable(const JsonFields& fields, Turntable& turntable)
 {
-    readName(fields, "axis", axisNames, turntable.axis);
+    readName(fields, "axis", axisKeys, turntable.axis);
     fields.read("degrees", turntable.degrees);
     double frames = turntable.frames;
     fields.read("frames", frames);
@@ -82,7 +82,7 @@ QJsonObject toJson(const Animation& animation)
         keys.append(toJson(key));
     return {{"kind", nameOf(kindNames, animation.kind)},
             {"framesPerSecond", animation.framesPerSecond},
-            {"turntable", QJsonObject{{"axis", nameOf(axisNames, animation.turntable.axis)},
+            {"turntable", QJsonObject{{"axis", nameOf(axisKeys, animation.turntable.axis)},
                                       {"degrees", animation.turntable.degrees},
                                       {"frames", animation.turntable.frames}}},
             {"keys", keys}};

@@ -10,9 +10,9 @@
 namespace tetra {
 namespace {
 
-constexpr int askEvery = 100;      // milliseconds
-constexpr int endWithin = 500;     // milliseconds
-constexpr int mostErrorText = 600; ///< characters, from the end
+constexpr int askEncoderEvery = 100; // milliseconds
+constexpr int endWithin = 500;       // milliseconds
+constexpr int mostErrorText = 600;   ///< characters, from the end
 
 QString suffixOf(const QString& name)
 {
@@ -74,7 +74,7 @@ Status encodeVideo(const QString& encoder, const QStringList& arguments, const s
     process.start(encoder, arguments);
     if (!process.waitForStarted())
         return encoderError(encoder, process.errorString());
-    while (!process.waitForFinished(askEvery) && process.state() != QProcess::NotRunning)
+    while (!process.waitForFinished(askEncoderEvery) && process.state() != QProcess::NotRunning)
         if (progress.cancelled()) {
             process.kill();
             process.waitForFinished(endWithin);

@@ -21,7 +21,7 @@ namespace tetra {
 namespace {
 
 /// As in CpuCanvas, degrees.
-constexpr double movingTolerance = 4;
+constexpr double glMovingTolerance = 4;
 
 QSurfaceFormat wantedFormat()
 {
@@ -126,7 +126,7 @@ void GlCanvas::paintGL()
     options.height = std::max(1, static_cast<int>(std::lround(pixels.height() / plan.reduction)));
     options.background = view_.background;
     options.samplesPerAxis = view_.moving ? 1 : 2;
-    options.orderTolerance = view_.moving ? movingTolerance : 0;
+    options.orderTolerance = view_.moving ? glMovingTolerance : 0;
     const Status drawn = draw(level, options);
     if (!drawn)
         return giveUp(translatedSentence(drawn.error().text));

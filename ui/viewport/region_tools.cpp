@@ -19,7 +19,7 @@ constexpr double reach = 11; ///< of a handle, in pixels around it
 constexpr float outlineWidth = 1.5F;
 constexpr double stepPart = 0.01;                                  ///< of the diagonal, for an arrow key
 constexpr double fineStep = 0.2;                                   ///< of that, with Ctrl
-constexpr double leastPart = 2e-3;                                 ///< of the diagonal, for an edge or a radius
+constexpr double leastRegionPart = 2e-3;                           ///< of the diagonal, for an edge or a radius
 constexpr std::array kinds{RegionKind::Window, RegionKind::Focus}; ///< as they are painted
 
 } // namespace
@@ -101,7 +101,7 @@ bool RegionTools::press(const QMouseEvent& event)
         return false;
     select(grip->region);
     pointer_ = event.position();
-    rule_ = {.restrained = false, .axis = std::nullopt, .least = leastPart * session_.model()->diagonal()};
+    rule_ = {.restrained = false, .axis = std::nullopt, .least = leastRegionPart * session_.model()->diagonal()};
     drag_ = RegionDrag{query().place(selected_), grip->handle, viewport_.projection(), pointer_};
     session_.beginGesture();
     viewport_.setCursor(Qt::ClosedHandCursor);

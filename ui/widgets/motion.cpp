@@ -8,7 +8,7 @@
 namespace tetra {
 namespace {
 
-constexpr const char* key = "reducedMotion";
+constexpr const char* motionKey = "reducedMotion";
 
 } // namespace
 
@@ -20,12 +20,12 @@ bool mayGlide(const QWidget& widget)
 
 bool motionReduced()
 {
-    return QSettings().value(key, false).toBool();
+    return QSettings().value(motionKey, false).toBool();
 }
 
 void setMotionReduced(bool reduced)
 {
-    QSettings().setValue(key, reduced);
+    QSettings().setValue(motionKey, reduced);
 }
 
 } // namespace tetra

@@ -12,7 +12,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::array axisNames{"x", "y", "z"};
+constexpr std::array axisLabels{"x", "y", "z"};
 
 } // namespace
 
@@ -24,9 +24,9 @@ VectorInput::VectorInput(const QString& name, const QString& label, const QStrin
     for (int axis = 0; axis < 3; ++axis) {
         auto* box = new ValueBox;
         boxes_[static_cast<std::size_t>(axis)] = box;
-        box->setObjectName(QString("%1.%2").arg(name, axisNames[static_cast<std::size_t>(axis)]));
+        box->setObjectName(QString("%1.%2").arg(name, axisLabels[static_cast<std::size_t>(axis)]));
         box->setAccessibleName(
-            QString("%1 %2").arg(QString(label).remove('&'), axisNames[static_cast<std::size_t>(axis)]));
+            QString("%1 %2").arg(QString(label).remove('&'), axisLabels[static_cast<std::size_t>(axis)]));
         box->setToolTip(toolTip);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
         box->setMinimumWidth(1); // as wide as the panel allows
@@ -76,7 +76,7 @@ void VectorInput::setEnabled(bool enabled)
 void addAxisNames(QGridLayout& grid, int row)
 {
     for (int axis = 0; axis < 3; ++axis)
-        grid.addWidget(new QLabel(axisNames[static_cast<std::size_t>(axis)]), row, axis + 1, Qt::AlignHCenter);
+        grid.addWidget(new QLabel(axisLabels[static_cast<std::size_t>(axis)]), row, axis + 1, Qt::AlignHCenter);
 }
 
 } // namespace tetra

@@ -15,7 +15,7 @@
 namespace tetra {
 namespace {
 
-class Texts {
+class ActionTexts {
     Q_DECLARE_TR_FUNCTIONS(Actions)
 };
 
@@ -25,7 +25,7 @@ QAction* add(QMenu* menu, const char* name, const QString& text, const QKeySeque
     action->setObjectName(QString("action.") + name);
     action->setShortcut(shortcut);
     const QString keys = shortcut.toString(QKeySequence::NativeText);
-    action->setToolTip(keys.isEmpty() ? toolTip : Texts::tr("%1 (%2)").arg(toolTip, keys));
+    action->setToolTip(keys.isEmpty() ? toolTip : ActionTexts::tr("%1 (%2)").arg(toolTip, keys));
     return action;
 }
 
@@ -38,36 +38,39 @@ QMenu* addMenu(QMainWindow& window, const char* name, const QString& text)
 
 void addFileMenu(QMainWindow& window, Actions& actions)
 {
-    QMenu* menu = addMenu(window, "file", Texts::tr("&File"));
-    actions.open = add(menu, "open", Texts::tr("&Open…"), QKeySequence::Open, Texts::tr("Open a dataset or a model"));
+    QMenu* menu = addMenu(window, "file", ActionTexts::tr("&File"));
+    actions.open =
+        add(menu, "open", ActionTexts::tr("&Open…"), QKeySequence::Open, ActionTexts::tr("Open a dataset or a model"));
     actions.open->setIcon(glyphIcon(Glyph::Open));
     actions.openWithOptions =
-        add(menu, "openWithOptions", Texts::tr("Import with Op&tions…"), QKeySequence("Ctrl+Shift+O"),
-            Texts::tr("Open a part of a dataset, or say how its file is to be read"));
-    actions.recent = menu->addMenu(Texts::tr("Open &Recent"));
+        add(menu, "openWithOptions", ActionTexts::tr("Import with Op&tions…"), QKeySequence("Ctrl+Shift+O"),
+            ActionTexts::tr("Open a part of a dataset, or say how its file is to be read"));
+    actions.recent = menu->addMenu(ActionTexts::tr("Open &Recent"));
     actions.recent->setObjectName("menu.recent");
     menu->addSeparator();
-    actions.saveSession = add(menu, "saveSession", Texts::tr("&Save Session"), QKeySequence::Save,
-                              Texts::tr("Save what is open and how it is seen, to go on with later"));
-    actions.saveSessionAs =
-        add(menu, "saveSessionAs", Texts::tr("Save Session &As…"), {}, Texts::tr("Save the session in another file"));
+    actions.saveSession = add(menu, "saveSession", ActionTexts::tr("&Save Session"), QKeySequence::Save,
+                              ActionTexts::tr("Save what is open and how it is seen, to go on with later"));
+    actions.saveSessionAs = add(menu, "saveSessionAs", ActionTexts::tr("Save Session &As…"), {},
+                                ActionTexts::tr("Save the session in another file"));
     menu->addSeparator();
-    actions.savePicture = add(menu, "savePicture", Texts::tr("Save &Picture…"), QKeySequence("Ctrl+Shift+S"),
-                              Texts::tr("Save what is seen as a PNG picture"));
+    actions.savePicture = add(menu, "savePicture", ActionTexts::tr("Save &Picture…"), QKeySequence("Ctrl+Shift+S"),
+                              ActionTexts::tr("Save what is seen as a PNG picture"));
     actions.savePicture->setIcon(glyphIcon(Glyph::Picture));
-    actions.saveFilm = add(menu, "saveFilm", Texts::tr("Save &Film…"), QKeySequence("Ctrl+Alt+S"),
-                           Texts::tr("Save the animation as pictures or a video"));
-    actions.saveMesh = add(menu, "saveMesh", Texts::tr("Save &Mesh…"), QKeySequence("Ctrl+M"),
-                           Texts::tr("Save the mesh that is seen, for VTK, ParaView and others"));
+    actions.saveFilm = add(menu, "saveFilm", ActionTexts::tr("Save &Film…"), QKeySequence("Ctrl+Alt+S"),
+                           ActionTexts::tr("Save the animation as pictures or a video"));
+    actions.saveMesh = add(menu, "saveMesh", ActionTexts::tr("Save &Mesh…"), QKeySequence("Ctrl+M"),
+                           ActionTexts::tr("Save the mesh that is seen, for VTK, ParaView and others"));
     actions.saveMesh->setIcon(glyphIcon(Glyph::Mesh));
     actions.saveSurfaces =
-        add(menu, "saveSurfaces", Texts::tr("Save S&urfaces…"), QKeySequence("Ctrl+Shift+M"),
-            Texts::tr("Save the isosurfaces that are seen, for 3D printers, Blender, ParaView and others"));
-    actions.saveStatistics = add(menu, "saveStatistics", Texts::tr("Save Stat&istics…"), {},
-                                 Texts::tr("Save how large the mesh of each accuracy is, as a table"));
+        add(menu, "saveSurfaces", ActionTexts::tr("Save S&urfaces…"), QKeySequence("Ctrl+Shift+M"),
+            ActionTexts::tr("Save the isosurfaces that are seen, for 3D printers, Blender, ParaView and others"));
+    actions.saveStatistics = add(menu, "saveStatistics", ActionTexts::tr("Save Stat&istics…"), {},
+                                 ActionTexts::tr("Save how large the mesh of each accuracy is, as a table"));
     menu->addSeparator();
-    actions.close = add(menu, "close", Texts::tr("&Close"), QKeySequence::Close, Texts::tr("Close the model"));
-    actions.quit = add(menu, "quit", Texts::tr("&Quit"), QKeySequence("Ctrl+Q"), Texts::tr("Leave the program"));
+    actions.close =
+        add(menu, "close", ActionTexts::tr("&Close"), QKeySequence::Close, ActionTexts::tr("Close the model"));
+    actions.quit =
+        add(menu, "quit", ActionTexts::tr("&Quit"), QKeySequence("Ctrl+Q"), ActionTexts::tr("Leave the program"));
 }
 
 /// "Undo change of view" in some languages is "Undo: change of view"; what has nothing to name needs no colon.
@@ -79,9 +82,9 @@ void endWithoutColon(QAction* action)
 
 void addEditMenu(QMainWindow& window, QUndoStack& undoStack, Actions& actions)
 {
-    QMenu* menu = addMenu(window, "edit", Texts::tr("&Edit"));
-    actions.undo = undoStack.createUndoAction(&window, Texts::tr("&Undo"));
-    actions.redo = undoStack.createRedoAction(&window, Texts::tr("&Redo"));
+    QMenu* menu = addMenu(window, "edit", ActionTexts::tr("&Edit"));
+    actions.undo = undoStack.createUndoAction(&window, ActionTexts::tr("&Undo"));
+    actions.redo = undoStack.createRedoAction(&window, ActionTexts::tr("&Redo"));
     QObject::connect(&undoStack, &QUndoStack::undoTextChanged, actions.undo,
                      [undo = actions.undo] { endWithoutColon(undo); });
     QObject::connect(&undoStack, &QUndoStack::redoTextChanged, actions.redo,
@@ -97,17 +100,17 @@ void addEditMenu(QMainWindow& window, QUndoStack& undoStack, Actions& actions)
     menu->addAction(actions.undo);
     menu->addAction(actions.redo);
     menu->addSeparator();
-    actions.copyPicture = add(menu, "copyPicture", Texts::tr("&Copy Picture"), QKeySequence("Ctrl+Shift+C"),
-                              Texts::tr("Put what is seen on the clipboard, in the size that it is seen in"));
+    actions.copyPicture = add(menu, "copyPicture", ActionTexts::tr("&Copy Picture"), QKeySequence("Ctrl+Shift+C"),
+                              ActionTexts::tr("Put what is seen on the clipboard, in the size that it is seen in"));
     menu->addSeparator();
-    actions.addIsovalue = add(menu, "addIsovalue", Texts::tr("&Add Isovalue"), QKeySequence("Ctrl+I"),
-                              Texts::tr("Add an isosurface at another value"));
+    actions.addIsovalue = add(menu, "addIsovalue", ActionTexts::tr("&Add Isovalue"), QKeySequence("Ctrl+I"),
+                              ActionTexts::tr("Add an isosurface at another value"));
     actions.addIsovalue->setIcon(glyphIcon(Glyph::Add));
-    actions.picked = menu->addMenu(Texts::tr("Picked &Value"));
+    actions.picked = menu->addMenu(ActionTexts::tr("Picked &Value"));
     actions.picked->setObjectName("menu.picked");
     menu->addSeparator();
-    actions.palette = add(menu, "palette", Texts::tr("&Find Command…"), QKeySequence("Ctrl+Shift+P"),
-                          Texts::tr("Find whatever the program can do by a few letters of its name"));
+    actions.palette = add(menu, "palette", ActionTexts::tr("&Find Command…"), QKeySequence("Ctrl+Shift+P"),
+                          ActionTexts::tr("Find whatever the program can do by a few letters of its name"));
 }
 
 void addNamedViews(QMenu* menu, Actions& actions)
@@ -117,68 +120,71 @@ void addNamedViews(QMenu* menu, Actions& actions)
         QString text;
     };
     const Entry entries[] = {
-        {"front", Texts::tr("&Front")},   {"back", Texts::tr("&Back")}, {"left", Texts::tr("&Left")},
-        {"right", Texts::tr("&Right")},   {"top", Texts::tr("&Top")},   {"bottom", Texts::tr("B&ottom")},
-        {"corner", Texts::tr("&Corner")},
+        {"front", ActionTexts::tr("&Front")},   {"back", ActionTexts::tr("&Back")},
+        {"left", ActionTexts::tr("&Left")},     {"right", ActionTexts::tr("&Right")},
+        {"top", ActionTexts::tr("&Top")},       {"bottom", ActionTexts::tr("B&ottom")},
+        {"corner", ActionTexts::tr("&Corner")},
     };
     int key = 1;
     for (const Entry& entry : entries) {
         const QString name = QString("view.") + entry.name;
         QAction* action = add(menu, name.toUtf8().constData(), entry.text, QKeySequence(QString("Ctrl+%1").arg(key++)),
-                              Texts::tr("Look from this side"));
+                              ActionTexts::tr("Look from this side"));
         actions.namedViews.append(action);
     }
 }
 
 void addViewMenu(QMainWindow& window, Actions& actions)
 {
-    QMenu* menu = addMenu(window, "view", Texts::tr("&View"));
-    actions.fit = add(menu, "fit", Texts::tr("&Fit"), QKeySequence(Qt::Key_Home), Texts::tr("Show the whole domain"));
+    QMenu* menu = addMenu(window, "view", ActionTexts::tr("&View"));
+    actions.fit =
+        add(menu, "fit", ActionTexts::tr("&Fit"), QKeySequence(Qt::Key_Home), ActionTexts::tr("Show the whole domain"));
     actions.fit->setIcon(glyphIcon(Glyph::Fit));
-    actions.lookFrom = menu->addMenu(Texts::tr("&Look From"));
+    actions.lookFrom = menu->addMenu(ActionTexts::tr("&Look From"));
     actions.lookFrom->setObjectName("menu.namedViews");
     addNamedViews(actions.lookFrom, actions);
-    actions.perspective = add(menu, "perspective", Texts::tr("&Perspective"), QKeySequence("Ctrl+P"),
-                              Texts::tr("Perspective, or parallel projection"));
+    actions.perspective = add(menu, "perspective", ActionTexts::tr("&Perspective"), QKeySequence("Ctrl+P"),
+                              ActionTexts::tr("Perspective, or parallel projection"));
     actions.perspective->setCheckable(true);
     actions.perspective->setChecked(true);
-    actions.modes = menu->addMenu(Texts::tr("&Show"));
+    actions.modes = menu->addMenu(ActionTexts::tr("&Show"));
     actions.modes->setObjectName("menu.modes");
-    actions.annotations = menu->addMenu(Texts::tr("&Annotations"));
+    actions.annotations = menu->addMenu(ActionTexts::tr("&Annotations"));
     actions.annotations->setObjectName("menu.annotations");
     menu->addSeparator();
-    actions.panels = menu->addMenu(Texts::tr("Pa&nels"));
+    actions.panels = menu->addMenu(ActionTexts::tr("Pa&nels"));
     actions.panels->setObjectName("menu.panels");
-    actions.resetLayout = add(menu, "resetLayout", Texts::tr("Reset La&yout"), {},
-                              Texts::tr("Put all panels back to where they were at first"));
-    actions.fullScreen = add(menu, "fullScreen", Texts::tr("F&ull Screen"), QKeySequence(Qt::Key_F11),
-                             Texts::tr("Use the whole screen"));
+    actions.resetLayout = add(menu, "resetLayout", ActionTexts::tr("Reset La&yout"), {},
+                              ActionTexts::tr("Put all panels back to where they were at first"));
+    actions.fullScreen = add(menu, "fullScreen", ActionTexts::tr("F&ull Screen"), QKeySequence(Qt::Key_F11),
+                             ActionTexts::tr("Use the whole screen"));
     actions.fullScreen->setCheckable(true);
     menu->addSeparator();
-    actions.reducedMotion = add(menu, "reducedMotion", Texts::tr("Reduced &Motion"), {},
-                                Texts::tr("Change the view at once instead of gliding to it"));
+    actions.reducedMotion = add(menu, "reducedMotion", ActionTexts::tr("Reduced &Motion"), {},
+                                ActionTexts::tr("Change the view at once instead of gliding to it"));
     actions.reducedMotion->setCheckable(true);
-    actions.languages = menu->addMenu(Texts::tr("Lan&guage"));
+    actions.languages = menu->addMenu(ActionTexts::tr("Lan&guage"));
     actions.languages->setObjectName("menu.languages");
 }
 
 void addHelpMenu(QMainWindow& window, Actions& actions)
 {
-    QMenu* menu = addMenu(window, "help", Texts::tr("&Help"));
-    actions.manual =
-        add(menu, "manual", Texts::tr("&Manual"), {}, Texts::tr("Read how everything works, in the web browser"));
-    actions.help = add(menu, "help", Texts::tr("&Help on This Control"), QKeySequence(Qt::Key_F1),
-                       Texts::tr("Say what the control does that has the keys"));
-    actions.whatsThis = add(menu, "whatsThis", Texts::tr("&What Is This?"), QKeySequence("Shift+F1"),
-                            Texts::tr("Click on a control to read what it does"));
+    QMenu* menu = addMenu(window, "help", ActionTexts::tr("&Help"));
+    actions.manual = add(menu, "manual", ActionTexts::tr("&Manual"), {},
+                         ActionTexts::tr("Read how everything works, in the web browser"));
+    actions.help = add(menu, "help", ActionTexts::tr("&Help on This Control"), QKeySequence(Qt::Key_F1),
+                       ActionTexts::tr("Say what the control does that has the keys"));
+    actions.whatsThis = add(menu, "whatsThis", ActionTexts::tr("&What Is This?"), QKeySequence("Shift+F1"),
+                            ActionTexts::tr("Click on a control to read what it does"));
     menu->addSeparator();
-    actions.plugins = add(menu, "plugins", Texts::tr("&Plugins…"), {}, Texts::tr("The plugins that were found"));
-    actions.about = add(menu, "about", Texts::tr("&About TAn"), {}, Texts::tr("Version and licence"));
+    actions.plugins =
+        add(menu, "plugins", ActionTexts::tr("&Plugins…"), {}, ActionTexts::tr("The plugins that were found"));
+    actions.about = add(menu, "about", ActionTexts::tr("&About TAn"), {}, ActionTexts::tr("Version and licence"));
 }
 
 void addToolBar(QMainWindow& window, Actions& actions)
 {
-    QToolBar* bar = window.addToolBar(Texts::tr("Tools"));
+    QToolBar* bar = window.addToolBar(ActionTexts::tr("Tools"));
     bar->setObjectName("toolBar");
     bar->toggleViewAction()->setObjectName("action.toolBar");
     actions.panels->addAction(bar->toggleViewAction());
@@ -204,9 +210,9 @@ void addNeeds(const Actions& actions)
                                            actions.saveMesh, actions.saveSurfaces, actions.saveStatistics,
                                            actions.close, actions.addIsovalue, actions.fit} +
                                actions.namedViews)
-        setNeed(*action, Texts::tr("Open a model first"));
-    setNeed(*actions.undo, Texts::tr("There is nothing to undo"));
-    setNeed(*actions.redo, Texts::tr("There is nothing to redo"));
+        setNeed(*action, ActionTexts::tr("Open a model first"));
+    setNeed(*actions.undo, ActionTexts::tr("There is nothing to undo"));
+    setNeed(*actions.redo, ActionTexts::tr("There is nothing to redo"));
 }
 
 } // namespace
@@ -217,7 +223,7 @@ Actions makeActions(QMainWindow& window, QUndoStack& undoStack)
     addFileMenu(window, actions);
     addEditMenu(window, undoStack, actions);
     addViewMenu(window, actions);
-    actions.region = addMenu(window, "region", Texts::tr("&Region"));
+    actions.region = addMenu(window, "region", ActionTexts::tr("&Region"));
     addHelpMenu(window, actions);
     addToolBar(window, actions);
     addNeeds(actions);

@@ -22,7 +22,7 @@
 namespace tetra {
 namespace {
 
-class Texts {
+class DockTexts {
     Q_DECLARE_TR_FUNCTIONS(Docks)
 };
 
@@ -49,41 +49,46 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
     docks.animationPanel = new AnimationPanel(workbench, viewport);
     docks.focusPanel = new FocusPanel(session);
     docks.renderingPanel = new RenderingPanel(workbench, viewport);
-    docks.build = add("build", Texts::tr("Build"),
-                      Texts::tr("A dataset is turned into a model once: a mesh of tetrahedra that can be had at any "
-                                "accuracy from then on. Choose a method and a file, and start."),
-                      new BuildPanel(workbench));
-    docks.accuracy = add("accuracy", Texts::tr("Accuracy"),
-                         Texts::tr("How far the mesh may deviate from the data, in percent of the range of values; or "
-                                   "how many tetrahedra it may have. The curve shows what each error costs."),
-                         new AccuracyPanel(session));
-    docks.rendering = add("rendering", Texts::tr("Rendering"),
-                          Texts::tr("In which way the mesh is drawn: surfaces, volume or both, and how finely."),
+    docks.build =
+        add("build", DockTexts::tr("Build"),
+            DockTexts::tr("A dataset is turned into a model once: a mesh of tetrahedra that can be had at any "
+                          "accuracy from then on. Choose a method and a file, and start."),
+            new BuildPanel(workbench));
+    docks.accuracy =
+        add("accuracy", DockTexts::tr("Accuracy"),
+            DockTexts::tr("How far the mesh may deviate from the data, in percent of the range of values; or "
+                          "how many tetrahedra it may have. The curve shows what each error costs."),
+            new AccuracyPanel(session));
+    docks.rendering = add("rendering", DockTexts::tr("Rendering"),
+                          DockTexts::tr("In which way the mesh is drawn: surfaces, volume or both, and how finely."),
                           docks.renderingPanel);
-    docks.view = add("view", Texts::tr("View"),
-                     Texts::tr("From where the model is seen, in numbers. In the picture: drag to turn, Shift and drag "
-                               "to move, the wheel zooms."),
-                     new ViewPanel(workbench, viewport));
+    docks.view =
+        add("view", DockTexts::tr("View"),
+            DockTexts::tr("From where the model is seen, in numbers. In the picture: drag to turn, Shift and drag "
+                          "to move, the wheel zooms."),
+            new ViewPanel(workbench, viewport));
     docks.statisticsPanel = new StatisticsPanel(workbench, viewport);
-    docks.statistics = add("statistics", Texts::tr("Statistics"),
-                           Texts::tr("What each accuracy costs in sites, tetrahedra, time and memory, and what is "
-                                     "shown now in numbers."),
+    docks.statistics = add("statistics", DockTexts::tr("Statistics"),
+                           DockTexts::tr("What each accuracy costs in sites, tetrahedra, time and memory, and what is "
+                                         "shown now in numbers."),
                            docks.statisticsPanel);
-    docks.isovalues = add("isovalues", Texts::tr("Isovalues"),
-                          Texts::tr("Surfaces on which the field has one value each, in the units of the data."),
+    docks.isovalues = add("isovalues", DockTexts::tr("Isovalues"),
+                          DockTexts::tr("Surfaces on which the field has one value each, in the units of the data."),
                           new IsovaluePanel(session));
-    docks.transfer = add("transfer", Texts::tr("Transfer"),
-                         Texts::tr("The transfer function gives each value a colour and an opacity for the volume."),
-                         makeEditorPage(workbench, pick, "transferfunction"));
+    docks.transfer =
+        add("transfer", DockTexts::tr("Transfer"),
+            DockTexts::tr("The transfer function gives each value a colour and an opacity for the volume."),
+            makeEditorPage(workbench, pick, "transferfunction"));
     docks.focus =
-        add("focus", Texts::tr("Focus"),
-            Texts::tr("A sphere or a box in which the mesh is more accurate than outside."), docks.focusPanel);
-    docks.region = add("region", Texts::tr("Region"),
-                       Texts::tr("Which part of the domain is shown at all: a box, and a range of values."),
+        add("focus", DockTexts::tr("Focus"),
+            DockTexts::tr("A sphere or a box in which the mesh is more accurate than outside."), docks.focusPanel);
+    docks.region = add("region", DockTexts::tr("Region"),
+                       DockTexts::tr("Which part of the domain is shown at all: a box, and a range of values."),
                        new RegionPanel(session));
-    docks.animation = add("animation", Texts::tr("Animation"),
-                          Texts::tr("Films of the model: a turntable, or a path through key frames that you choose."),
-                          docks.animationPanel);
+    docks.animation =
+        add("animation", DockTexts::tr("Animation"),
+            DockTexts::tr("Films of the model: a turntable, or a path through key frames that you choose."),
+            docks.animationPanel);
     giveMnemonics(menu);
     for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
         separateMnemonics(*dock->widget(), *window.menuBar());

@@ -18,7 +18,7 @@
 namespace tetra {
 namespace {
 
-class Texts {
+class HelpMenuTexts {
     Q_DECLARE_TR_FUNCTIONS(HelpActions)
 };
 
@@ -33,10 +33,10 @@ void fillLanguages(QMenu& menu, MessageBar& messages)
         group->addAction(action);
         QObject::connect(action, &QAction::triggered, &messages, [&messages, code] {
             chooseLanguage(code);
-            messages.add(Texts::tr("The language changes when TAn starts the next time."));
+            messages.add(HelpMenuTexts::tr("The language changes when TAn starts the next time."));
         });
     };
-    add(Texts::tr("&As the System"), {});
+    add(HelpMenuTexts::tr("&As the System"), {});
     for (const Language& language : languages())
         add(QString::fromUtf8(language.name), language.code);
     giveMnemonics(menu);

@@ -15,7 +15,7 @@
 namespace tetra {
 namespace {
 
-constexpr int textWidth = 340;
+constexpr int helpTextWidth = 340;
 constexpr int margin = 8;
 
 /// Qt's own window for this is translucent: black where nothing composes the screen.
@@ -30,7 +30,7 @@ void showText(QPoint place, const QString& text, QWidget* parent)
     auto* label = new QLabel(text);
     label->setObjectName("help.text");
     label->setWordWrap(true);
-    label->setFixedWidth(textWidth);
+    label->setFixedWidth(helpTextWidth);
     auto* layout = new QVBoxLayout(popup);
     layout->setContentsMargins(margin, margin, margin, margin);
     layout->addWidget(label);

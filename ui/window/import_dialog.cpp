@@ -27,7 +27,7 @@
 namespace tetra {
 namespace {
 
-constexpr int barSteps = 1000;
+constexpr int importBarSteps = 1000;
 constexpr int fieldsWidth = 420;
 
 QLabel* wrapped(const char* name)
@@ -110,7 +110,7 @@ QLayout* ImportDialog::makeFoot()
     estimate_->setToolTip(tr("Measured on other data; a larger error takes less. Half or twice as much is possible."));
     bar_->setObjectName("import.progress");
     bar_->setAccessibleName(tr("Progress of reading"));
-    bar_->setRange(0, barSteps);
+    bar_->setRange(0, importBarSteps);
     bar_->hide();
     read_->setObjectName("import.read");
     read_->setToolTip(tr("Opens the dataset so"));
@@ -140,7 +140,7 @@ void ImportDialog::connectAll()
     connect(cancel_, &QPushButton::clicked, this, &ImportDialog::reject);
     connect(this, &QDialog::finished, preview_, [this] { preview_->setSamples({}, std::nullopt); });
     connect(&workbench_.reading(), &LongTask::progressed, this, [this](const TaskProgress& progress) {
-        bar_->setValue(static_cast<int>(std::lround(progress.fraction * barSteps)));
+        bar_->setValue(static_cast<int>(std::lround(progress.fraction * importBarSteps)));
     });
     connect(&workbench_.reading(), &LongTask::started, this, [this] {
         if (isReading()) // another file took its place

@@ -14,9 +14,9 @@
 namespace tetra {
 namespace {
 
-constexpr qsizetype mostShown = 3;
-constexpr int iconSide = 20;
-constexpr QColor amber(230, 159, 0);
+constexpr qsizetype mostOffers = 3;
+constexpr int offerIconSide = 20;
+constexpr QColor offerColour(230, 159, 0);
 
 } // namespace
 
@@ -35,7 +35,7 @@ void LostOffers::setOffers(const QList<LostOffer>& offers)
         item->widget()->deleteLater();
         delete item;
     }
-    for (qsizetype i = 0; i < std::min(offers.size(), mostShown); ++i)
+    for (qsizetype i = 0; i < std::min(offers.size(), mostOffers); ++i)
         rows_->addWidget(makeRow(offers[i], static_cast<int>(i)));
     setVisible(!offers.isEmpty());
 }
@@ -44,7 +44,7 @@ QWidget* LostOffers::makeRow(const LostOffer& offer, int index)
 {
     auto* row = new QWidget;
     auto* sign = new QLabel;
-    sign->setPixmap(glyphIcon(Glyph::Warning).pixmap(QSize(iconSide, iconSide), devicePixelRatioF()));
+    sign->setPixmap(glyphIcon(Glyph::Warning).pixmap(QSize(offerIconSide, offerIconSide), devicePixelRatioF()));
     const QString what = tr("TAn ended unexpectedly while %1 was open.").arg(offer.model);
     auto* text = new QLabel("<b>" + what.toHtmlEscaped() + "</b><br>" + offer.detail.toHtmlEscaped());
     text->setObjectName("lost.text");
@@ -77,9 +77,9 @@ void LostOffers::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setOpacity(0.2);
-    painter.fillRect(rect(), amber);
+    painter.fillRect(rect(), offerColour);
     painter.setOpacity(1);
-    painter.fillRect(QRect(0, 0, 3, height()), amber);
+    painter.fillRect(QRect(0, 0, 3, height()), offerColour);
 }
 
 } // namespace tetra

@@ -15,7 +15,7 @@
 namespace tetra {
 namespace {
 
-constexpr int statusMessageTime = 5000; // milliseconds
+constexpr int pictureMessageTime = 5000; // milliseconds
 
 } // namespace
 
@@ -36,7 +36,7 @@ void MainWindow::connectPictures()
     connect(&workbench_, &Workbench::pictureDrawn, this, [this](const QImage& picture) {
         QGuiApplication::clipboard()->setImage(picture);
         statusBar()->showMessage(tr("Picture copied, %1 × %2 pixels").arg(picture.width()).arg(picture.height()),
-                                 statusMessageTime);
+                                 pictureMessageTime);
     });
 }
 

@@ -10,7 +10,7 @@
 namespace tetra {
 namespace {
 
-class Texts {
+class ManualTexts {
     Q_DECLARE_TR_FUNCTIONS(Manual)
 };
 
@@ -26,11 +26,11 @@ QString openManual(const QString& programFolder)
 {
     const QString page = manualPage(programFolder);
     if (page.isEmpty())
-        return Texts::tr(
+        return ManualTexts::tr(
             "The manual is not installed. Install the package tan again with its documentation, or build "
             "TAn with the package python3-markdown; the same texts are in the folder docs of its sources.");
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(page)))
-        return Texts::tr("No program opens web pages here. Install a web browser, or read %1.").arg(page);
+        return ManualTexts::tr("No program opens web pages here. Install a web browser, or read %1.").arg(page);
     return {};
 }
 

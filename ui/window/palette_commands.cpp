@@ -19,7 +19,7 @@
 namespace tetra {
 namespace {
 
-class Texts {
+class PaletteTexts {
     Q_DECLARE_TR_FUNCTIONS(PaletteCommands)
 };
 
@@ -27,7 +27,7 @@ constexpr const char* needProperty = "need";
 
 QString joined(const QString& way, const QString& text)
 {
-    return way.isEmpty() ? text : Texts::tr("%1: %2").arg(way, text);
+    return way.isEmpty() ? text : PaletteTexts::tr("%1: %2").arg(way, text);
 }
 
 QString plain(const QString& text)
@@ -41,7 +41,7 @@ QString reasonOf(const QAction& action)
     if (action.isEnabled())
         return {};
     const QString need = action.property(needProperty).toString();
-    return need.isEmpty() ? Texts::tr("Not possible now") : need;
+    return need.isEmpty() ? PaletteTexts::tr("Not possible now") : need;
 }
 
 PaletteCommand commandOf(QAction& action, const QString& way)
@@ -71,7 +71,7 @@ void addPanel(std::vector<PaletteCommand>& commands, QDockWidget& dock)
 {
     const QAction& toggle = *dock.toggleViewAction();
     commands.push_back({toggle.objectName(),
-                        joined(Texts::tr("Panel"), dock.windowTitle()),
+                        joined(PaletteTexts::tr("Panel"), dock.windowTitle()),
                         {},
                         reasonOf(toggle),
                         [dock = QPointer(&dock)] {
@@ -90,9 +90,9 @@ void addAccuracies(std::vector<PaletteCommand>& commands, Session& session)
 {
     for (const double percent : accuracyPresets)
         commands.push_back({"accuracy.preset." + QString::number(percent),
-                            joined(Texts::tr("Accuracy"), percentText(percent)),
+                            joined(PaletteTexts::tr("Accuracy"), percentText(percent)),
                             {},
-                            session.model() ? QString() : Texts::tr("Open a model first"),
+                            session.model() ? QString() : PaletteTexts::tr("Open a model first"),
                             [&session, percent] { session.setError(percent); }});
 }
 

@@ -17,14 +17,14 @@ namespace tetra {
 namespace {
 
 constexpr QSize windowSize(1366, 768);
-constexpr int patience = 60'000; // milliseconds
+constexpr int photographerPatience = 60'000; // milliseconds
 
 /// Works on until `done`; false if that takes too long.
 template <class Condition> bool waitFor(const Condition& done)
 {
     QElapsedTimer clock;
     clock.start();
-    while (!done() && clock.elapsed() < patience)
+    while (!done() && clock.elapsed() < photographerPatience)
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents, 50);
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     QCoreApplication::processEvents();

@@ -20,7 +20,7 @@
 namespace tetra {
 namespace {
 
-QString text(std::string_view utf8)
+QString qString(std::string_view utf8)
 {
     return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
 }
@@ -36,13 +36,13 @@ bool canBeChosen(const PluginStatus& plugin)
 QTreeWidgetItem* itemFor(const PluginStatus& plugin, const std::vector<std::string>& unwanted)
 {
     const PluginMetadata& data = plugin.metadata;
-    const QString name = plugin.hasMetadata ? pluginText(data.name) : text(data.id);
+    const QString name = plugin.hasMetadata ? pluginText(data.name) : qString(data.id);
     const QString kind = plugin.hasMetadata ? pluginText(std::string(pluginKindName(data.kind))) : QString();
-    const QString version = plugin.hasMetadata ? text(toText(data.version)) : QString();
+    const QString version = plugin.hasMetadata ? qString(toText(data.version)) : QString();
     const QString state = pluginText(std::string(pluginStateName(plugin.state)));
     auto* item =
         new QTreeWidgetItem({name, kind, version, state, translatedSentence(plugin.error), pathText(plugin.path)});
-    item->setData(0, idRole, text(data.id));
+    item->setData(0, idRole, qString(data.id));
     if (canBeChosen(plugin))
         item->setCheckState(0, std::ranges::count(unwanted, data.id) > 0 ? Qt::Unchecked : Qt::Checked);
     item->setToolTip(0, pluginText(data.description));
@@ -108,7 +108,7 @@ QStringList pluginErrors(const PluginHost& host)
     for (const PluginStatus& plugin : host.plugins())
         if (plugin.state == PluginState::Refused)
             errors.append(PluginWindow::tr("The plugin %1 cannot be used. %2")
-                              .arg(text(plugin.metadata.id), translatedSentence(plugin.error)));
+                              .arg(qString(plugin.metadata.id), translatedSentence(plugin.error)));
     return errors;
 }
 

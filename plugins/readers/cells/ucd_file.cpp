@@ -10,7 +10,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::string_view activity = "Reading";
+constexpr std::string_view readingUcd = "Reading";
 
 std::string_view nextWord(std::string_view& line)
 {
@@ -226,8 +226,8 @@ private:
         constexpr std::uint64_t linesBetweenReports = 1 << 15;
         if (done % linesBetweenReports == 0) {
             if (progress_.cancelled())
-                return cancelledError(activity);
-            progress_.report(lines_.fraction(), activity);
+                return cancelledError(readingUcd);
+            progress_.report(lines_.fraction(), readingUcd);
         }
         if (lines_.next(line))
             return {};

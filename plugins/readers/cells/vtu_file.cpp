@@ -13,7 +13,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::string_view activity = "Reading";
+constexpr std::string_view readingVtu = "Reading";
 constexpr std::string_view ghostName = "vtkGhostType";
 
 CellShape shapeOf(std::uint64_t vtkType)
@@ -122,8 +122,8 @@ public:
             if (const Status status = add(head_.pieces[piece]); !status)
                 return status.error();
             if (progress.cancelled())
-                return cancelledError(activity);
-            progress.report(static_cast<double>(piece + 1) / static_cast<double>(head_.pieces.size()), activity);
+                return cancelledError(readingVtu);
+            progress.report(static_cast<double>(piece + 1) / static_cast<double>(head_.pieces.size()), readingVtu);
         }
         return std::move(file_);
     }

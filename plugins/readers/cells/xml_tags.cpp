@@ -7,7 +7,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n";
+constexpr std::string_view tagBlanks = " \t\r\n";
 
 std::string unescaped(std::string_view text)
 {
@@ -30,8 +30,8 @@ std::string unescaped(std::string_view text)
 
 std::string_view trimmed(std::string_view text)
 {
-    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-    return text.substr(0, text.find_last_not_of(blanks) + 1);
+    text.remove_prefix(std::min(text.find_first_not_of(tagBlanks), text.size()));
+    return text.substr(0, text.find_last_not_of(tagBlanks) + 1);
 }
 
 /// key="value" key='value' ...; false if it is something else.
@@ -95,7 +95,7 @@ std::optional<XmlTag> XmlTags::next()
             tag.closes = true;
             inside.remove_suffix(1);
         }
-        tag.name = inside.substr(0, inside.find_first_of(blanks));
+        tag.name = inside.substr(0, inside.find_first_of(tagBlanks));
         if (tag.name.empty() || !parseAttributes(inside.substr(tag.name.size()), tag))
             return fail();
         return tag;

@@ -14,7 +14,7 @@ namespace tetra {
 
 namespace {
 
-std::string_view asText(std::span<const std::byte> bytes)
+std::string_view sampleText(std::span<const std::byte> bytes)
 {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
@@ -35,7 +35,7 @@ Error tooFew(const SampleLayout& layout, const std::string& found)
 Result<std::span<const std::byte>> skipLines(std::span<const std::byte> data, std::uint64_t lines)
 {
     for (std::uint64_t line = 0; line < lines; ++line) {
-        const std::size_t end = asText(data).find('\n');
+        const std::size_t end = sampleText(data).find('\n');
         if (end == std::string_view::npos)
             return Error{ErrorKind::BadInput, "it has only " + std::to_string(line) + " of the " +
                                                   std::to_string(lines) +
@@ -80,7 +80,7 @@ Status decode(std::span<const std::byte> data, const SampleLayout& layout, std::
     switch (layout.encoding) {
     case SampleEncoding::Raw: return copyRawSamples(data, layout.type, layout.order, samples, progress);
     case SampleEncoding::Text:
-        return readTextSamples(asText(data.subspan(std::min<std::uint64_t>(layout.skippedBytes, data.size()))),
+        return readTextSamples(sampleText(data.subspan(std::min<std::uint64_t>(layout.skippedBytes, data.size()))),
                                layout.type, samples, progress);
     case SampleEncoding::Gzip: break;
     }
