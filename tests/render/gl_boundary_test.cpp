@@ -14,7 +14,7 @@ class GlBoundaryTest : public GlTest {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { makeGl(TAN_GL_LEVEL); }
+    void initTestCase() { makeGl(levelOfTest()); }
 
     void sameAsTheCpu_data()
     {

@@ -69,7 +69,7 @@ private:
     {
         const Picture cpu = rendered(*cpu_, scene, camera, options);
         const Picture gl = rendered(*gl_, scene, camera, options);
-        QVERIFY2(gl_->statistics().cellsOnCard == (TAN_GL_LEVEL == GlLevel::Gl43), gl_->note().c_str());
+        QVERIFY2(gl_->statistics().cellsOnCard == (levelOfTest() == GlLevel::Gl43), gl_->note().c_str());
         const Picture again = rendered(*gl_, scene, camera, options);
         const QString name = QString("gl_focus_%1_%2").arg(QTest::currentTestFunction(), QTest::currentDataTag());
         QVERIFY(samePicture(cpu, gl, again, QString(name).replace(' ', '_').remove(','), strays));
@@ -90,7 +90,7 @@ private:
     }
 
 private slots:
-    void initTestCase() { makeGl(TAN_GL_LEVEL); }
+    void initTestCase() { makeGl(levelOfTest()); }
 
     void sameAsTheCpu_data()
     {

@@ -14,6 +14,12 @@
 
 namespace tetra::testing {
 
+/// The level that a test is to draw with at most, which runs once for each: TAN_GL_LEVEL of the environment, 33 or 43.
+inline GlLevel levelOfTest()
+{
+    return qEnvironmentVariable("TAN_GL_LEVEL") == "33" ? GlLevel::Gl33 : GlLevel::Gl43;
+}
+
 /// Why this machine has no OpenGL of this level, asked of the driver alone; empty if it has.
 inline std::string whyNoGl(GlLevel level)
 {

@@ -9,6 +9,8 @@ using namespace tetra;
 /// On a screen of two pixels a unit (R26): lines of the picture are as wide as on one of a single pixel.
 class HighResolutionTest : public QObject {
     Q_OBJECT
+public:
+    static void initMain() { qputenv("QT_SCALE_FACTOR", "2"); } // before the application, which reads it
 private slots:
     void linesAreAsWideAsElsewhere();
 };
@@ -39,11 +41,5 @@ void HighResolutionTest::linesAreAsWideAsElsewhere()
     QCOMPARE(viewport.scene()->lines.front().width, width); // that pictures are made of
 }
 
-int main(int argc, char** argv)
-{
-    qputenv("QT_SCALE_FACTOR", "2");
-    const QApplication application(argc, argv);
-    HighResolutionTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+QTEST_MAIN(HighResolutionTest)
 #include "high_resolution_test.moc"
