@@ -1907,6 +1907,86 @@
         <translation>Wählen Sie einen anderen Ordner für das Modell.</translation>
     </message>
     <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>Nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Ein-/Ausgabefehler</translation>
+    </message>
+    <message>
+        <source>Cannot allocate memory</source>
+        <translation>Nicht genug Speicher</translation>
+    </message>
+    <message>
+        <source>Resource temporarily unavailable</source>
+        <translation>Im Augenblick nicht verfügbar</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>Gerät oder Datei in Benutzung</translation>
+    </message>
+    <message>
+        <source>Invalid cross-device link</source>
+        <translation>Auf einem anderen Datenträger</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>Kein Ordner</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>Das ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Invalid argument</source>
+        <translation>Ungültiges Argument</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>Zu viele offene Dateien</translation>
+    </message>
+    <message>
+        <source>Too many open files in system</source>
+        <translation>Zu viele offene Dateien im ganzen System</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>Datei zu groß</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Kein Platz mehr auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Dateisystem nur lesbar</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Dateiname zu lang</translation>
+    </message>
+    <message>
+        <source>Too many levels of symbolic links</source>
+        <translation>Zu viele symbolische Verweise hintereinander</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>Speicherkontingent überschritten</translation>
+    </message>
+    <message>
+        <source>Stale file handle</source>
+        <translation>Die Datei gibt es auf dem Server nicht mehr</translation>
+    </message>
+    <message>
         <source>A temporary file in &apos;%1&apos; cannot be used: %2. Free some space or choose another disk.</source>
         <translation>Eine Zwischendatei in „%1“ kann nicht benutzt werden: %2. Schaffen Sie Platz, oder wählen Sie einen anderen Datenträger.</translation>
     </message>
@@ -2145,10 +2225,6 @@
     <message>
         <source>The ParaView preset cannot be read: %1</source>
         <translation>Die ParaView-Vorlage kann nicht gelesen werden: %1</translation>
-    </message>
-    <message>
-        <source>The ParaView preset cannot be read. %1</source>
-        <translation>Die ParaView-Vorlage kann nicht gelesen werden. %1</translation>
     </message>
     <message>
         <source>The preset &apos;%1&apos; cannot be used: %2.</source>

@@ -1907,6 +1907,86 @@
         <translation>Scegliere un&apos;altra cartella per il modello.</translation>
     </message>
     <message>
+        <source>No such file or directory</source>
+        <translation>File o cartella inesistente</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Permesso negato</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>Operazione non permessa</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Errore di input/output</translation>
+    </message>
+    <message>
+        <source>Cannot allocate memory</source>
+        <translation>Memoria insufficiente</translation>
+    </message>
+    <message>
+        <source>Resource temporarily unavailable</source>
+        <translation>Risorsa temporaneamente non disponibile</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>Dispositivo o risorsa occupati</translation>
+    </message>
+    <message>
+        <source>Invalid cross-device link</source>
+        <translation>Su un altro dispositivo</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>Non è una cartella</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>È una cartella</translation>
+    </message>
+    <message>
+        <source>Invalid argument</source>
+        <translation>Argomento non valido</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>Troppi file aperti</translation>
+    </message>
+    <message>
+        <source>Too many open files in system</source>
+        <translation>Troppi file aperti nel sistema</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>File troppo grande</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Spazio esaurito sul disco</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>File system in sola lettura</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Nome del file troppo lungo</translation>
+    </message>
+    <message>
+        <source>Too many levels of symbolic links</source>
+        <translation>Troppi livelli di collegamenti simbolici</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>Quota disco superata</translation>
+    </message>
+    <message>
+        <source>Stale file handle</source>
+        <translation>Il file non esiste più sul server</translation>
+    </message>
+    <message>
         <source>A temporary file in &apos;%1&apos; cannot be used: %2. Free some space or choose another disk.</source>
         <translation>Un file temporaneo in «%1» non può essere usato: %2. Liberare spazio o scegliere un altro disco.</translation>
     </message>
@@ -2145,10 +2225,6 @@
     <message>
         <source>The ParaView preset cannot be read: %1</source>
         <translation>La preimpostazione di ParaView non può essere letta: %1</translation>
-    </message>
-    <message>
-        <source>The ParaView preset cannot be read. %1</source>
-        <translation>La preimpostazione di ParaView non può essere letta. %1</translation>
     </message>
     <message>
         <source>The preset &apos;%1&apos; cannot be used: %2.</source>

@@ -6,6 +6,7 @@
 #include <QGuiApplication>
 #include <QLocale>
 
+#include <clocale>
 #include <exception>
 #include <iostream>
 #include <memory>
@@ -33,6 +34,10 @@ int run(int argc, char** argv)
     }
     const tetra::Interruption interruption;
     const auto application = makeApplication(argc, argv, words);
+    // Qt takes over the user's locale; numbers keep their decimal point and what the system says of errors stays
+    // English.
+    std::setlocale(LC_NUMERIC, "C");
+    std::setlocale(LC_MESSAGES, "C");
     const auto host = tetra::PluginHost::standard();
     return tetra::runCommandLine(words, *host, {std::cout, std::cerr, isatty(STDERR_FILENO) != 0},
                                  interruption.token());

@@ -5,6 +5,7 @@
 #include "app/command_line/option_values.h"
 #include "app/command_line/query_options.h"
 #include "core/base/number_text.h"
+#include "core/graphics/picture_options.h"
 #include "plugins/host/colour_text.h"
 #include "plugins/host/output_check.h"
 
@@ -15,7 +16,6 @@ namespace {
 
 constexpr std::string_view defaultBackend = "cpu";
 constexpr std::string_view defaultSize = "1024x768";
-constexpr int largestSide = 16384;
 constexpr int mostSamples = 4;
 const int defaultSamples = PictureOptions().samplesPerAxis;
 
@@ -25,7 +25,8 @@ Status parseSize(const std::string& text, PictureOptions& picture)
     if (cross != std::string::npos) {
         const auto width = parseNumber<int>(std::string_view(text).substr(0, cross));
         const auto height = parseNumber<int>(std::string_view(text).substr(cross + 1));
-        if (width && height && *width > 0 && *height > 0 && *width <= largestSide && *height <= largestSide) {
+        if (width && height && *width > 0 && *height > 0 && *width <= largestPictureSide &&
+            *height <= largestPictureSide) {
             picture.width = *width;
             picture.height = *height;
             return {};
@@ -34,7 +35,8 @@ Status parseSize(const std::string& text, PictureOptions& picture)
     return Error{ErrorKind::WrongUsage, "'" + text +
                                             "' does not fit '--size': it takes WIDTHxHEIGHT in pixels, each from "
                                             "1 to " +
-                                            std::to_string(largestSide) + ", like " + std::string(defaultSize) + "."};
+                                            std::to_string(largestPictureSide) + ", like " + std::string(defaultSize) +
+                                            "."};
 }
 
 Status parseBackground(const std::string& text, PictureOptions& picture)

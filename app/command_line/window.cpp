@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/window.h"
 
+#include "core/base/system_error.h"
+
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 
 #include <unistd.h>
@@ -16,7 +17,7 @@ Error startWindow(char** argumentsOfProgram)
     const auto desktop = program.parent_path() / "tan-desktop";
     execv(desktop.c_str(), argumentsOfProgram);
     return {ErrorKind::OutOfResource, "The window program '" + desktop.string() +
-                                          "' cannot be started: " + std::strerror(errno) +
+                                          "' cannot be started: " + systemErrorText(errno) +
                                           ". Install it, or see 'tan --help' for what works "
                                           "without it."};
 }

@@ -2,6 +2,7 @@
 #include "app/reproduction/builder_comparison.h"
 
 #include "core/base/memory.h"
+#include "core/base/system_error.h"
 #include "core/model/extraction.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/model_building.h"
@@ -130,8 +131,8 @@ Result<std::vector<ComparedDataset>> compareBuilders(PluginHost& host, const std
     std::error_code problem;
     std::filesystem::create_directories(models, problem);
     if (problem)
-        return Error{ErrorKind::CannotWrite, "Cannot make the folder '" + models.string() + "': " + problem.message() +
-                                                 ". Choose another place with -o."};
+        return Error{ErrorKind::CannotWrite, "Cannot make the folder '" + models.string() + "': " +
+                                                 systemErrorText(problem.value()) + ". Choose another place with -o."};
     std::vector<ComparedDataset> datasets = comparedDatasets();
     for (std::size_t number = 0; number < datasets.size(); ++number) {
         if (progress.cancelled())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reproduction/reproduction.h"
 
+#include "core/base/system_error.h"
 #include "core/graphics/isosurface.h"
 #include "core/model/extraction.h"
 #include "plugins/host/model_building.h"
@@ -137,8 +138,8 @@ Result<Reproduction> reproduce(PluginHost& host, const std::filesystem::path& da
     std::error_code problem;
     std::filesystem::create_directories(models, problem);
     if (problem)
-        return Error{ErrorKind::CannotWrite, "Cannot make the folder '" + models.string() + "': " + problem.message() +
-                                                 ". Choose another place with -o."};
+        return Error{ErrorKind::CannotWrite, "Cannot make the folder '" + models.string() + "': " +
+                                                 systemErrorText(problem.value()) + ". Choose another place with -o."};
     Reproduction reproduction{.tables = tables, .models = {}, .surfaces = {}};
     for (std::size_t number = 0; number < jobs->size(); ++number) {
         if (progress.cancelled())

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/file_writer.h"
 
+#include "core/base/system_error.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
@@ -41,7 +43,7 @@ Error cannotWrite(const std::filesystem::path& target, const std::string& reason
 Error cannotWrite(const std::filesystem::path& target, int systemError)
 {
     const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
-    return cannotWrite(target, std::generic_category().message(systemError), remedy(systemError, folder));
+    return cannotWrite(target, systemErrorText(systemError), remedy(systemError, folder));
 }
 
 /// Calls a system function again for as long as a signal interrupts it.

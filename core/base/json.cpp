@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <unordered_set>
 
 namespace tetra {
 namespace {
@@ -44,7 +45,7 @@ public:
 
     Result<JsonValue> read()
     {
-        std::optional<JsonValue> value = readValue(0);
+        std::optional<JsonValue> value = checkBytes() ? readValue(0) : std::nullopt;
         skipBlanks();
         if (value && next_ < text_.size())
             value = fail("there is something after the end of the value");
@@ -54,6 +55,16 @@ public:
     }
 
 private:
+    bool checkBytes()
+    {
+        const std::size_t good = utf8Bytes(text_);
+        if (good == text_.size())
+            return true;
+        next_ = good;
+        fail("a byte that is not of UTF-8 text");
+        return false;
+    }
+
     std::nullopt_t fail(std::string_view what)
     {
         if (error_.empty())
@@ -136,6 +147,16 @@ private:
     std::optional<JsonValue> readObject(JsonValue value, int depth)
     {
         JsonObject members;
+        std::unordered_set<std::string> names; // once there are many
+        const auto isThere = [&](const std::string& name) {
+            constexpr std::size_t few = 16;
+            if (members.size() < few)
+                return std::ranges::find(members, name, &JsonMember::first) != members.end();
+            if (names.empty())
+                for (const JsonMember& member : members)
+                    names.insert(member.first);
+            return !names.insert(name).second;
+        };
         skipBlanks();
         if (!take("}")) {
             do {
@@ -143,7 +164,7 @@ private:
                 std::optional<std::string> name = readString();
                 if (!name)
                     return std::nullopt;
-                if (std::ranges::find(members, *name, &JsonMember::first) != members.end())
+                if (isThere(*name))
                     return fail("the member \"" + shownText(*name) + "\" is there twice");
                 skipBlanks();
                 if (!take(":"))

@@ -43,8 +43,8 @@ struct JsonValue {
     const JsonValue* find(std::string_view name) const noexcept;
 };
 
-/// Reads one JSON text strictly: no comments, no trailing commas, no member twice, nothing after the value, at most 64
-/// levels. O(bytes) but for the check of members, which is quadratic in an object's own. The error says where.
+/// Reads one JSON text strictly: UTF-8, no comments, no trailing commas, no member twice, nothing after the value, at
+/// most 64 levels. O(bytes). The error says where.
 Result<JsonValue> parseJson(std::string_view text);
 
 /// `text` as a JSON string, with its quotes.

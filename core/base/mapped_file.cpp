@@ -2,10 +2,10 @@
 #include "core/base/mapped_file.h"
 
 #include "core/base/mapping_guard.h"
+#include "core/base/system_error.h"
 
 #include <cerrno>
 #include <string>
-#include <system_error>
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -23,7 +23,7 @@ Error cannotRead(const std::filesystem::path& path, const std::string& reason)
 
 std::string reasonAndRemedy(int systemError)
 {
-    const std::string reason = std::generic_category().message(systemError);
+    const std::string reason = systemErrorText(systemError);
     switch (systemError) {
     case ENOENT: return reason + ". Check its name and folder.";
     case EACCES: return reason + ". Ask its owner for the right to read it.";

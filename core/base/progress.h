@@ -19,7 +19,7 @@ public:
     Progress(std::stop_token stop, Callback callback) : stop_(std::move(stop)), callback_(std::move(callback)) {}
 
     /// Long work asks often enough to stop within a second.
-    bool cancelled() const noexcept { return stop_.stop_requested(); }
+    bool cancelled() const noexcept { return stop_.stop_requested() || otherStop_.stop_requested(); }
 
     void report(double fraction, std::string_view activity) const
     {
@@ -38,10 +38,24 @@ public:
 
     /// Cancelled by the same request, but reporting its own [0, 1] to `callback`: for one of several pieces of work
     /// that run at once, whose fractions the callback puts together.
-    Progress withCallback(Callback callback) const { return {stop_, std::move(callback)}; }
+    Progress withCallback(Callback callback) const
+    {
+        Progress result(stop_, std::move(callback));
+        result.otherStop_ = otherStop_;
+        return result;
+    }
+
+    /// The same progress, cancelled by another request as well, in place of one that was given before.
+    Progress alsoCancelledBy(std::stop_token other) const
+    {
+        Progress result = *this;
+        result.otherStop_ = std::move(other);
+        return result;
+    }
 
 private:
     std::stop_token stop_;
+    std::stop_token otherStop_;
     Callback callback_;
     double first_ = 0;
     double last_ = 1;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/reserved_array.h"
 
+#include "core/base/system_error.h"
+
 #include <sys/mman.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 
 namespace tetra {
 
@@ -18,7 +19,7 @@ Result<std::shared_ptr<void>> reserveMemory(std::size_t bytes, std::string_view 
     if (start == MAP_FAILED)
         return Error{ErrorKind::OutOfResource, "Not enough memory: " + std::to_string(length >> 20) +
                                                    " MiB of address space for " + std::string(purpose) +
-                                                   " were refused (" + std::strerror(errno) +
+                                                   " were refused (" + systemErrorText(errno) +
                                                    "). Close other programs, or raise the memory limit."};
     ::madvise(start, length, MADV_HUGEPAGE);
     return std::shared_ptr<void>(start, [length](void* memory) { ::munmap(memory, length); });

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/scratch_file.h"
 
+#include "core/base/system_error.h"
+
 #include <cerrno>
 #include <string>
-#include <system_error>
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -16,8 +17,7 @@ namespace {
 Error refused(const std::filesystem::path& folder, int systemError)
 {
     const ErrorKind kind = systemError == ENOMEM ? ErrorKind::OutOfResource : ErrorKind::CannotWrite;
-    return {kind, "Cannot make a temporary file in '" + folder.string() +
-                      "': " + std::generic_category().message(systemError) +
+    return {kind, "Cannot make a temporary file in '" + folder.string() + "': " + systemErrorText(systemError) +
                       (systemError == ENOMEM ? ". Raise the limit of the address space (ulimit -v)."
                                              : ". Free some space or choose another disk.")};
 }

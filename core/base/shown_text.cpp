@@ -18,4 +18,27 @@ std::string shownText(std::string_view text)
     return end < text.size() ? shown + "..." : shown;
 }
 
+std::size_t utf8Bytes(std::string_view text) noexcept
+{
+    const auto byte = [&](std::size_t place) -> unsigned {
+        return place < text.size() ? static_cast<unsigned char>(text[place]) : 0;
+    };
+    std::size_t place = 0;
+    while (place < text.size()) {
+        const unsigned first = byte(place);
+        const std::size_t length = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+        // Bounds of the second byte leave out longer forms than needed, halves of surrogate pairs and what would come
+        // after the last character.
+        const unsigned least = first == 0xe0 ? 0xa0 : first == 0xf0 ? 0x90 : 0x80;
+        const unsigned largest = first == 0xed ? 0x9f : first == 0xf4 ? 0x8f : 0xbf;
+        if (length > 1 && (first < 0xc2 || first > 0xf4 || byte(place + 1) < least || byte(place + 1) > largest))
+            return place;
+        for (std::size_t next = place + 2; next < place + length; ++next)
+            if ((byte(next) & 0xc0) != 0x80)
+                return place;
+        place += length;
+    }
+    return place;
+}
+
 } // namespace tetra

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/spool_file.h"
 
+#include "core/base/system_error.h"
+
 #include <cerrno>
 #include <string>
-#include <system_error>
 
 #include <fcntl.h>
 #include <stdlib.h>
@@ -19,9 +20,8 @@ SpoolFile::~SpoolFile()
 
 Error SpoolFile::failed(int systemError) const
 {
-    return {ErrorKind::CannotWrite, "A temporary file in '" + folder_.string() +
-                                        "' cannot be used: " + std::generic_category().message(systemError) +
-                                        ". Free some space or choose another disk."};
+    return {ErrorKind::CannotWrite, "A temporary file in '" + folder_.string() + "' cannot be used: " +
+                                        systemErrorText(systemError) + ". Free some space or choose another disk."};
 }
 
 Status SpoolFile::open()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/work_folder.h"
 
+#include "core/base/system_error.h"
+
 #include <cerrno>
 #include <string>
 #include <system_error>
@@ -8,6 +10,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace tetra {
@@ -38,31 +41,69 @@ void removeFolder(const std::filesystem::path& folder)
     std::filesystem::remove(folder, ignored);
 }
 
+/// Whether the folder has content and no lock, so that it is none of these. Who works in one removes its content before
+/// its lock.
+bool holdsSomethingElse(const std::filesystem::path& folder)
+{
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+        if (entry.path().filename() != lockName && !std::filesystem::exists(folder / lockName, ignored) &&
+            std::filesystem::exists(std::filesystem::symlink_status(entry.path(), ignored)))
+            return true;
+    return false;
+}
+
+/// Whether an open file is the one of that name. If it is not, who had it locked before has removed it, and a lock on
+/// it keeps nobody out.
+bool isNamed(int descriptor, const std::filesystem::path& path)
+{
+    struct stat open = {};
+    struct stat named = {};
+    return ::fstat(descriptor, &open) == 0 && ::stat(path.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
+           open.st_ino == named.st_ino;
+}
+
 } // namespace
 
 Result<WorkFolder> WorkFolder::open(const std::filesystem::path& path, Leftovers leftovers)
 {
-    std::error_code problem;
-    const bool isNew = std::filesystem::create_directory(path, problem);
-    if (problem)
-        return cannotUse(path, problem.message(), "Choose another folder for the model.");
-    std::error_code ignored;
-    if (!isNew && !std::filesystem::exists(path / lockName, ignored) && !std::filesystem::is_empty(path, ignored))
-        return cannotUse(path, "it holds something else", "Give the model another name, or move that folder away.");
-    WorkFolder folder;
-    folder.lock_ = ::open((path / lockName).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (folder.lock_ < 0)
-        return cannotUse(path, std::generic_category().message(errno), "Choose another folder for the model.");
-    // File systems that cannot lock are believed to have one user.
-    if (::flock(folder.lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-        ::close(std::exchange(folder.lock_, -1));
-        return cannotUse(path, "another program is building this model",
-                         "Wait for it, or give the model another name.");
+    const auto cannotBeUsed = [&](int systemError) {
+        return cannotUse(path, systemErrorText(systemError), "Choose another folder for the model.");
+    };
+    const Error inUse =
+        cannotUse(path, "another program is building this model", "Wait for it, or give the model another name.");
+    const Error foreign =
+        cannotUse(path, "it holds something else", "Give the model another name, or move that folder away.");
+    // What is found may be another program that is just coming or leaving, unless it is found again and again.
+    Error refusal = inUse;
+    for (int attempt = 0; attempt < 100; ++attempt) {
+        std::error_code problem;
+        std::filesystem::create_directory(path, problem);
+        if (problem && problem != std::errc::file_exists)
+            return cannotBeUsed(problem.value());
+        if (holdsSomethingElse(path)) {
+            refusal = foreign;
+            continue;
+        }
+        WorkFolder folder;
+        folder.lock_ = ::open((path / lockName).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        if (folder.lock_ < 0) {
+            refusal = cannotBeUsed(errno);
+            continue;
+        }
+        // File systems that cannot lock are believed to have one user.
+        if (::flock(folder.lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+            return inUse;
+        if (!isNamed(folder.lock_, path / lockName)) {
+            refusal = inUse;
+            continue;
+        }
+        folder.path_ = path;
+        if (leftovers == Leftovers::Remove)
+            removeContent(path);
+        return folder;
     }
-    folder.path_ = path;
-    if (leftovers == Leftovers::Remove)
-        removeContent(path);
-    return folder;
+    return refusal;
 }
 
 WorkFolder::~WorkFolder()

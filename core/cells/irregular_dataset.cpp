@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/number_text.h"
 #include "core/cells/cell_complex.h"
 #include "core/cells/cut_cells.h"
 #include "core/cells/irregular_check.h"
@@ -30,8 +31,8 @@ Status checkWarped(const CellComplex& complex, const PreparedCells& cells, const
     return Error{ErrorKind::BadInput,
                  std::to_string(cutChecked.warped.size()) +
                      " cells are folded or so warped that no tetrahedra fill them; the first is cell " +
-                     std::to_string(origin) + " at (" + std::to_string(place[0]) + ", " + std::to_string(place[1]) +
-                     ", " + std::to_string(place[2]) + "). Mend the mesh where it was made."};
+                     std::to_string(origin) + " at (" + formatNumber(place[0]) + ", " + formatNumber(place[1]) + ", " +
+                     formatNumber(place[2]) + "). Mend the mesh where it was made."};
 }
 
 Result<CutCells> cutChecked(const CellComplex& complex, PreparedCells& cells, Mending& mending,

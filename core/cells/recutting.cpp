@@ -13,8 +13,8 @@ namespace tetra {
 
 namespace {
 
-/// Of all searches together: seconds. A warped cell takes some dozens, so that meshes which can be mended are; one of
-/// garbage is given up.
+/// Of all searches together, a few seconds' worth. A warped cell takes some dozens of steps, so that meshes that can be
+/// mended are; a mesh of garbage is given up.
 constexpr std::uint64_t mostRecuttingSteps = 1'000'000;
 
 using FaceKey = std::array<std::uint32_t, 4>;

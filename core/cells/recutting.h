@@ -23,7 +23,7 @@ struct RecutCells {
 
 /// Looks for other cuts of `failing` cells, sorted: first inside, then with diagonals of their quadrilateral faces
 /// turned, as few as possible, as long as the cells beyond these faces still have a cut. Greedy: each cell that was
-/// mended stays mended. O(cells) to find the neighbours; the search ends after some seconds, and what is not mended
+/// mended stays mended. O(cells) to find the neighbours; the search ends after a million steps, and what is not mended
 /// then counts as warped. So does what is left when it is cancelled.
 RecutCells recutCells(std::span<const Eigen::Vector3d> positions, const PreparedCells& cells,
                       const std::vector<std::uint32_t>& failing, const Progress& progress);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/graphics/isosurface_set.h"
 
+#include "core/base/first_failure.h"
 #include "core/graphics/isosurface.h"
 
 #include <tbb/parallel_for.h>
@@ -104,17 +105,17 @@ Status IsosurfaceSet::extractMissing(std::span<const Isovalue> isovalues, const 
     const Progress extraction = progress.part(0.3, 1);
     JointProgress joint(extraction, missing.size());
     std::vector<std::optional<Result<TriangleMesh>>> extracted(missing.size());
+    FirstFailure failure;
     tbb::parallel_for(std::size_t(0), missing.size(), [&](std::size_t i) {
-        extracted[i] = extract(missing[i], progress.withCallback(joint.piece(i)));
+        failure.run([&]() -> Status {
+            extracted[i] = extract(missing[i], failure.watching(progress).withCallback(joint.piece(i)));
+            return *extracted[i] ? Status() : extracted[i]->error();
+        });
     });
-    Status status;
-    for (std::size_t i = 0; i < missing.size(); ++i) {
+    for (std::size_t i = 0; i < missing.size(); ++i)
         if (*extracted[i])
             surfaces_[missing[i]] = std::make_shared<const TriangleMesh>(std::move(**extracted[i]));
-        else if (status)
-            status = extracted[i]->error();
-    }
-    return status;
+    return failure.status();
 }
 
 Result<std::vector<Surface>> IsosurfaceSet::update(std::span<const Isovalue> isovalues, const Progress& progress)

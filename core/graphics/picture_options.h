@@ -6,7 +6,8 @@
 
 namespace tetra {
 
-inline constexpr int largestPictureSide = 32768;
+/// In pixels. Numbers of samples, the one after the last included, have 16 bits where a volume is drawn.
+inline constexpr int largestPictureSide = 32767;
 
 /// An error if no back end can make such a picture.
 Status checkOptions(const PictureOptions& options);

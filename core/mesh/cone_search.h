@@ -4,6 +4,7 @@
 #include "core/base/buffer.h"
 #include "core/mesh/star.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -20,6 +21,7 @@ struct ConePoints {
 
 /// owners[i] = the last face of the star whose cone, seen from the apex, contains point i. Exact: signs of integers, in
 /// floats where the star is small enough, else in doubles. Branch free, O(points * faces). `planes` is room to work in.
-void findCones(const Star& star, const ConePoints& points, Buffer<float>& planes, std::span<std::int32_t> owners);
+void findCones(const Star& star, const ConePoints& points, Buffer<std::array<float, 12>>& planes,
+               std::span<std::int32_t> owners);
 
 } // namespace tetra

@@ -2,6 +2,7 @@
 #include "core/mesh/curvilinear_refinement.h"
 
 #include "core/mesh/lattice_metric.h"
+#include "core/mesh/point_pool.h"
 
 #include <algorithm>
 #include <limits>
@@ -33,7 +34,8 @@ NextPoint chooseAsThePaper(CurvilinearMesh& mesh)
     return {warping.measure > error.measure ? warping : error, mesh.keyOf(error.measure, warping.measure)};
 }
 
-/// Whether the arithmetic of computational space is exact in every block, and the points can be numbered.
+/// Whether the arithmetic of computational space is exact in every block, and the points, those on faces as often as
+/// blocks have them, can be numbered.
 Status checkSize(const std::array<std::uint32_t, 3>& size, const BlockDivision& blocks)
 {
     if (!PackedLattice::fits(size))
@@ -41,7 +43,10 @@ Status checkSize(const std::array<std::uint32_t, 3>& size, const BlockDivision& 
                                                "32 bits. Crop or subsample it."};
     if (const auto metric = latticeMetric(blocks.box(0).size, {1, 1, 1}); !metric)
         return metric.error();
-    return {};
+    std::uint64_t points = 0;
+    for (std::uint32_t block = 0; block < blocks.count(); ++block)
+        points += blocks.box(block).pointCount();
+    return PointPool::checkSize(points);
 }
 
 Result<CurvilinearRefinementResult> refine(const LiftedGrid& grid, const BlockDivision& blocks,

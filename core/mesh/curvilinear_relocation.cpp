@@ -37,9 +37,9 @@ TETRA_SIMD_CLONES void measure(const LiftedGrid& grid, const LiftedFace& lifted,
     b -= apex;
     c -= apex;
     const Star::Face& face = lifted.face;
-    const Double4 slopeX = a * face.normalBC[0] + b * face.normalCA[0] + c * face.normalAB[0];
-    const Double4 slopeY = a * face.normalBC[1] + b * face.normalCA[1] + c * face.normalAB[1];
-    const Double4 slopeZ = a * face.normalBC[2] + b * face.normalCA[2] + c * face.normalAB[2];
+    const Double4 slopeX = a * face.normals[0] + b * face.normals[4] + c * face.normals[8];
+    const Double4 slopeY = a * face.normals[1] + b * face.normals[5] + c * face.normals[9];
+    const Double4 slopeZ = a * face.normals[2] + b * face.normals[6] + c * face.normals[10];
     const double determinant = face.determinant();
     for (std::size_t i = 0; i < placed.count; ++i) {
         Double4 point;

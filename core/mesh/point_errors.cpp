@@ -23,12 +23,12 @@ struct ValuedFace {
 /// weights as reduced fractions, summed in the lattice's order: on a face of the tetrahedron, not on its fourth vertex.
 double independentError(const ValuedFace& face, double value, double x, double y, double z)
 {
-    const auto weight = [&](const std::array<double, 4>& normal) {
-        return static_cast<std::int64_t>(normal[0] * x + normal[1] * y + normal[2] * z);
+    const auto weight = [&](std::size_t first) {
+        const auto& normals = face.geometry.normals;
+        return static_cast<std::int64_t>(normals[first] * x + normals[first + 1] * y + normals[first + 2] * z);
     };
     const auto determinant = static_cast<std::int64_t>(face.geometry.determinant());
-    std::array<std::int64_t, 4> weights{0, weight(face.geometry.normalBC), weight(face.geometry.normalCA),
-                                        weight(face.geometry.normalAB)};
+    std::array<std::int64_t, 4> weights{0, weight(0), weight(4), weight(8)};
     weights[0] = determinant - weights[1] - weights[2] - weights[3];
     std::int64_t divisor = determinant;
     for (const std::int64_t one : weights)
@@ -50,9 +50,9 @@ TETRA_SIMD_CLONES void computePlanes(std::span<const Star::Face> faces, const st
     for (std::size_t i = 0; i < faces.size(); ++i) {
         const Star::Face& face = faces[i];
         Double4 normalBC, normalCA, normalAB;
-        std::memcpy(&normalBC, &face.normalBC, sizeof normalBC);
-        std::memcpy(&normalCA, &face.normalCA, sizeof normalCA);
-        std::memcpy(&normalAB, &face.normalAB, sizeof normalAB);
+        std::memcpy(&normalBC, &face.normals[0], sizeof normalBC);
+        std::memcpy(&normalCA, &face.normals[4], sizeof normalCA);
+        std::memcpy(&normalAB, &face.normals[8], sizeof normalAB);
         Double4 plane = (rimValues[corners[i][0]] - apexValue) * normalBC +
                         (rimValues[corners[i][1]] - apexValue) * normalCA +
                         (rimValues[corners[i][2]] - apexValue) * normalAB;

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <string>
 
 namespace tetra {
 
@@ -19,9 +20,22 @@ namespace tetra {
 /// smaller.
 class PointPool {
 public:
+    /// Places are numbers of 32 bits, and blocks are up to twice as long as their lists.
+    static constexpr std::uint64_t mostPoints = (std::uint64_t{1} << 31) - 64;
+    /// An error if so many points are too many.
+    static Status checkSize(std::uint64_t points)
+    {
+        if (points <= mostPoints)
+            return {};
+        return Error{ErrorKind::OutOfResource, "More than " + std::to_string(mostPoints) +
+                                                   " points cannot be refined at once. Crop or subsample the data."};
+    }
+
     /// Empties the pool and makes room for lists of `points` points in all, at any time.
     Status reserve(std::uint64_t points)
     {
+        if (Status status = checkSize(points); !status)
+            return status;
         freeBlocks_.fill(none);
         used_ = nowhere + minimumBlock;
         return storage_.ensure(2 * points + std::uint64_t{64} * minimumBlock, "the points of the refinement");

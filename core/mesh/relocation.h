@@ -50,7 +50,7 @@ private:
     Buffer<double> errors_;
     Buffer<std::uint64_t> keys_;
     Buffer<FacePoints> faces_;
-    Buffer<float> planes_;
+    Buffer<std::array<float, 12>> planes_;
     PointErrorRoom room_;
 };
 

@@ -72,9 +72,9 @@ TETRA_SIMD_CLONES void computeFaces(std::span<const std::array<std::uint32_t, 3>
         Double4 sphere = a[3] * bc + b[3] * ca + c[3] * ab;
         const Double4 products = a * bc;
         sphere[3] = products[0] + products[1] + products[2];
-        std::memcpy(&faces[i].normalBC, &bc, sizeof bc);
-        std::memcpy(&faces[i].normalCA, &ca, sizeof ca);
-        std::memcpy(&faces[i].normalAB, &ab, sizeof ab);
+        std::memcpy(&faces[i].normals[0], &bc, sizeof bc);
+        std::memcpy(&faces[i].normals[4], &ca, sizeof ca);
+        std::memcpy(&faces[i].normals[8], &ab, sizeof ab);
         std::memcpy(&faces[i].sphere, &sphere, sizeof sphere);
     }
 }
@@ -95,10 +95,11 @@ Status Star::attach(const PackedLattice& lattice)
 TETRA_SIMD_CLONES void Star::numberRim(std::span<const std::array<PackedPoint, 3>> faces)
 {
     rimStart_ += rimCount_;
-    // After four thousand million rim vertices the stamps begin anew.
+    // After two thousand million rim vertices the stamps begin anew. Memory that was never written stays untaken.
     if (rimStart_ > std::numeric_limits<std::uint32_t>::max() / 2) {
         for (std::uint64_t i = 0; i < marks_.capacity(); ++i)
-            marks_[i].stamp = 0;
+            if (marks_[i].stamp != 0)
+                marks_[i].stamp = 0;
         rimStart_ = 0;
     }
     rim_.resize(3 * faces.size() + rimLanes);

@@ -20,12 +20,14 @@ class Star {
 public:
     /// The geometry of one tetrahedron; a, b, c are relative to the apex.
     struct alignas(32) Face {
-        std::array<double, 4> normalBC; ///< b x c, positive on the side of a; the fourth number is 0, as of the others
-        std::array<double, 4> normalCA; ///< c x a
-        std::array<double, 4> normalAB; ///< a x b
+        /// b x c, positive on the side of a, then c x a and a x b; the fourth number of each is 0.
+        std::array<double, 12> normals;
         std::array<double, 4> sphere; ///< twice the determinant times the circumcentre, weighted; then the determinant
         double determinant() const noexcept { return sphere[3]; } ///< a . (b x c) > 0
     };
+
+    /// `usedStamps` of the two thousand million that tell rims apart count as used already; the result is the same.
+    explicit Star(std::uint32_t usedStamps = 0) : rimStart_(usedStamps) {}
 
     /// Must come first; `lattice` must outlive the star. Error: refused memory.
     Status attach(const PackedLattice& lattice);
@@ -67,7 +69,7 @@ private:
         std::uint32_t label;
     };
     ReservedArray<Mark> marks_;
-    std::uint32_t rimStart_ = 0;
+    std::uint32_t rimStart_;
     std::uint32_t rimCount_ = 0;
     Buffer<std::uint32_t> indices_;
     Buffer<PackedPoint> rim_;

@@ -33,7 +33,7 @@ private:
     Buffer<PackedPoint> placed_;
     Buffer<std::array<float, 4>> placedCoordinates_;
     std::vector<std::uint32_t> offsets_;
-    Buffer<float> planes_;
+    Buffer<std::array<float, 12>> planes_;
 };
 
 } // namespace tetra

@@ -2,6 +2,7 @@
 #include "core/model/model_writer.h"
 
 #include "core/base/half.h"
+#include "core/base/number_text.h"
 #include "core/model/chunked_array.h"
 #include "core/model/description_text.h"
 #include "core/model/file_layout.h"
@@ -109,7 +110,7 @@ Status HistoryFileWriter::begin(const HistoryTraits& traits)
 {
     if (siteCount() > 0 || !(traits.warpingWeight >= 0) || !std::isfinite(traits.warpingWeight) ||
         canWarp(description_.domain) != (traits.warpingWeight > 0))
-        return inconsistent("its warping weight is " + std::to_string(traits.warpingWeight));
+        return inconsistent("its warping weight is " + formatNumber(traits.warpingWeight));
     if (description_.domain == DomainClass::Irregular && traits.delaunay)
         return inconsistent("meshes of irregular data are not Delaunay ones");
     description_.warpingWeight = traits.warpingWeight;

@@ -11,10 +11,10 @@
 namespace tetra {
 namespace {
 
-bool isOurs(std::string_view text)
+bool isXml(std::string_view text)
 {
-    const Result<JsonValue> root = parseJson(text);
-    return root && root->find("format") != nullptr;
+    const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+    return first != std::string_view::npos && text[first] == '<';
 }
 
 /// Presets for any data have values from 0 to 1.
@@ -39,17 +39,24 @@ void spreadPreset(CurvePreset& preset, const TransferLimits& limits)
 Result<std::vector<ImportedTransfer>> importTransferFunctions(std::string_view text,
                                                               const ImportSurroundings& surroundings)
 {
-    std::vector<ImportedTransfer> imported;
-    if (isOurs(text)) {
-        Result<TransferFunction> function = transferFunctionFromText(text);
-        if (!function)
-            return function.error();
-        imported.push_back({{}, *std::move(function)});
-        return imported;
+    Result<std::vector<CurvePreset>> presets = std::vector<CurvePreset>();
+    if (isXml(text)) {
+        presets = presetsFromXml(text);
+    } else {
+        const Result<JsonValue> root = parseJson(text);
+        if (!root)
+            return Error{ErrorKind::BadInput, "The transfer function cannot be read. " + root.error().text};
+        if (root->find("format") != nullptr) {
+            Result<TransferFunction> function = transferFunctionFromJson(*root);
+            if (!function)
+                return function.error();
+            return std::vector<ImportedTransfer>{{{}, *std::move(function)}};
+        }
+        presets = presetsFromJson(*root);
     }
-    Result<std::vector<CurvePreset>> presets = presetsFromText(text);
     if (!presets)
         return presets.error();
+    std::vector<ImportedTransfer> imported;
     for (CurvePreset& preset : *presets) {
         if (surroundings.limits && isForAnyData(preset))
             spreadPreset(preset, *surroundings.limits);

@@ -131,7 +131,11 @@ Result<TransferFunction> transferFunctionFromText(std::string_view text)
     const Result<JsonValue> parsed = parseJson(text);
     if (!parsed)
         return Error{ErrorKind::BadInput, "The transfer function cannot be read. " + parsed.error().text};
-    const JsonValue& root = *parsed;
+    return transferFunctionFromJson(*parsed);
+}
+
+Result<TransferFunction> transferFunctionFromJson(const JsonValue& root)
+{
     if (Status status = checkMembers(root, {"format", "version", "points"}, {"unitDistance", "mask"}, "the text");
         !status)
         return status.error();

@@ -8,6 +8,8 @@
 
 namespace tetra {
 
+struct JsonValue;
+
 /// A transfer function as a JSON text (R18), and back to the same bits:
 ///
 ///     {
@@ -28,5 +30,6 @@ std::string transferFunctionToText(const TransferFunction& function);
 
 /// The error says what is wrong and in which line and column.
 Result<TransferFunction> transferFunctionFromText(std::string_view text);
+Result<TransferFunction> transferFunctionFromJson(const JsonValue& root);
 
 } // namespace tetra

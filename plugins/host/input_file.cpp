@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/input_file.h"
 
+#include "core/base/system_error.h"
 #include "core/model/format.h"
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <span>
 
@@ -35,7 +35,7 @@ Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
     file.read(reinterpret_cast<char*>(bytes.data()), shownToReaders);
     if (file.gcount() == 0)
         return bad(file.eof() ? std::string("is empty. Copy it again from where it came from.")
-                              : std::string("cannot be read: ") + std::strerror(errno) + ".");
+                              : std::string("cannot be read: ") + systemErrorText(errno) + ".");
     bytes.resize(static_cast<std::size_t>(file.gcount()));
     return bytes;
 }

@@ -215,6 +215,27 @@ private slots:
         QVERIFY(process.waitForFinished());
         QCOMPARE(process.exitCode(), 4);
     }
+
+    void errorsAreEnglishInEveryCountry_data()
+    {
+        QTest::addColumn<QStringList>("words");
+        QTest::addColumn<QByteArray>("reason");
+        QTest::newRow("of our own") << QStringList{"info", "missing.tan"} << QByteArray("No such file or directory");
+        QTest::newRow("of Qt") << QStringList{"render", "good.tan", "-o",         "x.png",
+                                              "--mode", "volume",   "--transfer", "good.tan/x.json"}
+                               << QByteArray("Not a directory");
+    }
+    void errorsAreEnglishInEveryCountry()
+    {
+        QFETCH(QStringList, words);
+        QFETCH(QByteArray, reason);
+        if (!QFile::exists(TAN_BINARY_DIR "/tests/locales/de_DE.UTF-8/LC_NUMERIC") ||
+            !QFile::exists("/usr/share/locale/de/LC_MESSAGES/libc.mo"))
+            QSKIP("skipped: no German on this machine (packages locales, libc-l10n)");
+        const Run run = runTan(words, folder_.path(), {{"LC_ALL", "de_DE.UTF-8"}, {"LANG", "de_DE.UTF-8"}});
+        QVERIFY(run.exitCode == 2 || run.exitCode == 3);
+        QVERIFY2(run.messages.contains(reason), run.messages);
+    }
 };
 
 } // namespace tetra

@@ -302,7 +302,7 @@ private slots:
         row("no samples", {"--samples", "0"}, 2, "'--samples'");
         row("many samples", {"--samples", "5"}, 2, "'--samples'");
         row("no threads", {"--threads", "0"}, 2, "'--threads'");
-        row("too large", {"--size", "16385x10"}, 2, "16384");
+        row("too large", {"--size", "32768x10"}, 2, "32767");
         row("depth in another format", {"--depth", "depth.tif"}, 2, ".png");
         row("depth over the picture", {"--depth", "./x.png"}, 2, "same file");
         row("depth over the picture, from the root", {"--depth", path("x.png")}, 2, "same file");

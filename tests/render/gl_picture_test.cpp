@@ -3,6 +3,7 @@
 #include "core/graphics/gl/egl_context.h"
 #include "core/graphics/gl/scene_painter.h"
 #include "core/graphics/isosurface.h"
+#include "core/graphics/picture_options.h"
 #include "core/graphics/render_backend.h"
 #include "tests/core/graphics/lattice_mesh.h"
 #include "tests/render/gl_level.h"
@@ -168,7 +169,7 @@ private slots:
         const LineSet line{{Eigen::Vector3f(0, 0, 0)}, {{0, 1}}, {}, 1};
         QCOMPARE(gl_->render({{}, {line}, cube(1)}, {}, {}).error().kind, ErrorKind::WrongUsage);
         QCOMPARE(gl_->render({}, {}, {.width = 0}).error().kind, ErrorKind::WrongUsage);
-        const auto tooLarge = gl_->render({}, {}, {.width = 32768, .height = 1, .samplesPerAxis = 4});
+        const auto tooLarge = gl_->render({}, {}, {.width = largestPictureSide, .height = 1, .samplesPerAxis = 4});
         QCOMPARE(tooLarge.error().kind, ErrorKind::OutOfResource);
         QVERIFY(gl_->render({}, {}, {.width = 5, .height = 5}).ok()); // still usable
     }

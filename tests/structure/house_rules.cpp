@@ -120,6 +120,13 @@ std::optional<std::string> includeBreach(const std::string& path, const Include&
     return std::nullopt;
 }
 
+/// Whether the line asks the C library for the text of an error, which is in the user's language.
+bool asksForLocalText(const std::string& path, const std::string& line)
+{
+    static const std::regex call(R"(\bstrerror\w*\s*\(|\.message\()");
+    return !liesIn(path, "tests") && path != "core/base/system_error.cpp" && std::regex_search(line, call);
+}
+
 void readFile(const fs::path& root, const std::string& path, const std::set<std::string>& longFiles,
               std::vector<std::string>& breaches)
 {
@@ -139,6 +146,8 @@ void readFile(const fs::path& root, const std::string& path, const std::set<std:
         const auto breach = include ? includeBreach(path, *include, root) : std::nullopt;
         if (breach)
             report(*breach);
+        if (asksForLocalText(path, line))
+            report("the system's reason would be in the user's language; take systemErrorText()");
     }
     if (path.ends_with(".h") && !hasPragma)
         report("a header without #pragma once");

@@ -18,6 +18,7 @@ inline constexpr std::size_t lineLimit = 400;
 ///   model, and graphics <- base, mesh, transfer);
 /// - own headers are included by their path from the root and exist;
 /// - core includes no Qt, and its headers neither OpenGL nor CGAL;
+/// - what the system says of an error comes from systemErrorText(), which is English in every locale;
 /// - the first line is the licence's SPDX line, and headers have `#pragma once`;
 /// - no file is longer than `lineLimit`, unless it stands in `longFiles` (paths from the root). An entry that is not
 /// needed

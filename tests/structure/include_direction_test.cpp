@@ -159,6 +159,11 @@ void IncludeDirectionTest::findsTheBreach_data()
     row("unknown room", "core/cellar/bad.h", "",
         "this folder has no rule; give it one in tests/structure/house_rules.cpp");
 
+    const char* local = "the system's reason would be in the user's language; take systemErrorText()";
+    row("strerror", data, "std::string text = std::strerror(errno);", local);
+    row("a category's text", "ui/bad.h", "std::string text = std::generic_category().message(errno);", local);
+    row("an error code's text", "app/bad.h", "std::string text = problem.message();", local);
+
     QTest::newRow("no licence line") << data << QByteArray("#pragma once\n")
                                      << data + ": the first line is not \"" +
                                             licence.substr(0, licence.size() - 1).c_str() + "\"";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/file_writer.h"
+#include "core/base/system_error.h"
 #include "core/cells/mending.h"
 #include "core/data/weighting.h"
 #include "core/graphics/camera_text.h"
@@ -16,7 +17,6 @@
 #include <QTemporaryDir>
 
 #include <fstream>
-#include <system_error>
 
 using namespace tetra;
 
@@ -73,27 +73,21 @@ template <class Value> std::string errorOf(const Result<Value>& result)
     return result ? std::string() : result.error().text;
 }
 
-/// The system's reasons are in the language of the system.
-QString withoutReasons(QString text)
-{
-    for (const int reason : {ENOENT, EACCES, EISDIR, ENOTDIR})
-        text.remove(QString::fromStdString(std::generic_category().message(reason)));
-    return text;
-}
-
 /// A word that only English has, outside of quotes.
 QString englishWord(const QString& text)
 {
     static const QRegularExpression quoted("„[^“]*“|«[^»]*»");
     static const QRegularExpression english("\\b(the|is|and|of|it|its|not|with|from|was|were|cannot)\\b");
-    return english.match(withoutReasons(text).remove(quoted)).captured();
+    return english.match(QString(text).remove(quoted)).captured();
 }
 
 } // namespace
 
 void SentencesTest::everyKnownSentenceIsOfTheSources()
 {
-    const QString literals = literalsOfTheSources();
+    QString literals = literalsOfTheSources();
+    for (int error = 1; error < 200; ++error)
+        literals += QString("\"%1\"\n").arg(QString::fromStdString(systemErrorText(error)));
     QVERIFY(literals.size() > 100'000);
     static const QRegularExpression placeholder("%[1-9]|^1 ");
     static const QRegularExpression joints("^[ '.:,\x01]+|[ '.:,\x01]+$"); // stand alone now and then
@@ -108,8 +102,8 @@ void SentencesTest::whatIsMadeOfIt_data()
     QTest::addColumn<QString>("german");
     QTest::newRow("a sentence in a sentence")
         << "Cannot write '/a/b.png': No space left on device. Free some space or choose another disk."
-        << "„/a/b.png“ kann nicht geschrieben werden: No space left on device. Schaffen Sie Platz, oder wählen Sie "
-           "einen anderen Datenträger.";
+        << "„/a/b.png“ kann nicht geschrieben werden: Kein Platz mehr auf dem Datenträger. Schaffen Sie Platz, oder "
+           "wählen Sie einen anderen Datenträger.";
     QTest::newRow("names stay, whatever they say") << "'Error' is a folder. Give a file in it."
                                                    << "„Error“ ist ein Ordner. Wählen Sie eine Datei darin.";
     QTest::newRow("a name that looks like a placeholder")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/film_file.h"
 
+#include "core/base/system_error.h"
 #include "core/base/work_folder.h"
 #include "ui/session/target_path.h"
 #include "ui/session/video_encoding.h"
@@ -108,7 +109,7 @@ Status moveTo(const std::filesystem::path& from, const std::filesystem::path& ta
     std::filesystem::rename(from, target, error);
     if (!error)
         return {};
-    const QString reason = QString::fromStdString(error.message());
+    const QString reason = QString::fromStdString(systemErrorText(error.value()));
     return Error{
         ErrorKind::CannotWrite,
         QString("'%1' cannot be written: %2. Choose another place.").arg(pathText(target), reason).toStdString()};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/sample_models.h"
 
+#include "core/base/system_error.h"
 #include "core/data/analytic_fields.h"
 #include "core/model/model.h"
 #include "plugins/host/dataset_opening.h"
@@ -37,8 +38,9 @@ Status makeFolder(const std::filesystem::path& folder)
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error)
-        return Error{ErrorKind::CannotWrite, "The folder '" + folder.string() + "' for samples cannot be made: " +
-                                                 error.message() + ". Make it writable, or free some space."};
+        return Error{ErrorKind::CannotWrite, "The folder '" + folder.string() +
+                                                 "' for samples cannot be made: " + systemErrorText(error.value()) +
+                                                 ". Make it writable, or free some space."};
     return {};
 }
 

@@ -24,7 +24,7 @@ struct VertexSample {
     bool isBehind() const noexcept { return column == behind; }
 };
 
-/// A mesh's vertices in a picture.
+/// A mesh's vertices in a picture of at most largestPictureSide samples a side.
 struct ProjectedVertices {
     Buffer<ProjectedVertex> vertices;
     Buffer<VertexSample> samples;

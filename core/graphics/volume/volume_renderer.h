@@ -26,7 +26,7 @@ namespace tetra {
 /// While the camera hardly moves the order can be used again: orderDrift() says how little it moved.
 
 struct VolumeOptions {
-    int width = 512; ///< in samples
+    int width = 512; ///< in samples, at most largestPictureSide
     int height = 512;
     int threads = 0;    ///< 0 or too many means all of the machine
     bool depth = false; ///< make `depth` too

@@ -134,9 +134,15 @@ void CollapseLog::add(std::uint32_t vertex, float keyAfter, std::span<const Tetr
     tetrahedra_.insert(tetrahedra_.end(), star.begin(), star.end());
 }
 
-Status CollapseLog::emit(std::span<const std::uint32_t> points, std::span<const Coarsest> coarsest, float finalKey,
-                         HistorySink& sink, const Progress& progress) const
+Status CollapseLog::replay(std::span<const std::uint32_t> points, std::span<const Coarsest> coarsest, float finalKey,
+                           HistorySink& sink, const Progress& progress) const
 {
+    std::uint64_t made = 0;
+    for (const Collapse& collapse : collapses_)
+        made += collapse.madeCount;
+    if (std::max<std::uint64_t>(made, tetrahedra_.size() + coarsest.size()) >= none)
+        return Error{ErrorKind::OutOfResource,
+                     "The history has more than 4 billion tetrahedra. Decimate a part of the mesh."};
     std::vector<std::uint8_t> removed(points.size(), 0);
     for (const Collapse& collapse : collapses_)
         removed[collapse.vertex] = 1;

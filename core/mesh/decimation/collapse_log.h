@@ -44,9 +44,9 @@ public:
     };
 
     /// Hands all to `sink`, coarse first. `points`: for each vertex the number that the sink knows it by. `finalKey` is
-    /// that of the input. Errors: the sink's, cancelled.
-    Status emit(std::span<const std::uint32_t> points, std::span<const Coarsest> coarsest, float finalKey,
-                HistorySink& sink, const Progress& progress) const;
+    /// that of the input. Errors: more tetrahedra than can be numbered, the sink's, cancelled.
+    Status replay(std::span<const std::uint32_t> points, std::span<const Coarsest> coarsest, float finalKey,
+                  HistorySink& sink, const Progress& progress) const;
 
 private:
     struct Collapse {

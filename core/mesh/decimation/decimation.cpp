@@ -91,7 +91,7 @@ Result<DecimationResult> decimateSound(const DecimationMesh& mesh, const Decimat
         return status.error();
     const CollapseLog& log = decimated.log();
     const std::vector<CollapseLog::Coarsest> coarsest = decimated.coarsest();
-    if (Status status = log.emit(renumbered.originals(), coarsest, 0, sink, progress.part(.9, 1)); !status)
+    if (Status status = log.replay(renumbered.originals(), coarsest, 0, sink, progress.part(.9, 1)); !status)
         return status.error();
     const auto pointCount = static_cast<std::uint32_t>(mesh.positions.size());
     return DecimationResult{pointCount, pointCount - log.collapseCount(), log.tetrahedronCount() + coarsest.size(),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/blocks/lattice_runs.h"
 
+#include "core/base/first_failure.h"
+
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -56,11 +58,10 @@ public:
     Status run();
 
 private:
-    void work();
+    Status work();
     Status make(std::uint32_t block, LatticeRefiner& refiner, BlockRunRecorder& recorder);
     Status account(std::uint32_t block);
     void reportPoints(double points);
-    void fail(const Error& error);
 
     const LatticeRunsOptions& options_;
     const LatticeSamples& samples_;
@@ -69,10 +70,9 @@ private:
     std::vector<std::uint32_t> order_;
     std::uint64_t allPoints_ = 0;
     std::atomic<std::uint32_t> next_ = 0;
-    std::atomic<bool> failed_ = false;
+    FirstFailure failure_;
 
     std::mutex mutex_;
-    Status status_;
     RunTotals totals_;
     std::uint32_t finished_ = 0;
     double pointsReported_ = 0;
@@ -82,28 +82,29 @@ Status RunMaker::run()
 {
     const int workers = tbb::this_task_arena::max_concurrency();
     tbb::parallel_for(
-        0, workers, [this](int) { work(); }, tbb::simple_partitioner());
-    return status_;
+        0, workers, [this](int) { failure_.run([this] { return work(); }); }, tbb::simple_partitioner());
+    return failure_.status();
 }
 
-void RunMaker::work()
+Status RunMaker::work()
 {
     LatticeRefiner refiner;
     const auto& size = options_.box.latticeSize;
     BlockRunRecorder recorder(std::uint64_t(size[0]) * size[1] * size[2], options_.box.valueExtent);
-    for (std::uint32_t i = next_++; i < order_.size() && !failed_; i = next_++) {
+    for (std::uint32_t i = next_++; i < order_.size() && !failure_.happened(); i = next_++) {
         const std::uint32_t block = order_[i];
         if (progress_.cancelled())
-            return fail(cancelledError("The build"));
+            return cancelledError("The build");
         if (!(options_.reuseIntact && runs_.intact(block))) {
             if (const Status made = make(block, refiner, recorder); !made)
-                return fail(made.error());
+                return made;
         } else {
             reportPoints(static_cast<double>(pointsOf(options_.division.box(block))));
         }
         if (const Status right = account(block); !right)
-            return fail(right.error());
+            return right;
     }
+    return {};
 }
 
 Status RunMaker::make(std::uint32_t block, LatticeRefiner& refiner, BlockRunRecorder& recorder)
@@ -113,7 +114,7 @@ Status RunMaker::make(std::uint32_t block, LatticeRefiner& refiner, BlockRunReco
     box.centreAtOrigin = !options_.division.odd(block);
     const auto points = static_cast<double>(pointsOf(box.box));
     double told = 0;
-    const Progress own = progress_.withCallback([&](double fraction, std::string_view) {
+    const Progress own = failure_.watching(progress_).withCallback([&](double fraction, std::string_view) {
         reportPoints((fraction - told) * points);
         told = fraction;
     });
@@ -154,14 +155,6 @@ void RunMaker::reportPoints(double points)
     const std::lock_guard lock(mutex_);
     pointsReported_ += points;
     progress_.report(std::min(1.0, pointsReported_ / static_cast<double>(allPoints_)), "Refining the blocks");
-}
-
-void RunMaker::fail(const Error& error)
-{
-    const std::lock_guard lock(mutex_);
-    if (status_)
-        status_ = error;
-    failed_ = true;
 }
 
 } // namespace

@@ -2,9 +2,9 @@
 #include "core/model/blocks/run_files.h"
 
 #include "core/base/checksum.h"
+#include "core/base/system_error.h"
 
 #include <cerrno>
-#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
@@ -122,7 +122,7 @@ Result<BlockRunHeader> RunFiles::readHeader(const OpenFile& file, std::uint32_t 
 {
     BlockRunHeader header;
     if (file.descriptor() < 0)
-        return unreadable(block, std::generic_category().message(errno));
+        return unreadable(block, systemErrorText(errno));
     if (readAll(file.descriptor(), 0, std::as_writable_bytes(std::span(&header, 1))) != 0 ||
         !belongs(header, fingerprint_, block, fileSize(file.descriptor())))
         return unreadable(block, "it is not what was written");
@@ -170,7 +170,7 @@ Status RunFiles::read(std::uint32_t block, std::uint64_t offset, std::span<std::
         problem = file.descriptor() < 0 ? errno : readAll(file.descriptor(), offset, to);
     }
     if (problem != 0)
-        return unreadable(block, std::generic_category().message(problem));
+        return unreadable(block, systemErrorText(problem));
     return {};
 }
 

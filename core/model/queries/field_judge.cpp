@@ -30,8 +30,6 @@ std::array<double, 3> asArray(const Eigen::Vector3d& place)
     return {place.x(), place.y(), place.z()};
 }
 
-} // namespace
-
 /// The box outside of which the field has its largest number, whatever the value; none if it is not known.
 std::optional<Eigen::AlignedBox3d> finerBox(const ErrorField& field)
 {
@@ -58,6 +56,8 @@ std::uint16_t halfWithin(double percent)
         --half;
     return half;
 }
+
+} // namespace
 
 FieldJudge::FieldJudge(const Model& model, const MeshQuery& query, const SitePlaces& places)
     : model_(model), query_(query), places_(places), warps_(!model.ownWarpings().empty()),

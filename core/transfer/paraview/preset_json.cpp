@@ -93,11 +93,8 @@ Result<CurvePreset> presetOf(const JsonValue& object)
 
 } // namespace
 
-Result<std::vector<CurvePreset>> presetsFromJson(std::string_view text)
+Result<std::vector<CurvePreset>> presetsFromJson(const JsonValue& root)
 {
-    const Result<JsonValue> root = parseJson(text);
-    if (!root)
-        return Error{ErrorKind::BadInput, "The ParaView preset cannot be read. " + root.error().text};
     std::vector<CurvePreset> presets;
     const auto add = [&presets](const JsonValue& object) -> Status {
         Result<CurvePreset> preset = presetOf(object);
@@ -106,16 +103,16 @@ Result<std::vector<CurvePreset>> presetsFromJson(std::string_view text)
         presets.push_back(std::move(*preset));
         return {};
     };
-    if (root->array() == nullptr) {
-        if (Status added = add(*root); !added)
+    if (root.array() == nullptr) {
+        if (Status added = add(root); !added)
             return added.error();
         return presets;
     }
-    for (const JsonValue& object : *root->array())
+    for (const JsonValue& object : *root.array())
         if (Status added = add(object); !added)
             return added.error();
     if (presets.empty())
-        return wrongJson(*root, "the list is empty");
+        return wrongJson(root, "the list is empty");
     return presets;
 }
 

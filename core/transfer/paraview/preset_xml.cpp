@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/number_text.h"
+#include "core/base/shown_text.h"
 #include "core/transfer/paraview/colour_space_name.h"
 #include "core/transfer/paraview/preset_text.h"
 
@@ -46,6 +47,8 @@ Result<CurvePreset> presetOf(const pugi::xml_node& element)
 {
     CurvePreset preset;
     preset.name = element.attribute("name").value();
+    if (utf8Bytes(preset.name) < preset.name.size())
+        return wrong("the name of a colour map is not UTF-8");
     const std::string space = element.attribute("space").as_string("RGB");
     const auto known = colourSpaceNamed(space, false);
     if (!known)
@@ -78,12 +81,6 @@ Result<std::vector<CurvePreset>> presetsFromXml(std::string_view text)
     if (presets.empty())
         return wrongXml("there is no ColorMap element in it");
     return presets;
-}
-
-Result<std::vector<CurvePreset>> presetsFromText(std::string_view text)
-{
-    const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-    return first != std::string_view::npos && text[first] == '<' ? presetsFromXml(text) : presetsFromJson(text);
 }
 
 } // namespace tetra

@@ -6,11 +6,15 @@
 #include "tests/core/graphics/lattice_mesh.h"
 #include "tests/core/graphics/same_surface.h"
 
+#include <tbb/task_arena.h>
+
 #include <QTest>
 
 #include <cmath>
+#include <new>
 #include <set>
 #include <tuple>
+#include <utility>
 
 using namespace tetra;
 using testing::latticeMesh;
@@ -132,6 +136,25 @@ private slots:
             QVERIFY(!surfaces.ok());
             QCOMPARE(surfaces.error().kind, ErrorKind::WrongUsage);
         }
+    }
+
+    void theFirstFailureStopsTheOthers()
+    {
+        IsosurfaceSet set(cone());
+        double last = 0;
+        bool failed = false;
+        const Progress progress({}, [&](double fraction, std::string_view) {
+            last = fraction;
+            if (fraction > 0.35 && !std::exchange(failed, true)) // in the midst of a surface
+                throw std::bad_alloc();
+        });
+        const std::vector<Isovalue> isovalues = {at(0.2), at(0.25), at(0.3), at(0.35), at(0.4)};
+        tbb::task_arena oneThread(1);
+        const auto surfaces = oneThread.execute([&] { return set.update(isovalues, progress); });
+        QVERIFY(failed);
+        QVERIFY(!surfaces.ok());
+        QCOMPARE(surfaces.error().kind, ErrorKind::OutOfResource);
+        QVERIFY2(last < 0.5, QByteArray::number(last));
     }
 
     void reportsAndCancels()

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -322,7 +323,7 @@ private slots:
         };
         const TriangleMesh indexed = runByIndex(1);
         const auto one = run(1);
-        for (const int threads : {2, 5}) {
+        for (const int threads : {2, 5, 64}) {
             const auto many = run(threads);
             QVERIFY(many.first == one.first);
             QVERIFY(many.second.triangles == one.second.triangles);
@@ -333,6 +334,27 @@ private slots:
             QVERIFY(manyIndexed.positions == indexed.positions);
             QVERIFY(manyIndexed.normals == indexed.normals);
         }
+    }
+
+    /// Told by the processor's time, which other programs do not change: threads share the tetrahedra out among them.
+    void gradientsOfManyThreadsAreNoMoreWork()
+    {
+        const auto mesh = latticeMesh(48, 1, Split::Six, randomField(3, 40));
+        const auto processorSeconds = [&](int threads) {
+            tbb::task_arena arena(threads);
+            double least = std::numeric_limits<double>::infinity();
+            for (int round = 0; round < 3; ++round) {
+                timespec before{}, after{};
+                ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &before);
+                arena.execute([&] { return vertexGradients(mesh).size(); });
+                ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &after);
+                least = std::min(least, static_cast<double>(after.tv_sec - before.tv_sec) +
+                                            1e-9 * static_cast<double>(after.tv_nsec - before.tv_nsec));
+            }
+            return least;
+        };
+        const double one = processorSeconds(1), many = processorSeconds(64);
+        QVERIFY2(many < 6 * one, qPrintable(QString("%1 s in place of %2 s").arg(many).arg(one)));
     }
 
     void emptyAndWrong()

@@ -54,6 +54,23 @@ QString described(const MeshFindings& findings)
 class CurvilinearRefinementTest : public QObject {
     Q_OBJECT
 private slots:
+    /// Before the positions, which are not there, are looked at.
+    void refusesMorePointsThanCanBeNumbered_data()
+    {
+        QTest::addColumn<quint32>("blockEdge");
+        QTest::newRow("whole") << 0u;
+        QTest::newRow("blocks") << 64u;
+    }
+    void refusesMorePointsThanCanBeNumbered()
+    {
+        QFETCH(quint32, blockEdge);
+        RecordedHistory history;
+        const auto refused = refineCurvilinear({2048, 2048, 1024}, {}, LatticeSamples(std::span<const float>(), {}),
+                                               {.blockEdge = blockEdge}, history);
+        QVERIFY(!refused.ok());
+        QCOMPARE(refused.error().kind, ErrorKind::OutOfResource);
+    }
+
     /// R4, R5, R8, S1, S4, S5, S6: at every level the mesh fills computational space, conforms across blocks too, keeps
     /// error and warping, and has no flipped tetrahedron that a point could cure; all found by brute force.
     void keepsItsAccuracyAtEveryLevel_data()

@@ -13,6 +13,16 @@ using namespace tetra;
 class PointPoolTest : public QObject {
     Q_OBJECT
 private slots:
+    /// Places are numbers of 32 bits, and lists of any sizes take up to twice their points.
+    void refusesMorePointsThanItHasPlaces()
+    {
+        PointPool pool;
+        QVERIFY(pool.reserve(PointPool::mostPoints).ok()); // takes addresses only
+        const Status refused = pool.reserve(std::uint64_t(1) << 31);
+        QVERIFY(!refused.ok());
+        QCOMPARE(refused.error().kind, ErrorKind::OutOfResource);
+    }
+
     void listsKeepTheirPointsWhileTheySplit()
     {
         constexpr std::uint32_t total = 20000;

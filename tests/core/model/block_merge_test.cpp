@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Groups too large to be held as a whole are merged in slices (B6): the model is the same.
+// Groups too large to be held as a whole are merged in slices (B6): the model is the same. A block that fails ends all.
 #include "core/base/checksum.h"
 #include "core/mesh/lattice_metric.h"
 #include "core/model/blocks/lattice_runs.h"
@@ -8,9 +8,14 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
 #include <array>
+#include <atomic>
 #include <fstream>
 #include <memory>
+#include <new>
 #include <random>
 #include <vector>
 
@@ -67,6 +72,47 @@ private slots:
             QVERIFY2(slicesOf(runs, limit) >= 2, QByteArray::number(quint64(limit)));
             QVERIFY2(merged(dataset, runs, limit) == whole, QByteArray::number(quint64(limit)));
         }
+    }
+
+    void theFirstFailureStopsAllBlocks_data()
+    {
+        QTest::addColumn<bool>("throws");
+        QTest::addColumn<QString>("says");
+        QTest::newRow("an error") << false << "it changed";
+        QTest::newRow("no memory") << true << "Not enough memory";
+    }
+    /// One block is done at once, and then something is wrong; the other one, begun before, would take seconds.
+    void theFirstFailureStopsAllBlocks()
+    {
+        QFETCH(bool, throws);
+        QFETCH(QString, says);
+        constexpr std::uint32_t cells = 64;
+        const std::array<std::uint32_t, 3> size = {2 * cells + 1, cells + 1, cells + 1};
+        std::mt19937 random(5);
+        std::vector<std::uint16_t> values(std::size_t(size[0]) * size[1] * size[2]);
+        for (std::size_t point = 0; point < values.size(); ++point)
+            values[point] = point % size[0] > cells ? static_cast<std::uint16_t>(random()) : std::uint16_t(0);
+        LatticeRunsOptions options;
+        options.division = BlockDivision(size, cells);
+        QCOMPARE(options.division.count(), 2u);
+        options.box.latticeSize = size;
+        options.box.metric = latticeMetric(options.division.box(0).size, {1, 1, 1}).value();
+        options.box.valueExtent = 65535;
+        std::atomic<int> finished = 0;
+        options.samplesIntact = [&]() -> Status {
+            ++finished;
+            if (throws)
+                throw std::bad_alloc();
+            return Error{ErrorKind::BadInput, "it changed"};
+        };
+        const RunFiles runs(folder(), 1, 2);
+        const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, 2);
+        tbb::task_arena arena(2);
+        const Status made = arena.execute(
+            [&] { return makeLatticeRuns(options, LatticeSamples(std::span<const std::uint16_t>(values)), runs, {}); });
+        QVERIFY(!made.ok());
+        QVERIFY2(QString::fromStdString(made.error().text).contains(says), made.error().text.c_str());
+        QCOMPARE(finished, 1);
     }
 
 private:

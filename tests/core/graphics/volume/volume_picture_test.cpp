@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Direct volume rendering (R20, R22, S15) against a slow integrator, from outside, inside and behind.
+#include "core/graphics/picture_options.h"
+#include "core/graphics/render_backend.h"
 #include "core/graphics/volume/volume_renderer.h"
 #include "tests/core/graphics/lattice_mesh.h"
 #include "tests/core/graphics/volume/ray_integrator.h"
@@ -116,6 +118,7 @@ private slots:
     void flatCellsAndHolesInTheValues();
     void depthIsWhereHalfIsHidden();
     void anySizeOfPicture();
+    void theLargestPicturesAreWhole();
     void tellsWhatIsWrong();
     void canBeCancelled();
 };
@@ -311,6 +314,33 @@ void VolumePictureTest::anySizeOfPicture()
     }
 }
 
+/// From inside, where every ray meets cells, some of them cut by the near plane: the last column and row are drawn,
+/// too.
+void VolumePictureTest::theLargestPicturesAreWhole()
+{
+    const TetrahedralMesh& mesh = meshNamed("refined lattice");
+    const Eigen::AlignedBox3d bounds = boundsOf(mesh);
+    Camera camera = withEyeAt(cameraFor(mesh, true), bounds.center() + 0.013 * bounds.sizes());
+    camera.fieldOfView = 0.003; // across one sample
+    const TransferFunction black{{{0, {0, 0, 0}, 1}}, bounds.diagonal().norm() / 1000};
+    for (const auto& [columns, rows] : {std::pair{largestPictureSide, 1}, {1, largestPictureSide}})
+        for (const auto& sample : drawn(mesh, black, camera, {columns, rows}).samples)
+            QVERIFY(sample[3] > 0.9f);
+
+    // Back ends draw larger ones in parts.
+    const auto shared = std::make_shared<const TetrahedralMesh>(mesh);
+    Scene scene{{}, {}, bounds};
+    scene.volume = Volume{std::make_shared<const VolumeMesh>(makeVolumeMesh(shared).value()),
+                          std::make_shared<const VolumeTransfer>(makeVolumeTransfer(mesh, black).value())};
+    for (const auto& [columns, rows] : {std::pair{largestPictureSide, 1}, {1, largestPictureSide}}) {
+        const auto picture =
+            makeCpuBackend()->render(scene, camera, {.width = columns, .height = rows, .samplesPerAxis = 1});
+        QVERIFY(picture.ok());
+        for (const auto& pixel : picture->pixels)
+            QVERIFY(pixel[0] < 25);
+    }
+}
+
 void VolumePictureTest::tellsWhatIsWrong()
 {
     auto mesh = std::make_shared<TetrahedralMesh>(oneCell());
@@ -320,8 +350,12 @@ void VolumePictureTest::tellsWhatIsWrong()
     QVERIFY(drawVolume(volume, transfer, order, {}, {8, 8}).ok());
     QVERIFY(!drawVolume(volume, transfer, wrong, {}, {8, 8}).ok());
     QVERIFY(!drawVolume(volume, {}, order, {}, {8, 8}).ok());
-    for (const VolumeOptions& options : {VolumeOptions{0, 8}, VolumeOptions{8, -1}, VolumeOptions{40000, 8}})
+    for (const VolumeOptions& options :
+         {VolumeOptions{0, 8}, VolumeOptions{8, -1}, VolumeOptions{40000, 8}, VolumeOptions{largestPictureSide + 1, 1},
+          VolumeOptions{1, largestPictureSide + 1}}) {
         QVERIFY(!drawVolume(volume, transfer, order, {}, options).ok());
+        QVERIFY(!orderForCamera(volume, {}, options).ok());
+    }
     QVERIFY(!makeVolumeTransfer(*mesh, {{{0, {}, 2}}, 1}).ok());
     auto broken = std::make_shared<TetrahedralMesh>(oneCell());
     broken->tetrahedra[0][2] = 4;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/decimation/collapse_log.h"
 #include "core/mesh/decimation/decimation.h"
 
 #include "tests/core/mesh/decimation/decimation_check.h"
@@ -58,6 +59,7 @@ private slots:
     void stopsAtTheKey();
     void isCancelled();
     void refusesBadInput();
+    void refusesMoreTetrahedraThanCanBeNumbered();
     void buckyballNeedsFewSites();
 };
 
@@ -203,6 +205,19 @@ void DecimationTest::refusesBadInput()
     const auto full = decimate(sound.view(), {}, history);
     QVERIFY(!full);
     QVERIFY(full.error().kind == ErrorKind::CannotWrite);
+}
+
+/// Counts of 32 bits that only add up to too much.
+void DecimationTest::refusesMoreTetrahedraThanCanBeNumbered()
+{
+    CollapseLog log;
+    log.add(1, 1, {}, 1u << 31);
+    log.add(2, 2, {}, 1u << 31);
+    RecordedHistory history;
+    const Status refused = log.replay(std::vector<std::uint32_t>{0, 1, 2}, {}, 0, history, {});
+    QVERIFY(!refused.ok());
+    QCOMPARE(refused.error().kind, ErrorKind::OutOfResource);
+    QCOMPARE(history.points.size(), std::size_t(0));
 }
 
 /// The paper's Table 2, and what acceptance asks for.

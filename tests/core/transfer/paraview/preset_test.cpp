@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ParaView's colour maps and opacities: what they look like there, they look like here, and the other way round. The
 // judge is VTK, whose classes ParaView uses.
+#include "core/base/json.h"
 #include "core/transfer/paraview/preset_text.h"
+#include "core/transfer/transfer_import.h"
 #include "tests/core/transfer/paraview/looks.h"
 
 #include <QTest>
@@ -69,7 +71,7 @@ void PresetTest::presetsLookAsInVtk()
     std::vector<std::vector<double>> values;
     for (int round = 0; round < 40; ++round) {
         const std::string file = presetToJson(randomPreset(random, static_cast<ColourSpace>(space)));
-        const auto presets = presetsFromJson(file);
+        const auto presets = presetsFromJson(parseJson(file).value());
         QVERIFY2(presets, presets ? "" : presets.error().text.c_str());
         functions.push_back(transferFunctionOf(presets->front(), {}));
         QVERIFY(checkTransferFunction(functions.back()));
@@ -116,7 +118,7 @@ void PresetTest::jsonComesBackToTheSameBits()
     for (int round = 0; round < 100; ++round) {
         const CurvePreset preset = randomPreset(random, static_cast<ColourSpace>(random() % 6));
         const std::string file = presetToJson(preset);
-        const auto presets = presetsFromText(file);
+        const auto presets = presetsFromJson(parseJson(file).value());
         QVERIFY(presets);
         QCOMPARE(presetToJson(presets->front()), file);
     }
@@ -124,7 +126,7 @@ void PresetTest::jsonComesBackToTheSameBits()
 
 void PresetTest::xml()
 {
-    const auto presets = presetsFromText(R"(<?xml version="1.0"?>
+    const auto presets = presetsFromXml(R"(<?xml version="1.0"?>
         <ColorMaps><ColorMap name="two &amp; three" space="HSV" indexedLookup="false">
         <Point x="-1" o="1" r="1" g="0" b="0"/><Point x="1" o="1" r="0" g="0" b="1"/>
         <NaN r="0.5" g="0.5" b="0.5"/></ColorMap>
@@ -180,6 +182,10 @@ void PresetTest::badFilesAreRefused_data()
     row("opacity", "[{\"Points\": [0, 1.5, 0.5, 0]}]", "opacity");
     row("sharpness", "[{\"Points\": [0, 1, 0.5, -1]}]", "sharpness");
     row("damaged JSON", "[{\"RGBPoints\": [0, 0, 0", "line 1");
+    row("a name in Latin 1", "[{\"Name\": \"gr\xfcn\", \"RGBPoints\": [0, 1, 1, 1]}]", "UTF-8");
+    row("XML with a name in Latin 1",
+        "<ColorMap name='gr\xfcn'><Point x='0' r='0' g='0' b='0'/><Point x='1' r='0' g='0' b='0'/></ColorMap>",
+        "UTF-8");
     row("damaged XML", "<ColorMaps><ColorMap", "damaged at byte");
     row("other XML", "<svg/>", "no ColorMap");
     row("XML without x", "<ColorMap><Point r='0' g='0' b='0'/></ColorMap>", "'x'");
@@ -191,7 +197,7 @@ void PresetTest::badFilesAreRefused()
 {
     QFETCH(QByteArray, file);
     QFETCH(QByteArray, told);
-    const auto presets = presetsFromText({file.constData(), std::size_t(file.size())});
+    const auto presets = importTransferFunctions({file.constData(), std::size_t(file.size())}, {});
     QVERIFY(!presets);
     QVERIFY2(QByteArray::fromStdString(presets.error().text).contains(told), presets.error().text.c_str());
 }
