@@ -137,16 +137,22 @@ Status RunMaker::account(std::uint32_t block)
     totals_.points += pointsOf(options_.division.box(block));
     totals_.sites += header->siteCount;
     totals_.tetrahedra += header->tetrahedronCount;
+    totals_.living += header->livingCount;
     totals_.fileBytes += runBytes(*header);
     ++finished_;
-    if (!options_.check || finished_ < std::min<std::size_t>(sampleSize, order_.size()))
+    if (const Status fits = checkMeshSize(totals_.living, totals_.living); !fits)
+        return fits;
+    if (finished_ < std::min<std::size_t>(sampleSize, order_.size()))
         return {};
     const double share = static_cast<double>(allPoints_) / static_cast<double>(totals_.points);
     const auto scaled = [share](std::uint64_t amount) {
         return static_cast<std::uint64_t>(static_cast<double>(amount) * share);
     };
-    return options_.check(totals_,
-                          {allPoints_, scaled(totals_.sites), scaled(totals_.tetrahedra), scaled(totals_.fileBytes)});
+    const RunTotals expected{allPoints_, scaled(totals_.sites), scaled(totals_.tetrahedra), scaled(totals_.living),
+                             scaled(totals_.fileBytes)};
+    if (const Status fits = checkMeshSize(totals_.living, expected.living); !fits)
+        return fits;
+    return options_.check ? options_.check(totals_, expected) : Status();
 }
 
 void RunMaker::reportPoints(double points)
