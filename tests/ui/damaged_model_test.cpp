@@ -100,7 +100,6 @@ void DamagedModelWindowTest::whatAPanelFindsIsToldOf()
 {
     open(damagedSample(false, SectionId::MeshSizes));
     const Model& model = *window_->workbench.session().model();
-    QVERIFY(model.foundDamage().ok() || !window_->messages().isEmpty());
     meshSizeAt(model, {0});
     QTRY_VERIFY2(window_->messages().contains(damageMessage("mesh sizes")), qPrintable(window_->messages().join('\n')));
 }

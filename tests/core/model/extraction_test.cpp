@@ -271,6 +271,7 @@ void ExtractionTest::aDamagedFileIsAnError()
     QFETCH(QString, says);
     FileParts parts(readBytes(path()));
     damage(parts);
+    parts.repairChecksums();
     writeBytes(path("damaged.tan"), parts.content);
     const auto model = open("damaged.tan");
     QVERIFY(model);

@@ -326,23 +326,6 @@ void ModelFileTest::whatCannotBeReadIsRefused_data()
         "samples", [](FileParts& f) { f.section(SectionId::Samples).elementBytes = 2; }, "section 'samples' has");
     row(
         "element", [](FileParts& f) { f.section(SectionId::MeshSizes).elementBytes = 2; }, "'mesh sizes' has");
-    row(
-        "chunk", [](FileParts& f) { f.elements<std::uint64_t>(SectionId::ChunkSums)[0] = 1000; },
-        "chunks of 1000 bytes cannot be");
-    row(
-        "tiny chunk", [](FileParts& f) { f.elements<std::uint64_t>(SectionId::ChunkSums)[0] = 32; },
-        "chunks of 32 bytes cannot be");
-    row(
-        "smaller chunk", [](FileParts& f) { f.elements<std::uint64_t>(SectionId::ChunkSums)[0] = 64; },
-        "section 'chunk checksums' has 96 bytes instead of");
-    row(
-        "no chunk",
-        [](FileParts& f) {
-            f.section(SectionId::ChunkSums).bytes = 0;
-            f.content.resize(f.section(SectionId::ChunkSums).offset);
-            f.header().fileBytes = f.content.size();
-        },
-        "chunks of 0 bytes cannot be");
 }
 
 void ModelFileTest::whatCannotBeReadIsRefused()
@@ -408,8 +391,7 @@ void ModelFileTest::aWrongHistoryIsNotWritten()
     const std::filesystem::path target = folder_->filePath("wrong.tan").toStdString();
     auto writer = ModelWriter::create(target, dataset, description);
     const Status written = replay(history, **writer);
-    QVERIFY(!written.ok());
-    const QString text = QString::fromStdString(written.error().text);
+    const QString text = QString::fromStdString(written ? "written" : written.error().text);
     QVERIFY2(text.startsWith("The builder 'careless'") && text.contains(says), qPrintable(text));
     QVERIFY(!std::filesystem::exists(target));
 }

@@ -195,8 +195,10 @@ std::vector<std::uint64_t> FileParts::chunkSums(std::uint64_t chunkBytes)
 
 void FileParts::repairChecksums()
 {
+    const std::uint64_t front = sizeof(format::Header) + sections().size_bytes();
     for (const format::Section& section : sections()) {
-        if (section.id != std::uint32_t(format::SectionId::ChunkSums) || bytesOf(section).size() < 8)
+        const bool lies = section.offset >= front && bytesOf(section).size() >= sizeof(std::uint64_t);
+        if (section.id != std::uint32_t(format::SectionId::ChunkSums) || !lies)
             continue;
         std::uint64_t chunkBytes = 0;
         std::memcpy(&chunkBytes, content.data() + section.offset, sizeof chunkBytes);

@@ -4,12 +4,11 @@
 // have them, which are checked in the background.
 #include "core/base/checksum.h"
 #include "core/model/level_text.h"
-#include "core/model/queries/history_part.h"
-#include "core/model/queries/mesh_extractor.h"
 #include "core/model/verification.h"
 #include "tests/core/model/irregular/irregular_models.h"
 #include "tests/core/model/model_fixture.h"
 #include "tests/core/model/queries/lattice_models.h"
+#include "tests/core/model/queries/questions.h"
 #include "tests/core/model/queries/some_models.h"
 
 #include <QTemporaryDir>
@@ -17,7 +16,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <functional>
 #include <map>
 #include <random>
 #include <thread>
@@ -40,129 +38,6 @@ std::vector<std::byte> guardedBy(Guard guard, std::vector<std::byte> bytes)
     if (guard == Guard::WholeSections)
         parts.removeChunkSums();
     return std::move(parts.content);
-}
-
-template <class Array> void appendArray(std::string& text, const Array& array)
-{
-    const auto bytes = std::as_bytes(std::span(array));
-    text.append(reinterpret_cast<const char*>(bytes.data()), bytes.size()).append("|");
-}
-
-std::string contentOf(const TetrahedralMesh& mesh)
-{
-    std::string text;
-    appendArray(text, mesh.positions);
-    appendArray(text, mesh.values);
-    appendArray(text, mesh.tetrahedra);
-    return text;
-}
-
-std::string contentOf(const ExtractedMesh& mesh)
-{
-    std::string text = contentOf(mesh.mesh);
-    appendArray(text, mesh.sites);
-    appendArray(text, mesh.points);
-    return text + std::to_string(mesh.wholeSites) + " " + std::to_string(mesh.wholeTetrahedra) + " " +
-           std::to_string(mesh.scale);
-}
-
-std::string contentOf(const HistoryPart& part)
-{
-    std::string text = contentOf(part.mesh);
-    appendArray(text, part.births);
-    appendArray(text, part.deaths);
-    return text + std::to_string(part.coarse.error) + " " + std::to_string(part.fine.error);
-}
-
-using ModelPointer = std::shared_ptr<const Model>;
-using Question = std::function<Result<std::string>(const ModelPointer&)>;
-
-/// One after the other of one extractor.
-Question meshesOf(std::vector<MeshQuery> queries)
-{
-    return [queries = std::move(queries)](const ModelPointer& model) -> Result<std::string> {
-        MeshExtractor extractor(model);
-        std::string text;
-        for (const MeshQuery& query : queries) {
-            const auto mesh = extractor.extract(query);
-            if (!mesh)
-                return mesh.error();
-            text += contentOf(**mesh);
-        }
-        return text;
-    };
-}
-
-MeshQuery uniformQuery(double error, std::optional<std::uint64_t> budget = {})
-{
-    MeshQuery query;
-    query.error = error;
-    query.warping = anyWarping;
-    query.budget = budget;
-    return query;
-}
-
-MeshQuery fieldQuery(const ErrorField& field, VariableMethod method, std::optional<std::uint64_t> budget = {})
-{
-    MeshQuery query = uniformQuery(0, budget);
-    query.error = field;
-    query.method = method;
-    return query;
-}
-
-Result<std::string> prefixOf(const ModelPointer& model, double error)
-{
-    const MeshSize size = meshSizeAt(*model, {error});
-    const auto mesh = extractPrefix(*model, size.sites);
-    return mesh ? Result<std::string>(contentOf(*mesh)) : Result<std::string>(mesh.error());
-}
-
-Result<std::string> partOf(const ModelPointer& model, std::span<const ValueRange> values,
-                           const std::optional<Window>& window)
-{
-    const auto part = extractHistory(*model, {20}, {3}, values, window);
-    return part ? Result<std::string>(contentOf(*part)) : Result<std::string>(part.error());
-}
-
-/// Every kind of question that the library answers, about a model with these bounds.
-std::map<std::string, Question> questionsAbout(const ModelDescription& model)
-{
-    const Eigen::AlignedBox3d& bounds = model.bounds;
-    const Eigen::Vector3d centre = bounds.center();
-    const ErrorField focus(SpaceRamp{Box{bounds.min(), centre}, 1, 30, 0});
-    const ErrorField graded(
-        SpaceRamp{Sphere{centre, 0.2 * bounds.diagonal().norm()}, 2, 40, 0.3 * bounds.diagonal().norm()});
-    const double middle = (model.range.minimum + model.range.maximum) / 2;
-    const ErrorField nearValue = ErrorField::nearValues(std::array{middle}, 1, 40, 0.1 * model.range.extent());
-    const Window window{Box{bounds.min(), centre}, WindowBorder::Clipped};
-    const std::vector<ValueRange> values{{middle, model.range.maximum}};
-    MeshQuery inWindow = uniformQuery(4);
-    inWindow.window = window;
-    inWindow.values = values;
-    return {
-        {"levels",
-         [](const ModelPointer& asked) -> Result<std::string> {
-             const std::string text = levelsAsCsv(*asked, std::vector<Accuracy>{{50}, {10}, {2}, {0}});
-             const Status intact = asked->checkIntact();
-             return intact ? Result<std::string>(text) : Result<std::string>(intact.error());
-         }},
-        {"coarse prefix", [](const ModelPointer& asked) { return prefixOf(asked, 25); }},
-        {"all sites", [](const ModelPointer& asked) { return prefixOf(asked, 0); }},
-        {"range", [](const ModelPointer& asked) { return partOf(asked, {}, {}); }},
-        {"range in a window",
-         [=](const ModelPointer& asked) {
-             return partOf(asked, values, Window{window.box, WindowBorder::Contained});
-         }},
-        {"finer and coarser", meshesOf({uniformQuery(12), uniformQuery(8), uniformQuery(10), uniformQuery(30)})},
-        {"budget", meshesOf({uniformQuery(0, 400)})},
-        {"window", meshesOf({inWindow})},
-        {"closed set", meshesOf({uniformQuery(3), fieldQuery(focus, VariableMethod::ClosedSet)})},
-        {"graded closed set", meshesOf({fieldQuery(graded, VariableMethod::ClosedSet)})},
-        {"near a value", meshesOf({fieldQuery(nearValue, VariableMethod::Automatic)})},
-        {"closed set in a budget", meshesOf({fieldQuery(graded, VariableMethod::ClosedSet, 500)})},
-        {"insertion", meshesOf({fieldQuery(focus, VariableMethod::Insertion)})},
-        {"insertion in a budget", meshesOf({fieldQuery(focus, VariableMethod::Insertion, 600)})},
-    };
 }
 
 /// Changes a part of a section for certain: a bit, some zeros, or two parts exchanged.
@@ -192,6 +67,8 @@ private slots:
 
     void sumsAreThoseOfTheFormat_data();
     void sumsAreThoseOfTheFormat();
+    void sumsThatCannotBeAreRefused_data();
+    void sumsThatCannotBeAreRefused();
     void damageGivesTheRightAnswerOrNone_data();
     void damageGivesTheRightAnswerOrNone();
     void damageThatIsNotReadDoesNotMatter();
@@ -250,6 +127,42 @@ void ChecksumsTest::sumsAreThoseOfTheFormat()
     }
     QCOMPARE(next, stored.size());
     QVERIFY(parts.section(SectionId::OtherSites).bytes > 4 * 256 * 1024);
+}
+
+void ChecksumsTest::sumsThatCannotBeAreRefused_data()
+{
+    QTest::addColumn<quint64>("chunkBytes");
+    QTest::addColumn<quint64>("elements"); // of the section; all that there are if more
+    QTest::addColumn<QString>("says");
+    constexpr quint64 all = ~quint64(0);
+    QTest::newRow("no power of two") << quint64(1000) << all << "chunks of 1000 bytes cannot be";
+    QTest::newRow("small") << quint64(32) << all << "chunks of 32 bytes cannot be";
+    QTest::newRow("large") << quint64(1ull << 31) << all << "chunks of 2147483648 bytes cannot be";
+    QTest::newRow("smaller") << quint64(128 << 10) << all << "section 'chunk checksums' has";
+    QTest::newRow("larger") << quint64(1 << 30) << all << "section 'chunk checksums' has";
+    QTest::newRow("fewer") << quint64(256 << 10) << quint64(9) << "has 72 bytes instead of";
+    QTest::newRow("none") << quint64(256 << 10) << quint64(0) << "chunks of 0 bytes cannot be";
+}
+
+void ChecksumsTest::sumsThatCannotBeAreRefused()
+{
+    QFETCH(quint64, chunkBytes);
+    QFETCH(quint64, elements);
+    QFETCH(QString, says);
+    const ModelPointer model = modelOf(randomLattice(SampleKind::Noise, {15, 14, 13}, 8), 0, folder());
+    FileParts parts(readBytes(model->path()));
+    parts.elements<std::uint64_t>(SectionId::ChunkSums)[0] = chunkBytes;
+    format::Section& section = parts.section(SectionId::ChunkSums);
+    section.bytes = 8 * std::min<std::uint64_t>(elements, section.bytes / 8);
+    parts.header().fileBytes = section.offset + section.bytes;
+    parts.content.resize(parts.header().fileBytes);
+    parts.repairChecksums();
+    const std::filesystem::path path = folder() / "impossible.tan";
+    writeBytes(path, parts.content);
+    const auto opened = Model::open(path);
+    QVERIFY(!opened.ok());
+    QCOMPARE(opened.error().kind, ErrorKind::BadInput);
+    QVERIFY2(QString::fromStdString(opened.error().text).contains(says), opened.error().text.c_str());
 }
 
 void ChecksumsTest::damageGivesTheRightAnswerOrNone_data()
@@ -338,7 +251,7 @@ void ChecksumsTest::damageThatIsNotReadDoesNotMatter()
     QVERIFY(some > 100);
     const auto coarse = extractPrefix(**damaged, some);
     QVERIFY(coarse.ok());
-    QVERIFY(contentOf(*coarse) == contentOf(*extractPrefix(*model, some)));
+    QVERIFY(meshContent(*coarse) == meshContent(*extractPrefix(*model, some)));
     QVERIFY((*damaged)->confirm().ok());
     const auto fine = extractPrefix(**damaged, model->siteCount());
     QVERIFY(!fine.ok());
