@@ -148,8 +148,8 @@ Status RunMaker::account(std::uint32_t block)
     const auto scaled = [share](std::uint64_t amount) {
         return static_cast<std::uint64_t>(static_cast<double>(amount) * share);
     };
-    const RunTotals expected{allPoints_, scaled(totals_.sites), scaled(totals_.tetrahedra), scaled(totals_.living),
-                             scaled(totals_.fileBytes)};
+    const RunTotals expected{allPoints_, scaled(totals_.sites), scaled(totals_.tetrahedra), scaled(totals_.fileBytes),
+                             scaled(totals_.living)};
     if (const Status fits = checkMeshSize(totals_.living, expected.living); !fits)
         return fits;
     return options_.check ? options_.check(totals_, expected) : Status();
