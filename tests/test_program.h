@@ -39,13 +39,13 @@ template <class Test, class Application> int runTestIn(int argc, char** argv)
 #undef QTEST_MAIN
 #undef QTEST_GUILESS_MAIN
 #undef QTEST_APPLESS_MAIN
-#define TETRA_ADD_TEST(Test, ...) static const bool isAdded##Test = tetra::addTest(__FILE__, __VA_ARGS__);
-#define QTEST_APPLESS_MAIN(Test) TETRA_ADD_TEST(Test, tetra::runTest<Test>)
-#define QTEST_GUILESS_MAIN(Test) TETRA_ADD_TEST(Test, tetra::runTestIn<Test, QCoreApplication>)
+#define TETRA_ADD_TEST(...) static const bool testIsAdded = tetra::addTest(__FILE__, __VA_ARGS__);
+#define QTEST_APPLESS_MAIN(Test) TETRA_ADD_TEST(tetra::runTest<Test>)
+#define QTEST_GUILESS_MAIN(Test) TETRA_ADD_TEST(tetra::runTestIn<Test, QCoreApplication>)
 #if defined(QT_WIDGETS_LIB)
-#define QTEST_MAIN(Test) TETRA_ADD_TEST(Test, tetra::runTestIn<Test, QApplication>)
+#define QTEST_MAIN(Test) TETRA_ADD_TEST(tetra::runTestIn<Test, QApplication>)
 #elif defined(QT_GUI_LIB)
-#define QTEST_MAIN(Test) TETRA_ADD_TEST(Test, tetra::runTestIn<Test, QGuiApplication>)
+#define QTEST_MAIN(Test) TETRA_ADD_TEST(tetra::runTestIn<Test, QGuiApplication>)
 #else
 #define QTEST_MAIN(Test) QTEST_GUILESS_MAIN(Test)
 #endif

@@ -1791,6 +1791,10 @@
         <translation>Die Prüfsumme seines Textes ist falsch</translation>
     </message>
     <message>
+        <source>the checksum of section &apos;%1&apos; is wrong</source>
+        <translation>Die Prüfsumme des Abschnitts „%1“ ist falsch</translation>
+    </message>
+    <message>
         <source>it has %1 bytes and should have %2</source>
         <translation>Es hat %1 Bytes und sollte %2 haben</translation>
     </message>

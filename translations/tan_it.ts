@@ -1791,6 +1791,10 @@
         <translation>la somma di controllo del suo testo è sbagliata</translation>
     </message>
     <message>
+        <source>the checksum of section &apos;%1&apos; is wrong</source>
+        <translation>la somma di controllo della sezione «%1» è sbagliata</translation>
+    </message>
+    <message>
         <source>it has %1 bytes and should have %2</source>
         <translation>ha %1 byte e dovrebbe averne %2</translation>
     </message>

@@ -127,6 +127,7 @@ DatasetSummary summaryOf(const Dataset& dataset)
 DatasetSummary summaryOf(const Model& model)
 {
     const ModelDescription& description = model.description();
+    model.check(model.meshSizes().back()); // what it finds is known to checkIntact()
     // The finest mesh of irregular data is the dataset's own.
     return {description.domain, description.lattice,
             description.bounds, description.sampleType,

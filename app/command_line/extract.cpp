@@ -77,7 +77,8 @@ Outcome outcomeOf(const Task& task, const TetrahedralMesh& mesh)
 Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::shared_ptr<const Model> model)
 {
     MeshExtractor extractor(std::move(model));
-    const auto extracted = extractor.extract(query, task.progress.part(0, extractionEnd));
+    const auto extracted =
+        confirmed(task.model, extractor.extract(query, task.progress.part(0, extractionEnd)), task.progress);
     if (!extracted)
         return extracted.error();
     const ExtractedMesh& found = **extracted;
@@ -119,13 +120,17 @@ Result<Outcome> extractRange(const Task& task)
     const auto window = windowOf(task.arguments);
     if (!window)
         return window.error();
-    const auto part =
-        extractHistory(task.model, (*ends)[0], (*ends)[1], *values, *window, task.progress.part(0, extractionEnd));
+    const auto part = confirmed(
+        task.model,
+        extractHistory(task.model, (*ends)[0], (*ends)[1], *values, *window, task.progress.part(0, extractionEnd)),
+        task.progress);
     if (!part)
         return part.error();
     if (const Status some = checkNotEmpty(task.arguments, task.model, part->mesh); !some)
         return some.error();
     const Lives lives = livesOf(task.model, *part);
+    if (const Status right = task.model.checkIntact(); !right)
+        return right.error();
     if (const Status written =
             writeMeshFile(task.output, contentOf(task.model, *part, lives), task.progress.part(extractionEnd, 1));
         !written)

@@ -42,6 +42,7 @@ MeshContent contentOf(const Model& model, const MeshQuery& query, const Extracte
 
 Lives livesOf(const Model& model, const HistoryPart& part)
 {
+    model.check(model.runningErrors()); // what it finds is known to checkIntact()
     const double extent = model.description().range.extent();
     const auto error = [&](std::uint32_t sites) {
         if (sites == Model::never)

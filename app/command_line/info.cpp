@@ -88,7 +88,7 @@ Status writeLevels(const Model& model, const std::vector<Accuracy>& levels, cons
 }
 
 Result<Outcome> describeModel(const std::string& path, const std::vector<Accuracy>& levels,
-                              const std::optional<std::string>& output)
+                              const std::optional<std::string>& output, const Progress& progress)
 {
     const auto opened = Model::open(path);
     if (!opened)
@@ -96,8 +96,9 @@ Result<Outcome> describeModel(const std::string& path, const std::vector<Accurac
     const Model& model = **opened;
     const ModelDescription& description = model.description();
     const LevelTable found = levelTable(model, levels);
-    if (const Status intact = model.checkIntact(); !intact)
-        return intact.error();
+    const DatasetSummary summary = summaryOf(model);
+    if (const Status right = model.confirm(progress); !right)
+        return right.error();
     if (output) {
         if (const Status safe = checkOutput(*output, std::array<std::filesystem::path, 1>{path}); !safe)
             return safe.error();
@@ -106,14 +107,14 @@ Result<Outcome> describeModel(const std::string& path, const std::vector<Accurac
     }
 
     Outcome outcome;
-    outcome.figures = datasetFigures(summaryOf(model));
+    outcome.figures = datasetFigures(summary);
     for (const auto& [key, value] : provenanceFigures(description).toVariantMap().asKeyValueRange())
         outcome.figures[key] = QJsonValue::fromVariant(value);
     outcome.figures["sites"] = static_cast<qint64>(model.siteCount());
     outcome.figures["tetrahedra"] = static_cast<qint64>(model.tetrahedronCount());
     outcome.figures["bytes"] = static_cast<qint64>(model.fileSize());
     outcome.figures["levels"] = found.list;
-    outcome.text = path + ": model of a " + datasetText(summaryOf(model)) + "\n" + provenanceText(description) +
+    outcome.text = path + ": model of a " + datasetText(summary) + "\n" + provenanceText(description) +
                    std::to_string(model.siteCount()) + " sites, " + std::to_string(model.tetrahedronCount()) +
                    " tetrahedra in the history, " + byteText(model.fileSize()) + "\n\n" + table(found.rows);
     return outcome;
@@ -178,7 +179,7 @@ Result<Outcome> runInfo(const Invocation& invocation)
                                                 "model '" + path + "'");
         !known)
         return known.error();
-    return describeModel(path, *levels, output);
+    return describeModel(path, *levels, output, invocation.progress);
 }
 
 } // namespace tetra

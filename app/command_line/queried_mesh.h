@@ -8,6 +8,15 @@
 
 namespace tetra {
 
+/// What was read of a model, unless its file is damaged: then that, also in place of an error, which may have come of
+/// it. Comes before anything is said or written of what was read.
+template <class Value> Result<Value> confirmed(const Model& model, Result<Value> read, const Progress& progress)
+{
+    const bool cancelled = !read && read.error().kind == ErrorKind::Cancelled;
+    const Status right = cancelled ? Status() : model.confirm(progress.withCallback({}));
+    return right ? std::move(read) : Result<Value>(right.error());
+}
+
 /// An error (WrongUsage) if the mesh that the arguments' window and values chose from a model has no tetrahedra, which
 /// is hardly what was meant.
 Status checkNotEmpty(const Arguments& arguments, const Model& model, const TetrahedralMesh& mesh);

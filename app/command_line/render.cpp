@@ -145,8 +145,9 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, const RenderReq
     const auto camera = cameraOf(invocation.arguments, data.bounds);
     if (!camera)
         return camera.error();
-    const auto shown =
-        extractMeshes(*model, request.query, renderer.plugin->blendsFocus(), invocation.progress.part(0, 0.3));
+    const auto shown = confirmed(
+        **model, extractMeshes(*model, request.query, renderer.plugin->blendsFocus(), invocation.progress.part(0, 0.3)),
+        invocation.progress);
     if (!shown)
         return shown.error();
     const ExtractedMesh& found = *shown->mesh;

@@ -113,13 +113,14 @@ Result<LevelVerdict> verifyExtracted(const std::shared_ptr<const Model>& model, 
     constexpr double extracted = 0.3;
     MeshExtractor extractor(model);
     const auto mesh = extractor.extract(query, progress.part(0, extracted));
-    if (mesh)
-        return verifyMesh(*model, original, query, **mesh, progress.part(extracted, 1));
-    if (mesh.error().kind != ErrorKind::BadInput)
-        return mesh.error();
+    auto level = mesh ? verifyMesh(*model, original, query, **mesh, progress.part(extracted, 1))
+                      : Result<LevelVerdict>(mesh.error());
+    const bool ofTheModel = !mesh || !model->checkIntact().ok();
+    if (level || level.error().kind != ErrorKind::BadInput || !ofTheModel)
+        return level;
     LevelVerdict verdict;
     verdict.asked = keptEverywhere(query, 1);
-    verdict.failures = {mesh.error().text};
+    verdict.failures = {level.error().text};
     return verdict;
 }
 

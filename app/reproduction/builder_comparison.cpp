@@ -88,6 +88,8 @@ Result<ComparedBuild> build(PluginHost& host, const Dataset& dataset, const std:
     if (!model)
         return model.error();
     result.model = *model;
+    if (const Status right = (*model)->checkPrefix((*model)->siteCount(), Model::Batches, progress); !right)
+        return right.error();
     result.seconds = built->seconds;
     result.bytes = forgot && built->peakBytes > before ? built->peakBytes - before : 0;
     result.inverted = built->report.inverted;

@@ -77,6 +77,11 @@ Result<ReproducedModel> build(PluginHost& host, const Job& job, const std::files
     if (!model)
         return model.error();
     result.model = *model;
+    // All that tables and figures look up in it.
+    for (const Status& right : {result.model->checkPrefix(result.model->siteCount(), Model::Batches, progress),
+                                result.model->check(result.model->points(), progress)})
+        if (!right)
+            return right.error();
     for (const PaperLevel& level : job.paper.levels) {
         const MeshSize size = meshSizeAt(*result.model, {.error = level.error, .warping = level.warping});
         result.levels.push_back({level, size.sites, size.tetrahedra});

@@ -22,6 +22,8 @@ public:
     void add(std::span<const std::byte> bytes) noexcept;
     /// Of everything added so far.
     std::uint64_t value() const noexcept;
+    /// Forgets all of it.
+    void reset() noexcept;
 
 private:
     struct State;

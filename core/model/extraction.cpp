@@ -37,6 +37,7 @@ public:
 
 private:
     Status readOffsets();
+    bool check() const;
     Status scanStars();
     Status scanLongStars();
     Error tooMany() const;
@@ -55,6 +56,8 @@ private:
 Status PrefixScan::run(const Progress& progress)
 {
     scannedInAll_ = model_.starOffsets()[sites_];
+    if (!model_.check(model_.starOffsets()[0]) || !model_.check(model_.starOffsets()[sites_]))
+        return model_.checkIntact();
     if (scannedInAll_ > model_.tetrahedronCount() || expected_ > scannedInAll_ || model_.starOffsets()[0] != 0)
         return inconsistentModel(model_, "its star offsets do not fit its mesh sizes");
     out_.resize(expected_ + slack);
@@ -67,6 +70,8 @@ Status PrefixScan::run(const Progress& progress)
             progress.report(static_cast<double>(offsets_.front()) / static_cast<double>(scannedInAll_ + 1),
                             "Extracting the mesh");
         }
+        if (!check())
+            return model_.checkIntact();
         const bool fits = offsets_.back() - offsets_.front() + aliveScanOverrun <= out_.size() - found_;
         if (const Status right = fits ? scanStars() : scanLongStars(); !right)
             return right;
@@ -80,11 +85,22 @@ Status PrefixScan::run(const Progress& progress)
     return {};
 }
 
+/// The tetrahedra of the next piece. Here, because what is summed up now is still in the cache when it is scanned.
+bool PrefixScan::check() const
+{
+    const std::uint64_t first = offsets_.front();
+    const std::uint64_t count = offsets_.back() - first;
+    return model_.check(model_.otherSites().subspan(first, count)) &&
+           model_.check(model_.destroyers().subspan(first, count));
+}
+
 /// Copies and checks the offsets of the stars of the next piece.
 Status PrefixScan::readOffsets()
 {
     const std::uint64_t* const offsets = model_.starOffsets().data() + site_;
     const std::uint32_t most = std::min(starsScannedAtOnce, sites_ - site_);
+    if (!model_.check(model_.starOffsets().subspan(site_, most + std::size_t(1))))
+        return model_.checkIntact();
     offsets_.assign(1, offsets_.empty() ? 0 : offsets_.back());
     while (offsets_.size() <= most && offsets_.back() - offsets_.front() < tetrahedraAtOnce) {
         const std::uint64_t next = offsets[offsets_.size()];
@@ -138,14 +154,15 @@ Status extractInto(const Model& model, std::uint32_t sites, const Progress& prog
 {
     if (sites == 0) {
         mesh = {};
-        return {};
+        return model.checkIntact(); // damage may be why there are none
     }
     if (const Status scanned = PrefixScan(model, sites, mesh.tetrahedra).run(progress); !scanned)
         return scanned;
     turnToPhysicalSpace(model, mesh.tetrahedra);
     if (const Status placed = placeSites(model, sites, mesh.positions); !placed)
         return placed;
-    copyValues(model, sites, mesh.values);
+    if (const Status copied = copyValues(model, sites, mesh.values); !copied)
+        return copied;
     return model.checkIntact();
 }
 
@@ -171,8 +188,9 @@ MeshSize meshSizeAt(const Model& model, const Accuracy& accuracy)
     const double asked = keyOf(model, accuracy);
     const std::span<const float> errors = model.runningErrors();
     // The mesh of the first N sites has the error that was there before site N entered. Infinity is no mesh yet.
-    const auto reached = std::ranges::partition_point(
-        errors, [asked](float error) { return std::isinf(error) || !(static_cast<double>(error) <= asked); });
+    const auto reached = std::ranges::partition_point(errors, [&](const float& error) {
+        return !model.check(error) || std::isinf(error) || !(static_cast<double>(error) <= asked);
+    });
     return meshSizeOf(model, static_cast<std::uint32_t>(reached - errors.begin()));
 }
 
@@ -183,7 +201,10 @@ MeshSize meshSizeOf(const Model& model, std::uint32_t sites)
     const double extent = model.description().range.extent();
     const double weight = model.description().warpingWeight;
     const std::span<const float> errors = model.runningErrors();
-    const double key = sites == errors.size() ? std::min(model.finalError(), errors.back()) : errors[sites];
+    const float& next = sites == errors.size() ? errors.back() : errors[sites];
+    const double key = sites == errors.size() ? std::min(model.finalError(), next) : next;
+    if (!model.check(next) || !model.check(model.meshSizes()[sites - 1]))
+        return {};
     return {sites, model.meshSizes()[sites - 1], extent > 0 ? 100 * key / extent : 0,
             weight > 0 ? 100 * key / (weight * model.diagonal()) : 0};
 }
@@ -194,6 +215,9 @@ Result<TetrahedralMesh> extractPrefix(const Model& model, std::uint32_t sites, c
     if (sites > model.siteCount())
         return Error{ErrorKind::WrongUsage, "'" + model.path().string() + "' has " + std::to_string(model.siteCount()) +
                                                 " sites, fewer than the " + std::to_string(sites) + " asked for."};
+    if (sites > 0 && (!model.check(model.groupGoesOn()[sites - 1]) || !model.check(model.meshSizes()[sites - 1])))
+        if (const Status intact = model.checkIntact(); !intact)
+            return intact.error();
     if (sites > 0 && model.groupGoesOn()[sites - 1] != 0)
         return Error{ErrorKind::WrongUsage, "The first " + std::to_string(sites) + " sites of '" +
                                                 model.path().string() + "' have no mesh of their own: site " +

@@ -27,7 +27,8 @@ struct MeshSize {
 };
 
 /// The first mesh at least as accurate as asked (first passage, S1), as a prefix of the sites: O(log sites).
-/// Asked for more than the model has, it gives the whole model.
+/// Asked for more than the model has, it gives the whole model. Of a damaged file anything, and Model::checkIntact()
+/// says so afterwards.
 MeshSize meshSizeAt(const Model& model, const Accuracy& accuracy);
 
 /// The same for the mesh of the first `sites` sites, which end a batch.

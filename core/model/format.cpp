@@ -8,6 +8,7 @@ std::string_view sectionName(std::uint32_t id) noexcept
     switch (static_cast<SectionId>(id)) {
     case SectionId::Text: return "text";
     case SectionId::HistoryKind: return "history kind";
+    case SectionId::ChunkSums: return "chunk checksums";
     case SectionId::SitePoints: return "site points";
     case SectionId::SiteValues: return "site values";
     case SectionId::SiteRunningErrors: return "site running errors";

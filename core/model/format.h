@@ -18,7 +18,7 @@ static_assert(std::numeric_limits<float>::is_iec559 && std::numeric_limits<doubl
 
 constexpr std::array<char, 8> magic = {'\x89', 'T', 'A', 'N', '\r', '\n', '\x1a', '\n'};
 constexpr std::uint16_t majorVersion = 1;
-constexpr std::uint16_t minorVersion = 2;
+constexpr std::uint16_t minorVersion = 3;
 constexpr std::uint32_t byteOrderMark = 0x01020304;
 constexpr std::uint32_t byteOrderMarkReversed = 0x04030201;
 
@@ -27,6 +27,10 @@ constexpr std::uint64_t alignment = 64;
 /// Limits that keep opening independent of the model's size.
 constexpr std::uint32_t mostSections = 1024;
 constexpr std::uint64_t longestText = 1 << 20;
+/// Every section is summed up in chunks of so many bytes; readers take any power of two between the limits.
+constexpr std::uint64_t chunkBytes = 256 << 10;
+constexpr std::uint64_t leastChunkBytes = 64;
+constexpr std::uint64_t mostChunkBytes = 1 << 30;
 
 /// How a section's bytes are stored.
 enum class Codec : std::uint32_t { None = 0 };
@@ -34,6 +38,7 @@ enum class Codec : std::uint32_t { None = 0 };
 enum class SectionId : std::uint32_t {
     Text = 1,
     HistoryKind = 2,
+    ChunkSums = 3,
     SitePoints = 16,
     SiteValues = 17,
     SiteRunningErrors = 18,
@@ -99,6 +104,12 @@ struct Header {
 static_assert(sizeof(Header) == 256 && offsetof(Header, checksum) == 248);
 static_assert(offsetof(Header, latticeSize) == 40 && offsetof(Header, spacing) == 64);
 static_assert(offsetof(Header, sourceHash) == 176 && offsetof(Header, warpingWeight) == 192);
+
+/// The number of chunks of a section of so many bytes.
+constexpr std::uint64_t chunkCount(std::uint64_t sectionBytes, std::uint64_t chunk = chunkBytes) noexcept
+{
+    return (sectionBytes + chunk - 1) / chunk;
+}
 
 /// The next multiple of the alignment.
 constexpr std::uint64_t aligned(std::uint64_t offset) noexcept

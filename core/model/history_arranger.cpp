@@ -17,6 +17,13 @@ Error inconsistent(const std::string& what)
 
 Status HistoryArranger::add(const HistoryStep& step)
 {
+    if (failure_)
+        failure_ = take(step);
+    return failure_;
+}
+
+Status HistoryArranger::take(const HistoryStep& step)
+{
     if (const Status right = check(step); !right)
         return right;
     if (step.keyBefore < runningKey_) {
@@ -24,13 +31,12 @@ Status HistoryArranger::add(const HistoryStep& step)
             return closed;
         runningKey_ = step.keyBefore;
     }
-    record(step);
-    return {};
+    return record(step);
 }
 
 Status HistoryArranger::finish()
 {
-    return closeBatch();
+    return failure_ ? closeBatch() : failure_;
 }
 
 void HistoryArranger::abandonBatch()
@@ -51,6 +57,9 @@ Status HistoryArranger::check(const HistoryStep& step) const
     for (const HistoryTetrahedron& tetrahedron : step.star) {
         if (std::ranges::any_of(tetrahedron.sites, [creator](std::uint32_t site) { return site >= creator; }))
             return inconsistent("a tetrahedron of its star has a site that comes after it");
+        const auto& [a, b, c] = tetrahedron.sites;
+        if (a == b || a == c || b == c)
+            return inconsistent("a tetrahedron of its star has a site twice");
         if (!(tetrahedron.error >= 0) || !(tetrahedron.warping >= 0))
             return inconsistent(
                 "a tetrahedron of its star has an error or a warping that is not a number of at least 0");
@@ -58,24 +67,24 @@ Status HistoryArranger::check(const HistoryStep& step) const
     for (const std::uint32_t destroyed : step.destroyed)
         if (destroyed >= madeCount() || storedNumbers_[destroyed] == gone)
             return inconsistent("it destroys tetrahedron " + std::to_string(destroyed) + ", which is not in the mesh");
-    const std::uint64_t alive = alive_ + step.star.size() - step.destroyed.size();
-    if (step.destroyed.size() > alive_ || alive > std::numeric_limits<std::uint32_t>::max())
-        return inconsistent("it destroys more tetrahedra than there are");
     return {};
 }
 
-void HistoryArranger::record(const HistoryStep& step)
+Status HistoryArranger::record(const HistoryStep& step)
 {
     const std::uint32_t site = siteCount();
-    alive_ += step.star.size() - step.destroyed.size();
-    batch_.add(step);
     for (const std::uint32_t destroyed : step.destroyed) {
+        if (storedNumbers_[destroyed] == gone)
+            return inconsistent("it destroys tetrahedron " + std::to_string(destroyed) + " twice");
         if (destroyed < batch_.firstTetrahedron())
             destructions_.push_back({storedNumbers_[destroyed], site});
         storedNumbers_[destroyed] = gone;
     }
+    alive_ += step.star.size() - step.destroyed.size();
+    batch_.add(step);
     for (std::size_t made = 0; made < step.star.size(); ++made)
         storedNumbers_.push_back(0); // until it is known whether it outlives the batch
+    return {};
 }
 
 Status HistoryArranger::closeBatch()

@@ -51,7 +51,8 @@ class HistoryArranger {
 public:
     HistoryArranger(std::uint64_t pointCount, ArrangedBatchSink& sink) : pointCount_(pointCount), sink_(sink) {}
 
-    /// Plugins are written by others: a step that does not fit is an Error whose text says only what is wrong with it.
+    /// Plugins are written by others: a step that does not fit is an Error whose text says only what is wrong with it,
+    /// and the end of the history.
     Status add(const HistoryStep& step);
     /// Hands over the last batch.
     Status finish();
@@ -67,8 +68,9 @@ public:
     std::uint64_t aliveCount() const noexcept { return alive_; }
 
 private:
+    Status take(const HistoryStep& step);
     Status check(const HistoryStep& step) const;
-    void record(const HistoryStep& step);
+    Status record(const HistoryStep& step);
     Status closeBatch();
     void numberSites();
     void sortTetrahedra();
@@ -79,6 +81,7 @@ private:
 
     std::uint64_t pointCount_;
     ArrangedBatchSink& sink_;
+    Status failure_; ///< the first one, which every further call gives again
     HistoryBatch batch_;
     float runningKey_ = std::numeric_limits<float>::infinity();
     std::uint64_t alive_ = 0;

@@ -5,6 +5,9 @@
 #include "core/base/mapped_file.h"
 #include "core/model/description_text.h"
 #include "core/model/file_layout.h"
+#include "core/model/section_checks.h"
+
+#include <algorithm>
 
 namespace tetra {
 
@@ -27,8 +30,9 @@ template <class T> std::span<const T> elementsOf(const MappedFile& file, const F
 
 class MappedModel final : public Model {
 public:
-    MappedModel(std::shared_ptr<const MappedFile> file, const FileLayout& layout, ModelDescription description)
-        : file_(std::move(file))
+    MappedModel(std::shared_ptr<const MappedFile> file, const FileLayout& layout, ModelDescription description,
+                std::unique_ptr<const SectionChecks> checks)
+        : file_(std::move(file)), checks_(std::move(checks))
     {
         path_ = file_->path();
         description_ = std::move(description);
@@ -52,9 +56,11 @@ public:
     }
 
     std::span<const std::byte> fileBytes() const noexcept override { return file_->bytes(); }
-    bool damaged() const noexcept override { return file_->damaged(); }
 
 private:
+    bool changed() const noexcept override { return file_->damaged(); }
+    const SectionChecks& checks() const noexcept override { return *checks_; }
+
     void mapPositions(const FileLayout& layout)
     {
         static_assert(sizeof(Eigen::Vector3f) == 12 && sizeof(Eigen::Vector3d) == 24);
@@ -74,6 +80,7 @@ private:
     }
 
     std::shared_ptr<const MappedFile> file_;
+    std::unique_ptr<const SectionChecks> checks_;
 };
 
 /// Whether the meshes are Delaunay ones. A kind that is not known may mean anything.
@@ -117,8 +124,11 @@ Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& pa
     ModelDescription description = descriptionOf(layout->header);
     description.delaunay = *delaunay;
     readText({reinterpret_cast<const char*>(text.data()), text.size()}, description);
+    auto checks = SectionChecks::make(file.value(), *layout);
+    if (!checks)
+        return checks.error();
     std::shared_ptr<const Model> model =
-        std::make_shared<const MappedModel>(file.value(), layout.value(), std::move(description));
+        std::make_shared<const MappedModel>(file.value(), *layout, std::move(description), *std::move(checks));
     if (const Status intact = model->checkIntact(); !intact)
         return intact.error();
     return model;
@@ -134,9 +144,62 @@ Eigen::Vector3d Model::position(std::uint32_t site) const
     return description_.lattice.position(place[0], place[1], place[2]);
 }
 
+bool Model::checkBytes(std::span<const std::byte> bytes) const noexcept
+{
+    return checks().check(bytes);
+}
+
+Status Model::checkBytes(std::span<const std::byte> bytes, const Progress& progress) const
+{
+    constexpr std::size_t atOnce = 64 << 20; // between two looks at whether the work was cancelled
+    for (; !bytes.empty(); bytes = bytes.subspan(std::min(atOnce, bytes.size()))) {
+        if (progress.cancelled())
+            return cancelledError("Checking the model's file");
+        if (!checkBytes(bytes.first(std::min(atOnce, bytes.size()))))
+            return checkIntact();
+    }
+    return {};
+}
+
+Status Model::checkPrefix(std::uint32_t sites, unsigned reading, const Progress& progress) const
+{
+    Status right = check(starOffsets_.first(sites + std::size_t(1)), progress);
+    const std::uint64_t tetrahedra = std::min(starOffsets_[sites], tetrahedronCount());
+    const auto checkAlso = [&](Reading part, auto elements, std::uint64_t count) {
+        if (right && (reading & part) != 0 && !elements.empty())
+            right = check(elements.first(count), progress);
+    };
+    checkAlso(Batches, runningErrors_, sites);
+    checkAlso(Batches, meshSizes_, sites);
+    checkAlso(Batches, groupGoesOn_, sites);
+    checkAlso(Stars, otherSites_, tetrahedra);
+    checkAlso(Stars, destroyers_, tetrahedra);
+    checkAlso(OwnBounds, ownErrors_, tetrahedra);
+    checkAlso(OwnBounds, ownWarpings_, tetrahedra);
+    return right;
+}
+
+Status Model::confirm(const Progress& progress) const
+{
+    const Status right = checks().finish(progress);
+    const Status unchanged = checkUnchanged();
+    return unchanged ? right : unchanged;
+}
+
 Status Model::checkIntact() const
 {
-    if (!damaged())
+    const Status unchanged = checkUnchanged();
+    return unchanged ? foundDamage() : unchanged;
+}
+
+Status Model::foundDamage() const
+{
+    return checks().damage();
+}
+
+Status Model::checkUnchanged() const
+{
+    if (!changed())
         return {};
     return Error{ErrorKind::BadInput, "'" + path_.string() +
                                           "' was cut short or changed while it was open. Open it again; if that fails, "

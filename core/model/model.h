@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/data/domain_class.h"
 #include "core/data/lattice.h"
@@ -16,6 +17,8 @@
 #include <vector>
 
 namespace tetra {
+
+class SectionChecks;
 
 /// What a model says of itself: its domain, its values, and how it was made.
 struct ModelDescription {
@@ -42,9 +45,12 @@ struct ModelDescription {
 /// order of importance, batches of equal running error one after the other, groups in them (FORMAT.md); tetrahedra are
 /// grouped by creator. Safe to read from any number of threads.
 ///
-/// Indices stored in the file are not trusted by opening: whoever follows one checks it (extraction does).
-/// If the file is cut or changed while it is mapped, reads may give zeros and damaged() becomes true: whoever has used
-/// the arrays asks damaged() afterwards and reports checkIntact()'s error.
+/// Nothing of the arrays is to be believed unasked. The file has checksums: whoever reads elements names them to
+/// check(), before or after, and reports checkIntact()'s error in place of a result if they are damaged, or if the file
+/// was cut or changed meanwhile (then reads may give zeros). Sums of files before format 1.3 are of whole sections, so
+/// all of such a file is read by a thread from opening on, and check() believes what it has not found wrong so far:
+/// before a result leaves the program confirm() waits for it. Checksums guard against damage, not against intent, so
+/// whoever follows an index checks it still (extraction does).
 class Model {
 public:
     static constexpr std::uint32_t never = 0xffffffff; ///< destroyer of a tetrahedron that never dies (S2)
@@ -104,13 +110,46 @@ public:
 
     /// The whole file as it is mapped, for those who check it.
     virtual std::span<const std::byte> fileBytes() const noexcept = 0;
-    /// True once the file was found to be cut short or changed since it was mapped.
-    virtual bool damaged() const noexcept = 0;
-    /// An error naming the file if damaged().
+    /// Whether these elements of one of the arrays are those that were written, as far as is known: false if any damage
+    /// was found so far, there or elsewhere. Each chunk of a section is summed up once, at its first check, many of
+    /// them on all threads that TBB may use.
+    template <class T> bool check(std::span<const T> elements) const noexcept
+    {
+        return checkBytes(std::as_bytes(elements));
+    }
+    template <class T> bool check(const T& element) const noexcept { return check(std::span(&element, 1)); }
+    /// The same for many elements, in parts. Errors: checkIntact()'s, cancelled.
+    template <class T> Status check(std::span<const T> elements, const Progress& progress) const
+    {
+        return checkBytes(std::as_bytes(elements), progress);
+    }
+
+    /// What is read of a prefix of the sites.
+    enum Reading : unsigned {
+        Batches = 1,   ///< runningErrors(), meshSizes() and groupGoesOn() of the sites
+        Stars = 2,     ///< their starOffsets(), with otherSites() and destroyers() of the tetrahedra that they created
+        OwnBounds = 4, ///< ownErrors() and ownWarpings() of these, with the offsets
+    };
+    /// check() of all that. Errors: checkIntact()'s, cancelled.
+    Status checkPrefix(std::uint32_t sites, unsigned reading, const Progress& progress = {}) const;
+
+    /// An Error naming the file if a checksum was found to be wrong so far. No system call: for those who may not wait.
+    Status foundDamage() const;
+    /// An Error naming the file if it was cut short or changed since it was mapped.
+    Status checkUnchanged() const;
+    /// The same, and if a checksum was found to be wrong.
     Status checkIntact() const;
+    /// The same, but waits until that is known for certain: at once, unless the file is older than format 1.3. Errors:
+    /// checkIntact()'s, cancelled.
+    Status confirm(const Progress& progress = {}) const;
 
 protected:
     Model() = default;
+    virtual bool changed() const noexcept = 0;
+    virtual const SectionChecks& checks() const noexcept = 0;
+    bool checkBytes(std::span<const std::byte> bytes) const noexcept;
+    Status checkBytes(std::span<const std::byte> bytes, const Progress& progress) const;
+
     std::filesystem::path path_;
     ModelDescription description_;
     std::uint64_t fileSize_ = 0;

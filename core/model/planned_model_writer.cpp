@@ -140,7 +140,8 @@ std::uint64_t PlannedModelWriter::expectedBytes(const PlannedCounts& counts, Sam
     constexpr std::uint64_t frontAndText = 4096;
     const ModelCounts whole{counts.sites, counts.tetrahedra};
     const bool samples = keepsSamples(DomainClass::RegularLattice, type, 0, points, whole);
-    return arrayBytes(whole, type) + (samples ? points * sampleSize(type) : 0) + frontAndText;
+    const std::uint64_t content = arrayBytes(whole, type) + (samples ? points * sampleSize(type) : 0);
+    return content + format::chunkCount(content) * sizeof(std::uint64_t) + frontAndText;
 }
 
 Error PlannedModelWriter::notAsPlanned() const

@@ -10,6 +10,7 @@ namespace tetra {
 
 using format::Header;
 using format::Section;
+using format::SectionId;
 
 namespace {
 
@@ -19,26 +20,34 @@ constexpr std::size_t bufferBytes = 1 << 20;
 
 Status PlannedSections::plan(std::span<const PlannedSection> sections)
 {
-    std::uint64_t end = sizeof(Header) + sections.size() * sizeof(Section);
+    std::uint64_t end = sizeof(Header) + (sections.size() + 1) * sizeof(Section);
+    std::uint64_t chunks = 0;
     for (const PlannedSection& planned : sections) {
-        Cursor cursor;
-        cursor.section.id = static_cast<std::uint32_t>(planned.id);
-        cursor.section.flags = planned.flags;
-        cursor.section.elementBytes = planned.elementBytes;
-        cursor.section.offset = format::aligned(end);
-        cursor.section.bytes = planned.elementBytes * planned.count;
-        end = cursor.section.offset + cursor.section.bytes;
-        cursor.buffer.reserve(std::min<std::uint64_t>(bufferBytes, cursor.section.bytes));
-        cursors_.push_back(std::move(cursor));
+        place(planned, end);
+        chunks += format::chunkCount(cursors_.back().section.bytes);
     }
+    place({SectionId::ChunkSums, sizeof(std::uint64_t), 1 + chunks, 0}, end);
     return file_.extend(end);
+}
+
+void PlannedSections::place(const PlannedSection& planned, std::uint64_t& end)
+{
+    Cursor cursor;
+    cursor.section.id = static_cast<std::uint32_t>(planned.id);
+    cursor.section.flags = planned.flags;
+    cursor.section.elementBytes = planned.elementBytes;
+    cursor.section.offset = format::aligned(end);
+    cursor.section.bytes = planned.elementBytes * planned.count;
+    end = cursor.section.offset + cursor.section.bytes;
+    cursor.buffer.reserve(std::min<std::uint64_t>(bufferBytes, cursor.section.bytes));
+    cursors_.push_back(std::move(cursor));
 }
 
 Status PlannedSections::add(format::SectionId id, std::span<const std::byte> bytes)
 {
     Cursor& to = cursor(id);
     assert(bytes.size() <= to.section.bytes - to.written);
-    to.checksum.add(bytes);
+    to.sums.add(bytes);
     if (bytes.size() > to.buffer.capacity() - to.buffer.size())
         if (const Status flushed = flush(to); !flushed)
             return flushed;
@@ -51,12 +60,17 @@ Status PlannedSections::add(format::SectionId id, std::span<const std::byte> byt
 
 Status PlannedSections::finish(Header header)
 {
+    ChunkSums sums;
+    for (const Cursor& cursor : std::span(cursors_).first(cursors_.size() - 1))
+        sums.append(cursor.sums);
+    if (const Status added = add(SectionId::ChunkSums, sums.bytes()); !added)
+        return added;
     std::vector<Section> table;
     for (Cursor& cursor : cursors_) {
         assert(cursor.written == cursor.section.bytes);
         if (const Status flushed = flush(cursor); !flushed)
             return flushed;
-        cursor.section.checksum = cursor.checksum.value();
+        cursor.section.checksum = cursor.sums.ofWhole();
         table.push_back(cursor.section);
     }
     header.sectionCount = static_cast<std::uint32_t>(table.size());

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/checksum.h"
 #include "core/base/file_writer.h"
-#include "core/model/format.h"
+#include "core/model/section_sums.h"
 
 #include <cstdint>
 #include <span>
@@ -20,7 +19,7 @@ struct PlannedSection {
 };
 
 /// Writes the sections of a `.tan` file all at once, each from its beginning to its end, straight to their final
-/// places. Memory: one buffer a section.
+/// places, and behind them the checksums of their chunks. Memory: one buffer a section. May throw std::bad_alloc.
 class PlannedSections {
 public:
     explicit PlannedSections(FileWriter file) : file_(std::move(file)) {}
@@ -38,9 +37,10 @@ private:
         format::Section section;
         std::uint64_t written = 0; ///< bytes, those in the buffer included
         Buffer<std::byte> buffer;
-        Checksum checksum;
+        SectionSums sums;
     };
 
+    void place(const PlannedSection& planned, std::uint64_t& end);
     Cursor& cursor(format::SectionId id);
     Status flush(Cursor& cursor);
 

@@ -26,24 +26,37 @@ Status SectionWriter::begin(format::SectionId id, std::size_t elementBytes, std:
     section.elementBytes = static_cast<std::uint32_t>(elementBytes);
     section.offset = file_.size();
     sections_.push_back(section);
-    checksum_ = {};
+    sums_ = {};
     return {};
 }
 
 Status SectionWriter::add(std::span<const std::byte> bytes)
 {
-    checksum_.add(bytes);
+    sums_.add(bytes);
     return file_.write(bytes);
 }
 
 void SectionWriter::end()
 {
     sections_.back().bytes = file_.size() - sections_.back().offset;
-    sections_.back().checksum = checksum_.value();
+    sections_.back().checksum = sums_.ofWhole();
+    chunkSums_.append(sums_);
+}
+
+Status SectionWriter::writeChunkSums()
+{
+    if (const Status begun = begin(format::SectionId::ChunkSums, sizeof(std::uint64_t), 0); !begun)
+        return begun;
+    const Status written = add(chunkSums_.bytes());
+    sections_.back().bytes = chunkSums_.bytes().size();
+    sections_.back().checksum = sums_.ofWhole();
+    return written;
 }
 
 Status SectionWriter::finish(Header header)
 {
+    if (const Status written = writeChunkSums(); !written)
+        return written;
     assert(sections_.size() <= mostSections_);
     const std::span<const std::byte> table = std::as_bytes(std::span(sections_));
     header.sectionCount = static_cast<std::uint32_t>(sections_.size());

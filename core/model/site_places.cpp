@@ -10,86 +10,57 @@ namespace tetra {
 
 namespace {
 
-/// The sites 0, 1, 2 ... as a list.
-struct FirstSites {
-    std::size_t count;
-    std::size_t size() const noexcept { return count; }
-    std::size_t operator[](std::size_t i) const noexcept { return i; }
-};
-
-template <class Sites>
-Status placeLatticeSites(const Model& model, const Sites& sites, Buffer<Eigen::Vector3f>& positions)
+Status placeLatticeSites(const Model& model, std::uint32_t sites, Buffer<Eigen::Vector3f>& positions)
 {
+    if (!model.check(model.points().first(sites)))
+        return model.checkIntact();
     const Lattice& lattice = model.description().lattice;
     const LatticePoints lookUp(lattice);
     const std::uint32_t* const points = model.points().data();
     const std::uint64_t pointCount = lattice.pointCount();
     Eigen::Vector3f* const out = positions.data();
-    const std::size_t count = sites.size();
     bool outside = false;
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::uint32_t point = points[sites[i]];
+    for (std::size_t site = 0; site < sites; ++site) {
+        const std::uint32_t point = points[site];
         outside |= point >= pointCount;
-        out[i] = lookUp.position(point);
+        out[site] = lookUp.position(point);
     }
     if (outside)
         return inconsistentModel(model, "a site is no point of its lattice");
     return {};
 }
 
-template <class Sites> Status place(const Model& model, const Sites& sites, Buffer<Eigen::Vector3f>& positions)
+/// The first elements of the array that is there, rounded to floats.
+template <class T> bool copyFirst(const Model& model, std::span<const T> from, std::span<Eigen::Vector3f> to)
 {
-    positions.resize(sites.size());
-    if (model.description().domain == DomainClass::RegularLattice)
-        return placeLatticeSites(model, sites, positions);
-    const Eigen::Vector3f* const floats = model.floatPositions().data();
-    const Eigen::Vector3d* const doubles = model.doublePositions().data();
-    Eigen::Vector3f* const out = positions.data();
-    const std::size_t count = sites.size();
-    if (!model.floatPositions().empty())
-        for (std::size_t i = 0; i < count; ++i)
-            out[i] = floats[sites[i]];
-    else
-        for (std::size_t i = 0; i < count; ++i)
-            out[i] = doubles[sites[i]].template cast<float>();
-    return {};
-}
-
-template <class Sites> void copy(const Model& model, const Sites& sites, Buffer<float>& values)
-{
-    values.resize(sites.size());
-    visitSampleType(model.description().sampleType, [&]<class T>() {
-        const T* const samples = reinterpret_cast<const T*>(model.values().data());
-        float* const out = values.data();
-        const std::size_t count = sites.size();
-        for (std::size_t i = 0; i < count; ++i)
-            out[i] = static_cast<float>(samples[sites[i]]);
-    });
+    if (from.empty())
+        return true;
+    for (std::size_t site = 0; site < to.size(); ++site)
+        to[site] = from[site].template cast<float>();
+    return model.check(from.first(to.size()));
 }
 
 } // namespace
 
 Status placeSites(const Model& model, std::uint32_t sites, Buffer<Eigen::Vector3f>& positions)
 {
-    return place(model, FirstSites{sites}, positions);
+    positions.resize(sites);
+    if (model.description().domain == DomainClass::RegularLattice)
+        return placeLatticeSites(model, sites, positions);
+    if (!copyFirst(model, model.floatPositions(), positions) || !copyFirst(model, model.doublePositions(), positions))
+        return model.checkIntact();
+    return {};
 }
 
-Status placeSites(const Model& model, std::span<const std::uint32_t> sites, Buffer<Eigen::Vector3f>& positions)
+Status copyValues(const Model& model, std::uint32_t sites, Buffer<float>& values)
 {
-    const std::uint32_t count = model.siteCount();
-    if (std::ranges::any_of(sites, [count](std::uint32_t site) { return site >= count; }))
-        return inconsistentModel(model, "it has fewer sites than its numbers of sites say");
-    return place(model, sites, positions);
-}
-
-void copyValues(const Model& model, std::uint32_t sites, Buffer<float>& values)
-{
-    copy(model, FirstSites{sites}, values);
-}
-
-void copyValues(const Model& model, std::span<const std::uint32_t> sites, Buffer<float>& values)
-{
-    copy(model, sites, values);
+    values.resize(sites);
+    visitSampleType(model.description().sampleType, [&]<class T>() {
+        const T* const samples = reinterpret_cast<const T*>(model.values().data());
+        std::transform(samples, samples + sites, values.begin(), [](T sample) { return static_cast<float>(sample); });
+    });
+    const std::size_t bytes = sites * sampleSize(model.description().sampleType);
+    return model.check(model.values().first(bytes)) ? Status() : model.checkIntact();
 }
 
 void turnToPhysicalSpace(const Model& model, std::span<std::array<std::uint32_t, 4>> tetrahedra)

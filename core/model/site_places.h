@@ -14,17 +14,15 @@
 
 namespace tetra {
 
-/// What the meshes of all kinds of queries are filled with. `sites` is a number of first sites, not more than the model
-/// has, or a list of sites in any order. Results take the place of what was in the buffers. They do not ask whether the
-/// file changed meanwhile (Model::checkIntact()): whoever puts a mesh together does that at its end.
+/// What the meshes of all kinds of queries are filled with: of the first `sites` sites, not more than the model has.
+/// Results take the place of what was in the buffers. They do not ask whether the file changed meanwhile
+/// (Model::checkIntact()): whoever puts a mesh together does that at its end.
 
-/// Where sites lie in physical space, rounded to floats. Errors: a damaged file; a site of the list that there is not.
+/// Where sites lie in physical space, rounded to floats. Errors: a damaged file.
 Status placeSites(const Model& model, std::uint32_t sites, Buffer<Eigen::Vector3f>& positions);
-Status placeSites(const Model& model, std::span<const std::uint32_t> sites, Buffer<Eigen::Vector3f>& positions);
 
-/// The values of sites, rounded to floats. Sites of a list exist, as placeSites() finds out.
-void copyValues(const Model& model, std::uint32_t sites, Buffer<float>& values);
-void copyValues(const Model& model, std::span<const std::uint32_t> sites, Buffer<float>& values);
+/// The values of sites, rounded to floats. Errors: a damaged file.
+Status copyValues(const Model& model, std::uint32_t sites, Buffer<float>& values);
 
 /// Makes tetrahedra that are positive in the space that the model was made in positive in physical space.
 void turnToPhysicalSpace(const Model& model, std::span<std::array<std::uint32_t, 4>> tetrahedra);

@@ -82,6 +82,8 @@ std::vector<LatticePoint> placesOf(const Dataset& original, const std::vector<st
 Result<LevelVerdict> verifyWhole(const Model& model, const Dataset& original, const MeshQuery& query,
                                  const ExtractedMesh& mesh, const Progress& progress)
 {
+    if (const Status right = model.checkPrefix(model.siteCount(), Model::Stars, progress); !right)
+        return right.error();
     LevelVerdict verdict;
     verdict.asked = keptEverywhere(query, mesh.scale);
     verdict.sites = static_cast<std::uint32_t>(mesh.mesh.positions.size());

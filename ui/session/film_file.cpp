@@ -182,6 +182,8 @@ Status writeFilm(const FilmOrder& order, const Progress& progress)
     const bool isVideo = isVideoFile(order.target);
     if (const Status drawn = drawFrames(order, folder->path(), progress.part(0, isVideo ? drawingPart : 1)); !drawn)
         return drawn;
+    if (const Status right = order.scene.model->confirm(progress.withCallback({})); !right)
+        return right;
     return isVideo ? encode(order, folder->path(), progress.part(drawingPart, 1)) : nameFrames(order, folder->path());
 }
 

@@ -50,6 +50,7 @@ constexpr std::array sentences{
     QT_TRANSLATE_NOOP("Sentence", "its header makes no sense"),
     QT_TRANSLATE_NOOP("Sentence", "the checksum of its header is wrong"),
     QT_TRANSLATE_NOOP("Sentence", "the checksum of its text is wrong"),
+    QT_TRANSLATE_NOOP("Sentence", "the checksum of section '%1' is wrong"),
     QT_TRANSLATE_NOOP("Sentence", "it has %1 bytes and should have %2"),
     QT_TRANSLATE_NOOP("Sentence", "section '%1' is missing"),
     QT_TRANSLATE_NOOP("Sentence", "'%1' is cut short: it has %2 bytes and should have %3. Copy it again from where it came from, or build it again."),

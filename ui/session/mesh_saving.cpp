@@ -59,6 +59,8 @@ Status writeMesh(const MeshOrder& order, const Progress& progress)
     content.pointArrays.push_back({"value", std::span<const float>(extracted.mesh.values)});
     content.pointArrays.push_back({"site", std::span<const std::uint32_t>(extracted.sites)});
     content.facts = factsOf(order);
+    if (Status right = order.model->confirm(progress.withCallback({})); !right)
+        return right;
     return writeMeshFile(order.target, content, progress);
 }
 
@@ -87,6 +89,8 @@ Status writeSurfaces(const SurfaceOrder& order, const Progress& progress)
     SurfaceContent content{.title = "isosurfaces", .valueName = "isovalue", .parts = {}, .facts = factsOf(order.mesh)};
     for (std::size_t index = 0; index < surfaces->size(); ++index)
         content.parts.push_back(partOf((*surfaces)[index], visible[index].value));
+    if (Status right = order.mesh.model->confirm(progress.withCallback({})); !right)
+        return right;
     return writeSurfaceFile(order.mesh.target, content, progress.part(found, 1));
 }
 

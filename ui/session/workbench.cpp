@@ -51,6 +51,10 @@ Workbench::Workbench(PluginHost& host, QObject* parent) : QObject(parent), host_
     connect(&sceneBuilder_, &SceneBuilder::sceneReady, this, &Workbench::requestDrafts);
     connect(&sceneBuilder_, &SceneBuilder::sceneReady, this, &Workbench::saveMeshWhenShown);
     connect(&sceneBuilder_, &SceneBuilder::failed, this, [this] { meshTarget_.clear(); });
+    connect(&session_, &Session::modelChanged, this, &Workbench::watchForDamage);
+    connect(&session_, &Session::modelGrown, this, &Workbench::watchForDamage);
+    connect(&watching_, &QTimer::timeout, this, &Workbench::lookForDamage);
+    watching_.setInterval(timeBetweenLooks);
     looking_.setInterval(timeBetweenLooks);
     connect(&looking_, &QTimer::timeout, this, &Workbench::lookAtBuild);
     connect(&building_, &LongTask::finished, &looking_, &QTimer::stop);
@@ -347,6 +351,24 @@ void Workbench::requestDrafts(const BuiltScene& scene)
     const SceneRequest request = sceneRequest();
     if (request.query == scene.mesh.query)
         draftBuilder_.request(request, scene.mesh);
+}
+
+/// Damage of the model's file may be found by whatever reads it, or by the thread that checks an old one.
+void Workbench::watchForDamage()
+{
+    if (session_.model())
+        watching_.start();
+    else
+        watching_.stop();
+}
+
+void Workbench::lookForDamage()
+{
+    const Status found = session_.model()->foundDamage();
+    if (found)
+        return;
+    watching_.stop();
+    tell(found.error());
 }
 
 void Workbench::tell(const Error& error)

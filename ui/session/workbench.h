@@ -165,6 +165,8 @@ private:
     void saveNextPicture();
     void openPicture(const std::filesystem::path& path);
     void saveMeshWhenShown();
+    void watchForDamage();
+    void lookForDamage();
     void tell(const Error& error);
 
     PluginHost& host_;
@@ -196,6 +198,7 @@ private:
     std::filesystem::path lookPath_;          ///< where looks at it are written
     std::shared_ptr<const Model> look_;       ///< the last one shown
     QTimer looking_;
+    QTimer watching_; ///< the model's file for damage
     LongTask looker_;
     QTemporaryDir looks_;
 };

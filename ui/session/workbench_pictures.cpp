@@ -9,6 +9,7 @@ namespace tetra {
 void Workbench::savePicture(const PictureOrder& order)
 {
     pictures_.push_back(order);
+    pictures_.back().model = session_.model();
     emit picturesWaitingChanged();
     saveNextPicture();
 }
@@ -22,7 +23,9 @@ void Workbench::saveNextPicture()
     emit picturesWaitingChanged();
     savingPicture_.start([this, order](const Progress& progress) -> std::function<void()> {
         const auto picture = drawPicture(order, progress);
+        const Status right = order.model ? order.model->confirm(progress.withCallback({})) : Status();
         const Status done = !picture               ? Status(picture.error())
+                            : !right               ? right
                             : order.target.empty() ? Status()
                                                    : writePicture(*picture, order.target);
         return [this, order, done, picture] {

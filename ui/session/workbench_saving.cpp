@@ -60,10 +60,17 @@ void Workbench::saveStatistics(const std::filesystem::path& target)
     std::vector<Accuracy> levels;
     for (const double error : accuracyPresets)
         levels.push_back(bothWithin(error));
-    if (const auto text = levelsFor(target, *session_.model(), levels))
-        saveText(target, *text);
-    else
-        tell(text.error());
+    textFiles_.start(
+        [this, target, levels, model = session_.model()](const Progress& progress) -> std::function<void()> {
+            const auto text = levelsFor(target, *model, levels);
+            const Status right = text ? model->confirm(progress.withCallback({})) : Status(text.error());
+            return [this, target, saved = right ? writeTextFile(target, *text) : right] {
+                if (saved)
+                    emit textSaved(pathText(target));
+                else
+                    tell(saved.error());
+            };
+        });
 }
 
 void Workbench::saveMeshWhenShown()

@@ -29,6 +29,7 @@ Status BlockRunRecorder::finish(float finalKey)
 {
     finalKey_ = finalKey;
     const Status done = arranger_->finish();
+    livingCount_ = arranger_->aliveCount();
     arranger_.reset();
     return done;
 }
@@ -86,6 +87,7 @@ Status BlockRunRecorder::write(const std::filesystem::path& path, std::uint64_t 
     header.wordCount = words_.size();
     header.tetrahedronCount = tetrahedra_.size();
     header.finalKey = finalKey_;
+    header.livingCount = livingCount_;
     const bool isNarrow = siteCount_ <= NarrowTetrahedron::never;
     header.recordBytes = isNarrow ? sizeof(NarrowTetrahedron) : sizeof(WideTetrahedron);
     if (isNarrow)

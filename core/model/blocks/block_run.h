@@ -21,7 +21,7 @@ namespace tetra {
 /// tetrahedra that it made and of those that it destroyed, and the points of its sites. Sites are numbered in this
 /// order.
 struct BlockRunHeader {
-    std::array<char, 8> magic{'T', 'A', 'N', 'R', 'U', 'N', '0', '1'};
+    std::array<char, 8> magic{'T', 'A', 'N', 'R', 'U', 'N', '0', '2'};
     std::uint64_t fingerprint = 0; ///< of all that the run depends on
     std::uint32_t block = 0;
     std::uint32_t siteCount = 0;
@@ -29,8 +29,8 @@ struct BlockRunHeader {
     std::uint64_t tetrahedronCount = 0;
     float finalKey = 0;
     std::uint32_t recordBytes = 0; ///< of a tetrahedron
-    std::uint64_t reserved = 0;
-    std::uint64_t checksum = 0; ///< of the header up to here and of all that follows
+    std::uint64_t livingCount = 0; ///< tetrahedra of the mesh of all sites
+    std::uint64_t checksum = 0;    ///< of the header up to here and of all that follows
 };
 static_assert(sizeof(BlockRunHeader) == 64);
 
@@ -75,6 +75,7 @@ private:
     double valueExtent_;
     std::unique_ptr<HistoryArranger> arranger_;
     float finalKey_ = 0;
+    std::uint64_t livingCount_ = 0;
     std::uint32_t siteCount_ = 0;
     std::vector<std::uint32_t> words_;
     std::vector<WideTetrahedron> tetrahedra_;

@@ -17,7 +17,7 @@ namespace tetra {
 namespace {
 
 /// So many blocks, spread over the lattice, come first: what they came to tells what all will.
-constexpr std::uint32_t bytesPerSample = 64;
+constexpr std::uint32_t blocksSampled = 64;
 
 std::uint64_t pointsOf(const LatticeBox& box)
 {
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> orderOfWork(std::uint32_t blocks)
 {
     std::vector<std::uint32_t> order;
     std::vector<bool> taken(blocks);
-    const std::uint32_t sampled = std::min(bytesPerSample, blocks);
+    const std::uint32_t sampled = std::min(blocksSampled, blocks);
     for (std::uint32_t i = 0; i < sampled; ++i) {
         // Multiples of the golden ratio fill an interval evenly, however many they are.
         const double place = 0.6180339887498949 * (i + 1);
@@ -138,16 +138,22 @@ Status RunMaker::account(std::uint32_t block)
     totals_.points += pointsOf(options_.division.box(block));
     totals_.sites += header->siteCount;
     totals_.tetrahedra += header->tetrahedronCount;
+    totals_.living += header->livingCount;
     totals_.fileBytes += runBytes(*header);
     ++finished_;
-    if (!options_.check || finished_ < std::min<std::size_t>(bytesPerSample, order_.size()))
+    if (const Status fits = checkMeshSize(totals_.living, totals_.living); !fits)
+        return fits;
+    if (finished_ < std::min<std::size_t>(blocksSampled, order_.size()))
         return {};
     const double share = static_cast<double>(allPoints_) / static_cast<double>(totals_.points);
     const auto scaled = [share](std::uint64_t amount) {
         return static_cast<std::uint64_t>(static_cast<double>(amount) * share);
     };
-    return options_.check(totals_,
-                          {allPoints_, scaled(totals_.sites), scaled(totals_.tetrahedra), scaled(totals_.fileBytes)});
+    const RunTotals expected{allPoints_, scaled(totals_.sites), scaled(totals_.tetrahedra), scaled(totals_.fileBytes),
+                             scaled(totals_.living)};
+    if (const Status fits = checkMeshSize(totals_.living, expected.living); !fits)
+        return fits;
+    return options_.check ? options_.check(totals_, expected) : Status();
 }
 
 void RunMaker::reportPoints(double points)

@@ -17,6 +17,7 @@ struct RunTotals {
     std::uint64_t sites = 0;  ///< points on shared faces more than once
     std::uint64_t tetrahedra = 0;
     std::uint64_t fileBytes = 0;
+    std::uint64_t living = 0; ///< of the tetrahedra, those of the mesh of all sites
 };
 
 struct LatticeRunsOptions {

@@ -123,10 +123,14 @@ Result<PlannedCounts> merge(RunFiles& runs, const std::filesystem::path& workFol
         return opened.error();
     PlannedCounts counts;
     float finalKey = 0;
+    std::uint64_t living = 0;
     for (std::uint32_t block = 0; block < runs.blockCount(); ++block) {
         counts.tetrahedra += runs.header(block).tetrahedronCount;
+        living += runs.header(block).livingCount;
         finalKey = std::max(finalKey, runs.header(block).finalKey);
     }
+    if (const Status fits = checkMeshSize(living, living); !fits)
+        return fits.error();
     const Result<MergedNumbers> numbers = MergedNumbers::make(runs, workFolder, progress.part(0, numberedShare));
     if (!numbers)
         return numbers.error();

@@ -163,6 +163,8 @@ Result<bool> ChunkMaker::findGroup()
         meshSize_ += part.tetrahedronCount;
         meshSize_ -= part.destroyedCount;
     }
+    if (const Status fits = checkMeshSize(meshSize_, meshSize_); !fits)
+        return fits.error();
     const std::uint64_t slices = group_.tetrahedronCount / sliceTetrahedra_ + 1;
     sliceSites_ = static_cast<std::uint32_t>((group_.endPlace - place_) / slices + 1);
     inBatch_ = true;

@@ -4,7 +4,9 @@
 #include "core/base/checksum.h"
 #include "core/base/system_error.h"
 
+#include <algorithm>
 #include <cerrno>
+#include <limits>
 #include <utility>
 
 #include <fcntl.h>
@@ -72,6 +74,18 @@ private:
 std::uint64_t runBytes(const BlockRunHeader& header) noexcept
 {
     return sizeof header + header.wordCount * sizeof(std::uint32_t) + header.tetrahedronCount * header.recordBytes;
+}
+
+Status checkMeshSize(std::uint64_t tetrahedra, std::uint64_t expected)
+{
+    constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max(); // FORMAT.md: mesh sizes
+    constexpr std::uint64_t farTooMany = most + most / 4;                     // what is expected is not known so well
+    if (tetrahedra <= most && expected <= farTooMany)
+        return {};
+    return Error{ErrorKind::OutOfResource,
+                 "The finest mesh would have about " + std::to_string(std::max(tetrahedra, expected)) +
+                     " tetrahedra, and a model holds meshes of at most " + std::to_string(most) +
+                     ". Ask for a larger error, or take a part of the dataset."};
 }
 
 RunFiles::RunFiles(std::filesystem::path folder, std::uint64_t fingerprint, std::uint32_t blockCount)

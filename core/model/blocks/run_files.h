@@ -16,6 +16,10 @@ namespace tetra {
 /// Of its file, in all.
 std::uint64_t runBytes(const BlockRunHeader& header) noexcept;
 
+/// That a mesh of so many tetrahedra fits a model, or as many as are expected in the end as far as that can be known.
+/// An Error (OutOfResource) if not.
+Status checkMeshSize(std::uint64_t tetrahedra, std::uint64_t expected);
+
 /// The runs of all blocks of a build, as files in one folder. Reading is safe from any number of threads.
 class RunFiles {
 public:

@@ -34,6 +34,8 @@ Status loadCoarse(const Model& model, std::uint32_t sites, const Progress& progr
         return mesh.error();
     coarse.mesh = *std::move(mesh);
     turnToPhysicalSpace(model, coarse.mesh.tetrahedra); // which turns back, too
+    if (!model.check(model.points().first(sites)))
+        return model.checkIntact();
     coarse.points.resize(sites);
     std::ranges::transform(model.points().first(sites), coarse.points.begin(),
                            [&](std::uint32_t point) { return delaunay.lattice().pointAt(point); });

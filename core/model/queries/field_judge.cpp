@@ -84,8 +84,9 @@ FieldJudge::FieldJudge(const Model& model, const MeshQuery& query, const SitePla
         finer_.reset();
 }
 
-void FieldJudge::lookAtSites()
+void FieldJudge::lookAtSites(std::uint32_t checkedSites)
 {
+    checkedSites_ = checkedSites;
     const SpaceRamp* const ramp = query_.error.asSpaceRamp();
     if (warps_ || ramp == nullptr || !(ramp->falloff > 0) || !(ramp->inner <= ramp->outer))
         return;
@@ -120,7 +121,12 @@ FieldJudge::Own FieldJudge::ownOf(std::uint64_t tetrahedron, std::uint32_t destr
 {
     const double extent = model_.description().range.extent();
     const double weight = model_.description().warpingWeight;
-    const double key = destroyer < model_.siteCount() ? model_.runningErrors()[destroyer] : model_.finalError();
+    double key = model_.finalError();
+    if (destroyer < model_.siteCount()) {
+        if (destroyer >= checkedSites_) // beyond what the query was expected to read
+            model_.check(model_.runningErrors()[destroyer]);
+        key = model_.runningErrors()[destroyer];
+    }
     Own own{percentOf(model_.ownErrors()[tetrahedron]), 0};
     own.error = extent > 0 ? std::min(own.error, 100 * key / extent) : 0;
     if (warps_)

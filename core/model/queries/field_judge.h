@@ -31,8 +31,9 @@ public:
     /// `places` of all sites that are going to be corners.
     FieldJudge(const Model& model, const MeshQuery& query, const SitePlaces& places);
 
-    /// Makes tooCoarse() quicker for a ramp with a fall-off, once the places are there: 8 bytes a site.
-    void lookAtSites();
+    /// Makes tooCoarse() quicker, once the places are there: for a ramp with a fall-off, 8 bytes a site, and by not
+    /// asking after the running errors of the first sites, which are checked.
+    void lookAtSites(std::uint32_t checkedSites);
 
     /// False if the tetrahedron is allowed everywhere, which most are: one comparison, for all of a star.
     bool mayBeTooCoarse(std::uint64_t tetrahedron) const
@@ -79,6 +80,7 @@ private:
     double largestError_;
     double leastWarping_;
     double largestWarping_;
+    std::uint32_t checkedSites_ = 0;
     Buffer<double> atSites_;        ///< what the field is at each site, if that says something of the places between
     double slope_ = 0;              ///< by how much it changes with the distance at most
     double rounding_;               ///< of the positions, a length

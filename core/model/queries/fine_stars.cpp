@@ -16,6 +16,9 @@ Result<FineStars> FineStars::make(const Model& model, std::uint32_t firstCreator
     stars.siteCount_ = sites;
     if (firstCreator >= sites)
         return stars;
+    if (const Status right = model.checkPrefix(sites, Model::Stars, progress.withCallback({})); !right)
+        return right.error();
+    model.check(model.meshSizes()[sites - 1]); // what it finds is known to checkIntact()
     const std::span<const std::uint64_t> offsets = model.starOffsets();
     stars.starts_.reserve(sites - firstCreator + 1);
     stars.keys_.reserve(std::min<std::uint64_t>(model.meshSizes()[sites - 1], model.tetrahedronCount()));

@@ -43,8 +43,11 @@ std::optional<BlockDivision> focusDivision(const Model& model)
         isWeighted(model) || lattice.pointCount() > mostPoints || !PackedLattice::fits(lattice.size))
         return std::nullopt;
     const std::span<const float> errors = model.runningErrors();
-    const auto end = std::ranges::partition_point(errors, [](float error) { return std::isinf(error); });
+    const auto end = std::ranges::partition_point(
+        errors, [&](const float& error) { return model.check(error) && std::isinf(error); });
     const auto points = model.points().first(static_cast<std::size_t>(end - errors.begin()));
+    if (!model.check(points))
+        return std::nullopt;
     // Blocks of the same edge, but for the last: the least coordinate behind the first plane of any axis that is cut.
     std::uint32_t edge = 0;
     for (const std::uint32_t point : points) {

@@ -153,7 +153,10 @@ Status extractInto(const Model& model, std::span<const ValueRange> values, const
         return inconsistentModel(model, "its first sites have an error");
     if (const Status placed = placeSites(model, part.fine.sites, part.mesh.positions); !placed)
         return placed;
-    copyValues(model, part.fine.sites, part.mesh.values);
+    if (const Status copied = copyValues(model, part.fine.sites, part.mesh.values); !copied)
+        return copied;
+    if (const Status right = model.checkPrefix(part.fine.sites, Model::Stars, progress); !right)
+        return right;
     const Choice choice(values, window, part.mesh);
     if (const Status scanned = HistoryScan(model, choice, part).run(progress); !scanned)
         return scanned;

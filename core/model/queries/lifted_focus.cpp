@@ -261,6 +261,12 @@ void LiftedFocus::Work::write(ExtractedMesh& mesh) const
 
 Result<ExtractedMesh> LiftedFocus::Work::extract(const MeshQuery& query, const Progress& progress, ExtractedMesh reuse)
 {
+    for (const Status& right :
+         {model_.check(model_.samples(), progress), model_.check(model_.floatSamplePositions(), progress),
+          model_.check(model_.doubleSamplePositions(), progress), model_.check(model_.points(), progress),
+          model_.check(model_.runningErrors(), progress)})
+        if (!right)
+            return right.error();
     if (const Status found = findLimits(query, progress); !found)
         return found.error();
     const Accuracy outside = {query.error.bounds().maximum, query.warping.bounds().maximum};

@@ -15,6 +15,7 @@
 #include "core/model/site_places.h"
 
 #include <algorithm>
+#include <atomic>
 #include <new>
 #include <optional>
 #include <string>
@@ -74,6 +75,13 @@ private:
     Status coverSites(std::uint32_t sites);
     void makeWritable(bool keepContent);
 
+    /// A mesh that goes to a caller and comes back when nobody holds it any more.
+    struct LendableMesh {
+        ExtractedMesh content;
+        std::atomic<bool> lent = false;
+    };
+    static std::shared_ptr<const ExtractedMesh> lend(const std::shared_ptr<LendableMesh>& mesh);
+
     std::shared_ptr<const Model> model_;
     SitePlaces places_;
     HistoryLinks links_;
@@ -81,7 +89,7 @@ private:
     std::optional<SharpFocus> focus_;        ///< of a regular lattice
     std::optional<LiftedFocus> liftedFocus_; ///< of a curvilinear grid
     bool insertionFitsHistory_ = true;       ///< as far as is known: its meshes are Delaunay
-    std::shared_ptr<ExtractedMesh> whole_;   ///< the last mesh before values and window; null after an error
+    std::shared_ptr<LendableMesh> whole_;    ///< the last mesh before values and window; null after an error
 };
 
 Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::Work::extract(const MeshQuery& query,
@@ -91,16 +99,17 @@ Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::Work::extract(const 
         return sensible.error();
     const bool filters = !query.values.empty() || query.window.has_value();
     Status found = extractWhole(query, progress.part(0, filters ? 0.7 : 1));
-    if (found)
-        found = model_->checkIntact();
+    // Whatever else came of damaged numbers, this is the reason.
+    if (const Status intact = model_->checkIntact(); !intact)
+        found = intact;
     if (!found) {
         whole_.reset();
         prefix_.forget();
         return found.error();
     }
     if (!filters)
-        return std::shared_ptr<const ExtractedMesh>(whole_);
-    auto part = std::make_shared<ExtractedMesh>(*whole_);
+        return lend(whole_);
+    auto part = std::make_shared<ExtractedMesh>(whole_->content);
     if (!query.values.empty())
         if (const Status kept = keepValues(part->mesh, query.values, progress.part(0.7, 0.8)); !kept)
             return kept.error();
@@ -144,9 +153,9 @@ Status MeshExtractor::Work::extractUniform(const MeshQuery& query, const Progres
     if (const Status covered = coverSites(size.sites); !covered)
         return covered;
     makeWritable(true);
-    if (const Status moved = prefix_.moveTo(*model_, size.sites, places_, progress, *whole_); !moved)
+    if (const Status moved = prefix_.moveTo(*model_, size.sites, places_, progress, whole_->content); !moved)
         return moved;
-    whole_->scale = scaleReached(size, asked);
+    whole_->content.scale = scaleReached(size, asked);
     return {};
 }
 
@@ -155,11 +164,14 @@ Status MeshExtractor::Work::extractClosedSet(const MeshQuery& query, const Progr
     prefix_.forget();
     FieldJudge judge(*model_, query, places_);
     const std::uint32_t finest = meshSizeAt(*model_, judge.finest()).sites;
+    constexpr unsigned all = Model::Batches | Model::Stars | Model::OwnBounds;
+    if (const Status right = model_->checkPrefix(finest, all, progress); !right)
+        return right;
     if (const Status linked = links_.cover(*model_, finest, progress.part(0, 0.3)); !linked)
         return linked;
     if (const Status covered = coverSites(finest); !covered)
         return covered;
-    judge.lookAtSites();
+    judge.lookAtSites(finest);
     const auto set = query.budget
                          ? closedSetWithin(*model_, links_, judge, *query.budget, progress.part(0.3, 0.8))
                          : smallestClosedSet(*model_, links_, judge, meshSizeAt(*model_, judge.coarsest()).sites,
@@ -167,7 +179,7 @@ Status MeshExtractor::Work::extractClosedSet(const MeshQuery& query, const Progr
     if (!set)
         return set.error();
     makeWritable(false);
-    return extractSet(*model_, *set, places_, progress.part(0.8, 1), *whole_);
+    return extractSet(*model_, *set, places_, progress.part(0.8, 1), whole_->content);
 }
 
 /// Why a query cannot be answered by insertion, as the end of a sentence; null if, without looking, it can.
@@ -222,12 +234,12 @@ Status MeshExtractor::Work::extractWithinBudget(const MeshQuery& query, const Pr
         progress.report(1 - 1 / (1 + 0.25 * ++meshes), "Trying what the budget allows");
         if (const Status found = extractByInsertion(scaled, progress.withCallback({})); !found)
             return found.error();
-        return whole_->wholeTetrahedra;
+        return whole_->content.wholeTetrahedra;
     };
     const auto scale = scaleWithin(*query.budget, scaleReached(*coarse, outside), largest, sizeAt);
     if (!scale)
         return scale.error();
-    whole_->scale = *scale;
+    whole_->content.scale = *scale;
     return {};
 }
 
@@ -242,14 +254,14 @@ Status MeshExtractor::Work::extractByInsertion(const MeshQuery& query, const Pro
         liftedFocus_.emplace(*model_);
     if (!lifted && !focus_)
         focus_.emplace(*model_);
-    auto found = lifted ? liftedFocus_->extract(query, progress, std::move(*whole_))
-                        : focus_->extract(*query.error.asSpaceRamp(), false, progress, std::move(*whole_));
+    auto found = lifted ? liftedFocus_->extract(query, progress, std::move(whole_->content))
+                        : focus_->extract(*query.error.asSpaceRamp(), false, progress, std::move(whole_->content));
     if (!found) {
         // Of another builder: only looking at its meshes tells.
         insertionFitsHistory_ &= found.error().kind != ErrorKind::WrongUsage;
         return found.error();
     }
-    *whole_ = std::move(*found);
+    whole_->content = std::move(*found);
     return {};
 }
 
@@ -257,23 +269,31 @@ Status MeshExtractor::Work::coverSites(std::uint32_t sites)
 {
     if (sites <= places_.positions.size())
         return {};
-    if (const Status placed = placeSites(*model_, sites, places_.positions); !placed) {
+    Status covered = placeSites(*model_, sites, places_.positions);
+    if (covered)
+        covered = copyValues(*model_, sites, places_.values);
+    if (!covered)
         places_.positions.clear();
-        return placed;
-    }
-    copyValues(*model_, sites, places_.values);
-    return {};
+    return covered;
+}
+
+/// The pointer that callers share counts apart from ours, and its end says that they are done: what they read happened
+/// before what is written next.
+std::shared_ptr<const ExtractedMesh> MeshExtractor::Work::lend(const std::shared_ptr<LendableMesh>& mesh)
+{
+    mesh->lent.store(true, std::memory_order_relaxed);
+    return {&mesh->content, [mesh](const ExtractedMesh*) { mesh->lent.store(false, std::memory_order_release); }};
 }
 
 /// The last mesh may be in others' hands.
 void MeshExtractor::Work::makeWritable(bool keepContent)
 {
-    if (whole_ && whole_.use_count() == 1)
+    if (whole_ && !whole_->lent.load(std::memory_order_acquire))
         return;
+    auto fresh = std::make_shared<LendableMesh>();
     if (keepContent && whole_)
-        whole_ = std::make_shared<ExtractedMesh>(*whole_);
-    else
-        whole_ = std::make_shared<ExtractedMesh>();
+        fresh->content = whole_->content;
+    whole_ = std::move(fresh);
 }
 
 MeshExtractor::MeshExtractor(std::shared_ptr<const Model> model) : work_(std::make_unique<Work>(std::move(model))) {}

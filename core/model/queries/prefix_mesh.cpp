@@ -34,10 +34,14 @@ Status PrefixMesh::moveTo(const Model& model, std::uint32_t sites, const SitePla
     const std::uint32_t before = std::exchange(sites_, 0);
     const double change = std::abs(static_cast<double>(sites) - before);
     consistent_ = true;
+    if (sites > 0 && !model.check(model.meshSizes()[sites - 1]))
+        return model.checkIntact();
     if (before == 0 || change > largestRefill * std::min(sites, before)) {
         if (const Status extracted = extract(model, sites, progress, out); !extracted)
             return extracted;
     } else if (sites != before) {
+        if (const Status right = model.checkPrefix(std::max(sites, before), Model::Stars, progress); !right)
+            return right;
         if (!livesKnown_)
             noteLives(model, out);
         sites_ = before;

@@ -45,8 +45,9 @@ SharpFocus::Work::Range SharpFocus::Work::rangeOf(const FocusLimits& limits) con
 {
     const std::span<const float> errors = model_.runningErrors();
     const auto first = [&](double limit) {
-        const auto reached = std::ranges::partition_point(
-            errors, [limit](float error) { return std::isinf(error) || !(static_cast<double>(error) <= limit); });
+        const auto reached = std::ranges::partition_point(errors, [&](const float& error) {
+            return model_.check(error) && (std::isinf(error) || !(static_cast<double>(error) <= limit));
+        });
         return static_cast<std::uint32_t>(reached - errors.begin());
     };
     const auto keeps = [&](std::uint32_t sites, double limit) {
@@ -60,6 +61,8 @@ Status SharpFocus::Work::makeIndex()
 {
     if (sites_)
         return {};
+    if (!model_.check(model_.points()) || !model_.check(model_.runningErrors()))
+        return model_.checkIntact();
     sites_ = SiteGrid::make(lattice_, model_.points());
     if (!sites_)
         return inconsistentModel(model_, "a site is no point of its lattice");
@@ -142,6 +145,8 @@ Status SharpFocus::Work::load(std::uint32_t sites, const Progress& progress)
 {
     if (const Status prepared = prepare(); !prepared)
         return prepared;
+    if (const Status right = model_.check(model_.samples(), progress); !right)
+        return right;
     coarseSites_ = 0;
     if (const Status loaded = loadCoarse(model_, sites, progress, coarse_, mesh_); !loaded)
         return loaded;

@@ -26,6 +26,7 @@ void SharpFocus::Work::readBounds(std::uint32_t sites)
     coarseBounds_.assign(coarse_.mesh.tetrahedra.size(), std::numeric_limits<float>::infinity());
     std::size_t slot = 0;
     const std::uint64_t end = std::min(model_.starOffsets()[sites], model_.tetrahedronCount());
+    model_.check(model_.ownErrors().first(end)); // what it finds is known to checkIntact()
     for (std::uint64_t t = 0; t < end && slot < coarseBounds_.size(); ++t)
         if (model_.destroyers()[t] >= sites)
             coarseBounds_[slot++] =

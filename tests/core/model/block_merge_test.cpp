@@ -115,7 +115,70 @@ private slots:
         QCOMPARE(finished, 1);
     }
 
+    /// Mesh sizes are numbers of 32 bits in the file.
+    void meshesOfTooManyTetrahedraAreRefused()
+    {
+        const Dataset dataset = fewValues(1);
+        const BlockDivision division(dataset.lattice.size, cellsOfBlock);
+        RunFiles runs(folder(), 1, division.count());
+        QVERIFY(makeRuns(dataset, division, runs).ok());
+        const std::vector<char> whole = merged(dataset, runs, usualSliceTetrahedra);
+        QVERIFY(!whole.empty());
+        // What the first groups of two blocks made, and then what all of three blocks came to.
+        constexpr std::size_t firstGroupsTetrahedra = sizeof(BlockRunHeader) + 3 * sizeof(std::uint32_t);
+        for (const std::uint32_t block : {0u, 1u})
+            overwrite(runs.path(block), firstGroupsTetrahedra, std::uint32_t(3'000'000'000));
+        RunFiles wrong(folder(), 1, division.count());
+        QVERIFY(wrong.open().ok());
+        ChunkMaker maker(wrong);
+        auto chunk = maker.next();
+        while (chunk && !chunk->points.empty())
+            chunk = maker.next();
+        QVERIFY(!chunk.ok());
+        QCOMPARE(chunk.error().kind, ErrorKind::OutOfResource);
+
+        QVERIFY(makeRuns(dataset, division, runs).ok());
+        std::filesystem::remove(folder() / "model.tan");
+        for (const std::uint32_t block : {0u, 1u, 2u})
+            overwrite(runs.path(block), offsetof(BlockRunHeader, livingCount), std::uint64_t(1'500'000'000));
+        const PlannedModelOpener open = [](const PlannedCounts&) -> Result<std::unique_ptr<PlannedModelWriter>> {
+            return Error{ErrorKind::CannotWrite, "The model was begun."};
+        };
+        RunFiles many(folder(), 1, division.count());
+        const auto refused = mergeRuns(many, folder(), open, {});
+        QVERIFY(!refused.ok());
+        QCOMPARE(refused.error().kind, ErrorKind::OutOfResource);
+        QVERIFY2(refused.error().text.find("a model holds meshes of at most 4294967295") != std::string::npos,
+                 refused.error().text.c_str());
+    }
+
+    void howManyTetrahedraAMeshMayHave_data()
+    {
+        QTest::addColumn<quint64>("soFar");
+        QTest::addColumn<quint64>("expected");
+        QTest::addColumn<bool>("fits");
+        QTest::newRow("few") << quint64(1000) << quint64(1000) << true;
+        QTest::newRow("as many as there may be") << quint64(0xffffffff) << quint64(0xffffffff) << true;
+        QTest::newRow("one more") << quint64(0x100000000) << quint64(0x100000000) << false;
+        QTest::newRow("perhaps") << quint64(1000) << quint64(4'800'000'000) << true;
+        QTest::newRow("certainly") << quint64(1000) << quint64(6'400'000'000) << false;
+    }
+    void howManyTetrahedraAMeshMayHave()
+    {
+        QFETCH(quint64, soFar);
+        QFETCH(quint64, expected);
+        QTEST(checkMeshSize(soFar, expected).ok(), "fits");
+    }
+
 private:
+    template <class Number>
+    static void overwrite(const std::filesystem::path& path, std::size_t offset, const Number& number)
+    {
+        std::fstream stream(path, std::ios::binary | std::ios::in | std::ios::out);
+        stream.seekp(static_cast<std::streamoff>(offset));
+        stream.write(reinterpret_cast<const char*>(&number), sizeof number);
+    }
+
     std::filesystem::path folder() const { return folder_.path().toStdString(); }
 
     static Status makeRuns(const Dataset& dataset, const BlockDivision& division, const RunFiles& runs)

@@ -95,8 +95,8 @@ private slots:
         QCOMPARE(valueAt<std::uint64_t>(bytes, 176), dataset.source.hash);
         QCOMPARE(valueAt<float>(bytes, 184), history.finalError);
         const auto sectionCount = valueAt<std::uint32_t>(bytes, 20);
-        QCOMPARE(sectionCount, 11u);
-        QCOMPARE(valueAt<std::uint16_t>(bytes, 10), std::uint16_t(2));
+        QCOMPARE(sectionCount, 12u);
+        QCOMPARE(valueAt<std::uint16_t>(bytes, 10), std::uint16_t(3));
         std::uint64_t end = 256 + 64 * sectionCount;
         for (std::uint32_t number = 0; number < sectionCount; ++number) {
             const auto offset = valueAt<std::uint64_t>(bytes, 256 + 64 * number + 16);
@@ -258,7 +258,7 @@ void ModelFileTest::whatCannotBeReadIsRefused_data()
     row(
         "magic", [](FileParts& f) { f.header().magic[4] = '\n'; }, "is not a TAn model");
     row(
-        "later", [](FileParts& f) { f.header().majorVersion = 2; }, "version 2.2; this program reads up to version 1");
+        "later", [](FileParts& f) { f.header().majorVersion = 2; }, "version 2.3; this program reads up to version 1");
     row(
         "remedy", [](FileParts& f) { f.header().majorVersion = 300; }, "Install a later version of TAn");
     row(
@@ -317,11 +317,11 @@ void ModelFileTest::whatCannotBeReadIsRefused_data()
     row(
         "overlap", [](FileParts& f) { f.section(SectionId::Destroyers).offset -= 64; }, "begins where it cannot");
     row(
-        "far", [](FileParts& f) { f.section(SectionId::Samples).offset += 64; }, "reaches beyond the end");
+        "far", [](FileParts& f) { f.section(SectionId::ChunkSums).offset += 64; }, "reaches beyond the end");
     row(
         "wraps", [](FileParts& f) { f.section(SectionId::OwnErrors).bytes = ~0ull - 63; }, "reaches beyond the end");
     row(
-        "short last", [](FileParts& f) { f.section(SectionId::Samples).bytes -= 2; }, "its last section ends");
+        "short last", [](FileParts& f) { f.section(SectionId::ChunkSums).bytes -= 8; }, "its last section ends");
     row(
         "samples", [](FileParts& f) { f.section(SectionId::Samples).elementBytes = 2; }, "section 'samples' has");
     row(
@@ -368,6 +368,12 @@ void ModelFileTest::aWrongHistoryIsNotWritten_data()
     row(
         "dead", [](RecordedHistory& h) { h.steps[9].destroyed = h.steps[8].destroyed; }, "which is not in the mesh");
     row(
+        "dead now", [](RecordedHistory& h) { h.steps[8].destroyed.push_back(h.steps[8].destroyed[0]); },
+        "wrong at site 8: it destroys tetrahedron");
+    row(
+        "site twice", [](RecordedHistory& h) { h.steps[9].star[0].sites[1] = h.steps[9].star[0].sites[0]; },
+        "wrong at site 9: a tetrahedron of its star has a site twice");
+    row(
         "few", [](RecordedHistory& h) { h.steps.resize(7); }, "needs at least the sites of a first mesh");
     row(
         "final", [](RecordedHistory& h) { h.finalError = INFINITY; }, "the final error is not a number");
@@ -385,8 +391,7 @@ void ModelFileTest::aWrongHistoryIsNotWritten()
     const std::filesystem::path target = folder_->filePath("wrong.tan").toStdString();
     auto writer = ModelWriter::create(target, dataset, description);
     const Status written = replay(history, **writer);
-    QVERIFY(!written.ok());
-    const QString text = QString::fromStdString(written.error().text);
+    const QString text = QString::fromStdString(written ? "written" : written.error().text);
     QVERIFY2(text.startsWith("The builder 'careless'") && text.contains(says), qPrintable(text));
     QVERIFY(!std::filesystem::exists(target));
 }

@@ -174,12 +174,72 @@ format::Section& FileParts::section(format::SectionId id)
     return *std::ranges::find(sections(), static_cast<std::uint32_t>(id), &format::Section::id);
 }
 
+std::span<const std::byte> FileParts::bytesOf(const format::Section& section) const
+{
+    const bool lies = section.offset <= content.size() && section.bytes <= content.size() - section.offset;
+    return lies ? std::span(content).subspan(section.offset, section.bytes) : std::span<const std::byte>();
+}
+
+std::vector<std::uint64_t> FileParts::chunkSums(std::uint64_t chunkBytes)
+{
+    std::vector<std::uint64_t> sums{chunkBytes};
+    for (const format::Section& section : sections()) {
+        if (section.id == std::uint32_t(format::SectionId::ChunkSums))
+            continue;
+        const std::span<const std::byte> bytes = bytesOf(section);
+        for (std::size_t at = 0; at < bytes.size(); at += chunkBytes)
+            sums.push_back(checksum(bytes.subspan(at, std::min<std::size_t>(chunkBytes, bytes.size() - at))));
+    }
+    return sums;
+}
+
 void FileParts::repairChecksums()
 {
+    const std::uint64_t front = sizeof(format::Header) + sections().size_bytes();
+    for (const format::Section& section : sections()) {
+        const bool lies = section.offset >= front && bytesOf(section).size() >= sizeof(std::uint64_t);
+        if (section.id != std::uint32_t(format::SectionId::ChunkSums) || !lies)
+            continue;
+        std::uint64_t chunkBytes = 0;
+        std::memcpy(&chunkBytes, content.data() + section.offset, sizeof chunkBytes);
+        const std::vector<std::uint64_t> sums = chunkSums(std::clamp<std::uint64_t>(chunkBytes, 64, 1 << 30));
+        std::memcpy(content.data() + section.offset + 8, sums.data() + 1,
+                    std::min<std::size_t>(sums.size() * 8, section.bytes) - 8); // its first number stays as it is
+    }
     for (format::Section& section : sections())
-        if (section.offset <= content.size() && section.bytes <= content.size() - section.offset)
-            section.checksum = checksum(std::span(content).subspan(section.offset, section.bytes));
+        if (section.bytes == 0 || !bytesOf(section).empty())
+            section.checksum = checksum(bytesOf(section));
+    repairHeader();
+}
+
+void FileParts::repairHeader()
+{
     header().checksum = headerChecksum(header(), std::as_bytes(sections()));
+}
+
+void FileParts::setChunkBytes(std::uint64_t bytes)
+{
+    const std::vector<std::uint64_t> sums = chunkSums(bytes);
+    format::Section& section = this->section(format::SectionId::ChunkSums); // the last one
+    section.bytes = sums.size() * sizeof sums[0];
+    content.resize(section.offset + section.bytes);
+    std::memcpy(content.data() + section.offset, sums.data(), section.bytes);
+    header().fileBytes = content.size();
+    repairChecksums();
+}
+
+void FileParts::removeChunkSums()
+{
+    const format::Section& last = sections().back(); // its entry in the table becomes a gap
+    if (last.id != std::uint32_t(format::SectionId::ChunkSums))
+        std::abort();
+    const format::Section& before = sections()[sections().size() - 2];
+    content.resize(before.offset + before.bytes);
+    std::memset(content.data() + sizeof(format::Header) + (sections().size() - 1) * sizeof last, 0, sizeof last);
+    --header().sectionCount;
+    header().minorVersion = 2;
+    header().fileBytes = content.size();
+    repairChecksums();
 }
 
 void FileParts::addSection(std::uint32_t id, std::uint32_t flags)

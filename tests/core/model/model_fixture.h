@@ -76,12 +76,23 @@ public:
         const format::Section& found = section(id);
         return {reinterpret_cast<T*>(content.data() + found.offset), found.bytes / sizeof(T)};
     }
-    /// Makes all checksums right again, so that nothing but the damage itself can be found.
+    /// Makes all checksums right again, those of chunks, too, so that nothing but the damage itself can be found.
     void repairChecksums();
+    /// Only that of the header and the table.
+    void repairHeader();
+    /// Divides the sections into chunks of so many bytes: small ones show what is read to a few bytes.
+    void setChunkBytes(std::uint64_t bytes);
+    /// Makes it a file of format 1.2, which has checksums of whole sections only.
+    void removeChunkSums();
     /// Adds an entry to the table, with no bytes, behind the last section.
     void addSection(std::uint32_t id, std::uint32_t flags);
 
     std::vector<std::byte> content;
+
+private:
+    /// Of a section, as far as it lies in the file.
+    std::span<const std::byte> bytesOf(const format::Section& section) const;
+    std::vector<std::uint64_t> chunkSums(std::uint64_t chunkBytes);
 };
 
 } // namespace tetra

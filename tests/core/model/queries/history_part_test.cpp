@@ -214,6 +214,7 @@ private slots:
         QFETCH(QString, says);
         FileParts parts(readBytes(models_.front().model->path()));
         damage(parts);
+        parts.repairChecksums();
         const std::filesystem::path path = folder_.filePath("damaged.tan").toStdString();
         writeBytes(path, parts.content);
         const auto model = Model::open(path);
