@@ -98,7 +98,7 @@ CurvilinearMesh::Accuracy CurvilinearMesh::fillBucket(std::uint32_t slot, std::s
     return accuracy;
 }
 
-/// Finds out whether lifting flips the tetrahedron of `slot`, and queues it if so.
+/// Finds out whether lifting flips the tetrahedron of `slot`, and queues it if it may not stay so.
 void CurvilinearMesh::noteOrientation(std::uint32_t slot)
 {
     SlotState& state = slots_[slot];
@@ -108,7 +108,7 @@ void CurvilinearMesh::noteOrientation(std::uint32_t slot)
     if (state.orientation >= 0)
         return;
     ++inverted_;
-    if (options_.selection == CurvilinearSelection::Normalised)
+    if (!grid_.bears(tetrahedron.vertices))
         flips_.push(fatness(tetrahedron), tetrahedron.vertices[0], slot, state.history);
 }
 
