@@ -67,7 +67,7 @@ public:
     /// Whether it meets the interior of the box.
     bool meets(const FoldedCells::Place& first, const FoldedCells::Place& last) const
     {
-        for (std::size_t i = 0; i < directions_.size(); ++i) {
+        for (std::size_t i = 0; i < count_; ++i) {
             const ExtentAlongAxis box = extentOf(i, first, last);
             if (extents_[i].most <= box.least || box.most <= extents_[i].least)
                 return false;
@@ -91,6 +91,8 @@ private:
 
     void add(const Integers& direction, const std::array<Integers, 4>& places)
     {
+        if (direction == Integers{}) // the edge runs along an axis
+            return;
         const auto [least, most] =
             std::ranges::minmax({dotProductOf(direction, places[0]), dotProductOf(direction, places[1]),
                                  dotProductOf(direction, places[2]), dotProductOf(direction, places[3])});

@@ -4,6 +4,8 @@
 #include "core/data/grid_handedness.h"
 #include "core/mesh/decimation/decimation.h"
 #include "core/mesh/decimation/lattice_tetrahedra.h"
+#include "core/mesh/lifted_grid.h"
+#include "core/model/lifted_original.h"
 #include "core/model/model_writer.h"
 #include "core/model/queries/mesh_extractor.h"
 #include "core/model/verify_mesh.h"
@@ -171,6 +173,11 @@ BentGrid foldedGridNamed(const std::string& name)
         return bentGrid({9, 6, 6}, [](double x, double y, double z) {
             return Eigen::Vector3d(std::abs(x - 4) + 0.1 * y, y + 0.05 * x * z, z + 0.1 * x);
         });
+    if (name == "long") // 60,000 cells along an axis, and some of them folded
+        return bentGrid({3, 2, 60001}, [](double x, double y, double z) {
+            const bool isPulled = x == 1 && y == 1 && static_cast<int>(z) % 7001 == 13;
+            return Eigen::Vector3d(x + (isPulled ? 1.5 : 0), y, z);
+        });
     if (name == "bent cells") // none is folded, yet some tetrahedra of their corners are inverted
         return shakenGrid({8, 8, 8}, 0.24, 12);
     if (name == "wrapped") // an O-grid, of which coarse tetrahedra turn over, and a point of it pulled
@@ -269,6 +276,54 @@ class FoldedGridsTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Both ways to find out whether a tetrahedron meets a folded cell, the builder's and the verifier's, against the
+    /// slow one: cells that are touched only, far ones along a long axis, cells held whole.
+    void meetingIsExact_data()
+    {
+        QTest::addColumn<QString>("grid");
+        for (const char* grid :
+             {"inside", "one cell", "a plane", "left-handed", "turned back", "bent cells", "random 1", "long"})
+            QTest::newRow(grid) << QString(grid);
+    }
+    void meetingIsExact()
+    {
+        QFETCH(QString, grid);
+        const BentGrid bent = foldedGridNamed(grid.toStdString());
+        const Dataset dataset = datasetOfGrid(bent);
+        const SlowGrid slow(bent);
+        const LiftedGrid lifted(bent.size, bent.positions, LatticeSamples(std::span<const double>(bent.values)));
+        std::vector<std::string> failures;
+        const auto original = LiftedOriginal::make(dataset, isLeftHanded(dataset), failures, {});
+        QVERIFY(original.ok() && failures.empty());
+        QCOMPARE(lifted.foldedCells().count(), slow.foldedCells());
+        QCOMPARE(original->foldedCells(), slow.foldedCells());
+        std::mt19937 random(20241122);
+        int met = 0, missed = 0;
+        while (met + missed < 4000) {
+            std::array<std::uint32_t, 4> points{};
+            for (std::uint32_t& point : points)
+                point = random() % static_cast<std::uint32_t>(bent.values.size());
+            CellCorners corners{};
+            std::array<PackedPoint, 4> packed{};
+            for (std::size_t corner = 0; corner < 4; ++corner) {
+                auto place = bent.place(points[corner]);
+                for (std::size_t axis = 0; axis < 3 && corner > 0 && met % 2 == 0; ++axis) // a small one
+                    place[axis] = static_cast<std::uint32_t>(std::clamp<std::int64_t>(
+                        corners[0][axis] + std::int64_t(random() % 5) - 2, 0, bent.size[axis] - 1));
+                points[corner] = (place[2] * bent.size[1] + place[1]) * bent.size[0] + place[0];
+                corners[corner] = {place[0], place[1], place[2]};
+                packed[corner] = lifted.lattice().pack(place[0], place[1], place[2]);
+            }
+            if (sixVolumes(corners) == 0)
+                continue;
+            const bool expected = slow.mayBeInverted(points);
+            QCOMPARE(lifted.bears(packed), expected);
+            QCOMPARE(original->bears(corners), expected);
+            ++(expected ? met : missed);
+        }
+        QVERIFY(missed > 40 && (met > 40 || grid == "bent cells"));
+    }
+
     void init() { folder_ = std::make_unique<QTemporaryDir>(); }
 
     void modelsAreProvedAtEveryLevel_data()
