@@ -165,7 +165,7 @@ Syntax infoSyntax(PluginHost& host)
         .explanation =
             "Of a model: its domain, how it was made, and the size of the mesh at each level of "
             "detail. The sizes are looked up, not counted, so this is quick for models of any size; of curvilinear "
-            "grids the inverted tetrahedra are counted, some millions a second. "
+            "grids the inverted tetrahedra are counted, some ten million a second. "
             "Of a dataset: its size, its type and its range of values.",
         .positionals = {{"FILE", "A model, or a dataset that one of the readers knows."}},
         .options = {levelsOption(), warpingOption(),

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace tetra {
 
@@ -31,31 +32,46 @@ struct CornerSigns {
     bool leftHanded() const { return negative > positive; }
 };
 
-/// A corner of a cell with its neighbours along the edges; the bits of its number choose the later point along x, y
-/// and z.
-struct GridCorner {
-    Eigen::Vector3d at;
-    std::array<Eigen::Vector3d, 3> neighbours;
-    int turn; ///< -1 if an odd number of the edges runs backwards
+/// Where the corners of a cell of the grid lie; the bits of a corner's number choose the later point along x, y and z.
+class GridCell {
+public:
+    GridCell(const Dataset& original, const LatticePoint& cell)
+    {
+        const auto& size = original.lattice.size;
+        const Eigen::Vector3d* const first =
+            original.positions->data() + original.lattice.index(static_cast<std::uint32_t>(cell[2]),
+                                                                static_cast<std::uint32_t>(cell[1]),
+                                                                static_cast<std::uint32_t>(cell[0]));
+        for (unsigned corner = 0; corner < places_.size(); ++corner)
+            places_[corner] =
+                first[(corner & 1) + std::size_t(size[0]) * ((corner >> 1 & 1) + std::size_t(size[1]) * (corner >> 2))];
+    }
+    /// Six times the volume of the tetrahedron of a corner and its neighbours along the edges, as who writes a model
+    /// finds it: for the hand that will do, and may not be the exact one.
+    double roughVolume(unsigned corner) const
+    {
+        const Eigen::Vector3d& at = places_[corner];
+        return turn(corner) *
+               (places_[corner ^ 1] - at).dot((places_[corner ^ 2] - at).cross(places_[corner ^ 4] - at));
+    }
+    /// Its sign; exact. Most are decided by lengths alone, without the products that volumeSign() adds up.
+    int sign(unsigned corner, double rough) const
+    {
+        const Eigen::Vector3d& at = places_[corner];
+        const double lengths = (places_[corner ^ 1] - at).squaredNorm() * (places_[corner ^ 2] - at).squaredNorm() *
+                               (places_[corner ^ 4] - at).squaredNorm();
+        // No product is larger than the three lengths', and six of them are rounded some times each.
+        if (lengths > 1e-200 && rough * rough > 0x1p-80 * lengths && std::isfinite(lengths))
+            return rough > 0 ? 1 : -1;
+        return turn(corner) *
+               volumeSign(places_[corner], places_[corner ^ 1], places_[corner ^ 2], places_[corner ^ 4]);
+    }
 
-    GridCorner(const Dataset& original, const LatticePoint& cell, unsigned number)
-        : turn(std::popcount(number) % 2 == 0 ? 1 : -1)
-    {
-        const auto place = [&](unsigned corner) {
-            return original.position(original.lattice.index(static_cast<std::uint32_t>(cell[2]) + (corner & 1),
-                                                            static_cast<std::uint32_t>(cell[1]) + (corner >> 1 & 1),
-                                                            static_cast<std::uint32_t>(cell[0]) + (corner >> 2)));
-        };
-        at = place(number);
-        for (unsigned axis = 0; axis < 3; ++axis)
-            neighbours[axis] = place(number ^ (1u << axis));
-    }
-    int sign() const { return turn * volumeSign(at, neighbours[0], neighbours[1], neighbours[2]); }
-    /// As who writes a model finds it: for the hand that will do, and may not be the exact one.
-    double roughVolume() const
-    {
-        return turn * (neighbours[0] - at).dot((neighbours[1] - at).cross(neighbours[2] - at));
-    }
+private:
+    /// -1 if an odd number of the edges runs backwards.
+    static int turn(unsigned corner) { return std::popcount(corner) % 2 == 0 ? 1 : -1; }
+
+    std::array<Eigen::Vector3d, 8> places_;
 };
 
 /// Calls visit(cell) for the cells of a layer across z, in order.
@@ -114,10 +130,11 @@ Result<LiftedOriginal> LiftedOriginal::make(const Dataset& original, bool leftHa
     std::vector<std::array<CornerSigns, 2>> counts(layerCount);
     const Status counted = verifyEach(layerCount, 1, activity, progress.part(0, 0.5), [&](std::size_t layer) {
         forEachGridCell(original.lattice, layer, [&, &count = counts[layer]](const LatticePoint& cell) {
-            for (unsigned number = 0; number < 8; ++number) {
-                const GridCorner corner(original, cell, number);
-                count[0].add(corner.sign());
-                count[1].add(corner.roughVolume());
+            const GridCell places(original, cell);
+            for (unsigned corner = 0; corner < 8; ++corner) {
+                const double rough = places.roughVolume(corner);
+                count[0].add(places.sign(corner, rough));
+                count[1].add(rough);
             }
         });
     });
@@ -140,8 +157,9 @@ Result<LiftedOriginal> LiftedOriginal::make(const Dataset& original, bool leftHa
     std::vector<std::vector<LatticePoint>> layers(layerCount);
     const Status listed = verifyEach(layerCount, 1, activity, progress.part(0.5, 1), [&](std::size_t layer) {
         forEachGridCell(original.lattice, layer, [&](const LatticePoint& cell) {
-            for (unsigned number = 0; number < 8; ++number)
-                if (GridCorner(original, cell, number).sign() == -result.hand_) {
+            const GridCell places(original, cell);
+            for (unsigned corner = 0; corner < 8; ++corner)
+                if (places.sign(corner, places.roughVolume(corner)) == -result.hand_) {
                     layers[layer].push_back(cell);
                     return;
                 }
