@@ -156,18 +156,19 @@ bool FoldedCells::meet(const Corners& corners) const
     if (cells_.empty())
         return false;
     const TetrahedronAmongBoxes tetrahedron(corners);
-    std::vector<std::uint32_t> waiting{0};
-    while (!waiting.empty()) {
-        const std::uint32_t number = waiting.back();
-        waiting.pop_back();
+    // Halved at each step, so that of 2^32 cells no more than this wait.
+    std::array<std::uint32_t, 40> waiting{0};
+    std::size_t count = 1;
+    while (count > 0) {
+        const std::uint32_t number = waiting[--count];
         const Node& node = nodes_[number];
         if (!tetrahedron.meets(node.first, node.last))
             continue;
         if (tetrahedron.holds(node.first, node.last))
             return true;
         if (node.second != 0) {
-            waiting.push_back(node.second);
-            waiting.push_back(number + 1);
+            waiting[count++] = node.second;
+            waiting[count++] = number + 1;
             continue;
         }
         for (std::uint32_t cell = node.begin; cell < node.end; ++cell) {
