@@ -52,13 +52,16 @@ struct LevelTable {
     bool anyInverted = false;
 };
 
-LevelTable levelTable(const Model& model, const std::vector<Accuracy>& levels)
+Result<LevelTable> levelTable(const Model& model, const std::vector<Accuracy>& levels)
 {
     const bool warps = model.description().warpingWeight > 0;
     std::vector<std::uint32_t> sites;
     for (const Accuracy& level : levels)
         sites.push_back(meshSizeAt(model, level).sites);
-    const std::vector<std::uint64_t> inverted = countInverted(model, sites);
+    const auto counted = countInverted(model, sites);
+    if (!counted)
+        return counted.error();
+    const std::vector<std::uint64_t>& inverted = *counted;
     LevelTable result;
     result.anyInverted = std::ranges::any_of(inverted, [](std::uint64_t count) { return count > 0; });
     result.rows = {{"error %", "sites", "tetrahedra", "reached %"}};
@@ -111,9 +114,11 @@ Result<Outcome> describeModel(const std::string& path, const std::vector<Accurac
         return opened.error();
     const Model& model = **opened;
     const ModelDescription& description = model.description();
-    const LevelTable found = levelTable(model, levels);
+    const Result<LevelTable> found = levelTable(model, levels);
     if (const Status intact = model.checkIntact(); !intact)
         return intact.error();
+    if (!found)
+        return found.error();
     if (output) {
         if (const Status safe = checkOutput(*output, std::array<std::filesystem::path, 1>{path}); !safe)
             return safe.error();
@@ -128,11 +133,11 @@ Result<Outcome> describeModel(const std::string& path, const std::vector<Accurac
     outcome.figures["sites"] = static_cast<qint64>(model.siteCount());
     outcome.figures["tetrahedra"] = static_cast<qint64>(model.tetrahedronCount());
     outcome.figures["bytes"] = static_cast<qint64>(model.fileSize());
-    outcome.figures["levels"] = found.list;
+    outcome.figures["levels"] = found->list;
     outcome.text = path + ": model of a " + datasetText(summaryOf(model)) + "\n" + provenanceText(description) +
                    std::to_string(model.siteCount()) + " sites, " + std::to_string(model.tetrahedronCount()) +
-                   " tetrahedra in the history, " + byteText(model.fileSize()) + "\n\n" + table(found.rows);
-    if (found.anyInverted)
+                   " tetrahedra in the history, " + byteText(model.fileSize()) + "\n\n" + table(found->rows);
+    if (found->anyInverted)
         outcome.text += "\nTetrahedra are inverted where the data's own cells are folded or bent too far.\n";
     return outcome;
 }

@@ -2,6 +2,7 @@
 #include "core/model/inverted_cells.h"
 
 #include "core/mesh/exact_orientation.h"
+#include "core/model/site_places.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
@@ -23,8 +24,7 @@ void countInvertedOf(const Model& model, std::uint32_t creator, std::span<const 
         const Eigen::Vector3d position = model.position(std::min(site, creator));
         return std::array<double, 3>{position.x(), position.y(), position.z()};
     };
-    const std::uint64_t end = std::min(model.starOffsets()[creator + 1], model.tetrahedronCount());
-    for (std::uint64_t t = model.starOffsets()[creator]; t < end; ++t) {
+    for (std::uint64_t t = model.starOffsets()[creator]; t < model.starOffsets()[creator + 1]; ++t) {
         const auto has = [creator, destroyer = model.destroyers()[t]](std::uint32_t count) {
             return creator < count && count <= destroyer;
         };
@@ -40,12 +40,14 @@ void countInvertedOf(const Model& model, std::uint32_t creator, std::span<const 
 
 } // namespace
 
-std::vector<std::uint64_t> countInverted(const Model& model, std::span<const std::uint32_t> sites)
+Result<std::vector<std::uint64_t>> countInverted(const Model& model, std::span<const std::uint32_t> sites)
 {
     using Counts = std::vector<std::uint64_t>;
     const Counts none(sites.size(), 0);
     if (model.description().domain != DomainClass::Curvilinear)
         return none;
+    if (!std::ranges::is_sorted(model.starOffsets()) || model.starOffsets().back() != model.tetrahedronCount())
+        return inconsistentModel(model, "its tetrahedra are not in the order of their sites");
     return tbb::parallel_reduce(
         tbb::blocked_range<std::uint32_t>(0, model.siteCount()), none,
         [&](const auto& range, Counts counts) {

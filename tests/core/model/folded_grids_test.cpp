@@ -5,6 +5,7 @@
 #include "core/mesh/decimation/decimation.h"
 #include "core/mesh/decimation/lattice_tetrahedra.h"
 #include "core/mesh/lifted_grid.h"
+#include "core/model/inverted_cells.h"
 #include "core/model/lifted_original.h"
 #include "core/model/model_writer.h"
 #include "core/model/queries/mesh_extractor.h"
@@ -182,6 +183,13 @@ private slots:
             QCOMPARE(level.invertedInData, found);
         }
         QCOMPARE(verdict->levels.back().inverted, inverted);
+        std::vector<std::uint32_t> sites;
+        for (const LevelVerdict& level : verdict->levels)
+            sites.push_back(level.sites);
+        const auto counted = countInverted(**model, sites);
+        QVERIFY(counted.ok());
+        for (std::size_t level = 0; level < sites.size(); ++level)
+            QCOMPARE((*counted)[level], verdict->levels[level].inverted);
         if (grid != "one cell" && !(grid == "bent cells" && builder.startsWith("decimation")))
             QVERIFY(inverted > 0);
         // Keys mean something: what is folded in a few places needs no more than that for a coarse mesh.
@@ -300,6 +308,32 @@ private slots:
             const Verdict verdict = verdictOf(dataset, allLevels);
             QCOMPARE(verdict.failures.size(), std::size_t(1));
             QVERIFY2(QString::fromStdString(verdict.failures[0]).contains("-handed"), verdict.failures[0].c_str());
+        }
+    }
+
+    void damagedFilesAreNotCounted()
+    {
+        const BentGrid bent = foldedGridNamed("inside");
+        build(datasetOfGrid(bent), "whole", bent);
+        const std::vector<std::byte> sound = readBytes(path());
+        for (const int kind : {0, 1, 2}) {
+            FileParts file(sound);
+            const auto offsets = file.elements<std::uint64_t>(format::SectionId::StarOffsets);
+            if (kind == 0)
+                std::swap(offsets[20], offsets[40]);
+            else if (kind == 1)
+                offsets[30] = ~std::uint64_t(0);
+            else
+                std::ranges::fill(file.elements<std::array<std::uint32_t, 3>>(format::SectionId::OtherSites),
+                                  std::array<std::uint32_t, 3>{~0U, ~0U, ~0U}); // followed by nobody
+            file.repairChecksums();
+            writeBytes(path(), file.content);
+            const auto model = Model::open(path());
+            QVERIFY(model.ok());
+            const auto counted = countInverted(**model, std::array{(*model)->siteCount()});
+            QCOMPARE(counted.ok(), kind == 2);
+            if (kind == 2)
+                QCOMPARE(counted->front(), std::uint64_t(0));
         }
     }
 
