@@ -1019,8 +1019,8 @@
         <translation>Auswahl</translation>
     </message>
     <message>
-        <source>For curvilinear data: &apos;normalised&apos; takes the point that is farthest off in error or warping and keeps cells from turning over; &apos;paper&apos; compares the two in the units of the data and does not look at cells that turn over, as the paper did, to compare with it.</source>
-        <translation>Bei krummlinigen Daten: „normalised“ nimmt den Punkt, der in Fehler oder Verwerfung am weitesten daneben liegt, und bewahrt Zellen vor dem Umklappen; „paper“ vergleicht beide in den Einheiten der Daten und achtet nicht auf umgeklappte Zellen, wie der Aufsatz, zum Vergleich mit ihm.</translation>
+        <source>For curvilinear data: &apos;normalised&apos; takes the point that is farthest off in error or warping; &apos;paper&apos; compares the two in the units of the data, as the paper did, to compare with it. Both keep cells from turning over.</source>
+        <translation>Bei krummlinigen Daten: „normalised“ nimmt den Punkt, der in Fehler oder Verwerfung am weitesten daneben liegt; „paper“ vergleicht beide in den Einheiten der Daten, wie der Aufsatz, zum Vergleich mit ihm. Beide bewahren Zellen vor dem Umklappen.</translation>
     </message>
     <message>
         <source>normalised</source>

@@ -1019,8 +1019,8 @@
         <translation>Scelta</translation>
     </message>
     <message>
-        <source>For curvilinear data: &apos;normalised&apos; takes the point that is farthest off in error or warping and keeps cells from turning over; &apos;paper&apos; compares the two in the units of the data and does not look at cells that turn over, as the paper did, to compare with it.</source>
-        <translation>Per dati curvilinei: &apos;normalised&apos; prende il punto più lontano per errore o deformazione ed evita che le celle si rovescino; &apos;paper&apos; confronta i due nelle unità dei dati e non bada alle celle che si rovesciano, come faceva l&apos;articolo, per confrontarsi con esso.</translation>
+        <source>For curvilinear data: &apos;normalised&apos; takes the point that is farthest off in error or warping; &apos;paper&apos; compares the two in the units of the data, as the paper did, to compare with it. Both keep cells from turning over.</source>
+        <translation>Per dati curvilinei: &apos;normalised&apos; prende il punto più lontano per errore o deformazione; &apos;paper&apos; confronta i due nelle unità dei dati, come faceva l&apos;articolo, per confrontarsi con esso. Entrambe evitano che le celle si rovescino.</translation>
     </message>
     <message>
         <source>normalised</source>

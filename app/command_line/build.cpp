@@ -45,9 +45,11 @@ Outcome describe(const ModelBuild& build, const std::string& output)
                    rounded(build.seconds, 3) + " s, using at most " + byteText(build.peakBytes) + " of memory\n";
     if (build.stoppedEarly)
         outcome.text += "Stopped early: 'tan info' tells what accuracy it has.\n";
-    if (report.inverted + report.degenerate > 0)
-        outcome.text += std::to_string(report.inverted) + " cells inverted, " + std::to_string(report.degenerate) +
-                        " without volume\n";
+    if (report.inverted > 0)
+        outcome.text += "inverted tetrahedra in the finest mesh: " + std::to_string(report.inverted) +
+                        ", where the data's own cells are folded or bent too far\n";
+    if (report.degenerate > 0)
+        outcome.text += "tetrahedra without volume in the finest mesh: " + std::to_string(report.degenerate) + "\n";
     return outcome;
 }
 

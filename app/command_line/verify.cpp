@@ -34,6 +34,7 @@ QJsonObject levelFigures(const LevelVerdict& level, bool warps)
                            {"conforming", level.conforming},
                            {"covers", level.covers},
                            {"inverted", static_cast<qint64>(level.inverted)},
+                           {"inverted_in_data", static_cast<qint64>(level.invertedInData)},
                            {"degenerate", static_cast<qint64>(level.degenerate)},
                            {"largest_error", level.largestError},
                            {"largest_warping", level.largestWarping},
@@ -83,6 +84,15 @@ std::string failureText(const Verdict& verdict)
     return text.empty() ? text : text + "\n";
 }
 
+/// On what is inverted and no failure.
+std::string remarkOn(const Verdict& verdict)
+{
+    if (std::ranges::all_of(verdict.levels, [](const auto& level) { return level.invertedInData == 0; }))
+        return {};
+    return "\nInverted tetrahedra are no failure where the data's own cells are folded or bent too far (" +
+           std::to_string(verdict.foldedCells) + " folded).\n";
+}
+
 Outcome describe(const Verdict& verdict, const std::string& path, bool warps)
 {
     Outcome outcome;
@@ -100,9 +110,12 @@ Outcome describe(const Verdict& verdict, const std::string& path, bool warps)
         rows.push_back(levelRow(level, warps, twoSided));
     }
     outcome.isYes = verdict.ok();
-    outcome.figures = {{"ok", verdict.ok()}, {"failures", toJson(verdict.failures)}, {"levels", levels}};
-    outcome.text =
-        path + (verdict.ok() ? ": proved\n\n" : ": NOT what it claims to be\n\n") + table(rows) + failureText(verdict);
+    outcome.figures = {{"ok", verdict.ok()},
+                       {"failures", toJson(verdict.failures)},
+                       {"folded_cells", static_cast<qint64>(verdict.foldedCells)},
+                       {"levels", levels}};
+    outcome.text = path + (verdict.ok() ? ": proved\n\n" : ": NOT what it claims to be\n\n") + table(rows) +
+                   remarkOn(verdict) + failureText(verdict);
     return outcome;
 }
 
@@ -136,10 +149,10 @@ Syntax verifySyntax(PluginHost& host)
             "Checks with code of its own, for each level of detail: every face of the mesh belongs to two "
             "cells or to the hull, the cells fill the domain exactly, none is flat or inverted, and the error "
             "at every sample of the original data is at most the one claimed; for curvilinear data also the "
-            "warping, and that no cell is inverted in physical space (those that even all points leave inverted are "
-            "counted). For irregular data, whose boundary may lie elsewhere: that the boundary is a manifold that does "
-            "not "
-            "meet itself, with the components, the surfaces and the holes of the data, and how far it is from theirs. "
+            "warping, and that no cell is inverted in physical space but where the grid's own cells are folded or bent "
+            "too far (those are counted). For irregular data, whose boundary may lie elsewhere: that the boundary is a "
+            "manifold that does not meet itself, with the components, the surfaces and the holes of the data, and how "
+            "far it is from theirs. "
             "Also the file itself: its checksums, its structure, and its values against the original ones.\n"
             "A model of a part of a dataset, or of an array of a file that holds several, keeps how that was opened; "
             "the options that say it are needed only to check against something else.\n"

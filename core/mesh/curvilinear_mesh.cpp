@@ -6,6 +6,7 @@
 #include "core/mesh/rounding.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace tetra {
@@ -98,7 +99,7 @@ CurvilinearMesh::Accuracy CurvilinearMesh::fillBucket(std::uint32_t slot, std::s
     return accuracy;
 }
 
-/// Finds out whether lifting flips the tetrahedron of `slot`, and queues it if so.
+/// Finds out whether lifting flips the tetrahedron of `slot`, and queues it if it may not stay so.
 void CurvilinearMesh::noteOrientation(std::uint32_t slot)
 {
     SlotState& state = slots_[slot];
@@ -108,7 +109,7 @@ void CurvilinearMesh::noteOrientation(std::uint32_t slot)
     if (state.orientation >= 0)
         return;
     ++inverted_;
-    if (options_.selection == CurvilinearSelection::Normalised)
+    if (!grid_.bears(tetrahedron.vertices))
         flips_.push(fatness(tetrahedron), tetrahedron.vertices[0], slot, state.history);
 }
 
@@ -224,13 +225,12 @@ CurvilinearMesh::Candidate CurvilinearMesh::flipped()
     const auto alive = [this](std::uint32_t slot, std::uint32_t history) {
         return delaunay_[slot].determinant() != 0 && slots_[slot].history == history;
     };
-    for (std::uint32_t slot = flips_.top(alive); slot != FlipQueue::none; slot = flips_.top(alive)) {
-        const auto cure = deepestPointInSphere(grid_.lattice(), delaunay_[slot], blocks_.box(slots_[slot].block));
-        if (cure)
-            return {*cure, slot, 0};
-        flips_.pop(); // and stays: none of the points left can destroy it
-    }
-    return {};
+    const std::uint32_t slot = flips_.top(alive);
+    if (slot == FlipQueue::none)
+        return {};
+    const auto cure = deepestPointInSphere(grid_.lattice(), delaunay_[slot], blocks_.box(slots_[slot].block));
+    assert(cure); // it is not of one cell
+    return {*cure, slot, 0};
 }
 
 void CurvilinearMesh::sweep()

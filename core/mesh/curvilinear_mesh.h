@@ -59,8 +59,9 @@ public:
     Candidate worst();
     /// With the paper's selection: the point of the largest warping.
     Candidate worstWarping();
-    /// The cure of the foremost flipped tetrahedron, the deepest point in its circumsphere (S5). None if no flipped
-    /// tetrahedron can be cured; those that remain are counted by inverted(). Always none with the paper's selection.
+    /// The cure of the foremost flipped tetrahedron that may not stay so, the deepest point in its circumsphere (S5).
+    /// None if there is no such tetrahedron: then all of inverted() are those that the grid itself makes
+    /// (LiftedGrid::bears()).
     Candidate flipped();
 
     /// Inserts the candidate's point into every block that has it and hands the step to `sink`.

@@ -19,19 +19,15 @@ struct NextPoint {
     bool consistent = true;
 };
 
-NextPoint chooseNormalised(CurvilinearMesh& mesh)
+NextPoint choose(CurvilinearMesh& mesh, CurvilinearSelection selection)
 {
     if (const CurvilinearMesh::Candidate flipped = mesh.flipped(); flipped.exists())
         return {flipped, std::numeric_limits<float>::infinity(), false};
     const CurvilinearMesh::Candidate worst = mesh.worst();
-    return {worst, worst.measure};
-}
-
-NextPoint chooseAsThePaper(CurvilinearMesh& mesh)
-{
-    const CurvilinearMesh::Candidate error = mesh.worst();
+    if (selection == CurvilinearSelection::Normalised)
+        return {worst, worst.measure};
     const CurvilinearMesh::Candidate warping = mesh.worstWarping();
-    return {warping.measure > error.measure ? warping : error, mesh.keyOf(error.measure, warping.measure)};
+    return {warping.measure > worst.measure ? warping : worst, mesh.keyOf(worst.measure, warping.measure)};
 }
 
 /// Whether the arithmetic of computational space is exact in every block, and the points, those on faces as often as
@@ -70,8 +66,7 @@ Result<CurvilinearRefinementResult> refine(const LiftedGrid& grid, const BlockDi
     constexpr std::uint64_t workBetweenReports = 1u << 20;
     std::uint64_t work = 0;
     for (;;) {
-        const NextPoint choice =
-            options.selection == CurvilinearSelection::Paper ? chooseAsThePaper(mesh) : chooseNormalised(mesh);
+        const NextPoint choice = choose(mesh, options.selection);
         if (choice.consistent && choice.key <= options.stopKey) {
             if (Status status = sink.finish(choice.key); !status)
                 return status.error();

@@ -30,18 +30,18 @@ struct CurvilinearRefinementResult {
     std::uint32_t sites = 0;
     std::uint64_t tetrahedra = 0; ///< all that ever lived
     float finalKey = 0;
-    std::uint64_t inverted = 0;   ///< tetrahedra of the last mesh that stay flipped: no point can cure them (S5)
+    std::uint64_t inverted = 0;   ///< tetrahedra of the last mesh that stay flipped, as the grid itself is there (S5)
     std::uint64_t degenerate = 0; ///< tetrahedra of the last mesh without volume (S6)
 };
 
 /// Greedy refinement of a curvilinear grid in computational space (3.1, R8, R9): starting from the eight corners,
 /// inserts the point of the largest key until no point's key exceeds the stop. Before that flipped tetrahedra are
 /// cured, each by the deepest point in its circumsphere; the worst point inside would do only where there is one, and
-/// needs more sites. So every mesh with a finite key is consistent, but for tetrahedra that no point of the grid can
-/// cure (S5).
+/// needs more sites. So every mesh with a finite key is consistent: all that is flipped in it meets a cell that the
+/// grid itself has folded, or is made of corners of one cell (LiftedGrid::bears(), S5).
 ///
 /// With the paper's selection the mesh's warping against its error, both in their own units, decides whether the point
-/// of the largest warping or of the largest error comes next, and flipped tetrahedra are not looked at.
+/// of the largest warping or of the largest error comes next.
 ///
 /// Blocks are coupled: all are in memory and refined in one order, and a point on a shared face enters all that have
 /// it at once, so that the faces are the same at every accuracy (S4). Memory is that of the whole grid. The

@@ -38,7 +38,6 @@ public:
             entries_.pop();
         return entries_.empty() ? none : entries_.top().slot;
     }
-    void pop() { entries_.pop(); }
 
 private:
     struct Entry {

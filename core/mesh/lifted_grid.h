@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/buffer.h"
+#include "core/mesh/folded_cells.h"
 #include "core/mesh/lattice_samples.h"
 
 #include <Eigen/Core>
@@ -42,18 +43,24 @@ public:
     /// The sign of a tetrahedron's volume in physical space, relative to the handedness; exact. 1 is consistent, 0
     /// degenerate (S6), -1 flipped. `vertices` must be positive in computational space.
     int orientation(const std::array<PackedPoint, 4>& vertices) const;
+    /// The cells that have a flipped corner: the tetrahedron of a corner and its neighbours along the cell's edges.
+    const FoldedCells& foldedCells() const noexcept { return foldedCells_; }
+    /// Whether a tetrahedron, if it is flipped, may stay so at every level (S5, FORMAT.md): it meets the interior of a
+    /// folded cell, or all of its vertices belong to one cell, so that no point of the grid could cure it. Exact.
+    bool bears(const std::array<PackedPoint, 4>& vertices) const;
 
     /// Errors and warpings below these cannot be told from none: rounding makes as much.
     double leastError() const noexcept { return leastError_; }
     double leastWarping() const noexcept { return leastWarping_; }
 
 private:
-    std::int64_t balanceOfCellCorners() const;
+    void lookAtCells();
 
     PackedLattice lattice_;
     Buffer<LiftedPoint> points_;
     Buffer<float> weights_;
     int handedness_ = 1;
+    FoldedCells foldedCells_;
     double leastError_ = 0;
     double leastWarping_ = 0;
 };

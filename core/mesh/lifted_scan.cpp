@@ -138,12 +138,12 @@ private:
     const LiftedLimits& limits_;
 };
 
-/// The cure of a flipped tetrahedron, if it can be cured.
+/// The cure of a flipped tetrahedron that may not stay so.
 std::optional<WorstSample> cureOf(const LocalDelaunay& mesh, std::uint32_t slot, const LiftedGrid& grid,
                                   const BlockDivision& blocks)
 {
     const DelaunayTetrahedron& tetrahedron = mesh.mesh()[slot];
-    if (grid.orientation(tetrahedron.vertices) >= 0)
+    if (grid.orientation(tetrahedron.vertices) >= 0 || grid.bears(tetrahedron.vertices))
         return std::nullopt;
     const PackedLattice& lattice = mesh.lattice();
     std::array<std::uint32_t, 3> middle{}; // inside of the one block that the tetrahedron lies in

@@ -26,7 +26,7 @@ struct LiftedLimits {
 /// Looks at the points of a curvilinear grid in tetrahedra of its computational space (closed, so that those on faces
 /// are looked at more than once), but for vertices, and appends the worst of each tetrahedron that has one whose error
 /// or warping is beyond its limit (R4, R5). Instead of that, for a tetrahedron that is flipped in physical space and
-/// can be cured, its cure (S5), of infinite excess. What lies where and what is flipped is found exactly.
+/// may not stay so, its cure (S5), of infinite excess. What lies where and what is flipped is found exactly.
 void scanLiftedSamples(const LocalDelaunay& mesh, std::span<const std::uint32_t> slots, const LiftedGrid& grid,
                        const BlockDivision& blocks, const LiftedLimits& limits, ScannedPart part,
                        std::vector<WorstSample>& worst);

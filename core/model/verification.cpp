@@ -2,6 +2,7 @@
 #include "core/model/verification.h"
 
 #include "core/model/irregular/verify_irregular.h"
+#include "core/model/lifted_original.h"
 #include "core/model/verify_parts.h"
 #include "core/model/verify_scattered.h"
 
@@ -42,6 +43,15 @@ Result<Verdict> verifyAll(const Model& model, const Dataset& original, const std
     std::optional<IrregularOriginal> irregular;
     if (usable && original.domain == DomainClass::Scattered)
         scattered.emplace(original);
+    std::optional<LiftedOriginal> lifted;
+    if (usable && original.domain == DomainClass::Curvilinear) {
+        auto made =
+            LiftedOriginal::make(original, model.description().leftHanded, verdict.failures, progress.withCallback({}));
+        if (!made)
+            return made.error();
+        lifted = *std::move(made);
+        verdict.foldedCells = lifted->foldedCells();
+    }
     if (usable && original.domain == DomainClass::Irregular)
         irregular.emplace(original, verdict.failures);
     const std::vector<LatticePoint> none;
@@ -75,9 +85,10 @@ Result<Verdict> verifyAll(const Model& model, const Dataset& original, const std
         const double begin = groupsEnd + share * static_cast<double>(number);
         const Progress part = progress.part(begin, begin + share);
         Result<LevelVerdict> level =
-            scattered   ? verifyScatteredLevel(model, *scattered, places, *weights, levels[number], part)
-            : irregular ? verifyIrregularLevel(model, *irregular, places, *weights, levels[number], part)
-                        : verifyLevel(model, original, places, *weights, levels[number], part);
+            scattered ? verifyScatteredLevel(model, *scattered, places, *weights, levels[number], part)
+            : irregular
+                ? verifyIrregularLevel(model, *irregular, places, *weights, levels[number], part)
+                : verifyLevel(model, original, lifted ? &*lifted : nullptr, places, *weights, levels[number], part);
         if (!level)
             return level.error();
         verdict.levels.push_back(std::move(*level));

@@ -2,10 +2,9 @@
 #pragma once
 
 #include "core/model/level_cells.h"
+#include "core/model/lifted_original.h"
 #include "core/model/mesh_claims.h"
 #include "core/model/verify_parts.h"
-
-#include <functional>
 
 namespace tetra {
 
@@ -16,8 +15,7 @@ struct MeshToVerify {
     const Weights& weights;
     const LevelCells& cells;
     const MeshClaims& claims;
-    /// Whether a cell may be inverted in physical space, because no point is left that could cure it (S5).
-    std::function<bool(std::size_t cell)> mayBeInverted;
+    const LiftedOriginal* lifted = nullptr; ///< of curvilinear data
 };
 
 /// Cells of a regular lattice or of curvilinear data: they conform, fill the domain, have volume, and keep what is

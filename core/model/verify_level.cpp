@@ -30,8 +30,9 @@ double claimedKey(const Model& model, std::uint32_t sites)
     return static_cast<double>(sites < model.siteCount() ? model.runningErrors()[sites] : model.finalError());
 }
 
-Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, const std::vector<LatticePoint>& places,
-                                 const Weights& weights, const Accuracy& asked, const Progress& progress)
+Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, const LiftedOriginal* lifted,
+                                 const std::vector<LatticePoint>& places, const Weights& weights, const Accuracy& asked,
+                                 const Progress& progress)
 {
     LevelVerdict verdict;
     verdict.asked = asked;
@@ -41,9 +42,8 @@ Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, co
     const double warpingWeight = model.description().warpingWeight;
     const LevelCells cells(model, places, verdict.sites);
     const MeshClaims claims(claimed, warpingWeight > 0 ? claimed / warpingWeight : 0);
-    const bool isFinest = verdict.sites == model.siteCount();
-    const MeshToVerify mesh{model, original, weights, cells, claims, [isFinest](std::size_t) { return isFinest; }};
-    if (const Status done = verifyLatticeCells(mesh, verdict, progress); !done)
+    if (const Status done = verifyLatticeCells({model, original, weights, cells, claims, lifted}, verdict, progress);
+        !done)
         return done.error();
     return verdict;
 }

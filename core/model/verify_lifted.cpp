@@ -24,7 +24,7 @@ class LiftedCheck {
 public:
     explicit LiftedCheck(const MeshToVerify& mesh)
         : model_(mesh.model), original_(mesh.original), weights_(mesh.weights), cells_(mesh.cells),
-          claims_(mesh.claims), mayBeInverted_(mesh.mayBeInverted), diagonal_(original_.bounds().diagonal().norm()),
+          claims_(mesh.claims), lifted_(*mesh.lifted), diagonal_(original_.bounds().diagonal().norm()),
           allowance_(1e-12 * diagonal_ + 0x1p-44 * farthest(original_)), withinOwn_(original_.pointCount())
     {
     }
@@ -55,13 +55,13 @@ private:
     const Weights& weights_;
     const LevelCells& cells_;
     const MeshClaims& claims_;
-    const std::function<bool(std::size_t)>& mayBeInverted_;
+    const LiftedOriginal& lifted_;
     double diagonal_;
     double allowance_;                         ///< by which a claim may be exceeded
     std::vector<std::atomic<bool>> withinOwn_; ///< for each sample whether one of its cells' own warpings bounds it
     tbb::enumerable_thread_specific<double> largest_{0.0};
     std::atomic<std::uint64_t> degenerate_ = 0;
-    std::atomic<std::uint64_t> borne_ = 0; ///< inverted, and no point is left to cure it
+    std::atomic<std::uint64_t> borne_ = 0; ///< inverted, as the grid itself is there
     Findings inverted_;
     Findings tooLarge_;
 };
@@ -75,12 +75,11 @@ Status LiftedCheck::run(const Progress& progress)
 void LiftedCheck::checkVolume(std::size_t number, const std::array<Eigen::Vector3d, 4>& places)
 {
     const int sign = volumeSign(places[0], places[1], places[2], places[3]);
-    const int hand = model_.description().leftHanded ? -1 : 1;
     if (sign == 0)
         ++degenerate_;
-    else if (sign != hand && mayBeInverted_(number))
+    else if (sign != lifted_.hand() && lifted_.bears(cells_.corners(number)))
         ++borne_;
-    else if (sign != hand)
+    else if (sign != lifted_.hand())
         inverted_.add(number, [&] {
             return "Cell with corners " + textOf(cells_.corners(number)) + " is inverted in physical space.";
         });
@@ -138,6 +137,7 @@ void LiftedCheck::moveTo(LevelVerdict& verdict)
             });
     verdict.largestWarping = percent(largest_.combine([](double a, double b) { return std::max(a, b); }));
     verdict.inverted += inverted_.count() + borne_;
+    verdict.invertedInData = borne_;
     verdict.degenerate = degenerate_;
     for (Findings* findings : {&inverted_, &tooLarge_, &beyondOwn})
         findings->moveTo(verdict.failures);

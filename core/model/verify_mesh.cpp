@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <new>
+#include <optional>
 
 namespace tetra {
 
@@ -49,25 +50,6 @@ std::vector<Cell> cellsOf(const Model& model, const ExtractedMesh& mesh)
     return cells;
 }
 
-/// Whether a cell is one of the mesh of all sites.
-bool isOfFinestMesh(const Model& model, const ExtractedMesh& mesh, const Cell& cell)
-{
-    Cell sites{};
-    std::ranges::transform(cell, sites.begin(), [&](std::uint32_t vertex) { return mesh.sites[vertex]; });
-    std::ranges::sort(sites);
-    const std::uint32_t creator = sites[3];
-    if (creator >= model.siteCount()) // that of a vertex without a site is larger than all
-        return false;
-    const std::uint64_t end = std::min(model.starOffsets()[creator + 1], model.tetrahedronCount());
-    for (std::uint64_t t = model.starOffsets()[creator]; t < end; ++t) {
-        auto others = model.otherSites()[t];
-        std::ranges::sort(others);
-        if (model.destroyers()[t] == Model::never && std::equal(others.begin(), others.end(), sites.begin()))
-            return true;
-    }
-    return false;
-}
-
 std::vector<LatticePoint> placesOf(const Dataset& original, const std::vector<std::uint32_t>& points)
 {
     std::vector<LatticePoint> places;
@@ -100,14 +82,22 @@ Result<LevelVerdict> verifyWhole(const Model& model, const Dataset& original, co
     const std::vector<LatticePoint> places = placesOf(original, points);
     const LevelCells cells(points, places, cellsOf(model, mesh));
     const MeshClaims claims(query, mesh.scale, original);
-    const auto mayBeInverted = [&](std::size_t cell) { return isOfFinestMesh(model, mesh, cells.vertices(cell)); };
+    std::optional<LiftedOriginal> lifted;
+    if (original.domain == DomainClass::Curvilinear) {
+        auto made =
+            LiftedOriginal::make(original, model.description().leftHanded, verdict.failures, progress.withCallback({}));
+        if (!made)
+            return made.error();
+        lifted = *std::move(made);
+    }
     const auto verifyCells = [&] {
         if (original.domain == DomainClass::Irregular)
             return verifyIrregularCells(model, IrregularOriginal(original, verdict.failures), *weights, cells, claims,
                                         verdict, progress);
         if (original.domain == DomainClass::Scattered)
             return verifyScatteredCells(model, ScatteredOriginal(original), *weights, cells, claims, verdict, progress);
-        return verifyLatticeCells({model, original, *weights, cells, claims, mayBeInverted}, verdict, progress);
+        return verifyLatticeCells({model, original, *weights, cells, claims, lifted ? &*lifted : nullptr}, verdict,
+                                  progress);
     };
     const Status done = verifyCells();
     if (!done)

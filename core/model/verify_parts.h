@@ -13,6 +13,8 @@
 
 namespace tetra {
 
+class LiftedOriginal;
+
 /// The parts of verify(). Each appends to `failures` what it found, and gives an Error only if it was cancelled.
 
 /// Checksums, padding, reserved fields: every byte of the file has the value that it was written with.
@@ -61,9 +63,10 @@ using Weights = std::vector<float>;
 Result<Weights> weightsOf(const Model& model, const Dataset& original, std::vector<std::string>& failures,
                           const Progress& progress);
 
-/// One level, proved from the file's arrays and the original samples alone.
-Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, const std::vector<LatticePoint>& places,
-                                 const Weights& weights, const Accuracy& asked, const Progress& progress);
+/// One level, proved from the file's arrays and the original samples alone. `lifted`: of curvilinear data.
+Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, const LiftedOriginal* lifted,
+                                 const std::vector<LatticePoint>& places, const Weights& weights, const Accuracy& asked,
+                                 const Progress& progress);
 
 /// For messages: "(3, 0, 17)".
 std::string textOf(const LatticePoint& point);

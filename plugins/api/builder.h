@@ -28,7 +28,7 @@ struct Acceptance {
 struct BuildReport {
     std::uint64_t sites = 0;
     std::uint64_t tetrahedra = 0; ///< all that ever lived; a model leaves out those that no query can give
-    std::uint64_t inverted = 0;   ///< cells left flipped in the finest mesh (S5)
+    std::uint64_t inverted = 0;   ///< cells of the finest mesh that are inverted, as the dataset itself is there (S5)
     std::uint64_t degenerate = 0; ///< cells without volume (S6)
 };
 

@@ -2,10 +2,15 @@
 // Curvilinear data from a sample to a picture, as a user would (R1, R4, R7, B3).
 #include "tests/app/program.h"
 
+#include <QDataStream>
+#include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <array>
+#include <cmath>
 
 using namespace tetra;
 
@@ -94,6 +99,34 @@ private slots:
         QVERIFY2(verdict.exitCode == 0, verdict.output);
     }
 
+    /// S5, C10: where the grid itself is folded inverted cells are counted by all that look, and fail nothing.
+    void foldedGridsAreBuiltAndProved()
+    {
+        writeFoldedGrid("folded.xyz", "folded.q");
+        const Run build = tan({"build", "folded.xyz", "-o", "folded.tan", "--json"});
+        QVERIFY2(build.exitCode == 0, build.messages);
+        const int finest = build.json()["inverted"].toInt();
+        QVERIFY(finest > 0);
+        const Run verdict = tan({"verify", "folded.tan", "--against", "folded.xyz", "--json"});
+        QVERIFY2(verdict.exitCode == 0, verdict.output);
+        QVERIFY(verdict.json()["folded_cells"].toInt() > 0);
+        const QJsonArray proved = verdict.json()["levels"].toArray();
+        const QJsonArray told = tan({"info", "folded.tan", "--json"}).json()["levels"].toArray();
+        QCOMPARE(told.size(), proved.size());
+        for (qsizetype i = 0; i < proved.size(); ++i) {
+            const QJsonObject level = proved[i].toObject();
+            QCOMPARE(level["inverted_in_data"].toInt(-1), level["inverted"].toInt());
+            QCOMPARE(told[i].toObject()["inverted"].toInt(-1), level["inverted"].toInt());
+        }
+        QCOMPARE(proved.last().toObject()["inverted"].toInt(), finest);
+        // In words, too.
+        const QString inData = "the data's own cells are folded";
+        QVERIFY(tan({"verify", "folded.tan", "--against", "folded.xyz"}).output.contains(inData.toUtf8()));
+        QVERIFY(tan({"info", "folded.tan"}).output.contains(inData.toUtf8()));
+        QVERIFY(tan({"build", "folded.xyz", "-o", "again.tan"}).output.contains(inData.toUtf8()));
+        QVERIFY(!tan({"info", "body.tan"}).output.contains(inData.toUtf8()));
+    }
+
     void gridsAreNotWrittenAsLattices()
     {
         const Run run = tan({"sample", "o-grid", "--size", "8", "-o", "o.nrrd"});
@@ -103,6 +136,33 @@ private slots:
     }
 
 private:
+    /// PLOT3D: a part of a ring, and a point of it pulled through its neighbours.
+    void writeFoldedGrid(const QString& gridName, const QString& solutionName) const
+    {
+        const std::array<int, 3> size = {8, 7, 6};
+        QFile grid(folder_.filePath(gridName)), solution(folder_.filePath(solutionName));
+        QVERIFY(grid.open(QIODevice::WriteOnly) && solution.open(QIODevice::WriteOnly));
+        QDataStream positions(&grid), values(&solution);
+        for (QDataStream* stream : {&positions, &values}) {
+            stream->setFloatingPointPrecision(QDataStream::SinglePrecision);
+            for (const int points : size)
+                *stream << qint32(points);
+        }
+        for (int number = 0; number < 4; ++number)
+            values << 1.0f; // of the flow as a whole
+        for (int component = 0; component < 5; ++component)
+            for (int k = 0; k < size[2]; ++k)
+                for (int j = 0; j < size[1]; ++j)
+                    for (int i = 0; i < size[0]; ++i) {
+                        const double radius = 3 + i + (i == 3 && j == 3 && k == 2 ? 1.6 : 0), angle = 0.3 * j;
+                        const std::array<double, 3> place = {radius * std::cos(angle), radius * std::sin(angle),
+                                                             double(k)};
+                        if (component < 3)
+                            positions << float(place[std::size_t(component)]);
+                        values << float(component == 0 ? 2 + std::sin(place[0]) : 1 + 0.1 * place[1]);
+                    }
+    }
+
     Run tan(const QStringList& words) const { return runTan(words, folder_.path()); }
 
     QTemporaryDir folder_;

@@ -55,7 +55,7 @@ constexpr std::array texts{
     QT_TRANSLATE_NOOP("Plugin", "For curvilinear data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values, 1 : 1 if either is 0; 0 keeps everything."),
     QT_TRANSLATE_NOOP("Plugin", "% of the diagonal"),
     QT_TRANSLATE_NOOP("Plugin", "Selection"),
-    QT_TRANSLATE_NOOP("Plugin", "For curvilinear data: 'normalised' takes the point that is farthest off in error or warping and keeps cells from turning over; 'paper' compares the two in the units of the data and does not look at cells that turn over, as the paper did, to compare with it."),
+    QT_TRANSLATE_NOOP("Plugin", "For curvilinear data: 'normalised' takes the point that is farthest off in error or warping; 'paper' compares the two in the units of the data, as the paper did, to compare with it. Both keep cells from turning over."),
     QT_TRANSLATE_NOOP("Plugin", "normalised"),
     QT_TRANSLATE_NOOP("Plugin", "paper"),
     QT_TRANSLATE_NOOP("Plugin", "A curvilinear grid: refinement in computational space bounds both error and warping."),

@@ -19,9 +19,10 @@ bool DecimatedMesh::inverts(std::uint32_t linkPlace) const
         const Eigen::Vector3d& lifted = input_.lifted[star_.link()[place]];
         return std::array<double, 3>{lifted.x(), lifted.y(), lifted.z()};
     };
+    const int hand = input_.leftHanded ? -1 : 1;
     for (std::size_t face = 0; face < star_.faces().size(); ++face) {
         const auto& [a, b, c] = star_.faces()[face];
-        if (!star_.holds(face, linkPlace) && handedness_ * orientationSign(at(linkPlace), at(a), at(b), at(c)) < 0)
+        if (!star_.holds(face, linkPlace) && hand * orientationSign(at(linkPlace), at(a), at(b), at(c)) < 0)
             return true;
     }
     return false;

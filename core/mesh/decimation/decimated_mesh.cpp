@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/decimation/decimated_mesh.h"
 
-#include "core/mesh/exact_orientation.h"
 #include "core/mesh/rounding.h"
 
 #include <algorithm>
@@ -70,7 +69,6 @@ DecimatedMesh::DecimatedMesh(const DecimationMesh& mesh, const DecimationOptions
     measure_ = {placeRounding(largestValue),
                 placeRounding(2 * largestCoordinate(input_.box ? input_.lifted : input_.positions)),
                 options.warpingWeight};
-    handedness_ = handednessOfInput();
     findSides();
     constexpr std::uint64_t loggedByTetrahedron = 4; // 3.4 to 3.8 are
     log_.reserve(vertexCount(), loggedByTetrahedron * mesh_.slotCount());
@@ -114,17 +112,6 @@ void DecimatedMesh::findBoundary()
         if (!input_.lifted.empty() || !star_.rimIsOneCycle())
             sides_[vertex] = locked;
     }
-}
-
-/// 1 if most tetrahedra are positive in physical space, else -1 (S5).
-int DecimatedMesh::handednessOfInput() const
-{
-    std::int64_t balance = 0;
-    if (!input_.lifted.empty())
-        for (const auto& vertices : input_.tetrahedra)
-            balance += orientationSign(arrayOf(input_.lifted[vertices[0]]), arrayOf(input_.lifted[vertices[1]]),
-                                       arrayOf(input_.lifted[vertices[2]]), arrayOf(input_.lifted[vertices[3]]));
-    return balance < 0 ? -1 : 1;
 }
 
 bool DecimatedMesh::mayMove(std::uint32_t vertex, std::uint32_t target) const

@@ -87,7 +87,6 @@ private:
     static constexpr std::uint8_t locked = 0xff; ///< the mark of a vertex that stays
 
     void findSides();
-    int handednessOfInput() const;
     void findBoundary();
     bool movesOnBoundary(std::uint32_t vertex) const { return !input_.box && sides_[vertex] != 0; }
     double keyOfFacesAround() const;
@@ -126,7 +125,6 @@ private:
     std::vector<std::uint8_t> sides_; ///< by vertex: the sides of the box that it lies on, or 1 on another boundary
     BoundaryPoints boundaryPoints_;
     std::optional<BoundarySurface> boundary_; ///< of irregular meshes
-    int handedness_ = 1;
     std::uint64_t evaluations_ = 0;
     std::uint64_t live_ = 0;
 

@@ -27,6 +27,9 @@ struct DecimationMesh {
     /// Whether the domain is the box of the positions, as of lattices and curvilinear grids: its boundary is kept
     /// exactly, so that there is no warping but that of `lifted`.
     bool box = false;
+    /// Of curvilinear data: most corners of the grid's cells are negative in physical space, so that tetrahedra which
+    /// are positive there are inverted (S5).
+    bool leftHanded = false;
 };
 
 /// In what order vertices go (3.1.2).

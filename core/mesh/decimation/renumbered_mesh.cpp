@@ -63,7 +63,7 @@ std::vector<Number> reordered(std::span<const Number> numbers, std::span<const s
 RenumberedMesh::RenumberedMesh(const DecimationMesh& mesh)
     : originals_(alongCurve(mesh.positions)), positions_(reordered(mesh.positions, originals_)),
       lifted_(reordered(mesh.lifted, originals_)), values_(reordered(mesh.values, originals_)),
-      weights_(reordered(mesh.weights, originals_)), box_(mesh.box)
+      weights_(reordered(mesh.weights, originals_)), box_(mesh.box), leftHanded_(mesh.leftHanded)
 {
     std::vector<std::uint32_t> numbers(originals_.size());
     for (std::uint32_t number = 0; number < originals_.size(); ++number)

@@ -16,7 +16,7 @@ public:
     explicit RenumberedMesh(const DecimationMesh& mesh);
 
     /// Refers to this.
-    DecimationMesh view() const { return {positions_, lifted_, values_, weights_, tetrahedra_, box_}; }
+    DecimationMesh view() const { return {positions_, lifted_, values_, weights_, tetrahedra_, box_, leftHanded_}; }
     /// For each point its number in the mesh that was copied.
     const std::vector<std::uint32_t>& originals() const noexcept { return originals_; }
 
@@ -28,6 +28,7 @@ private:
     std::vector<float> weights_;
     std::vector<std::array<std::uint32_t, 4>> tetrahedra_;
     bool box_;
+    bool leftHanded_;
 };
 
 } // namespace tetra

@@ -2,7 +2,6 @@
 #include "core/model/queries/field_judge.h"
 
 #include "core/base/half.h"
-#include "core/mesh/exact_orientation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,11 +22,6 @@ bool weighted(const Model& model)
 {
     return std::ranges::any_of(model.description().parameters,
                                [](const auto& one) { return one.first == "weights" && !one.second.empty(); });
-}
-
-std::array<double, 3> asArray(const Eigen::Vector3d& place)
-{
-    return {place.x(), place.y(), place.z()};
 }
 
 /// The box outside of which the field has its largest number, whatever the value; none if it is not known.
@@ -61,7 +55,6 @@ std::uint16_t halfWithin(double percent)
 
 FieldJudge::FieldJudge(const Model& model, const MeshQuery& query, const SitePlaces& places)
     : model_(model), query_(query), places_(places), warps_(!model.ownWarpings().empty()),
-      canInvert_(model.description().domain == DomainClass::Curvilinear),
       byValue_(query.error.dependsOnValue() || (warps_ && query.warping.dependsOnValue())),
       valuesBounded_(!weighted(model))
 {
@@ -177,24 +170,10 @@ FieldJudge::Asked FieldJudge::askedOf(std::uint64_t tetrahedron, std::uint32_t c
             warps_ ? query_.warping.leastIn(corners, margin, values) : unlimited};
 }
 
-/// Inverted in physical space, exactly, and only for a while.
-bool FieldJudge::mustGo(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const
-{
-    if (!canInvert_ || destroyer >= model_.siteCount())
-        return false;
-    const std::array<std::uint32_t, 3> others = model_.otherSites()[tetrahedron];
-    const auto place = [this, creator](std::uint32_t site) {
-        return asArray(model_.position(std::min(site, creator)));
-    };
-    const int sign =
-        orientationSign(asArray(model_.position(creator)), place(others[0]), place(others[1]), place(others[2]));
-    return model_.description().leftHanded ? sign > 0 : sign < 0;
-}
-
 /// Most of them, without the destroyer's running key, which memory has to be waited for.
 bool FieldJudge::isAllowedOutside(std::uint64_t tetrahedron, std::uint32_t creator) const
 {
-    return finer_ && !warps_ && !canInvert_ && percentOf(model_.ownErrors()[tetrahedron]) <= largestError_ &&
+    return finer_ && !warps_ && percentOf(model_.ownErrors()[tetrahedron]) <= largestError_ &&
            isOutside(sitesOf(tetrahedron, creator), rounding_);
 }
 
@@ -205,21 +184,17 @@ bool FieldJudge::tooCoarse(std::uint64_t tetrahedron, std::uint32_t creator, std
     const Own own = ownOf(tetrahedron, destroyer);
     if (own.error > largestError_ || own.warping > largestWarping_)
         return true;
-    if (own.error > leastError_ || own.warping > leastWarping_) {
-        const Quick quick = bySites(sitesOf(tetrahedron, creator), own.error);
-        if (quick != Quick::Unknown)
-            return quick == Quick::TooCoarse;
-        const Asked asked = askedOf(tetrahedron, creator, own);
-        if (own.error > asked.error || own.warping > asked.warping)
-            return true;
-    }
-    return mustGo(tetrahedron, creator, destroyer);
+    if (!(own.error > leastError_ || own.warping > leastWarping_))
+        return false;
+    const Quick quick = bySites(sitesOf(tetrahedron, creator), own.error);
+    if (quick != Quick::Unknown)
+        return quick == Quick::TooCoarse;
+    const Asked asked = askedOf(tetrahedron, creator, own);
+    return own.error > asked.error || own.warping > asked.warping;
 }
 
 double FieldJudge::scaleFor(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const
 {
-    if (mustGo(tetrahedron, creator, destroyer))
-        return unlimited;
     const Own own = ownOf(tetrahedron, destroyer);
     if (own.error == 0 && own.warping == 0)
         return 0;

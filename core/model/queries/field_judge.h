@@ -25,7 +25,9 @@ struct SitePlaces {
 /// and, often closer, the running key when they died), against what the fields ask for anywhere in them. Sound: in a
 /// closed set every sample that is no site counts for a tetrahedron that contains it or, outside of an irregular mesh,
 /// for one with a face on the boundary within its own warping, so a mesh of allowed tetrahedra keeps the field at each
-/// sample. One thread; the model and the places outlive it.
+/// sample. Inverted tetrahedra of curvilinear data (S5) need no looking after: each tetrahedron of a history is in the
+/// mesh of some level, which has only those that may be inverted anywhere. One thread; the model and the places outlive
+/// it.
 class FieldJudge {
 public:
     /// `places` of all sites that are going to be corners.
@@ -42,8 +44,7 @@ public:
     }
     /// Whether the tetrahedron is coarser than allowed somewhere. Its sites come before its creator.
     bool tooCoarse(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const;
-    /// The number that errors and warpings asked for must be multiplied by to allow it: 0 if it has no error, infinity
-    /// if it is inverted and must go (curvilinear data; one that the whole model has is allowed, S5).
+    /// The number that errors and warpings asked for must be multiplied by to allow it: 0 if it has no error.
     double scaleFor(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const;
 
     /// The uniform query that the fields are nowhere finer than.
@@ -67,13 +68,11 @@ private:
     Quick bySites(const std::array<std::uint32_t, 4>& sites, double error) const;
     bool isOutside(const std::array<std::uint32_t, 4>& sites, double margin) const;
     bool isAllowedOutside(std::uint64_t tetrahedron, std::uint32_t creator) const;
-    bool mustGo(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const;
 
     const Model& model_;
     const MeshQuery& query_;
     const SitePlaces& places_;
     bool warps_;
-    bool canInvert_; ///< in physical space
     bool byValue_;
     bool valuesBounded_; ///< own errors bound the samples' values: not if they are weighted
     double leastError_;

@@ -294,8 +294,7 @@ bool LiftedFocus::fits(const Model& model)
     const auto& size = model.description().lattice.size;
     return model.description().domain == DomainClass::Curvilinear && model.description().delaunay &&
            !model.samples().empty() && model.description().lattice.pointCount() <= mostLiftedPoints &&
-           PackedLattice::fits(size) && exactWithMetric(size, {1, 1, 1}) && parameterOf(model, "weights").empty() &&
-           parameterOf(model, "selection") != "paper";
+           PackedLattice::fits(size) && exactWithMetric(size, {1, 1, 1}) && parameterOf(model, "weights").empty();
 }
 
 LiftedFocus::LiftedFocus(const Model& model) : work_(std::make_unique<Work>(model)) {}

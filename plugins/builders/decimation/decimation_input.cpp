@@ -65,8 +65,10 @@ DecimationMesh DecimationInput::mesh() const
     mesh.positions = positions_;
     mesh.tetrahedra = tetrahedra_;
     mesh.box = true;
-    if (dataset_->domain == DomainClass::Curvilinear)
+    if (dataset_->domain == DomainClass::Curvilinear) {
         mesh.lifted = *dataset_->positions;
+        mesh.leftHanded = isLeftHanded(*dataset_);
+    }
     return mesh;
 }
 

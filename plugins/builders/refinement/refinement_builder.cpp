@@ -63,8 +63,8 @@ Parameter selectionParameter()
     selection.id = "selection";
     selection.label = "Selection";
     selection.explanation = "For curvilinear data: 'normalised' takes the point that is farthest off in error or "
-                            "warping and keeps cells from turning over; 'paper' compares the two in the units of the "
-                            "data and does not look at cells that turn over, as the paper did, to compare with it.";
+                            "warping; 'paper' compares the two in the units of the data, as the paper did, to "
+                            "compare with it. Both keep cells from turning over.";
     selection.defaultValue = std::string(normalised);
     selection.choices = {std::string(normalised), std::string(paper)};
     selection.onlyWith = forCurvilinear();

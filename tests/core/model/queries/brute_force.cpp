@@ -15,11 +15,6 @@ namespace {
 
 constexpr double nearlyOne = 1 + std::numeric_limits<double>::epsilon();
 
-double signedVolume(const std::array<Eigen::Vector3d, 4>& c)
-{
-    return (c[1] - c[0]).dot((c[2] - c[0]).cross(c[3] - c[0]));
-}
-
 double valueOf(const Model& model, std::uint32_t site)
 {
     return visitSampleType(model.description().sampleType, [&]<class T>() {
@@ -83,10 +78,6 @@ std::vector<double> BruteForce::scalesOf(const MeshQuery& query) const
         if (error > askedError || warping > askedWarping)
             scale = std::max({nearlyOne, error / std::max(askedError, leastScaledPercent),
                               warps ? warping / std::max(askedWarping, leastScaledPercent) : 0});
-        for (int i = 0; i < 4; ++i)
-            places[i] = model_.position(corners(t)[i]);
-        if (warps && destroyer != Model::never && signedVolume(places) * (about.leftHanded ? -1 : 1) < 0)
-            scale = std::numeric_limits<double>::infinity();
         scales.push_back(scale);
     }
     return scales;
