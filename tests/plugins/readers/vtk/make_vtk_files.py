@@ -8,9 +8,7 @@ import struct
 import sys
 
 try:
-    import numpy
     import vtk
-    from vtk.util.numpy_support import vtk_to_numpy
 except ImportError:
     sys.exit(77)
 
@@ -130,7 +128,8 @@ def write_reference(name, reader, array=None):
         file.write(struct.pack("<5q", data.GetNumberOfPoints(), data.GetNumberOfCells(), *dimensions))
         for i in range(data.GetNumberOfPoints()):
             file.write(struct.pack("<3d", *data.GetPoint(i)))
-        file.write(vtk_to_numpy(values).reshape(data.GetNumberOfPoints(), -1)[:, 0].astype("<f8").tobytes())
+        for i in range(data.GetNumberOfPoints()):
+            file.write(struct.pack("<d", values.GetComponent(i, 0)))
 
 
 def written(name, writer, data, reader, **settings):
@@ -188,11 +187,10 @@ def write_images():
     writer.SetInputData(scalar_image(vtk.VTK_SHORT))
     writer.Write()
     written("pages.tif", vtk.vtkTIFFWriter(), scalar_image(vtk.VTK_UNSIGNED_CHAR), vtk.vtkTIFFReader())
-    numbers = numpy.arange(4 * 5 * 6, dtype="<f4").reshape(6, 5, 4)
     header = struct.pack("<4i3i3i6f3i3f", 4, 5, 6, 2, 0, 0, 0, 4, 5, 6, 4, 5, 6, 90, 90, 90, 1, 2, 3, 0, 119, 60)
     header += struct.pack("<2i", 0, 0) + bytes(100) + struct.pack("<3f", 0, 0, 0) + b"MAP " + b"\x44\x44\x00\x00"
     with open(path("map.mrc"), "wb") as file:
-        file.write(header.ljust(1024, b"\0") + numbers.tobytes())
+        file.write(header.ljust(1024, b"\0") + struct.pack("<120f", *range(120)))
     reader = vtk.vtkMRCReader()
     reader.SetFileName(path("map.mrc"))
     write_reference("map.mrc", reader)
@@ -237,22 +235,23 @@ def netcdf_name(text):
 def write_netcdf():
     """Classic NetCDF: temperature(z, y, x) with coordinate variables."""
     sizes = {"z": 6, "y": 5, "x": 4}
-    variables = [(n, [i], (numpy.arange(s) * (i + 0.5)).astype(">f8")) for i, (n, s) in enumerate(sizes.items())]
-    variables.append(("temperature", [0, 1, 2], numpy.sin(numpy.arange(120) * 0.1).astype(">f4").reshape(6, 5, 4)))
+    variables = [(n, [i], 6, struct.pack(">%dd" % s, *[k * (i + 0.5) for k in range(s)]))
+                 for i, (n, s) in enumerate(sizes.items())]
+    variables.append(("temperature", [0, 1, 2], 5, struct.pack(">120f", *[math.sin(k * 0.1) for k in range(120)])))
     head = b"CDF\1" + struct.pack(">i", 0) + struct.pack(">2i", 10, 3)
     head += b"".join(netcdf_name(n) + struct.pack(">i", s) for n, s in sizes.items()) + struct.pack(">2i", 0, 0)
 
     def listed(first):
         text, begin = struct.pack(">2i", 11, len(variables)), first
-        for name, dimensions, values in variables:
+        for name, dimensions, number_type, values in variables:
             text += netcdf_name(name) + struct.pack(">i", len(dimensions)) + struct.pack(">%di" % len(dimensions), *dimensions)
-            text += struct.pack(">2i", 0, 0) + struct.pack(">3i", 6 if values.dtype.itemsize == 8 else 5, values.nbytes, begin)
-            begin += values.nbytes
+            text += struct.pack(">2i", 0, 0) + struct.pack(">3i", number_type, len(values), begin)
+            begin += len(values)
         return text
 
     first = len(head) + len(listed(0))
     with open(path("grid.nc"), "wb") as file:
-        file.write(head + listed(first) + b"".join(values.tobytes() for _, _, values in variables))
+        file.write(head + listed(first) + b"".join(variable[3] for variable in variables))
     reader = vtk.vtkNetCDFCFReader()
     reader.SetFileName(path("grid.nc"))
     reader.SphericalCoordinatesOff()
