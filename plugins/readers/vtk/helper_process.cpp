@@ -44,8 +44,9 @@ Error notStarted(const fs::path& helper, int systemError)
 {
     const std::string reason = std::generic_category().message(systemError);
     if (isLackOfResources(systemError))
-        return {ErrorKind::OutOfResource, "There are not enough memory, processes or open files to start the VTK readers (" +
-                                              reason + "). Close other programs, or raise the limit (ulimit)."};
+        return {ErrorKind::OutOfResource,
+                "There are not enough memory, processes or open files to start the VTK readers (" + reason +
+                    "). Close other programs, or raise the limit (ulimit)."};
     std::error_code ignored;
     if (!fs::exists(helper, ignored))
         return {ErrorKind::BadInput,
@@ -130,7 +131,8 @@ public:
     }
 
     HelperProcess(HelperProcess&& other) noexcept
-        : process_(std::exchange(other.process_, -1)), output_(std::move(other.output_)), errors_(std::move(other.errors_))
+        : process_(std::exchange(other.process_, -1)), output_(std::move(other.output_)),
+          errors_(std::move(other.errors_))
     {
     }
     HelperProcess& operator=(HelperProcess&&) = delete;
@@ -257,11 +259,12 @@ std::optional<Error> loaderError(std::string_view said)
     if (place == std::string_view::npos)
         return std::nullopt;
     const std::string reason = firstLine(said.substr(place + start.size()));
-    for (const std::string_view lack : {"annot allocate memory", "failed to map segment", "annot create", "oo many open files"})
+    for (const std::string_view lack :
+         {"annot allocate memory", "failed to map segment", "annot create", "oo many open files"})
         if (reason.find(lack) != std::string::npos)
-            return Error{ErrorKind::OutOfResource, "There are not enough memory or open files to start the VTK readers (" +
-                                                       reason +
-                                                       "). Close other programs, or raise the limit (ulimit)."};
+            return Error{ErrorKind::OutOfResource,
+                         "There are not enough memory or open files to start the VTK readers (" + reason +
+                             "). Close other programs, or raise the limit (ulimit)."};
     const bool missing = reason.find("cannot open shared object") != std::string::npos;
     return Error{ErrorKind::BadInput, std::string(missing ? "The VTK readers are not installed: "
                                                           : "The VTK readers are installed badly: ") +
@@ -274,16 +277,18 @@ Error explainEnd(HelperProcess& process, const std::string& file)
     const auto status = process.waitForEnd(std::chrono::seconds(2));
     const std::string said = process.errors();
     if (const auto place = said.rfind(limitNote); place != std::string::npos)
-        return cannotRead(file, ErrorKind::OutOfResource, firstLine(std::string_view(said).substr(place + limitNote.size())));
+        return cannotRead(file, ErrorKind::OutOfResource,
+                          firstLine(std::string_view(said).substr(place + limitNote.size())));
     if (const auto error = loaderError(said))
         return *error;
     const int signal = status && WIFSIGNALED(*status) ? WTERMSIG(*status) : 0;
     if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP)
         return cancelledError("Reading");
     if (signal == SIGKILL)
-        return cannotRead(file, ErrorKind::OutOfResource,
-                          "the system ended VTK, which it does when memory runs out. Close other programs, or take a part "
-                          "of the file.");
+        return cannotRead(
+            file, ErrorKind::OutOfResource,
+            "the system ended VTK, which it does when memory runs out. Close other programs, or take a part "
+            "of the file.");
     return cannotRead(file, ErrorKind::BadInput,
                       "VTK broke down over it. The file is damaged, larger than memory, or of a kind "
                       "that VTK reads badly. Write it anew, or as another format (.vtu, .vti).");
@@ -358,7 +363,8 @@ bool canStartVtkHelper(const fs::path& helper)
     for (char c = 0; output.read(&c, 1);)
         libraries += c;
     const auto status = process->waitForEnd(std::chrono::seconds(2));
-    return status && WIFEXITED(*status) && WEXITSTATUS(*status) == 0 && libraries.find("not found") == std::string::npos;
+    return status && WIFEXITED(*status) && WEXITSTATUS(*status) == 0 &&
+           libraries.find("not found") == std::string::npos;
 }
 
 Result<VtkAnswer> askVtkHelper(const fs::path& helper, VtkRequest request, const Progress& progress,

@@ -10,8 +10,8 @@ namespace tetra {
 
 /// What the helper program may take for a file.
 struct WorkLimits {
-    std::uint64_t memory = 0;  ///< bytes
-    std::uint64_t seconds = 0; ///< of processor time, which is fair to slow and busy machines
+    std::uint64_t memory = 0;     ///< bytes
+    std::uint64_t seconds = 0;    ///< of processor time, which is fair to slow and busy machines
     bool isHalfOfMachine = false; ///< the memory is what this machine can spare, not what the file should need
 };
 

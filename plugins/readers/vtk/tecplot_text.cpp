@@ -63,7 +63,8 @@ public:
             at_ = end;
         }
         const auto behind = std::min(text_.find_first_not_of(" \t=,()", at_), text_.size());
-        token.endsLine = behind == text_.size() || text_[behind] == '\n' || text_[behind] == '\r' || text_[behind] == '#';
+        token.endsLine =
+            behind == text_.size() || text_[behind] == '\n' || text_[behind] == '\r' || text_[behind] == '#';
         return token;
     }
 
@@ -93,7 +94,10 @@ public:
         return token.text;
     }
 
-    void back(const TecplotToken& token) { at_ = static_cast<std::size_t>(token.text.data() - text_.data()) - token.quoted; }
+    void back(const TecplotToken& token)
+    {
+        at_ = static_cast<std::size_t>(token.text.data() - text_.data()) - token.quoted;
+    }
     bool atEnd() const { return at_ >= text_.size(); }
 
 private:
@@ -113,8 +117,8 @@ private:
 
 bool isRecord(const TecplotToken& token)
 {
-    constexpr std::array<std::string_view, 9> records = {"TITLE",    "FILETYPE", "VARIABLES",      "ZONE",      "TEXT",
-                                                         "GEOMETRY", "CUSTOMLABELS", "DATASETAUXDATA", "VARAUXDATA"};
+    constexpr std::array<std::string_view, 9> records = {
+        "TITLE", "FILETYPE", "VARIABLES", "ZONE", "TEXT", "GEOMETRY", "CUSTOMLABELS", "DATASETAUXDATA", "VARAUXDATA"};
     return !token.quoted && std::ranges::find(records, tecplotUpper(token.text)) != records.end();
 }
 
@@ -192,8 +196,9 @@ private:
             return bad("it has more numbers than its " + std::to_string(file_.zones.size()) +
                        " zones ask for. Its sizes are wrong, or it is damaged.");
         if (!isRecord(token))
-            return bad("it has '" + shownText(token.text) + "' where a record as ZONE should begin. It is damaged, or no "
-                                                            "Tecplot text.");
+            return bad("it has '" + shownText(token.text) +
+                       "' where a record as ZONE should begin. It is damaged, or no "
+                       "Tecplot text.");
         for (auto next = tokens_.next(); next; next = tokens_.next()) // what is drawn beside the data
             if (isRecord(*next) && tecplotUpper(next->text) != "TEXT") {
                 tokens_.back(*next);
@@ -301,10 +306,10 @@ private:
             entry.remove_prefix(std::min(entry.find_first_not_of("[ \t"), entry.size()));
             const auto dash = entry.find('-');
             const auto first = parseNumber<std::size_t>(entry.substr(0, dash));
-            const auto last =
-                dash == std::string_view::npos ? first : parseNumber<std::size_t>(entry.substr(dash + 1));
+            const auto last = dash == std::string_view::npos ? first : parseNumber<std::size_t>(entry.substr(dash + 1));
             if (first && last)
-                for (std::size_t i = std::max<std::size_t>(*first, 1); i <= std::min(*last, file_.variables.size()); ++i)
+                for (std::size_t i = std::max<std::size_t>(*first, 1); i <= std::min(*last, file_.variables.size());
+                     ++i)
                     variables.push_back(i - 1);
             list.remove_prefix(std::min(end + 1, list.size()));
         }
@@ -335,7 +340,8 @@ private:
         for (const auto& [list, word] : assignments(text)) {
             const std::string location = tecplotUpper(word);
             if (location != "CELLCENTERED" && location != "NODAL")
-                return bad(zoneName(header.zone) + " has a VARLOCATION '" + shownText(text) + "' that is not understood.");
+                return bad(zoneName(header.zone) + " has a VARLOCATION '" + shownText(text) +
+                           "' that is not understood.");
             const bool perElement = location == "CELLCENTERED";
             if (!list.empty())
                 for (const std::size_t variable : variablesIn(list))
@@ -367,7 +373,8 @@ private:
         return {};
     }
 
-    Result<std::uint64_t> number(const ZoneHeader& header, const char* key, const char* otherKey, std::uint64_t ifMissing) const
+    Result<std::uint64_t> number(const ZoneHeader& header, const char* key, const char* otherKey,
+                                 std::uint64_t ifMissing) const
     {
         const auto entry = header.words.contains(key) ? header.words.find(key) : header.words.find(otherKey);
         if (entry == header.words.end())
@@ -393,12 +400,13 @@ private:
         if (type.empty() || type == "ORDERED")
             return orderedShape(header);
         using enum TecplotElement;
-        constexpr std::array<std::pair<std::string_view, TecplotElement>, 6> kinds = {{{"FELINESEG", Line},
-                                                                                       {"FETRIANGLE", Triangle},
-                                                                                       {"FEQUADRILATERAL", Quadrilateral},
-                                                                                       {"FETETRAHEDRON", Tetrahedron},
-                                                                                       {"FEBRICK", Brick},
-                                                                                       {"FEPOINT", Point}}};
+        constexpr std::array<std::pair<std::string_view, TecplotElement>, 6> kinds = {
+            {{"FELINESEG", Line},
+             {"FETRIANGLE", Triangle},
+             {"FEQUADRILATERAL", Quadrilateral},
+             {"FETETRAHEDRON", Tetrahedron},
+             {"FEBRICK", Brick},
+             {"FEPOINT", Point}}};
         const auto kind = std::ranges::find(kinds, type, &std::pair<std::string_view, TecplotElement>::first);
         if (kind == kinds.end())
             return bad(zoneName(header.zone) + " is of the type '" + shownText(type) +
@@ -409,8 +417,9 @@ private:
         if (!nodes || !elements)
             return nodes ? elements.error() : nodes.error();
         if (*nodes == 0 || *elements == 0)
-            return bad(zoneName(header.zone) + " does not say how many nodes (N) and elements (E) it has. It is damaged "
-                                               "or cut short.");
+            return bad(zoneName(header.zone) +
+                       " does not say how many nodes (N) and elements (E) it has. It is damaged "
+                       "or cut short.");
         header.zone.nodes = *nodes;
         header.zone.elements = *elements;
         return {};
@@ -428,8 +437,9 @@ private:
             if (!size)
                 return size.error();
             if (*size < 1 || *size >= most || nodes > (std::uint64_t(1) << 62U) / *size)
-                return bad(zoneName(header.zone) + " does not say how many points it has (I, J, K). It is damaged or cut "
-                                                   "short.");
+                return bad(zoneName(header.zone) +
+                           " does not say how many points it has (I, J, K). It is damaged or cut "
+                           "short.");
             header.zone.size[axis] = static_cast<std::uint32_t>(*size);
             nodes *= *size;
             cells *= std::max<std::uint64_t>(1, *size - 1);
@@ -471,7 +481,8 @@ private:
         if (error == std::errc() && end == word.data() + word.size())
             return true;
         if (error == std::errc::result_out_of_range) { // of subnormal numbers, too
-            value = word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos ? 0 : HUGE_VAL;
+            value =
+                word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos ? 0 : HUGE_VAL;
             return true;
         }
         std::string fortran(word); // 1.5D+03
@@ -494,8 +505,9 @@ private:
     {
         const std::string all = " of its " + std::to_string(count) + " " + what;
         return bad(zoneName(header.zone) +
-                   (tokens_.atEnd() ? " ends before the last" + all + ". It is cut short: copy it again from where it came from."
-                                    : " has no number in place of one" + all + ". Its sizes are wrong, or it is damaged."));
+                   (tokens_.atEnd()
+                        ? " ends before the last" + all + ". It is cut short: copy it again from where it came from."
+                        : " has no number in place of one" + all + ". Its sizes are wrong, or it is damaged."));
     }
 
     Status whole(const ZoneHeader& header) const
@@ -503,8 +515,9 @@ private:
         constexpr std::size_t formatted = 8; // as by "%12.5e"; short ones are alike by chance
         if (!tokens_.atEnd() || (shortest_ == longest_ && longest_ >= formatted))
             return {};
-        return bad(zoneName(header.zone) + " ends right behind its last number, or within it. If the file is whole, put an "
-                                           "end of line behind it; else copy it again from where it came from.");
+        return bad(zoneName(header.zone) +
+                   " ends right behind its last number, or within it. If the file is whole, put an "
+                   "end of line behind it; else copy it again from where it came from.");
     }
 
     static bool hasConnectivity(const TecplotZone& zone) { return cornersOf(zone.element) > 1; }
@@ -528,8 +541,8 @@ private:
             } else if (!header.passive[i]) {
                 own.push_back(i);
             }
-        const auto format = header.words.contains("DATAPACKING") ? header.words.find("DATAPACKING")
-                                                                 : header.words.find("F");
+        const auto format =
+            header.words.contains("DATAPACKING") ? header.words.find("DATAPACKING") : header.words.find("F");
         const std::string packing = format == header.words.end() ? "POINT" : format->second;
         if (packing != "POINT" && packing != "FEPOINT" && packing != "BLOCK" && packing != "FEBLOCK")
             return bad(zoneName(zone) + " is packed as '" + shownText(packing) + "', which is not known.");
@@ -586,8 +599,8 @@ private:
         if (const auto from = header.words.find("CONNECTIVITYSHAREZONE"); from != header.words.end()) {
             const auto number = parseNumber<std::size_t>(from->second);
             if (!number || *number < 1 || *number > file_.zones.size() ||
-                file_.zones[*number - 1].element != zone.element || file_.zones[*number - 1].elements != zone.elements ||
-                file_.zones[*number - 1].nodes != zone.nodes)
+                file_.zones[*number - 1].element != zone.element ||
+                file_.zones[*number - 1].elements != zone.elements || file_.zones[*number - 1].nodes != zone.nodes)
                 return bad(zoneName(zone) + " shares its elements with a zone that does not fit. The file is damaged.");
             zone.connectivity = file_.zones[*number - 1].connectivity;
             return whole(header);

@@ -32,8 +32,8 @@ struct TecplotZone {
     TecplotElement element = TecplotElement::Ordered;
     std::array<std::uint32_t, 3> size{}; ///< of an ordered zone
     std::uint64_t nodes = 0;
-    std::uint64_t elements = 0;                               ///< of an ordered zone its cells
-    std::vector<std::shared_ptr<const TecplotValues>> values; ///< one a variable; null if it has none here
+    std::uint64_t elements = 0;                                    ///< of an ordered zone its cells
+    std::vector<std::shared_ptr<const TecplotValues>> values;      ///< one a variable; null if it has none here
     std::vector<bool> perElement;                                  ///< one a variable
     std::shared_ptr<const std::vector<std::int64_t>> connectivity; ///< nodes, from 0
 };

@@ -33,7 +33,8 @@ inline Error cutShort(const std::string& what, std::uint64_t has, std::uint64_t 
 /// A header that cannot be right; `what` is a sentence.
 inline Error wrongHeader(const std::string& what)
 {
-    return {ErrorKind::BadInput, what + " The file is damaged: copy it again from where it came from, or write it anew."};
+    return {ErrorKind::BadInput,
+            what + " The file is damaged: copy it again from where it came from, or write it anew."};
 }
 
 /// A product that stays the largest number where it would be larger than any file: what headers ask for may overflow.

@@ -6,8 +6,8 @@
 namespace tetra {
 
 /// Looks at all DICOM files of the folder that the file lies in, which VTK takes for one volume: each must have all its
-/// elements and pixels, unpacked, of 8 or 16 bits, and all be of one size. VTK passes over files that it cannot begin to
-/// read, and takes the pixels of another file where there are none. Reads the elements before the pixels only.
+/// elements and pixels, unpacked, of 8 or 16 bits, and all be of one size. VTK passes over files that it cannot begin
+/// to read, and takes the pixels of another file where there are none. Reads the elements before the pixels only.
 Result<CheckedFile> checkDicom(const std::filesystem::path& path);
 
 } // namespace tetra

@@ -159,7 +159,10 @@ public:
         refuse("ends in line " + std::to_string(number_) + ", before the last " + what +
                ". It is cut short: copy it again from where it came from.");
     }
-    [[noreturn]] void refuse(const std::string& what) const { throw EnSightProblem{"its file '" + name_ + "' " + what}; }
+    [[noreturn]] void refuse(const std::string& what) const
+    {
+        throw EnSightProblem{"its file '" + name_ + "' " + what};
+    }
 
 private:
     std::string_view text_;
@@ -193,7 +196,8 @@ constexpr std::array<ElementKind, 14> elementKinds = {{{"bar2", 2, 2},
 
 const ElementKind* elementKindOf(std::string_view line)
 {
-    const auto found = std::ranges::find_if(elementKinds, [&](const ElementKind& k) { return line.starts_with(k.name); });
+    const auto found =
+        std::ranges::find_if(elementKinds, [&](const ElementKind& k) { return line.starts_with(k.name); });
     return found == elementKinds.end() ? nullptr : &*found;
 }
 
@@ -383,7 +387,8 @@ private:
     std::int64_t behindColon(const char* what)
     {
         const auto place = lines_.line().find(':');
-        const auto number = place == std::string_view::npos ? std::nullopt : leadingInteger(lines_.line().substr(place + 1));
+        const auto number =
+            place == std::string_view::npos ? std::nullopt : leadingInteger(lines_.line().substr(place + 1));
         if (!number)
             lines_.refuse(std::string("has no ") + what + ". It is cut short or damaged.");
         return *number;
@@ -513,7 +518,9 @@ public:
             return;
         }
         more_ = lines_.nextData();
-        if (!gold_ && !variable.perElement && more_ && !atPart())
+        if (!more_ || atStepEnd())
+            lines_.endsBefore("value");
+        if (!gold_ && !variable.perElement && !atPart())
             globalValues(components);
         while (more_ && !atStepEnd()) {
             const EnSightPart& part = variablePart();
@@ -555,14 +562,16 @@ private:
     {
         const auto number = leadingInteger(text);
         if (!number)
-            lines_.refuse("has a part without a number, in the line '" + shownText(lines_.line()) + "'. It is damaged.");
+            lines_.refuse("has a part without a number, in the line '" + shownText(lines_.line()) +
+                          "'. It is damaged.");
         return *number;
     }
 
     void needPart()
     {
         if (!atPart())
-            lines_.refuse("has '" + shownText(lines_.line()) + "' where a part should begin, which VTK passes over with "
+            lines_.refuse("has '" + shownText(lines_.line()) +
+                          "' where a part should begin, which VTK passes over with "
                           "all that follows. It is damaged, or of another version of the format: write it anew.");
     }
 
@@ -612,7 +621,8 @@ private:
         const std::uint64_t perLine = gold_ ? 1 : 10;
         for (; points > 0; points -= std::min(points, perLine)) {
             lines_.needData("mark of a blanked point");
-            lines_.numbers<std::int64_t>(static_cast<std::size_t>(std::min(points, perLine)), "mark of a blanked point");
+            lines_.numbers<std::int64_t>(static_cast<std::size_t>(std::min(points, perLine)),
+                                         "mark of a blanked point");
         }
     }
 
@@ -648,7 +658,8 @@ private:
             return goldCoordinates(part);
         const std::string_view name = elementName(line);
         if (name.empty())
-            lines_.refuse("has '" + shownText(lines_.line()) + "' where elements should begin. It is damaged, or of "
+            lines_.refuse("has '" + shownText(lines_.line()) +
+                          "' where elements should begin. It is damaged, or of "
                           "another version of the format: write it anew.");
         const ElementKind* kind = elementKindOf(name);
         const std::uint64_t count = lines_.size("number of elements");
@@ -670,7 +681,8 @@ private:
         lines_.values(boundedProduct(3, part.points), 1, "position");
         more_ = lines_.nextData();
         std::string_view probe = lines_.line();
-        if (more_ && part.points > 0 && takeNumber<double>(probe, std::string_view::npos)) { // the numbers of the nodes came first
+        if (more_ && part.points > 0 &&
+            takeNumber<double>(probe, std::string_view::npos)) { // the numbers of the nodes came first
             lines_.values(part.points - 1, 1, "position");
             more_ = lines_.nextData();
         }
@@ -748,7 +760,8 @@ private:
             const std::string_view name = elementName(line);
             const ElementKind* kind = elementKindOf(line);
             if (name.empty() || (kind == nullptr && name != "point")) // VTK would look at this line for ever
-                lines_.refuse("has '" + shownText(line) + "' where elements should begin, which VTK does not know. It "
+                lines_.refuse("has '" + shownText(line) +
+                              "' where elements should begin, which VTK does not know. It "
                               "is damaged, or of another version of the format: write it anew.");
             const std::uint64_t count = lines_.size("number of elements");
             for (std::uint64_t i = 0; i < count; ++i) {
@@ -774,7 +787,8 @@ private:
         const std::string_view line = withoutLeadingBlanks(lines_.line());
         const auto found = geometry_.parts.find(partNumber(gold_ ? line : line.substr(4)));
         if (found == geometry_.parts.end())
-            lines_.refuse("has values of part '" + shownText(line) + "', which the geometry does not have. One of the "
+            lines_.refuse("has values of part '" + shownText(line) +
+                          "', which the geometry does not have. One of the "
                           "two is cut short, or they do not belong together.");
         return found->second;
     }
@@ -830,7 +844,8 @@ private:
             const std::string_view name = elementName(lines_.line());
             const auto found = part.elements.find(name);
             if (found == part.elements.end())
-                lines_.refuse("has values of '" + shownText(lines_.line()) + "', which the part does not have. It is "
+                lines_.refuse("has values of '" + shownText(lines_.line()) +
+                              "', which the part does not have. It is "
                               "damaged, or does not belong to the geometry.");
             lines_.values(boundedProduct(valuesBehindKeyword(found->second), components), 1, "value");
             missing.erase(name);
@@ -839,7 +854,8 @@ private:
         // VTK leaves what was in memory in the place of those.
         for (const auto& [name, count] : missing)
             if (count > 0)
-                lines_.refuse("has no values of the elements '" + std::string(name) + "' of a part. It is cut short, or "
+                lines_.refuse("has no values of the elements '" + std::string(name) +
+                              "' of a part. It is cut short, or "
                               "incomplete: write it anew.");
     }
 
@@ -861,7 +877,8 @@ private:
             const std::string_view name = elementName(lines_.line());
             const auto found = part.elements.find(name);
             if (found == part.elements.end())
-                lines_.refuse("has values of '" + shownText(lines_.line()) + "', which the part does not have. It is "
+                lines_.refuse("has values of '" + shownText(lines_.line()) +
+                              "', which the part does not have. It is "
                               "damaged, or does not belong to the geometry.");
             lines_.values(boundedProduct(found->second, components), 6, "value");
             missing.erase(name);
@@ -869,7 +886,8 @@ private:
         }
         for (const auto& [name, count] : missing)
             if (count > 0)
-                lines_.refuse("has no values of the elements '" + std::string(name) + "' of a part. It is cut short, or "
+                lines_.refuse("has no values of the elements '" + std::string(name) +
+                              "' of a part. It is cut short, or "
                               "incomplete: write it anew.");
     }
 

@@ -43,9 +43,11 @@ Result<CheckedFile> checkLegacy(const std::filesystem::path& path)
     const bool isText = nextLegacyLine(rest).starts_with("ASCII");
     const std::string content = nextLegacyLine(rest);
     constexpr std::array<std::string_view, 6> withoutSpace = {
-        "FIELD", "DATASET TABLE", "DATASET TREE", "DATASET DIRECTED_GRAPH", "DATASET UNDIRECTED_GRAPH", "DATASET MOLECULE"};
+        "FIELD",           "DATASET TABLE", "DATASET TREE", "DATASET DIRECTED_GRAPH", "DATASET UNDIRECTED_GRAPH",
+        "DATASET MOLECULE"};
     if (std::ranges::any_of(withoutSpace, [&](std::string_view kind) { return content.starts_with(kind); }))
-        return Error{ErrorKind::BadInput, "it holds '" + shownText(content.substr(0, content.find_last_not_of(" \t\r") + 1)) +
+        return Error{ErrorKind::BadInput, "it holds '" +
+                                              shownText(content.substr(0, content.find_last_not_of(" \t\r") + 1)) +
                                               "': values alone, without points or a grid that they belong to. Write "
                                               "them with their grid."};
     if (isText && !text.empty() && static_cast<unsigned char>(text.back()) > ' ')

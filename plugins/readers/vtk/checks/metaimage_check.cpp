@@ -131,12 +131,12 @@ Result<MetaLayout> layoutOf(const MetaHeader& header)
     if (!dimensions)
         return wrongHeader("its header has no NDims.");
     if (*dimensions < 1 || *dimensions > 3)
-        return Error{ErrorKind::BadInput, "it has " + std::to_string(*dimensions) +
-                                              " dimensions. Write a part of it with three."};
+        return Error{ErrorKind::BadInput,
+                     "it has " + std::to_string(*dimensions) + " dimensions. Write a part of it with three."};
     const auto sizes = wordsOf(header.text("DimSize"));
     for (std::int64_t i = 0; i < *dimensions; ++i) {
-        const auto size = static_cast<std::size_t>(i) < sizes.size() ? wholeNumber(sizes[static_cast<std::size_t>(i)])
-                                                                     : std::nullopt;
+        const auto size =
+            static_cast<std::size_t>(i) < sizes.size() ? wholeNumber(sizes[static_cast<std::size_t>(i)]) : std::nullopt;
         if (!size || *size < 1 || *size > std::int64_t(1) << 31)
             return wrongHeader("its DimSize is '" + shownText(header.text("DimSize")) + "' and not " +
                                std::to_string(*dimensions) + " numbers of points.");
@@ -239,9 +239,10 @@ Status checkSamples(const std::string& what, std::string_view bytes, std::size_t
         if (unpacked && *unpacked == needed)
             return {};
         return Error{ErrorKind::BadInput,
-                     what + (unpacked ? " unpacks to " + std::to_string(*unpacked) + " bytes, and its header asks for " +
-                                            std::to_string(needed) + "."
-                                      : std::string(" cannot be unpacked to its end.")) +
+                     what +
+                         (unpacked ? " unpacks to " + std::to_string(*unpacked) + " bytes, and its header asks for " +
+                                         std::to_string(needed) + "."
+                                   : std::string(" cannot be unpacked to its end.")) +
                          " It is damaged or cut short: copy it again from where it came from."};
     }
     if (layout.isText)
@@ -334,8 +335,8 @@ private:
         if (!file)
             return file.error();
         return checkSamples("its data file " + nameOf(path),
-                            {reinterpret_cast<const char*>((*file)->bytes().data()), (*file)->bytes().size()}, 0, layout,
-                            samples);
+                            {reinterpret_cast<const char*>((*file)->bytes().data()), (*file)->bytes().size()}, 0,
+                            layout, samples);
     }
 
     /// The names stand below the header, one a line, each for a part of so many dimensions.
@@ -388,8 +389,10 @@ private:
             numbers[2] = (numbers[1] - numbers[0]) / layers;
         const auto [first, end, step] = numbers;
         if (step < 1 || 1 + (end - first) / step < layers)
-            return Error{ErrorKind::BadInput, "its ElementDataFile '" + shownText(name) + "' does not name a file for "
-                                                  "each of its " + std::to_string(layers) +
+            return Error{ErrorKind::BadInput, "its ElementDataFile '" + shownText(name) +
+                                                  "' does not name a file for "
+                                                  "each of its " +
+                                                  std::to_string(layers) +
                                                   " layers. Write the numbers of the first, the last and the step "
                                                   "behind the name."};
         for (std::int64_t layer = 0; layer < layers; ++layer) {

@@ -48,8 +48,8 @@ Result<CheckedFile> checkMrc(const std::filesystem::path& path)
     }
     if (word(extensionWord) < 0)
         return wrongHeader("its header says that an extension of less than no bytes follows.");
-    const std::uint64_t needed = boundedSum(headerBytes + static_cast<std::uint64_t>(word(extensionWord)),
-                                            boundedProduct(samples, sampleBytes));
+    const std::uint64_t needed =
+        boundedSum(headerBytes + static_cast<std::uint64_t>(word(extensionWord)), boundedProduct(samples, sampleBytes));
     if (needed > bytes.size())
         return cutShort("it", bytes.size(), needed);
     return CheckedFile{.bytes = bytes.size()};

@@ -99,7 +99,8 @@ private:
         return ended_ || at_ == bytes_.size()
                    ? Error{ErrorKind::BadInput, "it ends within its header. It is cut short: copy it again from where "
                                                 "it came from."}
-                   : wrongHeader("its NetCDF header has lists that are longer than the file, or none where some belong.");
+                   : wrongHeader(
+                         "its NetCDF header has lists that are longer than the file, or none where some belong.");
     }
 
     Status dimensions()
@@ -161,7 +162,8 @@ private:
             if (ended_)
                 return noHeader();
             if (dimension >= lengths_.size())
-                return wrongHeader("its variable '" + shownText(variable.name) + "' has dimensions that are not there.");
+                return wrongHeader("its variable '" + shownText(variable.name) +
+                                   "' has dimensions that are not there.");
             const bool unlimited = lengths_[dimension] == 0;
             variable.hasRecords |= unlimited && i == 0;
             if (!unlimited || i > 0)
@@ -213,7 +215,8 @@ private:
                 return Error{ErrorKind::BadInput,
                              "it has " + std::to_string(bytes_.size()) + " bytes, and its variable '" +
                                  shownText(variable.name) + "' " +
-                                 (end == noNumber ? "is larger than any file." : "reaches to byte " + std::to_string(end) + ".") +
+                                 (end == noNumber ? "is larger than any file."
+                                                  : "reaches to byte " + std::to_string(end) + ".") +
                                  " It is cut short, or was not written to its end: copy or write it again."};
             if (bytes > 0 && variable.begin < at_)
                 return wrongHeader("its variable '" + shownText(variable.name) + "' begins within the header.");

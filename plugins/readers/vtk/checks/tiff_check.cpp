@@ -84,8 +84,8 @@ private:
             return std::nullopt;
         std::uint64_t value = 0;
         for (std::uint64_t i = 0; i < size; ++i)
-            value = value << 8U |
-                    std::to_integer<std::uint64_t>(bytes_[static_cast<std::size_t>(place + (little_ ? size - 1 - i : i))]);
+            value = value << 8U | std::to_integer<std::uint64_t>(
+                                      bytes_[static_cast<std::size_t>(place + (little_ ? size - 1 - i : i))]);
         return value;
     }
 
@@ -238,9 +238,11 @@ Result<CheckedFile> checkTiff(const std::vector<fs::path>& paths)
         if (first.empty())
             first = *pages;
         else if (pages->front().shape != first.front().shape)
-            return Error{ErrorKind::BadInput, which + "it is of another size or type than the first file of its stack, "
-                                                      "'" + shownText(paths.front().filename().string()) +
-                                                      "'. Put the layers of one volume alone into a folder."};
+            return Error{ErrorKind::BadInput, which +
+                                                  "it is of another size or type than the first file of its stack, "
+                                                  "'" +
+                                                  shownText(paths.front().filename().string()) +
+                                                  "'. Put the layers of one volume alone into a folder."};
         const auto& shape = pages->front().shape;
         const std::uint64_t unpacked =
             boundedProduct(boundedProduct(shape[0], shape[1]),

@@ -136,7 +136,8 @@ public:
         }
         if (type_ == "Collection")
             return Error{ErrorKind::BadInput, "it is a list of files, one for each time step or part. Open one of its "
-                                              "files" + (named_.empty() ? "" : ", such as '" + shownText(named_) + "'") +
+                                              "files" +
+                                                  (named_.empty() ? "" : ", such as '" + shownText(named_) + "'") +
                                                   "."};
         if (isGridType() && !isGrid_)
             return wrongXml("its element " + type_ + " is missing.");
@@ -177,7 +178,8 @@ private:
             whole_ = cellsIn(xmlAttribute(tag, "WholeExtent"));
             for (const std::string_view name : {"Spacing", "Origin"})
                 if (const auto value = xmlAttribute(tag, name); !value.empty() && !numbersIn<double, 3>(value))
-                    return wrongXml("its " + std::string(name) + " is '" + shownText(value) + "' and not three numbers.");
+                    return wrongXml("its " + std::string(name) + " is '" + shownText(value) +
+                                    "' and not three numbers.");
         }
         return {};
     }
@@ -244,10 +246,7 @@ private:
         return {};
     }
 
-    bool isGridType() const
-    {
-        return type_ == "ImageData" || type_ == "RectilinearGrid" || type_ == "StructuredGrid";
-    }
+    bool isGridType() const { return type_ == "ImageData" || type_ == "RectilinearGrid" || type_ == "StructuredGrid"; }
 
     fs::path path_;
     std::string type_;
@@ -259,7 +258,7 @@ private:
     bool isGrid_ = false;
     std::optional<double> whole_;
     double covered_ = 0;
-    std::string_view section_;  ///< of a piece: PointData ...
+    std::string_view section_; ///< of a piece: PointData ...
     std::uint64_t points_ = 0; ///< of the piece
     std::uint64_t cells_ = 0;
 };

@@ -74,7 +74,8 @@ vtkSmartPointer<vtkPointSet> tecplotGrid(const TecplotZone& zone)
         cells->AllocateExact(static_cast<vtkIdType>(zone.elements), static_cast<vtkIdType>(zone.elements) * corners);
         for (vtkIdType cell = 0; cell < static_cast<vtkIdType>(zone.elements); ++cell)
             if (zone.connectivity)
-                cells->InsertNextCell(corners, reinterpret_cast<const vtkIdType*>(zone.connectivity->data()) + cell * corners);
+                cells->InsertNextCell(corners,
+                                      reinterpret_cast<const vtkIdType*>(zone.connectivity->data()) + cell * corners);
             else
                 cells->InsertNextCell(1, &cell);
         mesh->SetCells(vtkTypeOf(zone.element), cells);

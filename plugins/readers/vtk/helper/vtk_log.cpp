@@ -78,7 +78,10 @@ public:
 
 private:
     void addWarning(const char* text) { add(text != nullptr && meansError(text) ? log->errors : log->warnings, text); }
-    static void add(std::vector<std::string>& list, const char* text) { addLine(list, essence(text == nullptr ? "" : text)); }
+    static void add(std::vector<std::string>& list, const char* text)
+    {
+        addLine(list, essence(text == nullptr ? "" : text));
+    }
 };
 
 /// What libraries write to std::cerr. That of MetaImage says nothing else where data are missing.

@@ -159,10 +159,35 @@ def write_xml():
             SetEndPiece=1)
     written("pieces.pvtu", vtk.vtkXMLPUnstructuredGridWriter(), tetrahedra(), vtk.vtkXMLPUnstructuredGridReader(),
             SetNumberOfPieces=1, SetStartPiece=0, SetEndPiece=0)
+    write_halves()
     blocks = vtk.vtkMultiBlockDataSet()
     blocks.SetBlock(0, structured())
     blocks.SetBlock(1, rectilinear())
     written("blocks.vtm", vtk.vtkXMLMultiBlockDataWriter(), blocks, vtk.vtkXMLMultiBlockDataReader())
+
+
+def write_halves():
+    """A lattice in two pieces that meet in a layer."""
+    data = image()
+    pieces = ""
+    for number, (first, last) in enumerate(((0, 3), (3, 5))):
+        part = vtk.vtkExtractVOI()
+        part.SetInputData(data)
+        part.SetVOI(0, 3, 0, 4, first, last)
+        writer = vtk.vtkXMLImageDataWriter()
+        writer.SetFileName(path("halves_%d.vti" % number))
+        writer.SetInputConnection(part.GetOutputPort())
+        writer.Write()
+        pieces += '<Piece Extent="0 3 0 4 %d %d" Source="halves_%d.vti"/>' % (first, last, number)
+    with open(path("halves.pvti"), "w") as file:
+        file.write('<?xml version="1.0"?><VTKFile type="PImageData" version="0.1" byte_order="LittleEndian">'
+                   '<PImageData WholeExtent="0 3 0 4 0 5" GhostLevel="0" Origin="-1 2 3" Spacing="0.5 0.25 1.5">'
+                   '<PPointData Scalars="density"><PDataArray type="Float32" Name="density"/>'
+                   '<PDataArray type="Float32" Name="velocity" NumberOfComponents="3"/></PPointData>' + pieces +
+                   '</PImageData></VTKFile>')
+    reader = vtk.vtkXMLPImageDataReader()
+    reader.SetFileName(path("halves.pvti"))
+    write_reference("halves.pvti", reader)
 
 
 def write_legacy():
