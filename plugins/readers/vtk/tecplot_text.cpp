@@ -651,10 +651,14 @@ bool looksLikeTecplot(std::string_view firstBytes)
     const auto first = tokens.next();
     if (!first || first->quoted)
         return false;
+    const std::string_view behind =
+        firstBytes.substr(static_cast<std::size_t>(first->text.data() + first->text.size() - firstBytes.data()));
+    const auto sign = behind.find_first_not_of(" \t");
+    if (sign == std::string_view::npos || behind[sign] != '=')
+        return false;
     const std::string word = tecplotUpper(first->text);
-    if (word == "VARIABLES")
-        return true;
-    return (word == "TITLE" || word == "FILETYPE") && tecplotUpper(firstBytes).find("VARIABLES") != std::string::npos;
+    return word == "VARIABLES" ||
+           ((word == "TITLE" || word == "FILETYPE") && tecplotUpper(firstBytes).find("VARIABLES") != std::string::npos);
 }
 
 } // namespace tetra

@@ -50,7 +50,7 @@ struct TecplotFile {
 /// Errors: anything that is missing or too much, with the zone; polyhedral zones, which have no simple cells. Linear.
 Result<TecplotFile> readTecplot(std::string_view text);
 
-/// Whether a text begins as such files do: TITLE, FILETYPE, VARIABLES or ZONE, and VARIABLES among its first bytes.
+/// Whether a text begins as such files do: "TITLE =", "FILETYPE =" or "VARIABLES =", with VARIABLES in its first bytes.
 bool looksLikeTecplot(std::string_view firstBytes);
 
 } // namespace tetra

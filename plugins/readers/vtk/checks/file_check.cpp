@@ -3,6 +3,8 @@
 
 #include "plugins/readers/vtk/checks/dicom_check.h"
 #include "plugins/readers/vtk/checks/ensight_check.h"
+#include "plugins/readers/vtk/checks/fluent_check.h"
+#include "plugins/readers/vtk/checks/hdf_check.h"
 #include "plugins/readers/vtk/checks/legacy_check.h"
 #include "plugins/readers/vtk/checks/metaimage_check.h"
 #include "plugins/readers/vtk/checks/mrc_check.h"
@@ -56,7 +58,8 @@ Result<CheckedFile> checkBeforeVtk(const VtkRequest& request)
     case VtkFormat::Dicom: return checkDicom(path);
     case VtkFormat::OpenFoam: return CheckedFile{.bytes = folderBytes(path.parent_path())};
     case VtkFormat::Plot3d: return CheckedFile{.bytes = boundedProduct(3, fileBytes(path))}; // with its solution
-    case VtkFormat::Hdf:
+    case VtkFormat::Fluent: return checkFluent(path);
+    case VtkFormat::Hdf: return checkVtkHdf(path);
     case VtkFormat::Cgns:
     case VtkFormat::Nifti:
         return CheckedFile{.bytes = fileBytes(path), .unpackedBytes = boundedProduct(usualPacking, fileBytes(path))};

@@ -74,7 +74,7 @@ public:
 
     std::optional<std::string_view> next()
     {
-        for (auto begin = text_.find('<', at_); begin != std::string_view::npos; begin = text_.find('<', at_)) {
+        for (auto begin = bracketFrom(at_); begin != std::string_view::npos; begin = bracketFrom(at_)) {
             if (text_.substr(begin).starts_with("<!--")) {
                 const auto end = text_.find("-->", begin);
                 at_ = end == std::string_view::npos ? text_.size() : end + 3;
@@ -90,6 +90,21 @@ public:
     }
 
 private:
+    /// Where the next tag begins. A zero byte is no text: what follows is not looked at.
+    std::size_t bracketFrom(std::size_t place) const
+    {
+        constexpr std::size_t step = 1 << 20;
+        for (; place < text_.size(); place += step) {
+            const std::string_view part = text_.substr(place, step);
+            const auto bracket = part.find('<');
+            if (part.substr(0, bracket).find('\0') != std::string_view::npos)
+                return std::string_view::npos;
+            if (bracket != std::string_view::npos)
+                return place + bracket;
+        }
+        return std::string_view::npos;
+    }
+
     /// Where the bracket stands that closes it, which may also stand in the value of an attribute.
     std::size_t endOf(std::size_t place) const
     {
@@ -115,6 +130,8 @@ bool isNamed(std::string_view tag, std::string_view name)
     return tag.starts_with(name) && (tag.size() == name.size() || tag[name.size()] == '/' ||
                                      xmlBlanks.find(tag[name.size()]) != std::string_view::npos);
 }
+
+constexpr std::uint64_t mostPacking = 1032; ///< that zlib reaches
 
 class XmlCheck {
 public:
@@ -200,8 +217,7 @@ private:
     /// What the array of a piece unpacks to, at most as much as packed data can.
     void addUnpacked(std::string_view type, std::uint64_t components)
     {
-        constexpr std::uint64_t mostPacking = 1032; // of zlib
-        constexpr std::uint64_t corners = 8;        // of a cell, roughly
+        constexpr std::uint64_t corners = 8; // of a cell, roughly
         const bool ofCells = section_ == "CellData" || section_ == "Cells";
         const std::uint64_t bytes = type.ends_with("64") ? 8 : type.ends_with("8") ? 1 : type.ends_with("16") ? 2 : 4;
         const std::uint64_t each = section_ == "Cells" ? corners * bytes : components * bytes;
@@ -220,6 +236,10 @@ private:
         const auto ofGrid = static_cast<std::uint64_t>(std::min(cells, 1e18)); // of points hardly more
         points_ = isGridType() ? ofGrid : count("NumberOfPoints");
         cells_ = isGridType() ? ofGrid : count("NumberOfCells");
+        for (const std::uint64_t number : {points_, cells_})
+            if (number > boundedProduct(mostPacking, checked_.bytes) && xmlAttribute(tag, "Source").empty())
+                return wrongXml("it says that it has " + std::to_string(number) + " points or cells, more than " +
+                                std::to_string(checked_.bytes) + " bytes can hold.");
         return fileNamed(xmlAttribute(tag, "Source"));
     }
 

@@ -149,10 +149,16 @@ private slots:
     void theReaderRefusesThem()
     {
         const WrittenFiles& files = format();
-        int same = 0;
-        const QStringList wrong = wronglyAccepted(files.opened, files.data.back(), 20, &same);
-        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join("; ")));
-        QVERIFY2(same < 14, "most cuts lose something"); // half of a file of two times
+        const bool every = files.data.size() <= 5; // of different kinds
+        for (const std::filesystem::path& file : files.data) {
+            if (!every && file != files.data.back())
+                continue;
+            int same = 0;
+            const QStringList wrong = wronglyAccepted(files.opened, file, 20, &same);
+            QVERIFY2(wrong.isEmpty(),
+                     qPrintable(QString::fromStdString(file.filename().string()) + ": " + wrong.join("; ")));
+            QVERIFY2(same < 14, "most cuts lose something"); // half of a file of two times
+        }
     }
 
     /// Written by VTK, from Python.
@@ -163,9 +169,10 @@ private slots:
         const auto row = [](const char* opened, const char* cut = nullptr) {
             QTest::newRow(cut == nullptr ? opened : cut) << QString(opened) << QString(cut == nullptr ? opened : cut);
         };
-        for (const char* name : {"ascii.vti", "binary.vts", "appended.vtu", "appended.vtr", "binary.vtp", "points0.vtk",
-                                 "structured1.vtk", "tetrahedra0.vtk", "tetrahedra1.vtk", "cloud1.vtk", "image4.nii",
-                                 "image10.nii.gz", "image10.mha", "pages.tif", "mesh.ex2", "block.tec", "map.mrc"})
+        for (const char* name :
+             {"ascii.vti", "binary.vts", "appended.vtu", "appended.vtr", "binary.vtp", "points0.vtk", "structured1.vtk",
+              "tetrahedra0.vtk", "tetrahedra1.vtk", "cloud1.vtk", "image4.nii", "image10.nii.gz", "image10.mha",
+              "pages.tif", "mesh.ex2", "block.tec", "map.mrc", "image.vtkhdf", "grid.cgns"})
             row(name);
         row("halves.pvti", "halves_1.vti");
         row("pieces.pvtu", "pieces_0.vtu");

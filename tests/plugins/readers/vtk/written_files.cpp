@@ -6,8 +6,10 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
+#include <map>
 
 namespace tetra {
 namespace {
@@ -585,6 +587,129 @@ void addDicom(const fs::path& folder, std::vector<WrittenFiles>& all)
     all.push_back(std::move(files));
 }
 
+/// A face of the grid: its corners, the cell whose outside it shows, and the one behind it or -1.
+struct GridFace {
+    std::array<int, 4> corners;
+    int owner;
+    int neighbour;
+};
+
+/// First those between cells, then those of the boundary, each by owner.
+std::vector<GridFace> gridFaces()
+{
+    constexpr std::array<std::array<int, 4>, 6> sides = {
+        {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 4, 7, 3}, {1, 2, 6, 5}}};
+    std::map<std::array<int, 4>, GridFace> faces;
+    const auto cells = gridHexahedra();
+    for (int cell = 0; cell < int(cells.size()); ++cell)
+        for (const auto& side : sides) {
+            std::array<int, 4> corners{};
+            for (std::size_t i = 0; i < 4; ++i)
+                corners[i] = cells[std::size_t(cell)][std::size_t(side[i])];
+            std::array<int, 4> key = corners;
+            std::ranges::sort(key);
+            const auto [face, isNew] = faces.emplace(key, GridFace{corners, cell, -1});
+            if (!isNew)
+                face->second.neighbour = cell;
+        }
+    std::vector<GridFace> all;
+    for (const auto& [key, face] : faces)
+        all.push_back(face);
+    std::ranges::stable_sort(all, {}, [](const GridFace& face) {
+        return std::array{face.neighbour < 0 ? 1 : 0, face.owner, face.neighbour};
+    });
+    return all;
+}
+
+QByteArray foamFile(const QByteArray& kind, const QByteArray& object, const QByteArray& content)
+{
+    return "FoamFile\n{\n version 2.0;\n format ascii;\n class " + kind + ";\n object " + object + ";\n}\n" + content;
+}
+
+template <class One> QByteArray foamList(int count, const One& one)
+{
+    return QByteArray::number(count) + "\n(\n" + counted(count, one) + ")\n";
+}
+
+void addOpenFoam(const fs::path& folder, std::vector<WrittenFiles>& all)
+{
+    const FormatWriter writer(folder / "foam");
+    const auto faces = gridFaces();
+    const auto inner =
+        static_cast<int>(std::ranges::count_if(faces, [](const GridFace& face) { return face.neighbour >= 0; }));
+    const auto face = [&](int n) -> const GridFace& { return faces[std::size_t(n)]; };
+    const std::string mesh = "constant/polyMesh/";
+    writer.write(mesh + "points", foamFile("vectorField", "points", foamList(gridPoints, [](int n) {
+                                               const auto [x, y, z] = bentPoint(n);
+                                               return "(" + QByteArray::number(x) + " " + QByteArray::number(y) + " " +
+                                                      QByteArray::number(z) + ")\n";
+                                           })));
+    writer.write(mesh + "faces", foamFile("faceList", "faces", foamList(int(faces.size()), [&](int n) {
+                                              QByteArray text = "4(";
+                                              for (const int corner : face(n).corners)
+                                                  text += QByteArray::number(corner) + " ";
+                                              return text + ")\n";
+                                          })));
+    writer.write(mesh + "owner", foamFile("labelList", "owner", foamList(int(faces.size()), [&](int n) {
+                                              return QByteArray::number(face(n).owner) + "\n";
+                                          })));
+    writer.write(mesh + "neighbour", foamFile("labelList", "neighbour", foamList(inner, [&](int n) {
+                                                  return QByteArray::number(face(n).neighbour) + "\n";
+                                              })));
+    writer.write(mesh + "boundary",
+                 foamFile("polyBoundaryMesh", "boundary",
+                          "1\n(\nwalls\n{\n type wall;\n nFaces " + QByteArray::number(int(faces.size()) - inner) +
+                              ";\n startFace " + QByteArray::number(inner) + ";\n}\n)\n"));
+    writer.write("system/controlDict",
+                 foamFile("dictionary", "controlDict",
+                          "startTime 0;\nendTime 0;\ndeltaT 1;\nwriteControl timeStep;\nwriteInterval 1;\n"));
+    const fs::path field =
+        writer.write("0/T", foamFile("volScalarField", "T",
+                                     "dimensions [0 0 0 1 0 0 0];\ninternalField nonuniform List<scalar>\n" +
+                                         foamList(gridCells, [](int n) { return QByteArray::number(n) + "\n"; }) +
+                                         ";\nboundaryField\n{\n walls\n {\n type zeroGradient;\n }\n}\n"));
+    WrittenFiles files{.what = "OpenFOAM", .points = gridPoints, .perCell = true};
+    files.opened = writer.write("run.foam", " ");
+    files.data = {writer.path(mesh + "points"), writer.path(mesh + "faces"), writer.path(mesh + "owner"),
+                  writer.path(mesh + "neighbour"), field};
+    all.push_back(std::move(files));
+}
+
+void addFluent(const fs::path& folder, std::vector<WrittenFiles>& all)
+{
+    const FormatWriter writer(folder / "fluent");
+    const auto hex = [](qint64 number) { return QByteArray::number(number, 16); };
+    const auto faces = gridFaces();
+    const auto inner = std::ranges::count_if(faces, [](const GridFace& face) { return face.neighbour >= 0; });
+    QByteArray text =
+        "(0 \"a test\")\n(2 3)\n(10 (0 1 " + hex(gridPoints) + " 0 3))\n(10 (1 1 " + hex(gridPoints) + " 1 3)(\n";
+    for (int n = 0; n < gridPoints; ++n) {
+        const auto [x, y, z] = bentPoint(n);
+        text += QByteArray::number(x) + " " + QByteArray::number(y) + " " + QByteArray::number(z) + "\n";
+    }
+    text += "))\n(12 (0 1 " + hex(gridCells) + " 0 0))\n(12 (2 1 " + hex(gridCells) + " 1 4))\n(13 (0 1 " +
+            hex(qint64(faces.size())) + " 0 0))\n";
+    for (const auto& [zone, kind, first, end] :
+         {std::array<qint64, 4>{3, 2, 0, inner}, std::array<qint64, 4>{4, 3, inner, qint64(faces.size())}}) {
+        text += "(13 (" + hex(zone) + " " + hex(first + 1) + " " + hex(end) + " " + hex(kind) + " 4)(\n";
+        for (qint64 n = first; n < end; ++n) {
+            const GridFace& face = faces[std::size_t(n)];
+            for (auto corner = face.corners.rbegin(); corner != face.corners.rend(); ++corner)
+                text += hex(*corner + 1) + " ";
+            text += hex(face.owner + 1) + " " + hex(face.neighbour + 1) + "\n";
+        }
+        text += "))\n";
+    }
+    WrittenFiles files{.what = "Fluent", .points = gridPoints, .perCell = true};
+    files.opened = writer.write("flow.cas", text);
+    files.data = {files.opened,
+                  writer.write("flow.dat", "(0 \"a test\")\n(33 (60 " + QByteArray::number(int(faces.size())) +
+                                               " 120))\n(300 (1 2 1 0 0 1 60)(\n" +
+                                               counted(gridCells, [](int n) { return QByteArray::number(n) + "\n"; }) +
+                                               "))\n")};
+    all.push_back(std::move(files));
+}
+
 } // namespace
 
 std::vector<WrittenFiles> writeFormats(const fs::path& folder)
@@ -598,6 +723,8 @@ std::vector<WrittenFiles> writeFormats(const fs::path& folder)
     addTecplot(folder, all);
     addMrc(folder, all);
     addDicom(folder, all);
+    addOpenFoam(folder, all);
+    addFluent(folder, all);
     return all;
 }
 
