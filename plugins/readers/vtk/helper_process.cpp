@@ -318,10 +318,12 @@ Result<VtkAnswer> receive(HelperProcess& process, const std::string& file, const
             FileContents contents;
             exchange(input, contents);
             answer = VtkAnswer(std::move(contents));
-        } else {
+        } else if (message == VtkMessage::Error) {
             Error error;
             exchange(input, error);
             answer = std::move(error);
+        } else if (!progress.cancelled() && !output.wasIdle()) {
+            return explainEnd(process, file); // the end, or no message
         }
     }
     if (progress.cancelled())

@@ -98,7 +98,7 @@ WorkLimits limitsFor(std::uint64_t bytes, std::uint64_t unpackedBytes, std::uint
     const double wanted = std::max({least, timesPacked * packed, timesUnpacked * unpacked});
     const double half = machineBytes == 0 ? wanted : static_cast<double>(machineBytes) / 2;
     WorkLimits limits;
-    limits.isHalfOfMachine = wanted >= half;
+    limits.isHalfOfMachine = machineBytes != 0 && wanted >= half;
     limits.memory = static_cast<std::uint64_t>(std::min(wanted, half));
     limits.seconds = static_cast<std::uint64_t>(std::min(leastSeconds + secondsPerByte * unpacked, mostSeconds));
     return limits;
