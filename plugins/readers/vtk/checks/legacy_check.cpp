@@ -4,7 +4,6 @@
 #include "core/base/mapped_file.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 namespace tetra {
@@ -42,14 +41,22 @@ Result<CheckedFile> checkLegacy(const std::filesystem::path& path)
         rest.remove_prefix(rest.find('\n') == std::string_view::npos ? rest.size() : rest.find('\n') + 1);
     const bool isText = nextLegacyLine(rest).starts_with("ASCII");
     const std::string content = nextLegacyLine(rest);
-    constexpr std::array<std::string_view, 6> withoutSpace = {
-        "FIELD",           "DATASET TABLE", "DATASET TREE", "DATASET DIRECTED_GRAPH", "DATASET UNDIRECTED_GRAPH",
-        "DATASET MOLECULE"};
-    if (std::ranges::any_of(withoutSpace, [&](std::string_view kind) { return content.starts_with(kind); }))
-        return Error{ErrorKind::BadInput, "it holds '" +
-                                              shownText(content.substr(0, content.find_last_not_of(" \t\r") + 1)) +
+    const std::string shown = shownText(content.substr(0, content.find_last_not_of(" \t\r") + 1));
+    const auto beginsWithOne = [&](std::initializer_list<std::string_view> kinds) {
+        return std::ranges::any_of(kinds, [&](std::string_view kind) { return content.starts_with(kind); });
+    };
+    if (beginsWithOne({"FIELD", "DATASET TABLE", "DATASET TREE", "DATASET DIRECTED_GRAPH", "DATASET UNDIRECTED_GRAPH",
+                       "DATASET MOLECULE"}))
+        return Error{ErrorKind::BadInput, "it holds '" + shown +
                                               "': values alone, without points or a grid that they belong to. Write "
                                               "them with their grid."};
+    if (!content.empty() &&
+        !beginsWithOne({"DATASET STRUCTURED_POINTS", "DATASET STRUCTURED_GRID", "DATASET RECTILINEAR_GRID",
+                        "DATASET UNSTRUCTURED_GRID", "DATASET POLYDATA", "DATASET MULTI", "DATASET HIERARCHICAL",
+                        "DATASET OVERLAPPING", "DATASET NON_OVERLAPPING"}))
+        return Error{ErrorKind::BadInput, "it says '" + shown +
+                                              "' where DATASET and a type as STRUCTURED_POINTS or UNSTRUCTURED_GRID "
+                                              "should stand. It is damaged, or written by a faulty program."};
     if (isText && !text.empty() && static_cast<unsigned char>(text.back()) > ' ')
         checked.remarks.emplace_back("The file ends without an end of line: if it was cut short there, its last number "
                                      "is wrong.");
