@@ -14,12 +14,13 @@ Error noneReads(PluginHost& host, const std::filesystem::path& path, std::span<c
     if (const std::string program = unpackingProgram(bytes); !program.empty())
         return {ErrorKind::BadInput,
                 "'" + path.string() + "' is packed. Unpack it first, by '" + program + "', and open what is in it."};
-    const std::string missing = host.explainMissing(PluginKind::Reader);
     return {ErrorKind::BadInput,
-            "'" + path.string() +
-                "' has an unknown format. The manual and 'tan info --help' list the files that are "
-                "read; samples alone, without a header, are read as a raw file." +
-                (missing.empty() ? "" : "\n" + missing)};
+            "'" + path.string() + "' has an unknown format. " +
+                (host.readers().empty()
+                     ? "No reader is installed."
+                     : "The manual and 'tan info --help' list the files that are read; samples alone, without a "
+                       "header, are read as a raw file.") +
+                host.explainMissing(PluginKind::Reader)};
 }
 
 /// The reader with the highest score for a file of this name that begins so; none if no plugin is set.
