@@ -76,15 +76,24 @@ std::uint64_t usedSeconds()
     return clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time) == 0 ? static_cast<std::uint64_t>(time.tv_sec) : 0;
 }
 
+/// The address space that this process was started with, if it was limited.
+std::uint64_t addressSpace()
+{
+    rlimit limit{};
+    return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY ? limit.rlim_cur : ~std::uint64_t(0);
+}
+
 std::string memorySentence(const WorkLimits& limits)
 {
-    return limits.isHalfOfMachine
-               ? "VTK needs more than " + neededBytesText(limits.memory) +
-                     " of memory for it, half of what this machine has. It is damaged, or too large for this machine: "
-                     "take a part of it."
-               : "VTK needs more than " + neededBytesText(limits.memory) +
-                     " of memory for it, which files of its size do not need. It is damaged; if not, write it in "
-                     "another format (.vtu, .vti).";
+    if (const std::uint64_t space = addressSpace(); space <= limits.memory)
+        return "VTK needs more memory for it than the " + neededBytesText(space) +
+               " that programs may take here. Raise the limit (ulimit -v).";
+    const std::string start = "VTK needs more than " + neededBytesText(limits.memory) + " of memory for it, ";
+    return start +
+           (limits.isHalfOfMachine
+                ? "half of what this machine has. It is damaged, or too large for this machine: take a part of it."
+                : "which files of its size do not need. It is damaged; if not, write it in another format "
+                  "(.vtu, .vti).");
 }
 
 } // namespace
