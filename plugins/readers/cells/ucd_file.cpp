@@ -269,9 +269,8 @@ bool isBinaryUcd(std::string_view bytes)
 
 Error binaryUcd()
 {
-    return {ErrorKind::BadInput,
-            "it is a binary UCD file, and only text is read. Write it as text, or as .vtu (ParaView "
-            "opens it and saves either)."};
+    return {ErrorKind::BadInput, "it is a binary UCD file, and only text is read. Write it as text, or as .vtu, for "
+                                 "instance with ParaView."};
 }
 
 } // namespace

@@ -263,7 +263,7 @@ std::optional<Error> loaderError(std::string_view said)
          {"annot allocate memory", "failed to map segment", "annot create", "oo many open files"})
         if (reason.find(lack) != std::string::npos)
             return Error{ErrorKind::OutOfResource,
-                         "There are not enough memory or open files to start the VTK readers (" + reason +
+                         "There are not enough memory, processes or open files to start the VTK readers (" + reason +
                              "). Close other programs, or raise the limit (ulimit)."};
     const bool missing = reason.find("cannot open shared object") != std::string::npos;
     return Error{ErrorKind::BadInput, std::string(missing ? "The VTK readers are not installed: "

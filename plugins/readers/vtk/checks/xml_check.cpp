@@ -255,9 +255,9 @@ private:
         const fs::path path = path_.parent_path() / name;
         std::error_code ignored;
         if (!fs::exists(path, ignored))
-            return Error{ErrorKind::BadInput, "its file '" + shownText(name) +
-                                                  "' is missing. Copy it to its place beside this one: they belong "
-                                                  "together."};
+            return Error{ErrorKind::BadInput,
+                         "its file '" + shownText(name) +
+                             "' is missing. Copy it into the folder of this one: they belong together."};
         const auto checked = XmlCheck(path, filesWithin_ - 1).run();
         if (!checked)
             return Error{checked.error().kind, "its file '" + shownText(name) + "': " + checked.error().text};

@@ -123,7 +123,10 @@ Status addCells(vtkUnstructuredGrid& mesh, const VtkArray& array, const VtkSampl
                 found.corners.push_back(firstPoint + static_cast<std::uint64_t>(corners[corner]));
         found.offsets.push_back(found.corners.size());
     }
-    if (wronglyLinear > 0)
+    if (wronglyLinear == 1)
+        found.remarks.emplace_back(
+            "1 cell is called linear and has the corners of a quadratic one: it was taken as such.");
+    else if (wronglyLinear > 1)
         found.remarks.push_back(
             std::to_string(wronglyLinear) +
             " cells are called linear and have the corners of quadratic ones: they were taken as such.");
