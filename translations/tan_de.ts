@@ -1323,8 +1323,8 @@
         <translation>NIfTI (*.nii *.nii.gz)</translation>
     </message>
     <message>
-        <source>MRC electron microscopy (*.mrc *.ccp4)</source>
-        <translation>MRC-Elektronenmikroskopie (*.mrc *.ccp4)</translation>
+        <source>MRC electron microscopy (*.mrc *.ccp4 *.map)</source>
+        <translation>MRC-Elektronenmikroskopie (*.mrc *.ccp4 *.map)</translation>
     </message>
     <message>
         <source>TIFF stack (*.tif *.tiff)</source>
@@ -1679,14 +1679,6 @@
         <translation>„%1“ kann nicht geöffnet werden: Zu viele Dateien sind offen. Schließen Sie einige.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is of no format that is known here. %2</source>
-        <translation>„%1“ hat kein Format, das hier bekannt ist. %2</translation>
-    </message>
-    <message>
-        <source>These can be read: %1.</source>
-        <translation>Gelesen werden: %1.</translation>
-    </message>
-    <message>
         <source>No reader is installed.</source>
         <translation>Es ist kein Leser installiert.</translation>
     </message>
@@ -1705,10 +1697,6 @@
     <message>
         <source>it is empty. Get or make the file again.</source>
         <translation>Sie ist leer. Holen oder erzeugen Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>it is empty, or may not be read.</source>
-        <translation>Sie ist leer oder darf nicht gelesen werden.</translation>
     </message>
     <message>
         <source>it changed while it was read. Read it again.</source>
@@ -1763,8 +1751,116 @@
         <translation>%1 ihrer %2 Abtastwerte sind NaN oder unendlich, der erste am Punkt (%3). Ersetzen Sie sie zuerst durch Zahlen.</translation>
     </message>
     <message>
-        <source>VTK says: %1 The file is damaged or incomplete: copy or write it anew.</source>
-        <translation>VTK meldet: %1 Die Datei ist beschädigt oder unvollständig: Kopieren oder schreiben Sie sie neu.</translation>
+        <source>&apos;%1&apos; has an unknown format. %2</source>
+        <translation>„%1“ hat ein unbekanntes Format. %2</translation>
+    </message>
+    <message>
+        <source>The manual and &apos;tan info --help&apos; list the files that are read; samples alone, without a header, are read as a raw file.</source>
+        <translation>Das Handbuch und „tan info --help“ nennen die Dateien, die gelesen werden; Abtastwerte allein, ohne Kopf, werden als Rohdatei gelesen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is packed. Unpack it first, by &apos;%2&apos;, and open what is in it.</source>
+        <translation>„%1“ ist gepackt. Entpacken Sie die Datei zuerst mit „%2“, und öffnen Sie, was darin ist.</translation>
+    </message>
+    <message>
+        <source>Cannot read &apos;%1&apos;: %2 (It was unpacked by itself. If it names other files, unpack it beside them: gunzip.)</source>
+        <translation>„%1“ kann nicht gelesen werden: %2 (Die Datei wurde für sich allein entpackt. Wenn sie andere nennt, entpacken Sie sie neben diesen: gunzip.)</translation>
+    </message>
+    <message>
+        <source>it is packed by gzip, and damaged or cut short. Copy it again from where it came from.</source>
+        <translation>Sie ist mit gzip gepackt und beschädigt oder abgeschnitten. Kopieren Sie sie neu von dort, woher sie kam.</translation>
+    </message>
+    <message>
+        <source>it is packed by gzip, and cannot be unpacked into &apos;%1&apos;: %2. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
+        <translation>Sie ist mit gzip gepackt und kann nicht nach „%1“ entpackt werden: %2. Schaffen Sie dort Platz, setzen Sie TMPDIR auf einen Ordner mit mehr, oder entpacken Sie sie selbst (gunzip).</translation>
+    </message>
+    <message>
+        <source>it is packed by gzip, and unpacks to more than %1, half of the room in &apos;%2&apos;. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
+        <translation>Sie ist mit gzip gepackt und entpackt größer als %1, die Hälfte des Platzes in „%2“. Schaffen Sie dort Platz, setzen Sie TMPDIR auf einen Ordner mit mehr, oder entpacken Sie sie selbst (gunzip).</translation>
+    </message>
+    <message>
+        <source>VTK says: %1 The file is damaged, incomplete, or of a kind that VTK does not know: copy or write it anew.</source>
+        <translation>VTK meldet: %1 Die Datei ist beschädigt, unvollständig oder von einer Art, die VTK nicht kennt: Kopieren oder schreiben Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, and its header asks for %2. It is cut short: copy it again from where it came from.</source>
+        <translation>Sie hat %1 Byte, und ihr Kopf verlangt %2. Sie ist abgeschnitten: Kopieren Sie sie neu von dort, woher sie kam.</translation>
+    </message>
+    <message>
+        <source>its data file &apos;%1&apos; has %2 bytes, and its header asks for %3. It is cut short: copy it again from where it came from.</source>
+        <translation>Ihre Datendatei „%1“ hat %2 Byte, und der Kopf verlangt %3. Sie ist abgeschnitten: Kopieren Sie sie neu von dort, woher sie kam.</translation>
+    </message>
+    <message>
+        <source>its data file &apos;%1&apos; is missing. Copy it into the folder of this one: the two belong together.</source>
+        <translation>Ihre Datendatei „%1“ fehlt. Kopieren Sie sie in den Ordner dieser Datei: Die beiden gehören zusammen.</translation>
+    </message>
+    <message>
+        <source>its file &apos;%1&apos; is missing. Copy it into the folder of this one: they belong together.</source>
+        <translation>Ihre Datei „%1“ fehlt. Kopieren Sie sie in den Ordner dieser Datei: Sie gehören zusammen.</translation>
+    </message>
+    <message>
+        <source>its file &apos;%1&apos; ends in line %2, before the last %3. It is cut short: copy it again from where it came from.</source>
+        <translation>Ihre Datei „%1“ endet in Zeile %2, zu früh für alle Angaben (%3). Sie ist abgeschnitten: Kopieren Sie sie neu von dort, woher sie kam.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, and its variable &apos;%2&apos; reaches to byte %3. It is cut short, or was not written to its end: copy or write it again.</source>
+        <translation>Sie hat %1 Byte, und ihre Variable „%2“ reicht bis Byte %3. Sie ist abgeschnitten oder wurde nicht zu Ende geschrieben: Kopieren oder schreiben Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>page %1 lies behind its end, at %2 bytes. It is cut short: copy it again from where it came from.</source>
+        <translation>Seite %1 liegt hinter ihrem Ende bei %2 Byte. Sie ist abgeschnitten: Kopieren Sie sie neu von dort, woher sie kam.</translation>
+    </message>
+    <message>
+        <source>it ends within its header. It is cut short: copy it again from where it came from.</source>
+        <translation>Sie endet in ihrem Kopf. Sie ist abgeschnitten: Kopieren Sie sie neu von dort, woher sie kam.</translation>
+    </message>
+    <message>
+        <source>it is a list of files, one for each time step or part. Open one of its files, such as &apos;%1&apos;.</source>
+        <translation>Sie ist eine Liste von Dateien, eine für jeden Zeitschritt oder Teil. Öffnen Sie eine davon, etwa „%1“.</translation>
+    </message>
+    <message>
+        <source>it is a binary UCD file, and only text is read. Write it as text, or as .vtu, for instance with ParaView.</source>
+        <translation>Sie ist eine binäre UCD-Datei, und nur Text wird gelesen. Schreiben Sie sie als Text oder als .vtu, etwa mit ParaView.</translation>
+    </message>
+    <message>
+        <source>VTK needs more than %1 of memory for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti).</source>
+        <translation>VTK braucht für sie mehr als %1 Speicher, was Dateien ihrer Größe nicht brauchen. Sie ist beschädigt; wenn nicht, schreiben Sie sie in einem anderen Format (.vtu, .vti).</translation>
+    </message>
+    <message>
+        <source>VTK needs more than %1 of memory for it, half of what this machine has. It is damaged, or too large for this machine: take a part of it.</source>
+        <translation>VTK braucht für sie mehr als %1 Speicher, die Hälfte dessen, was dieser Rechner hat. Sie ist beschädigt oder zu groß für diesen Rechner: Nehmen Sie einen Teil davon.</translation>
+    </message>
+    <message>
+        <source>VTK needs more than %1 seconds of the processor for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti).</source>
+        <translation>VTK braucht für sie mehr als %1 Sekunden des Prozessors, was Dateien ihrer Größe nicht brauchen. Sie ist beschädigt; wenn nicht, schreiben Sie sie in einem anderen Format (.vtu, .vti).</translation>
+    </message>
+    <message>
+        <source>VTK needs more memory for it than the %1 that programs may take here. Raise the limit (ulimit -v).</source>
+        <translation>VTK braucht für sie mehr Speicher als die %1, die Programme hier nehmen dürfen. Erhöhen Sie die Grenze (ulimit -v).</translation>
+    </message>
+    <message>
+        <source>the system ended VTK, which it does when memory runs out. Close other programs, or take a part of the file.</source>
+        <translation>Das System hat VTK beendet, was es tut, wenn der Speicher ausgeht. Schließen Sie andere Programme, oder nehmen Sie einen Teil der Datei.</translation>
+    </message>
+    <message>
+        <source>VTK has waited for its disk for minutes. See whether the disk answers, or copy the file to another one.</source>
+        <translation>VTK hat minutenlang auf seinen Datenträger gewartet. Sehen Sie nach, ob er antwortet, oder kopieren Sie die Datei auf einen anderen.</translation>
+    </message>
+    <message>
+        <source>There are not enough memory, processes or open files to start the VTK readers (%1). Close other programs, or raise the limit (ulimit).</source>
+        <translation>Speicher, Prozesse oder offene Dateien reichen nicht, um die VTK-Leser zu starten (%1). Schließen Sie andere Programme, oder erhöhen Sie die Grenze (ulimit).</translation>
+    </message>
+    <message>
+        <source>The file ends without an end of line: if it was cut short there, its last number is wrong.</source>
+        <translation>Die Datei endet ohne Zeilenende: Wenn sie dort abgeschnitten wurde, ist ihre letzte Zahl falsch.</translation>
+    </message>
+    <message>
+        <source>1 cell is called linear and has the corners of a quadratic one: it was taken as such.</source>
+        <translation>1 Zelle heißt linear und hat die Ecken einer quadratischen: Sie wurde als solche genommen.</translation>
+    </message>
+    <message>
+        <source>%1 cells are called linear and have the corners of quadratic ones: they were taken as such.</source>
+        <translation>%1 Zellen heißen linear und haben die Ecken von quadratischen: Sie wurden als solche genommen.</translation>
     </message>
     <message>
         <source>VTK broke down over it. The file is damaged, larger than memory, or of a kind that VTK reads badly. Write it anew, or as another format (.vtu, .vti).</source>

@@ -1323,8 +1323,8 @@
         <translation>NIfTI (*.nii *.nii.gz)</translation>
     </message>
     <message>
-        <source>MRC electron microscopy (*.mrc *.ccp4)</source>
-        <translation>Microscopia elettronica MRC (*.mrc *.ccp4)</translation>
+        <source>MRC electron microscopy (*.mrc *.ccp4 *.map)</source>
+        <translation>Microscopia elettronica MRC (*.mrc *.ccp4 *.map)</translation>
     </message>
     <message>
         <source>TIFF stack (*.tif *.tiff)</source>
@@ -1679,14 +1679,6 @@
         <translation>«%1» non può essere aperto: troppi file sono aperti. Chiuderne alcuni.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is of no format that is known here. %2</source>
-        <translation>«%1» non è di un formato noto qui. %2</translation>
-    </message>
-    <message>
-        <source>These can be read: %1.</source>
-        <translation>Si leggono: %1.</translation>
-    </message>
-    <message>
         <source>No reader is installed.</source>
         <translation>Nessun lettore è installato.</translation>
     </message>
@@ -1705,10 +1697,6 @@
     <message>
         <source>it is empty. Get or make the file again.</source>
         <translation>è vuoto. Procurarsi o creare di nuovo il file.</translation>
-    </message>
-    <message>
-        <source>it is empty, or may not be read.</source>
-        <translation>è vuoto, o non può essere letto.</translation>
     </message>
     <message>
         <source>it changed while it was read. Read it again.</source>
@@ -1763,8 +1751,116 @@
         <translation>%1 dei suoi %2 campioni sono NaN o infiniti, il primo nel punto (%3). Sostituirli prima con numeri.</translation>
     </message>
     <message>
-        <source>VTK says: %1 The file is damaged or incomplete: copy or write it anew.</source>
-        <translation>VTK dice: %1 Il file è danneggiato o incompleto: copiarlo o scriverlo di nuovo.</translation>
+        <source>&apos;%1&apos; has an unknown format. %2</source>
+        <translation>«%1» ha un formato sconosciuto. %2</translation>
+    </message>
+    <message>
+        <source>The manual and &apos;tan info --help&apos; list the files that are read; samples alone, without a header, are read as a raw file.</source>
+        <translation>Il manuale e «tan info --help» elencano i file che si possono leggere; campioni soli, senza intestazione, si leggono come file grezzo.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is packed. Unpack it first, by &apos;%2&apos;, and open what is in it.</source>
+        <translation>«%1» è compresso. Decomprimerlo prima con «%2» e aprire ciò che contiene.</translation>
+    </message>
+    <message>
+        <source>Cannot read &apos;%1&apos;: %2 (It was unpacked by itself. If it names other files, unpack it beside them: gunzip.)</source>
+        <translation>Impossibile leggere «%1»: %2 (È stato decompresso da solo. Se nomina altri file, decomprimerlo accanto a essi: gunzip.)</translation>
+    </message>
+    <message>
+        <source>it is packed by gzip, and damaged or cut short. Copy it again from where it came from.</source>
+        <translation>è compresso con gzip, e danneggiato o troncato. Copiarlo di nuovo da dove proviene.</translation>
+    </message>
+    <message>
+        <source>it is packed by gzip, and cannot be unpacked into &apos;%1&apos;: %2. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
+        <translation>è compresso con gzip, e non si può decomprimere in «%1»: %2. Liberare spazio là, impostare TMPDIR su una cartella che ne ha di più, o decomprimerlo a mano (gunzip).</translation>
+    </message>
+    <message>
+        <source>it is packed by gzip, and unpacks to more than %1, half of the room in &apos;%2&apos;. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
+        <translation>è compresso con gzip, e decompresso supera %1, metà dello spazio in «%2». Liberare spazio là, impostare TMPDIR su una cartella che ne ha di più, o decomprimerlo a mano (gunzip).</translation>
+    </message>
+    <message>
+        <source>VTK says: %1 The file is damaged, incomplete, or of a kind that VTK does not know: copy or write it anew.</source>
+        <translation>VTK dice: %1 Il file è danneggiato, incompleto o di un tipo che VTK non conosce: copiarlo o scriverlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, and its header asks for %2. It is cut short: copy it again from where it came from.</source>
+        <translation>ha %1 byte, e la sua intestazione ne chiede %2. È troncato: copiarlo di nuovo da dove proviene.</translation>
+    </message>
+    <message>
+        <source>its data file &apos;%1&apos; has %2 bytes, and its header asks for %3. It is cut short: copy it again from where it came from.</source>
+        <translation>il suo file di dati «%1» ha %2 byte, e l’intestazione ne chiede %3. È troncato: copiarlo di nuovo da dove proviene.</translation>
+    </message>
+    <message>
+        <source>its data file &apos;%1&apos; is missing. Copy it into the folder of this one: the two belong together.</source>
+        <translation>il suo file di dati «%1» manca. Copiarlo nella cartella di questo: i due vanno insieme.</translation>
+    </message>
+    <message>
+        <source>its file &apos;%1&apos; is missing. Copy it into the folder of this one: they belong together.</source>
+        <translation>il suo file «%1» manca. Copiarlo nella cartella di questo: vanno insieme.</translation>
+    </message>
+    <message>
+        <source>its file &apos;%1&apos; ends in line %2, before the last %3. It is cut short: copy it again from where it came from.</source>
+        <translation>il suo file «%1» finisce alla riga %2, prima di tutti i dati (%3). È troncato: copiarlo di nuovo da dove proviene.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, and its variable &apos;%2&apos; reaches to byte %3. It is cut short, or was not written to its end: copy or write it again.</source>
+        <translation>ha %1 byte, e la sua variabile «%2» arriva al byte %3. È troncato, o non è stato scritto fino in fondo: copiarlo o scriverlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>page %1 lies behind its end, at %2 bytes. It is cut short: copy it again from where it came from.</source>
+        <translation>la pagina %1 sta oltre la sua fine, a %2 byte. È troncato: copiarlo di nuovo da dove proviene.</translation>
+    </message>
+    <message>
+        <source>it ends within its header. It is cut short: copy it again from where it came from.</source>
+        <translation>finisce dentro la sua intestazione. È troncato: copiarlo di nuovo da dove proviene.</translation>
+    </message>
+    <message>
+        <source>it is a list of files, one for each time step or part. Open one of its files, such as &apos;%1&apos;.</source>
+        <translation>è un elenco di file, uno per ogni passo temporale o parte. Aprirne uno, per esempio «%1».</translation>
+    </message>
+    <message>
+        <source>it is a binary UCD file, and only text is read. Write it as text, or as .vtu, for instance with ParaView.</source>
+        <translation>è un file UCD binario, e si legge solo il testo. Scriverlo come testo o come .vtu, per esempio con ParaView.</translation>
+    </message>
+    <message>
+        <source>VTK needs more than %1 of memory for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti).</source>
+        <translation>VTK richiede più di %1 di memoria, che file di questa grandezza non richiedono. È danneggiato; altrimenti scriverlo in un altro formato (.vtu, .vti).</translation>
+    </message>
+    <message>
+        <source>VTK needs more than %1 of memory for it, half of what this machine has. It is damaged, or too large for this machine: take a part of it.</source>
+        <translation>VTK richiede più di %1 di memoria, metà di quella di questa macchina. È danneggiato, o troppo grande per questa macchina: prenderne una parte.</translation>
+    </message>
+    <message>
+        <source>VTK needs more than %1 seconds of the processor for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti).</source>
+        <translation>VTK richiede più di %1 secondi del processore, che file di questa grandezza non richiedono. È danneggiato; altrimenti scriverlo in un altro formato (.vtu, .vti).</translation>
+    </message>
+    <message>
+        <source>VTK needs more memory for it than the %1 that programs may take here. Raise the limit (ulimit -v).</source>
+        <translation>VTK richiede più memoria dei %1 che i programmi possono prendere qui. Alzare il limite (ulimit -v).</translation>
+    </message>
+    <message>
+        <source>the system ended VTK, which it does when memory runs out. Close other programs, or take a part of the file.</source>
+        <translation>il sistema ha terminato VTK, come fa quando la memoria finisce. Chiudere altri programmi, o prendere una parte del file.</translation>
+    </message>
+    <message>
+        <source>VTK has waited for its disk for minutes. See whether the disk answers, or copy the file to another one.</source>
+        <translation>VTK ha atteso per minuti il suo disco. Verificare che il disco risponda, o copiare il file su un altro.</translation>
+    </message>
+    <message>
+        <source>There are not enough memory, processes or open files to start the VTK readers (%1). Close other programs, or raise the limit (ulimit).</source>
+        <translation>Memoria, processi o file aperti non bastano per avviare i lettori VTK (%1). Chiudere altri programmi, o alzare il limite (ulimit).</translation>
+    </message>
+    <message>
+        <source>The file ends without an end of line: if it was cut short there, its last number is wrong.</source>
+        <translation>Il file finisce senza fine riga: se è stato troncato lì, il suo ultimo numero è sbagliato.</translation>
+    </message>
+    <message>
+        <source>1 cell is called linear and has the corners of a quadratic one: it was taken as such.</source>
+        <translation>1 cella è detta lineare e ha i vertici di una quadratica: è stata presa come tale.</translation>
+    </message>
+    <message>
+        <source>%1 cells are called linear and have the corners of quadratic ones: they were taken as such.</source>
+        <translation>%1 celle sono dette lineari e hanno i vertici di quadratiche: sono state prese come tali.</translation>
     </message>
     <message>
         <source>VTK broke down over it. The file is damaged, larger than memory, or of a kind that VTK reads badly. Write it anew, or as another format (.vtu, .vti).</source>

@@ -166,13 +166,18 @@ Result<Outcome> describeDataset(const Invocation& invocation, const std::string&
 
 Syntax infoSyntax(PluginHost& host)
 {
+    std::string readable;
+    for (const std::string& filter : readableFiles(host))
+        readable += (readable.empty() ? "" : ", ") + filter;
     Syntax syntax{
         .purpose = "say what a model or a dataset holds",
         .explanation =
             "Of a model: its domain, how it was made, and the size of the mesh at each level of "
             "detail. The sizes are looked up, not counted, so this is quick for models of any size; of curvilinear "
             "grids the inverted tetrahedra are counted, some ten million a second. "
-            "Of a dataset: its size, its type and its range of values.",
+            "Of a dataset: its size, its type and its range of values.\n\nDatasets that can be read, also packed "
+            "by gzip (*.gz): " +
+            readable + ".",
         .positionals = {{"FILE", "A model, or a dataset that one of the readers knows."}},
         .options = {levelsOption(), warpingOption(),
                     outputOption("FILE.csv|.json", "Of a model: also write the levels to this file.", false)},

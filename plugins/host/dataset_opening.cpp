@@ -2,27 +2,70 @@
 #include "plugins/host/dataset_opening.h"
 
 #include "plugins/host/input_file.h"
+#include "plugins/host/packed_file.h"
 #include "plugins/host/parameter_values.h"
 #include "plugins/host/plugin_call.h"
 
 namespace tetra {
 namespace {
 
-std::string withSeparators(const std::vector<std::string>& texts)
+Error noneReads(PluginHost& host, const std::filesystem::path& path, std::span<const std::byte> bytes)
 {
-    std::string list;
-    for (const std::string& text : texts)
-        list += (list.empty() ? "" : ", ") + text;
-    return list;
+    if (const std::string program = unpackingProgram(bytes); !program.empty())
+        return {ErrorKind::BadInput,
+                "'" + path.string() + "' is packed. Unpack it first, by '" + program + "', and open what is in it."};
+    return {ErrorKind::BadInput,
+            "'" + path.string() + "' has an unknown format. " +
+                (host.readers().empty()
+                     ? "No reader is installed."
+                     : "The manual and 'tan info --help' list the files that are read; samples alone, without a "
+                       "header, are read as a raw file.") +
+                host.explainMissing(PluginKind::Reader)};
 }
 
-Error noneReads(PluginHost& host, const std::filesystem::path& path)
+/// The reader with the highest score for a file of this name that begins so; none if no plugin is set.
+Provided<Reader> bestReader(PluginHost& host, const std::filesystem::path& path, std::span<const std::byte> bytes)
 {
-    const auto filters = readableFiles(host);
-    const std::string readable =
-        filters.empty() ? "No reader is installed." : "These can be read: " + withSeparators(filters) + ".";
-    return {ErrorKind::BadInput, "'" + path.string() + "' is of no format that is known here. " + readable +
-                                     host.explainMissing(PluginKind::Reader)};
+    Provided<Reader> best;
+    double bestScore = 0;
+    for (auto& reader : host.readers())
+        if (const double score = reader.plugin->score(path, bytes); score > bestScore) {
+            bestScore = score;
+            best = std::move(reader);
+        }
+    return best;
+}
+
+/// What a reader is given: the file, or what was in it if it is packed and the reader does not unpack it by itself.
+struct ReadableFile {
+    std::filesystem::path path;
+    std::optional<UnpackedFile> unpacked;
+};
+
+Result<ReadableFile> readableFile(const Reader& reader, const std::filesystem::path& path, const Progress& progress)
+{
+    const auto bytes = firstBytesOf(path);
+    if (!bytes)
+        return bytes.error();
+    if (!isPackedByGzip(*bytes) || reader.score(path, *bytes) > 0)
+        return ReadableFile{path, {}};
+    auto unpacked = UnpackedFile::unpack(path, progress);
+    if (!unpacked)
+        return unpacked.error();
+    return ReadableFile{unpacked->path(), *std::move(unpacked)};
+}
+
+/// An error that names the file as the user does.
+Error inPackedFile(Error error, const ReadableFile& file, const std::filesystem::path& path)
+{
+    if (!file.unpacked)
+        return error;
+    const std::string folder = file.path.string();
+    for (auto place = error.text.find(folder); place != std::string::npos; place = error.text.find(folder))
+        error.text.replace(place, folder.size(), path.string());
+    if (error.kind == ErrorKind::BadInput)
+        error.text += " (It was unpacked by itself. If it names other files, unpack it beside them: gunzip.)";
+    return error;
 }
 
 /// The reader, if the values are among its parameters.
@@ -56,15 +99,15 @@ Result<Provided<Reader>> chooseReader(PluginHost& host, const std::filesystem::p
         return Error{ErrorKind::BadInput, "'" + path.string() +
                                               "' is a TAn model, and a dataset is wanted here: the file that the model "
                                               "was built from."};
-    Provided<Reader> best;
-    double bestScore = 0;
-    for (auto& reader : host.readers())
-        if (const double score = reader.plugin->score(path, *bytes); score > bestScore) {
-            bestScore = score;
-            best = std::move(reader);
-        }
+    Provided<Reader> best = bestReader(host, path, *bytes);
+    if (best.plugin == nullptr && isPackedByGzip(*bytes)) {
+        const auto inside = firstUnpackedBytes(path);
+        if (!inside)
+            return inside.error();
+        best = bestReader(host, unpackedName(path), *inside);
+    }
     if (best.plugin == nullptr)
-        return noneReads(host, path);
+        return noneReads(host, path, *bytes);
     return best;
 }
 
@@ -84,11 +127,19 @@ Result<Dataset> openDataset(PluginHost& host, const std::filesystem::path& path,
     const auto reader = readerFor(host, path, options);
     if (!reader)
         return reader.error();
+    constexpr double unpackEnd = 0.3;
+    const auto file = readableFile(*reader->plugin, path, progress.part(0, unpackEnd));
+    if (!file)
+        return file.error();
+    const double readBegin = file->unpacked ? unpackEnd : 0;
     const double readEnd = options.part.isWhole() ? 1 : 0.8;
-    const auto whole =
-        callPlugin(reader->id, [&] { return reader->plugin->read(path, options.values, progress.part(0, readEnd)); });
+    auto whole = callPlugin(reader->id, [&] {
+        return reader->plugin->read(file->path, options.values, progress.part(readBegin, readEnd));
+    });
     if (!whole)
-        return whole;
+        return inPackedFile(whole.error(), *file, path);
+    if (file->unpacked)
+        whole->source.path = path;
     return takePart(*whole, options.part, progress.part(readEnd, 1));
 }
 
@@ -98,7 +149,12 @@ Result<FileContents> probeDataset(PluginHost& host, const std::filesystem::path&
     const auto reader = readerFor(host, path, options);
     if (!reader)
         return reader.error();
-    return callPlugin(reader->id, [&] { return reader->plugin->probe(path, options.values, progress); });
+    const auto file = readableFile(*reader->plugin, path, progress);
+    if (!file)
+        return file.error();
+    const auto contents =
+        callPlugin(reader->id, [&] { return reader->plugin->probe(file->path, options.values, progress); });
+    return contents ? contents : inPackedFile(contents.error(), *file, path);
 }
 
 } // namespace tetra

@@ -11,16 +11,17 @@
 
 namespace tetra {
 
-/// The reader that suits a file best, by its name and first bytes. Errors: a file that cannot be read at all; none
-/// suits (then: what can be read, and which readers are missing); a TAn model.
+/// The reader that suits a file best, by its name and first bytes, or by those of what is in it if it is packed by
+/// gzip. Errors: a file that cannot be read at all; none suits (and which readers are missing); a TAn model.
 Result<Provided<Reader>> chooseReader(PluginHost& host, const std::filesystem::path& path);
 
 /// The reader with this id, or without one as above.
 Result<Provided<Reader>> chooseReader(PluginHost& host, const std::filesystem::path& path,
                                       const std::optional<std::string>& id);
 
-/// Reads a dataset, or a part of it. The values are the reader's parameters and no others (WrongUsage). Every sample is
-/// finite. Errors: the reader's, and those of takePart(). Call from a worker thread; safe from any.
+/// Reads a dataset, or a part of it. Files packed by gzip ("map.ccp4.gz") are unpacked for as long as they are read, if
+/// the reader does not do so by itself. The values are the reader's parameters and no others (WrongUsage). Every sample
+/// is finite. Errors: the reader's, and those of takePart(). Call from a worker thread; safe from any.
 Result<Dataset> openDataset(PluginHost& host, const std::filesystem::path& path, const ImportOptions& options = {},
                             const Progress& progress = {});
 

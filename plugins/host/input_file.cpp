@@ -10,11 +10,11 @@
 #include <span>
 
 namespace tetra {
-namespace {
 
-constexpr std::streamsize shownToReaders = 4096;
-
-} // namespace
+bool isLackOfResources(int systemError) noexcept
+{
+    return systemError == ENOMEM || systemError == EAGAIN || systemError == EMFILE || systemError == ENFILE;
+}
 
 Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
 {
@@ -31,8 +31,11 @@ Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
         return bad("is a device or a pipe. Give a file.");
 
     std::ifstream file(path, std::ios::binary);
+    if (!file.is_open() && isLackOfResources(errno))
+        return Error{ErrorKind::OutOfResource, "'" + path.string() + "' cannot be read: " + std::strerror(errno) +
+                                                   ". Close other programs, or raise the limit (ulimit)."};
     Buffer<std::byte> bytes(shownToReaders);
-    file.read(reinterpret_cast<char*>(bytes.data()), shownToReaders);
+    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(shownToReaders));
     if (file.gcount() == 0)
         return bad(file.eof() ? std::string("is empty. Copy it again from where it came from.")
                               : std::string("cannot be read: ") + systemErrorText(errno) + ".");

@@ -109,11 +109,9 @@ void SentencesTest::whatIsMadeOfIt_data()
     QTest::newRow("a name that looks like a placeholder")
         << "Cannot open '%2': too many files are open. Close some of them."
         << "„%2“ kann nicht geöffnet werden: Zu viele Dateien sind offen. Schließen Sie einige.";
-    QTest::newRow("a list of files, and a second line")
-        << "'x.abc' is of no format that is known here. These can be read: NetCDF, CF conventions (*.nc *.cdf), TIFF "
-           "stack (*.tif *.tiff).\nNobody knows this."
-        << "„x.abc“ hat kein Format, das hier bekannt ist. Gelesen werden: NetCDF, CF-Konventionen (*.nc *.cdf), "
-           "TIFF-Stapel (*.tif *.tiff).\nNobody knows this.";
+    QTest::newRow("a sentence behind a sentence, and a second line")
+        << "'x.abc' has an unknown format. No reader is installed.\nNobody knows this."
+        << "„x.abc“ hat ein unbekanntes Format. Es ist kein Leser installiert.\nNobody knows this.";
     QTest::newRow("a number at the beginning")
         << "12924 cells were turned over: the corners are in the other order."
         << "12924 Zellen wurden umgedreht: Die Ecken stehen in der anderen Reihenfolge.";

@@ -173,7 +173,7 @@ constexpr std::array texts{
     QT_TRANSLATE_NOOP("Plugin", "CGNS (*.cgns)"),
     QT_TRANSLATE_NOOP("Plugin", "MetaImage (*.mhd *.mha)"),
     QT_TRANSLATE_NOOP("Plugin", "NIfTI (*.nii *.nii.gz)"),
-    QT_TRANSLATE_NOOP("Plugin", "MRC electron microscopy (*.mrc *.ccp4)"),
+    QT_TRANSLATE_NOOP("Plugin", "MRC electron microscopy (*.mrc *.ccp4 *.map)"),
     QT_TRANSLATE_NOOP("Plugin", "TIFF stack (*.tif *.tiff)"),
     QT_TRANSLATE_NOOP("Plugin", "DICOM series (*.dcm *.dicom)"),
     QT_TRANSLATE_NOOP("Plugin", "PLOT3D, also text (*.xyz *.x *.g *.p3d *.q)"),

@@ -262,10 +262,23 @@ private:
     std::unordered_map<std::int64_t, std::uint64_t> cellNumbers_;
 };
 
+bool isBinaryUcd(std::string_view bytes)
+{
+    return bytes.starts_with('\7');
+}
+
+Error binaryUcd()
+{
+    return {ErrorKind::BadInput, "it is a binary UCD file, and only text is read. Write it as text, or as .vtu, for "
+                                 "instance with ParaView."};
+}
+
 } // namespace
 
 bool looksLikeUcd(std::string_view firstBytes)
 {
+    if (isBinaryUcd(firstBytes)) // to say what it is
+        return true;
     UcdLines lines(firstBytes);
     std::string_view line;
     UcdCounts counts;
@@ -274,8 +287,8 @@ bool looksLikeUcd(std::string_view firstBytes)
 
 Result<CellsFile> readUcd(std::string_view bytes, const CellsRequest& request, const Progress& progress)
 {
-    if (bytes.starts_with('\7'))
-        return Error{ErrorKind::BadInput, "it is a binary UCD file; the VTK plugin reads those."};
+    if (isBinaryUcd(bytes))
+        return binaryUcd();
     UcdReading reading(bytes, progress);
     CellsFile file;
     if (const Status status = reading.head(); !status)
@@ -316,8 +329,8 @@ Result<CellsFile> readUcd(std::string_view bytes, const CellsRequest& request, c
 
 Result<FileContents> probeUcd(std::string_view bytes)
 {
-    if (bytes.starts_with('\7'))
-        return Error{ErrorKind::BadInput, "it is a binary UCD file; the VTK plugin reads those."};
+    if (isBinaryUcd(bytes))
+        return binaryUcd();
     UcdReading reading(bytes, {});
     if (const Status status = reading.head(); !status)
         return status.error();

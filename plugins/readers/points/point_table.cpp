@@ -230,10 +230,16 @@ bool looksLikePointTable(std::string_view beginning)
     TextLines lines(beginning);
     std::string_view line;
     std::vector<std::string_view> fields;
-    for (std::uint64_t tried = 0; tried < linesToTry && lines.next(line); ++tried)
-        if (splitFields(line, separatorOf(line), fields) &&
-            std::ranges::count_if(fields, [](std::string_view field) { return finiteNumber(field).has_value(); }) >= 4)
+    for (std::uint64_t tried = 0; tried < linesToTry && lines.next(line); ++tried) {
+        if (!splitFields(line, separatorOf(line), fields))
+            continue;
+        const auto numbers = static_cast<std::size_t>(
+            std::ranges::count_if(fields, [](std::string_view field) { return finiteNumber(field).has_value(); }));
+        if (numbers >= 4)
             return true;
+        if (numbers == fields.size() && !fields.empty()) // sizes, as of a grid: rows have no fewer numbers
+            return false;
+    }
     return false;
 }
 

@@ -1,80 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper_process.h"
 
+#include "plugins/readers/vtk/process_limits.h"
 #include "plugins/readers/vtk/vtk_exchange.h"
 
-#include <QFile>
-#include <QProcess>
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <ctime>
+#include <optional>
+#include <system_error>
+#include <thread>
 
 #include <dlfcn.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace tetra {
 namespace {
 
 namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
 
-constexpr int milliseconds = 50; ///< between two looks at whether it is to be cancelled
+constexpr std::chrono::milliseconds betweenLooks{50}; ///< at whether it is to be cancelled
 constexpr auto install = "Install VTK with 'apt install libvtk9.1' (other systems: VTK 9).";
 
-/// Reads what the helper writes, until it ends or the user cancels.
-class HelperOutput {
-public:
-    HelperOutput(QProcess& process, const Progress& progress) : process_(process), progress_(progress) {}
-
-    bool read(void* to, std::size_t bytes)
-    {
-        char* place = static_cast<char*>(to);
-        while (bytes > 0) {
-            if (process_.bytesAvailable() == 0 && !waitForMore())
-                return false;
-            const qint64 count = process_.read(place, static_cast<qint64>(bytes));
-            if (count < 0)
-                return false;
-            place += count;
-            bytes -= static_cast<std::size_t>(count);
-        }
-        return true;
-    }
-
-private:
-    bool waitForMore()
-    {
-        while (!progress_.cancelled()) {
-            if (process_.waitForReadyRead(milliseconds) || process_.bytesAvailable() > 0)
-                return true;
-            if (process_.state() == QProcess::NotRunning)
-                return process_.bytesAvailable() > 0;
-        }
-        return false;
-    }
-
-    QProcess& process_;
-    const Progress& progress_;
-};
-
-/// Its text up to the first end of line.
-std::string firstLine(const QByteArray& text)
+Error cannotRead(const std::string& file, ErrorKind kind, const std::string& reason)
 {
-    return text.left(text.indexOf('\n')).trimmed().toStdString();
+    return {kind, "Cannot read '" + file + "': " + reason};
 }
 
-/// Why the helper gave no answer.
-Error explainEnd(QProcess& process, const std::string& file)
+bool isLackOfResources(int systemError)
 {
-    process.waitForFinished(2000);
-    const QByteArray said = process.readAllStandardError();
-    constexpr auto loader = "error while loading shared libraries: ";
-    if (const auto place = said.indexOf(loader); place >= 0)
-        return {ErrorKind::BadInput, "The VTK readers are not installed: " +
-                                         firstLine(said.mid(place + qsizetype(std::string_view(loader).size()))) +
-                                         ". " + install};
-    return {ErrorKind::BadInput, "Cannot read '" + file +
-                                     "': VTK broke down over it. The file is damaged, larger than memory, or of a kind "
-                                     "that VTK reads badly. Write it anew, or as another format (.vtu, .vti)."};
+    return systemError == ENOMEM || systemError == EAGAIN || systemError == EMFILE || systemError == ENFILE;
 }
 
-Error notStarted(const fs::path& helper, const QString& reason)
+Error notStarted(const fs::path& helper, int systemError)
 {
+    const std::string reason = std::generic_category().message(systemError);
+    if (isLackOfResources(systemError))
+        return {ErrorKind::OutOfResource,
+                "There are not enough memory, processes or open files to start the VTK readers (" + reason +
+                    "). Close other programs, or raise the limit (ulimit)."};
     std::error_code ignored;
     if (!fs::exists(helper, ignored))
         return {ErrorKind::BadInput,
@@ -82,14 +54,251 @@ Error notStarted(const fs::path& helper, const QString& reason)
                 "'apt install ./tan-vtk-readers_*.deb' where the file lies "
                 "(of a build of your own: build it anew after 'apt install libvtk9-dev'), or "
                 "convert the file to NRRD or CSV."};
-    return {ErrorKind::BadInput,
-            "The VTK readers cannot be started: '" + helper.string() + "': " + reason.toStdString()};
+    return {ErrorKind::BadInput, "The VTK readers cannot be started: '" + helper.string() + "': " + reason};
+}
+
+class Descriptor {
+public:
+    explicit Descriptor(int number = -1) : number_(number) {}
+    ~Descriptor() { reset(); }
+    Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+    Descriptor& operator=(Descriptor&&) = delete;
+    int number() const noexcept { return number_; }
+    void reset()
+    {
+        if (number_ >= 0)
+            ::close(std::exchange(number_, -1));
+    }
+
+private:
+    int number_;
+};
+
+/// A file of no name, in memory: what a process is to read needs no one to write it meanwhile, and what it writes to
+/// its standard error no one to read it.
+Descriptor memoryFile(const std::string& content = {})
+{
+    Descriptor file(::memfd_create("tan-read-vtk", MFD_CLOEXEC));
+    for (std::size_t place = 0; file.number() >= 0 && place < content.size();) {
+        const ssize_t written = ::write(file.number(), content.data() + place, content.size() - place);
+        if (written <= 0)
+            return Descriptor();
+        place += static_cast<std::size_t>(written);
+    }
+    if (file.number() >= 0)
+        ::lseek(file.number(), 0, SEEK_SET);
+    return file;
+}
+
+/// A program that runs: its input was given before, its output is read from a pipe.
+class HelperProcess {
+public:
+    /// The error is the system's.
+    static std::variant<HelperProcess, int> start(const fs::path& program, const std::string& input, char** environment)
+    {
+        Descriptor request = memoryFile(input);
+        Descriptor errors = memoryFile();
+        std::array<int, 2> ends{-1, -1};
+        if (request.number() < 0 || errors.number() < 0 || ::pipe2(ends.data(), O_CLOEXEC) != 0)
+            return errno;
+        Descriptor output(ends[0]);
+        const Descriptor writing(ends[1]);
+        constexpr int pipeBytes = 1 << 20;
+        ::fcntl(output.number(), F_SETPIPE_SZ, pipeBytes); // fewer turns; without it as well
+
+        posix_spawn_file_actions_t files;
+        posix_spawn_file_actions_init(&files);
+        posix_spawn_file_actions_adddup2(&files, request.number(), STDIN_FILENO);
+        posix_spawn_file_actions_adddup2(&files, writing.number(), STDOUT_FILENO);
+        posix_spawn_file_actions_adddup2(&files, errors.number(), STDERR_FILENO);
+        posix_spawnattr_t attributes;
+        posix_spawnattr_init(&attributes);
+        sigset_t every;
+        sigfillset(&every); // whatever this program ignores or blocks
+        posix_spawnattr_setsigdefault(&attributes, &every);
+        sigemptyset(&every);
+        posix_spawnattr_setsigmask(&attributes, &every);
+        posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+        std::string name = program.string();
+        const std::array<char*, 2> arguments{name.data(), nullptr};
+        pid_t process = -1;
+        const int failure = ::posix_spawn(&process, name.c_str(), &files, &attributes, arguments.data(), environment);
+        posix_spawnattr_destroy(&attributes);
+        posix_spawn_file_actions_destroy(&files);
+        if (failure != 0)
+            return failure;
+        return HelperProcess(process, std::move(output), std::move(errors));
+    }
+
+    HelperProcess(HelperProcess&& other) noexcept
+        : process_(std::exchange(other.process_, -1)), output_(std::move(other.output_)),
+          errors_(std::move(other.errors_))
+    {
+    }
+    HelperProcess& operator=(HelperProcess&&) = delete;
+    ~HelperProcess()
+    {
+        if (process_ < 0)
+            return;
+        ::kill(process_, SIGKILL);
+        output_.reset();
+        waitForEnd(std::chrono::seconds(1)); // longer only if a disk does not let it go
+    }
+
+    int output() const noexcept { return output_.number(); }
+
+    /// The processor time that it has used; nothing if that is not known.
+    std::optional<std::int64_t> processorNanoseconds() const
+    {
+        clockid_t clock{};
+        timespec time{};
+        if (process_ < 0 || ::clock_getcpuclockid(process_, &clock) != 0 || ::clock_gettime(clock, &time) != 0)
+            return std::nullopt;
+        return std::int64_t(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
+    }
+
+    /// How it ended, as waitpid() says it; nothing if it has not within that time.
+    std::optional<int> waitForEnd(std::chrono::milliseconds patience)
+    {
+        const auto end = Clock::now() + patience;
+        do {
+            int status = 0;
+            const pid_t ended = ::waitpid(process_, &status, WNOHANG);
+            if (ended == process_ || (ended < 0 && errno != EINTR)) {
+                process_ = -1;
+                return ended < 0 ? std::nullopt : std::optional(status);
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        } while (Clock::now() < end);
+        return std::nullopt;
+    }
+
+    /// What it wrote to its standard error, up to some length.
+    std::string errors() const
+    {
+        std::string text(16384, '\0');
+        const ssize_t count = ::pread(errors_.number(), text.data(), text.size(), 0);
+        text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, count)));
+        return text;
+    }
+
+private:
+    HelperProcess(pid_t process, Descriptor output, Descriptor errors)
+        : process_(process), output_(std::move(output)), errors_(std::move(errors))
+    {
+    }
+
+    pid_t process_;
+    Descriptor output_;
+    Descriptor errors_;
+};
+
+/// Reads what the helper writes, until it ends, is idle for too long, or the user cancels.
+class HelperOutput {
+public:
+    HelperOutput(const HelperProcess& process, const Progress& progress, std::chrono::milliseconds idle)
+        : process_(process), progress_(progress), patience_(idle)
+    {
+    }
+
+    bool read(void* to, std::size_t bytes)
+    {
+        for (char* place = static_cast<char*>(to); bytes > 0;) {
+            if (!waitForMore())
+                return false;
+            const ssize_t count = ::read(process_.output(), place, bytes);
+            if (count < 0 && (errno == EINTR || errno == EAGAIN))
+                continue;
+            if (count <= 0)
+                return false;
+            place += count;
+            bytes -= static_cast<std::size_t>(count);
+        }
+        return true;
+    }
+    bool wasIdle() const noexcept { return wasIdle_; }
+
+private:
+    bool waitForMore()
+    {
+        auto lastSign = Clock::now();
+        auto lastTime = process_.processorNanoseconds();
+        while (!progress_.cancelled()) {
+            pollfd output{process_.output(), POLLIN, 0};
+            const int ready = ::poll(&output, 1, static_cast<int>(betweenLooks.count()));
+            if (ready > 0)
+                return true;
+            const auto time = process_.processorNanoseconds();
+            if (time != lastTime)
+                lastSign = Clock::now();
+            lastTime = time;
+            wasIdle_ = Clock::now() - lastSign > patience_;
+            if (wasIdle_)
+                return false;
+        }
+        return false;
+    }
+
+    const HelperProcess& process_;
+    const Progress& progress_;
+    std::chrono::milliseconds patience_;
+    bool wasIdle_ = false;
+};
+
+std::string firstLine(std::string_view text)
+{
+    text = text.substr(0, text.find('\n'));
+    return std::string(text.substr(0, text.find_last_not_of(" \r\t") + 1));
+}
+
+/// What the system's loader says of libraries that it could not load; nothing if it said nothing.
+std::optional<Error> loaderError(std::string_view said)
+{
+    constexpr std::string_view start = "error while loading shared libraries: ";
+    const auto place = said.find(start);
+    if (place == std::string_view::npos)
+        return std::nullopt;
+    const std::string reason = firstLine(said.substr(place + start.size()));
+    for (const std::string_view lack :
+         {"annot allocate memory", "failed to map segment", "annot create", "oo many open files"})
+        if (reason.find(lack) != std::string::npos)
+            return Error{ErrorKind::OutOfResource,
+                         "There are not enough memory, processes or open files to start the VTK readers (" + reason +
+                             "). Close other programs, or raise the limit (ulimit)."};
+    const bool missing = reason.find("cannot open shared object") != std::string::npos;
+    return Error{ErrorKind::BadInput, std::string(missing ? "The VTK readers are not installed: "
+                                                          : "The VTK readers are installed badly: ") +
+                                          reason + ". " + install};
+}
+
+/// Why the helper gave no answer.
+Error explainEnd(HelperProcess& process, const std::string& file)
+{
+    const auto status = process.waitForEnd(std::chrono::seconds(2));
+    const std::string said = process.errors();
+    if (const auto place = said.rfind(limitNote); place != std::string::npos)
+        return cannotRead(file, ErrorKind::OutOfResource,
+                          firstLine(std::string_view(said).substr(place + limitNote.size())));
+    if (const auto error = loaderError(said))
+        return *error;
+    const int signal = status && WIFSIGNALED(*status) ? WTERMSIG(*status) : 0;
+    if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP)
+        return cancelledError("Reading");
+    if (signal == SIGKILL)
+        return cannotRead(
+            file, ErrorKind::OutOfResource,
+            "the system ended VTK, which it does when memory runs out. Close other programs, or take a part "
+            "of the file.");
+    return cannotRead(file, ErrorKind::BadInput,
+                      "VTK broke down over it. The file is damaged, larger than memory, or of a kind "
+                      "that VTK reads badly. Write it anew, or as another format (.vtu, .vti).");
 }
 
 /// Reads messages up to the answer.
-Result<VtkAnswer> receive(QProcess& process, const std::string& file, const Progress& progress)
+Result<VtkAnswer> receive(HelperProcess& process, const std::string& file, const Progress& progress,
+                          std::chrono::milliseconds idle)
 {
-    HelperOutput output(process, progress);
+    HelperOutput output(process, progress, idle);
     ExchangeInput input([&](void* to, std::size_t bytes) { return output.read(to, bytes); });
     Result<VtkAnswer> answer = Error{};
     for (bool last = false; !last && input.good();) {
@@ -109,14 +318,20 @@ Result<VtkAnswer> receive(QProcess& process, const std::string& file, const Prog
             FileContents contents;
             exchange(input, contents);
             answer = VtkAnswer(std::move(contents));
-        } else {
+        } else if (message == VtkMessage::Error) {
             Error error;
             exchange(input, error);
             answer = std::move(error);
+        } else if (!progress.cancelled() && !output.wasIdle()) {
+            return explainEnd(process, file); // the end, or no message
         }
     }
     if (progress.cancelled())
         return cancelledError("Reading");
+    if (output.wasIdle())
+        return cannotRead(file, ErrorKind::OutOfResource,
+                          "VTK has waited for its disk for minutes. See whether the disk answers, or copy the file to "
+                          "another one.");
     if (!input.good())
         return explainEnd(process, file);
     return answer;
@@ -132,23 +347,42 @@ fs::path vtkHelperBesidePlugin()
     return fs::absolute(info.dli_fname).parent_path() / "tan-read-vtk";
 }
 
-Result<VtkAnswer> askVtkHelper(const fs::path& helper, VtkRequest request, const Progress& progress)
+bool canStartVtkHelper(const fs::path& helper)
 {
-    QProcess process;
-    process.setProgram(QFile::decodeName(helper.c_str()));
-    process.start();
-    if (!process.waitForStarted())
-        return notStarted(helper, process.errorString());
+    std::string listOnly = "LD_TRACE_LOADED_OBJECTS=1"; // ld.so(8): names the libraries in place of starting
+    std::vector<char*> environment;
+    for (char** entry = environ; *entry != nullptr; ++entry)
+        environment.push_back(*entry);
+    environment.push_back(listOnly.data());
+    environment.push_back(nullptr);
+    auto started = HelperProcess::start(helper, {}, environment.data());
+    auto* const process = std::get_if<HelperProcess>(&started);
+    if (process == nullptr)
+        return false;
+    const Progress progress;
+    HelperOutput output(*process, progress, std::chrono::seconds(10));
+    std::string libraries;
+    for (char c = 0; output.read(&c, 1);)
+        libraries += c;
+    const auto status = process->waitForEnd(std::chrono::seconds(2));
+    return status && WIFEXITED(*status) && WEXITSTATUS(*status) == 0 &&
+           libraries.find("not found") == std::string::npos;
+}
+
+Result<VtkAnswer> askVtkHelper(const fs::path& helper, VtkRequest request, const Progress& progress,
+                               std::chrono::milliseconds idle)
+{
+    std::string input;
     ExchangeOutput output([&](const void* data, std::size_t bytes) {
-        return process.write(static_cast<const char*>(data), static_cast<qint64>(bytes)) >= 0;
+        input.append(static_cast<const char*>(data), bytes);
+        return true;
     });
     exchange(output, request);
-    process.closeWriteChannel();
-    auto answer = receive(process, request.path, progress);
-    // The answer is whole: nothing that the helper still has to tidy up is worth waiting for.
-    process.kill();
-    process.waitForFinished();
-    return answer;
+    auto started = HelperProcess::start(helper, input, environ);
+    if (const int* failure = std::get_if<int>(&started))
+        return notStarted(helper, *failure);
+    // The answer is whole when it came: nothing that the helper still has to tidy up is worth waiting for.
+    return receive(std::get<HelperProcess>(started), request.path, progress, idle);
 }
 
 } // namespace tetra

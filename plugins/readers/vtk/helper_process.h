@@ -6,6 +6,7 @@
 #include "plugins/api/reader.h"
 #include "plugins/readers/vtk/vtk_findings.h"
 
+#include <chrono>
 #include <filesystem>
 #include <variant>
 
@@ -16,10 +17,16 @@ using VtkAnswer = std::variant<VtkFindings, FileContents>;
 /// Where the helper program of this plugin lies: beside the plugin's own file.
 std::filesystem::path vtkHelperBesidePlugin();
 
+/// Whether the helper program is there with all its libraries, as the system's loader finds them. Takes some
+/// milliseconds; does not start VTK.
+bool canStartVtkHelper(const std::filesystem::path& helper);
+
 /// Runs the helper program on a request and waits for its answer. VTK runs in a process of its own because its readers
 /// break down on many a damaged file, print, and take a tenth of a second to load: whatever happens there is an Error
-/// here. Cancelling ends the process at once. Errors: the helper's own; VTK is not installed (with what to install);
-/// the helper crashed. Any thread.
-Result<VtkAnswer> askVtkHelper(const std::filesystem::path& helper, VtkRequest request, const Progress& progress);
+/// here. Cancelling ends the process at once. It limits its own memory and time (process_limits.h); it is ended if for
+/// `idle` it neither worked nor said anything, as on a disk that does not answer. Errors: the helper's own; a limit
+/// that it met; VTK is not installed (with what to install); no memory or files to start it; it crashed. Any thread.
+Result<VtkAnswer> askVtkHelper(const std::filesystem::path& helper, VtkRequest request, const Progress& progress,
+                               std::chrono::milliseconds idle = std::chrono::minutes(10));
 
 } // namespace tetra

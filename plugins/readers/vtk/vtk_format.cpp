@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/vtk_format.h"
 
+#include "plugins/readers/vtk/tecplot_text.h"
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -25,7 +27,7 @@ constexpr std::array<FormatEntry, 17> formats = {{
     {VtkFormat::Cgns, "CGNS (*.cgns)", 0.8},
     {VtkFormat::MetaImage, "MetaImage (*.mhd *.mha)", 0.9},
     {VtkFormat::Nifti, "NIfTI (*.nii *.nii.gz)", 0.9},
-    {VtkFormat::Mrc, "MRC electron microscopy (*.mrc *.ccp4)", 0.8},
+    {VtkFormat::Mrc, "MRC electron microscopy (*.mrc *.ccp4 *.map)", 0.8},
     {VtkFormat::Tiff, "TIFF stack (*.tif *.tiff)", 0.6},
     {VtkFormat::Dicom, "DICOM series (*.dcm *.dicom)", 0.6},
     {VtkFormat::Plot3d, "PLOT3D, also text (*.xyz *.x *.g *.p3d *.q)", 0.15},
@@ -79,7 +81,11 @@ VtkFormat bySignature(std::string_view bytes)
         return VtkFormat::Xml;
     if (hasAt(bytes, 128, "DICM"))
         return VtkFormat::Dicom;
-    return isTiff(bytes) ? VtkFormat::Tiff : VtkFormat::None;
+    if (hasAt(bytes, 208, "MAP "))
+        return VtkFormat::Mrc;
+    if (isTiff(bytes))
+        return VtkFormat::Tiff;
+    return looksLikeTecplot(bytes) ? VtkFormat::Tecplot : VtkFormat::None;
 }
 
 /// Whether a file begins as a PLOT3D text does: numbers alone, first one or three whole ones in a line. (Tables of

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/vtk_reader.h"
 
+#include "core/base/mapped_file.h"
 #include "plugins/readers/vtk/helper_process.h"
 #include "plugins/readers/vtk/vtk_dataset.h"
 #include "plugins/readers/vtk/vtk_format.h"
 #include "plugins/readers/vtk/vtk_parameters.h"
 
-#include <array>
-#include <fstream>
+#include <algorithm>
 #include <new>
 #include <stdexcept>
+#include <string_view>
 
 namespace tetra {
 namespace {
@@ -25,16 +26,18 @@ Error inFile(const fs::path& path, const Error& error)
 
 Result<VtkRequest> requestFor(const fs::path& path, const ParameterValues& values)
 {
-    std::array<std::byte, 4096> bytes{};
-    std::ifstream file(path, std::ios::binary);
-    file.read(reinterpret_cast<char*>(bytes.data()), bytes.size());
-    if (file.gcount() == 0)
-        return Error{ErrorKind::BadInput, "it is empty, or may not be read."};
+    constexpr std::size_t looked = 4096;
+    const auto file = MappedFile::open(path);
+    if (!file)
+        return file.error();
+    const auto bytes = (*file)->bytes();
+    if (bytes.empty())
+        return inFile(path, {ErrorKind::BadInput, "it is empty. Get or make the file again."});
     VtkRequest request = vtkRequest(values);
-    request.format = guessVtkFormat(path, std::span(bytes).first(static_cast<std::size_t>(file.gcount()))).format;
+    request.format = guessVtkFormat(path, bytes.first(std::min(looked, bytes.size()))).format;
     request.path = fs::absolute(path).string();
     if (request.format == VtkFormat::None)
-        return Error{ErrorKind::BadInput, "it is of no format that VTK reads."};
+        return inFile(path, {ErrorKind::BadInput, "it is of no format that VTK reads."});
     return request;
 }
 
@@ -60,8 +63,22 @@ std::vector<std::string> VtkReader::nameFilters() const
 double VtkReader::score(const fs::path& path, std::span<const std::byte> firstBytes) const
 {
     constexpr double withoutVtk = 0.5; // to say what to install, unless another reader does without VTK
+    const VtkGuess guess = guessVtkFormat(path, firstBytes);
     std::error_code ignored;
-    return guessVtkFormat(path, firstBytes).score * (fs::exists(helper_, ignored) ? 1 : withoutVtk);
+    if (guess.score > 0 && !fs::exists(helper_, ignored))
+        return guess.score * withoutVtk;
+    const std::string_view bytes(reinterpret_cast<const char*>(firstBytes.data()), firstBytes.size());
+    const bool othersReadIt =
+        guess.format == VtkFormat::Xml && bytes.find("UnstructuredGrid") != std::string_view::npos;
+    return guess.score * (othersReadIt && !helperCanStart() ? withoutVtk : 1);
+}
+
+bool VtkReader::helperCanStart() const
+{
+    const std::lock_guard lock(mutex_);
+    if (!canStart_)
+        canStart_ = canStartVtkHelper(helper_);
+    return *canStart_;
 }
 
 std::vector<Parameter> VtkReader::parameters() const
@@ -74,7 +91,7 @@ try {
     constexpr double untilFound = 0.7; // of the time, roughly; the rest makes the dataset out of it
     const auto request = requestFor(path, values);
     if (!request)
-        return inFile(path, request.error());
+        return request.error();
     auto answer = askVtkHelper(helper_, *request, progress.part(0, untilFound));
     if (!answer)
         return answer.error();
@@ -90,7 +107,7 @@ Result<FileContents> VtkReader::probe(const fs::path& path, const ParameterValue
 try {
     auto request = requestFor(path, values);
     if (!request)
-        return inFile(path, request.error());
+        return request.error();
     request->contentsOnly = true;
     auto answer = askVtkHelper(helper_, *request, progress);
     if (!answer)

@@ -46,6 +46,18 @@ std::optional<CellShape> shapeOf(int vtkType)
     }
 }
 
+/// The quadratic shape of so many corners, for cells that are called linear; nothing else has as many.
+std::optional<CellShape> quadraticShape(CellShape shape, vtkIdType corners)
+{
+    switch (shape) {
+    case CellShape::Tetrahedron: return corners == 10 ? std::optional(CellShape::QuadraticTetrahedron) : std::nullopt;
+    case CellShape::Pyramid: return corners == 13 ? std::optional(CellShape::QuadraticPyramid) : std::nullopt;
+    case CellShape::Prism: return corners == 15 ? std::optional(CellShape::QuadraticPrism) : std::nullopt;
+    case CellShape::Hexahedron: return corners == 20 ? std::optional(CellShape::QuadraticHexahedron) : std::nullopt;
+    default: return std::nullopt;
+    }
+}
+
 void appendDoubles(const VtkSamples& samples, VtkFindings& found)
 {
     const std::vector<double> values = toDoubles(samples);
@@ -90,6 +102,7 @@ Status addCells(vtkUnstructuredGrid& mesh, const VtkArray& array, const VtkSampl
         return Error{ErrorKind::BadInput, "the lists of its cells' corners contradict each other. It is damaged."};
     if (found.offsets.empty())
         found.offsets.push_back(0);
+    std::uint64_t wronglyLinear = 0;
     for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell) {
         const auto shape = shapeOf(mesh.GetCellType(cell));
         if (!shape)
@@ -97,7 +110,9 @@ Status addCells(vtkUnstructuredGrid& mesh, const VtkArray& array, const VtkSampl
         vtkIdType count = 0;
         const vtkIdType* corners = nullptr;
         cells->GetCellAtId(cell, count, corners);
-        found.shapes.push_back(*shape);
+        const auto quadratic = quadraticShape(*shape, count);
+        wronglyLinear += quadratic ? 1 : 0;
+        found.shapes.push_back(quadratic.value_or(*shape));
         for (vtkIdType corner = 0; corner < count; ++corner)
             if (corners[corner] < 0 || corners[corner] >= mesh.GetNumberOfPoints())
                 return Error{ErrorKind::BadInput, "cell " + std::to_string(cell) + " (from 0) has the corner " +
@@ -108,6 +123,13 @@ Status addCells(vtkUnstructuredGrid& mesh, const VtkArray& array, const VtkSampl
                 found.corners.push_back(firstPoint + static_cast<std::uint64_t>(corners[corner]));
         found.offsets.push_back(found.corners.size());
     }
+    if (wronglyLinear == 1)
+        found.remarks.emplace_back(
+            "1 cell is called linear and has the corners of a quadratic one: it was taken as such.");
+    else if (wronglyLinear > 1)
+        found.remarks.push_back(
+            std::to_string(wronglyLinear) +
+            " cells are called linear and have the corners of quadratic ones: they were taken as such.");
     appendPositions(mesh, found);
     appendDoubles(samples, found);
     appendBlanked(mesh, cellsBefore, found);

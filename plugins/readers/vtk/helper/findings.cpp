@@ -94,7 +94,7 @@ Result<VtkFindings> findingsOfMeshes(const std::vector<VtkLeaf>& meshes, const V
             !added)
             return added.error();
     }
-    found.remarks = first->samples.remarks;
+    found.remarks.insert(found.remarks.begin(), first->samples.remarks.begin(), first->samples.remarks.end());
     if (without > 0)
         found.remarks.push_back(std::to_string(without) + " of its parts have no '" + shownText(first->array.name) +
                                 "' and were left out.");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/image_sources.h"
 
-#include "plugins/readers/vtk/helper/slice_names.h"
+#include "plugins/readers/vtk/checks/slice_names.h"
 
 #include <vtkDICOMImageReader.h>
 #include <vtkMRCReader.h>

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program in which VTK reads a file for the plugin: takes one request from its input and writes messages to its
 // output (plugins/readers/vtk/vtk_exchange.h). It may break down: the plugin bears that.
+#include "core/base/memory.h"
+#include "plugins/readers/vtk/checks/file_check.h"
 #include "plugins/readers/vtk/helper/contents.h"
 #include "plugins/readers/vtk/helper/findings.h"
-#include "plugins/readers/vtk/helper/process_limits.h"
 #include "plugins/readers/vtk/helper/running.h"
+#include "plugins/readers/vtk/process_limits.h"
 #include "plugins/readers/vtk/vtk_exchange.h"
 
 #include <new>
@@ -93,6 +95,12 @@ Result<VtkFindings> find(const VtkSource& source, const VtkRequest& request, con
 void answer(const VtkRequest& request, const VtkLog& log, ExchangeOutput& output)
 try {
     const auto progress = [&](double fraction) { send(output, VtkMessage::Progress, fraction); };
+    const auto checked = checkBeforeVtk(request);
+    if (!checked) {
+        send(output, VtkMessage::Error, inFile(request, checked.error()));
+        return;
+    }
+    limitWork(limitsFor(checked->bytes, checked->unpackedBytes, physicalBytes()));
     const auto source = makeSource(request);
     if (!source) {
         send(output, VtkMessage::Error, inFile(request, source.error()));
@@ -102,13 +110,13 @@ try {
                  : send(output, VtkMessage::Error, inFile(request, contents.error()));
     } else {
         auto found = find(*source, request, log, progress);
+        if (found)
+            found->remarks.insert(found->remarks.begin(), checked->remarks.begin(), checked->remarks.end());
         found ? send(output, VtkMessage::Findings, *std::move(found))
               : send(output, VtkMessage::Error, inFile(request, found.error()));
     }
 } catch (const std::bad_alloc&) {
-    send(output, VtkMessage::Error,
-         inFile(request, {ErrorKind::OutOfResource, "there is not enough memory for what it says it holds. It is "
-                                                    "damaged, or too large for this machine."}));
+    send(output, VtkMessage::Error, inFile(request, memoryLimitMet()));
 } catch (const std::length_error&) {
     send(output, VtkMessage::Error,
          inFile(request, {ErrorKind::BadInput, "it says that it holds more than any machine can. It is damaged."}));

@@ -2,6 +2,7 @@
 #include "plugins/readers/vtk/helper/mesh_sources.h"
 
 #include "plugins/readers/vtk/helper/plot3d_source.h"
+#include "plugins/readers/vtk/helper/tecplot_source.h"
 
 #include <vtkCGNSReader.h>
 #include <vtkExodusIIReader.h>
@@ -11,7 +12,6 @@
 #include <vtkNetCDFCFReader.h>
 #include <vtkOpenFOAMReader.h>
 #include <vtkStringArray.h>
-#include <vtkTecplotReader.h>
 
 #include <algorithm>
 #include <string_view>
@@ -111,7 +111,7 @@ Result<VtkSource> makeMeshSource(const VtkRequest& request)
     case VtkFormat::Gambit: return plainSource<vtkGAMBITReader>(request.path);
     case VtkFormat::Fluent: return plainSource<vtkFLUENTReader>(request.path);
     case VtkFormat::OpenFoam: return openFoamSource(request.path);
-    case VtkFormat::Tecplot: return plainSource<vtkTecplotReader>(request.path);
+    case VtkFormat::Tecplot: return makeTecplotSource(request.path);
     default: return makePlot3dSource(request);
     }
 }

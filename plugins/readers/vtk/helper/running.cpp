@@ -23,7 +23,8 @@ Status checkDone(vtkAlgorithm& reader, const VtkLog& log)
         return done;
     if (const unsigned long code = reader.GetErrorCode(); code != vtkErrorCode::NoError)
         return Error{ErrorKind::BadInput, std::string("VTK says: ") + vtkErrorCode::GetStringFromErrorCode(code) +
-                                              ". The file is damaged or incomplete: copy or write it anew."};
+                                              ". The file is damaged, incomplete, or of a kind that VTK does not "
+                                              "know: copy or write it anew."};
     return {};
 }
 

@@ -1,22 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/vtk_log.h"
 
+#include "plugins/readers/vtk/process_limits.h"
+
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
+#include <iostream>
+#include <streambuf>
 #include <string_view>
 
 namespace tetra {
 namespace {
 
+constexpr std::string_view failure = "It could not be read.";
 constexpr std::size_t most = 8; ///< messages of each kind; a damaged file can make millions
 
 /// What VTK calls a warning though values are missing after it: "Error reading ascii data. Possible mismatch ...".
 bool meansError(std::string_view text)
 {
     return text.find("rror reading") != std::string_view::npos || text.find("mismatch") != std::string_view::npos;
+}
+
+/// What follows a failure, whatever it was: "Algorithm vtkHDFReader(0x1234) returned failure for request: ..." with all
+/// that VTK knows of the request.
+bool isOnlyAFailure(std::string_view text)
+{
+    return text.find("returned failure for request") != std::string_view::npos;
 }
 
 /// "ERROR: In FILE, line 12\nvtkClass (0x1234): What is wrong.\n\n" without all but the last part, in one line.
@@ -26,6 +38,8 @@ std::string essence(std::string_view text)
         text.remove_prefix(std::min(text.find('\n') + 1, text.size()));
     if (const auto place = text.find("): "); place < text.find('\n'))
         text.remove_prefix(place + 3);
+    if (isOnlyAFailure(text))
+        return std::string(failure);
     std::string line;
     for (const char c : text)
         if (c != '\n' && c != '\r' && c != '\t')
@@ -34,7 +48,20 @@ std::string essence(std::string_view text)
             line += ' ';
     while (!line.empty() && line.back() == ' ')
         line.pop_back();
+    for (auto place = line.find("(0x"); place != std::string::npos; place = line.find("(0x", place)) { // addresses
+        const auto end = line.find_first_not_of("0123456789abcdef", place + 3);
+        if (end == std::string::npos || line[end] != ')')
+            place += 3;
+        else
+            line.erase(place, end + 1 - place);
+    }
     return line;
+}
+
+void addLine(std::vector<std::string>& list, const std::string& line)
+{
+    if (list.size() < most && std::ranges::find(list, line) == list.end())
+        list.push_back(line);
 }
 
 class LogWindow : public vtkOutputWindow {
@@ -53,10 +80,36 @@ private:
     void addWarning(const char* text) { add(text != nullptr && meansError(text) ? log->errors : log->warnings, text); }
     static void add(std::vector<std::string>& list, const char* text)
     {
-        const std::string line = essence(text == nullptr ? "" : text);
-        if (list.size() < most && std::ranges::find(list, line) == list.end())
-            list.push_back(line);
+        addLine(list, essence(text == nullptr ? "" : text));
     }
+};
+
+/// What libraries write to std::cerr. That of MetaImage says nothing else where data are missing.
+class ErrorStream : public std::streambuf {
+public:
+    explicit ErrorStream(VtkLog& log) : log_(log) {}
+
+protected:
+    int_type overflow(int_type c) override
+    {
+        constexpr std::size_t longest = 400;
+        if (c == '\n')
+            endLine();
+        else if (c != traits_type::eof() && line_.size() < longest)
+            line_ += static_cast<char>(c);
+        return traits_type::not_eof(c);
+    }
+
+private:
+    void endLine()
+    {
+        if (line_.starts_with("Meta") || line_.starts_with("Uncompress failed"))
+            addLine(log_.errors, line_);
+        line_.clear();
+    }
+
+    VtkLog& log_;
+    std::string line_;
 };
 
 vtkStandardNewMacro(LogWindow);
@@ -68,15 +121,23 @@ void sendVtkMessagesTo(VtkLog& log)
     const auto window = vtkSmartPointer<LogWindow>::New();
     window->log = &log;
     vtkOutputWindow::SetInstance(window);
+    static ErrorStream stream(log); // std::cerr lives as long
+    std::cerr.rdbuf(&stream);
 }
 
 Status statusOf(const VtkLog& log)
 {
     if (log.errors.empty())
         return {};
-    return Error{ErrorKind::BadInput, "VTK says: " + log.errors.front() +
-                                          (log.errors.front().ends_with('.') ? "" : ".") +
-                                          " The file is damaged or incomplete: copy or write it anew."};
+    for (const std::string& error : log.errors)
+        for (const std::string_view memory : {"llocat", "out of memory", "ot enough memory"})
+            if (error.find(memory) != std::string::npos)
+                return memoryLimitMet();
+    const auto reason = std::ranges::find_if(log.errors, [](const std::string& e) { return e != failure; });
+    const std::string& said = reason == log.errors.end() ? log.errors.front() : *reason;
+    return Error{ErrorKind::BadInput,
+                 "VTK says: " + said + (said.ends_with('.') ? "" : ".") +
+                     " The file is damaged, incomplete, or of a kind that VTK does not know: copy or write it anew."};
 }
 
 } // namespace tetra

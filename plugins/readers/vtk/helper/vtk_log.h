@@ -14,10 +14,11 @@ struct VtkLog {
     std::vector<std::string> warnings;
 };
 
-/// From now on all errors and warnings of VTK go to `log`, which must live to the end of the process.
+/// From now on all errors and warnings of VTK, and what its libraries write to std::cerr, go to `log`, which must live
+/// to the end of the process.
 void sendVtkMessagesTo(VtkLog& log);
 
-/// Success if there were no errors; else an Error with the first of them.
+/// Success if there were no errors; else an Error with the first of them that says something, or that memory ran out.
 Status statusOf(const VtkLog& log);
 
 } // namespace tetra

@@ -2,7 +2,7 @@
 #include "plugins/readers/vtk/helper/xml_sources.h"
 
 #include "core/base/shown_text.h"
-#include "plugins/readers/vtk/helper/xml_checks.h"
+#include "plugins/readers/vtk/checks/xml_check.h"
 
 #include <vtkDataArraySelection.h>
 #include <vtkXMLImageDataReader.h>
@@ -17,7 +17,6 @@
 #include <vtkXMLStructuredGridReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
-#include <fstream>
 #include <map>
 #include <string_view>
 
@@ -43,17 +42,6 @@ const std::map<std::string_view, Make> readers = {{"ImageData", make<vtkXMLImage
                                                   {"PPolyData", make<vtkXMLPPolyDataReader>},
                                                   {"vtkMultiBlockDataSet", make<vtkXMLMultiBlockDataReader>}};
 
-/// What stands in the attribute "type" of the element VTKFile; empty without one in the first bytes of the file.
-std::string typeOf(const std::string& path)
-{
-    std::string start(4096, '\0');
-    std::ifstream file(path, std::ios::binary);
-    file.read(start.data(), static_cast<std::streamsize>(start.size()));
-    start.resize(static_cast<std::size_t>(file.gcount()));
-    const auto element = start.find("<VTKFile");
-    return element == std::string::npos ? "" : std::string(xmlAttribute(start.substr(element), "type"));
-}
-
 /// Only the wanted array, if it is named and there; all others stay on.
 void selectOnly(vtkDataArraySelection& points, vtkDataArraySelection& cells, const std::string& wanted)
 {
@@ -75,16 +63,13 @@ void selectOnly(vtkDataArraySelection& points, vtkDataArraySelection& cells, con
 
 Result<VtkSource> makeXmlSource(const VtkRequest& request)
 {
-    const std::string type = typeOf(request.path);
+    const std::string type = xmlType(request.path);
     const auto found = readers.find(type);
     if (found == readers.end())
         return Error{ErrorKind::BadInput,
                      type.empty() ? "it is no VTK file: its beginning does not say a type of data. Write it anew."
                                   : "it holds data of the type '" + shownText(type) +
                                         "', which are no volume. Write them as a grid, a mesh or points."};
-    if (type == "ImageData" || type == "RectilinearGrid" || type == "StructuredGrid")
-        if (const Status fits = checkXmlGrid(request.path, type); !fits)
-            return fits.error();
     const vtkSmartPointer<vtkXMLReader> reader = found->second();
     reader->SetFileName(request.path.c_str());
     VtkSource source{.reader = reader, .knowsContents = type != "vtkMultiBlockDataSet" && !type.starts_with('P')};

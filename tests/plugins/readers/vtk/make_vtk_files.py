@@ -2,15 +2,15 @@
 # Writes a file of each format into the folder named first, and beside it NAME.ref with what VTK itself reads in it: five
 # 64-bit integers (points, cells, three dimensions or zeros), then the positions and the values as doubles.
 # Exits with 77 without VTK.
+import ctypes
+import ctypes.util
 import math
 import os
 import struct
 import sys
 
 try:
-    import numpy
     import vtk
-    from vtk.util.numpy_support import vtk_to_numpy
 except ImportError:
     sys.exit(77)
 
@@ -130,7 +130,8 @@ def write_reference(name, reader, array=None):
         file.write(struct.pack("<5q", data.GetNumberOfPoints(), data.GetNumberOfCells(), *dimensions))
         for i in range(data.GetNumberOfPoints()):
             file.write(struct.pack("<3d", *data.GetPoint(i)))
-        file.write(vtk_to_numpy(values).reshape(data.GetNumberOfPoints(), -1)[:, 0].astype("<f8").tobytes())
+        for i in range(data.GetNumberOfPoints()):
+            file.write(struct.pack("<d", values.GetComponent(i, 0)))
 
 
 def written(name, writer, data, reader, **settings):
@@ -160,10 +161,35 @@ def write_xml():
             SetEndPiece=1)
     written("pieces.pvtu", vtk.vtkXMLPUnstructuredGridWriter(), tetrahedra(), vtk.vtkXMLPUnstructuredGridReader(),
             SetNumberOfPieces=1, SetStartPiece=0, SetEndPiece=0)
+    write_halves()
     blocks = vtk.vtkMultiBlockDataSet()
     blocks.SetBlock(0, structured())
     blocks.SetBlock(1, rectilinear())
     written("blocks.vtm", vtk.vtkXMLMultiBlockDataWriter(), blocks, vtk.vtkXMLMultiBlockDataReader())
+
+
+def write_halves():
+    """A lattice in two pieces that meet in a layer."""
+    data = image()
+    pieces = ""
+    for number, (first, last) in enumerate(((0, 3), (3, 5))):
+        part = vtk.vtkExtractVOI()
+        part.SetInputData(data)
+        part.SetVOI(0, 3, 0, 4, first, last)
+        writer = vtk.vtkXMLImageDataWriter()
+        writer.SetFileName(path("halves_%d.vti" % number))
+        writer.SetInputConnection(part.GetOutputPort())
+        writer.Write()
+        pieces += '<Piece Extent="0 3 0 4 %d %d" Source="halves_%d.vti"/>' % (first, last, number)
+    with open(path("halves.pvti"), "w") as file:
+        file.write('<?xml version="1.0"?><VTKFile type="PImageData" version="0.1" byte_order="LittleEndian">'
+                   '<PImageData WholeExtent="0 3 0 4 0 5" GhostLevel="0" Origin="-1 2 3" Spacing="0.5 0.25 1.5">'
+                   '<PPointData Scalars="density"><PDataArray type="Float32" Name="density"/>'
+                   '<PDataArray type="Float32" Name="velocity" NumberOfComponents="3"/></PPointData>' + pieces +
+                   '</PImageData></VTKFile>')
+    reader = vtk.vtkXMLPImageDataReader()
+    reader.SetFileName(path("halves.pvti"))
+    write_reference("halves.pvti", reader)
 
 
 def write_legacy():
@@ -188,11 +214,10 @@ def write_images():
     writer.SetInputData(scalar_image(vtk.VTK_SHORT))
     writer.Write()
     written("pages.tif", vtk.vtkTIFFWriter(), scalar_image(vtk.VTK_UNSIGNED_CHAR), vtk.vtkTIFFReader())
-    numbers = numpy.arange(4 * 5 * 6, dtype="<f4").reshape(6, 5, 4)
     header = struct.pack("<4i3i3i6f3i3f", 4, 5, 6, 2, 0, 0, 0, 4, 5, 6, 4, 5, 6, 90, 90, 90, 1, 2, 3, 0, 119, 60)
     header += struct.pack("<2i", 0, 0) + bytes(100) + struct.pack("<3f", 0, 0, 0) + b"MAP " + b"\x44\x44\x00\x00"
     with open(path("map.mrc"), "wb") as file:
-        file.write(header.ljust(1024, b"\0") + numbers.tobytes())
+        file.write(header.ljust(1024, b"\0") + struct.pack("<120f", *range(120)))
     reader = vtk.vtkMRCReader()
     reader.SetFileName(path("map.mrc"))
     write_reference("map.mrc", reader)
@@ -237,22 +262,23 @@ def netcdf_name(text):
 def write_netcdf():
     """Classic NetCDF: temperature(z, y, x) with coordinate variables."""
     sizes = {"z": 6, "y": 5, "x": 4}
-    variables = [(n, [i], (numpy.arange(s) * (i + 0.5)).astype(">f8")) for i, (n, s) in enumerate(sizes.items())]
-    variables.append(("temperature", [0, 1, 2], numpy.sin(numpy.arange(120) * 0.1).astype(">f4").reshape(6, 5, 4)))
+    variables = [(n, [i], 6, struct.pack(">%dd" % s, *[k * (i + 0.5) for k in range(s)]))
+                 for i, (n, s) in enumerate(sizes.items())]
+    variables.append(("temperature", [0, 1, 2], 5, struct.pack(">120f", *[math.sin(k * 0.1) for k in range(120)])))
     head = b"CDF\1" + struct.pack(">i", 0) + struct.pack(">2i", 10, 3)
     head += b"".join(netcdf_name(n) + struct.pack(">i", s) for n, s in sizes.items()) + struct.pack(">2i", 0, 0)
 
     def listed(first):
         text, begin = struct.pack(">2i", 11, len(variables)), first
-        for name, dimensions, values in variables:
+        for name, dimensions, number_type, values in variables:
             text += netcdf_name(name) + struct.pack(">i", len(dimensions)) + struct.pack(">%di" % len(dimensions), *dimensions)
-            text += struct.pack(">2i", 0, 0) + struct.pack(">3i", 6 if values.dtype.itemsize == 8 else 5, values.nbytes, begin)
-            begin += values.nbytes
+            text += struct.pack(">2i", 0, 0) + struct.pack(">3i", number_type, len(values), begin)
+            begin += len(values)
         return text
 
     first = len(head) + len(listed(0))
     with open(path("grid.nc"), "wb") as file:
-        file.write(head + listed(first) + b"".join(values.tobytes() for _, _, values in variables))
+        file.write(head + listed(first) + b"".join(variable[3] for variable in variables))
     reader = vtk.vtkNetCDFCFReader()
     reader.SetFileName(path("grid.nc"))
     reader.SphericalCoordinatesOff()
@@ -342,6 +368,121 @@ def write_texts():
     write_reference("block.tec", reader, "P")
 
 
+class Hdf5:
+    """As much of the library of HDF5, which VTK brings, as is needed to write groups, attributes and arrays."""
+    SCALAR, SIMPLE, ORDERED = 0, 1, 3  # H5S_SCALAR, H5S_SIMPLE, creation order tracked and indexed
+
+    def __init__(self, library, name):
+        self.lib = library
+        library.H5open()
+        for function in ("H5Fcreate", "H5Gcreate2", "H5Acreate2", "H5Dcreate2", "H5Screate", "H5Screate_simple", "H5Tcopy",
+                         "H5Pcreate"):
+            getattr(library, function).restype = ctypes.c_int64
+        self.ordered = {kind: self.create_list("H5P_CLS_%s_CREATE_ID_g" % kind) for kind in ("FILE", "GROUP")}
+        self.file = self.call("H5Fcreate", name.encode(), 2, self.ordered["FILE"], 0)
+
+    def constant(self, name):
+        return ctypes.c_int64(ctypes.c_int64.in_dll(self.lib, name).value)
+
+    def call(self, function, *arguments):
+        return ctypes.c_int64(getattr(self.lib, function)(*[
+            ctypes.c_int64(a) if isinstance(a, int) else a for a in arguments]))
+
+    def create_list(self, kind):
+        made = self.call("H5Pcreate", self.constant(kind))
+        self.call("H5Pset_link_creation_order", made, self.ORDERED)
+        return made
+
+    def group(self, parent, name):
+        return self.call("H5Gcreate2", parent, name.encode(), 0, self.ordered["GROUP"], 0)
+
+    def text_type(self, size):
+        made = self.call("H5Tcopy", self.constant("H5T_C_S1_g"))
+        self.call("H5Tset_size", made, size)
+        return made
+
+    def space(self, shape):
+        if shape is None:
+            return self.call("H5Screate", self.SCALAR)
+        return self.call("H5Screate_simple", len(shape), (ctypes.c_uint64 * len(shape))(*shape), None)
+
+    def attribute(self, parent, name, kind, shape, raw):
+        made = self.call("H5Acreate2", parent, name.encode(), kind, self.space(shape), 0, 0)
+        self.call("H5Awrite", made, kind, raw)
+        self.call("H5Aclose", made)
+
+    def text(self, parent, name, text, size=None):
+        size = size or len(text)
+        self.attribute(parent, name, self.text_type(size), None, text.encode().ljust(size, b"\0"))
+
+    def array(self, parent, name, kind, shape, raw):
+        made = self.call("H5Dcreate2", parent, name.encode(), kind, self.space(shape), 0, 0, 0)
+        self.call("H5Dwrite", made, kind, 0, 0, 0, raw)
+        self.call("H5Dclose", made)
+
+    def close(self):
+        self.lib.H5close()
+
+
+def write_hdf():
+    name = ctypes.util.find_library("hdf5_serial") or ctypes.util.find_library("hdf5")
+    if name is None:
+        return
+    library = ctypes.CDLL(name)
+    samples = struct.pack("<120f", *range(120))
+    hdf = Hdf5(library, path("image.vtkhdf"))
+    long, double, single = [hdf.constant("H5T_NATIVE_%s_g" % kind) for kind in ("LLONG", "DOUBLE", "FLOAT")]
+    top = hdf.group(hdf.file, "VTKHDF")
+    hdf.attribute(top, "Version", long, (2,), struct.pack("<2q", 1, 0))
+    hdf.text(top, "Type", "ImageData")
+    hdf.attribute(top, "WholeExtent", long, (6,), struct.pack("<6q", 0, 3, 0, 4, 0, 5))
+    hdf.attribute(top, "Origin", double, (3,), struct.pack("<3d", -1, 2, 3))
+    hdf.attribute(top, "Spacing", double, (3,), struct.pack("<3d", 0.5, 0.25, 1.5))
+    hdf.attribute(top, "Direction", double, (9,), struct.pack("<9d", 1, 0, 0, 0, 1, 0, 0, 0, 1))
+    hdf.array(hdf.group(top, "PointData"), "density", single, (6, 5, 4), samples)
+    hdf.close()
+    reader = vtk.vtkHDFReader()
+    reader.SetFileName(path("image.vtkhdf"))
+    write_reference("image.vtkhdf", reader, "density")
+
+    hdf = Hdf5(library, path("grid.cgns"))
+    integer, double, single, byte = [hdf.constant("H5T_NATIVE_%s_g" % kind) for kind in ("INT", "DOUBLE", "FLOAT", "SCHAR")]
+
+    def node(parent, name, label, kind, raw=None, shape=None, data_type=None):
+        made = parent if name is None else hdf.group(parent, name)
+        hdf.text(made, "name", name or "HDF5 MotherNode", 33)
+        hdf.text(made, "label", label, 33)
+        hdf.text(made, "type", kind, 3)
+        if name is not None:
+            hdf.attribute(made, "flags", integer, (1,), struct.pack("<i", 1))
+        if raw is not None:
+            hdf.array(made, " data", data_type, shape, raw)
+        return made
+
+    node(hdf.file, None, "Root Node of HDF5 File", "MT")
+    for name, text in ((" format", "IEEE_LITTLE_32"), (" hdf5version", "HDF5 Version 1.10.8")):
+        hdf.array(hdf.file, name, byte, (len(text) + 1,), text.encode() + b"\0")
+    node(hdf.file, "CGNSLibraryVersion", "CGNSLibraryVersion_t", "R4", struct.pack("<f", 3.1), (1,), single)
+    base = node(hdf.file, "Base", "CGNSBase_t", "I4", struct.pack("<2i", 3, 3), (2,), integer)
+    zone = node(base, "Zone", "Zone_t", "I4", struct.pack("<9i", 4, 5, 6, 3, 4, 5, 0, 0, 0), (3, 3), integer)
+    node(zone, "ZoneType", "ZoneType_t", "C1", b"Structured", (10,), byte)
+    positions = node(zone, "GridCoordinates", "GridCoordinates_t", "MT")
+    grid = structured()
+    for axis, name in enumerate("XYZ"):
+        raw = struct.pack("<120d", *[grid.GetPoint(i)[axis] for i in range(120)])
+        node(positions, "Coordinate" + name, "DataArray_t", "R8", raw, (6, 5, 4), double)
+    solution = node(zone, "FlowSolution", "FlowSolution_t", "MT")
+    node(solution, "GridLocation", "GridLocation_t", "C1", b"Vertex", (6,), byte)
+    node(solution, "Pressure", "DataArray_t", "R8", struct.pack("<120d", *range(120)), (6, 5, 4), double)
+    hdf.close()
+    reader = vtk.vtkCGNSReader()
+    reader.SetFileName(path("grid.cgns"))
+    reader.UpdateInformation()
+    reader.EnableAllBases()
+    reader.EnableAllPointArrays()
+    write_reference("grid.cgns", reader, "Pressure")
+
+
 for write in (write_xml, write_legacy, write_images, write_dicom, write_netcdf, write_plot3d, write_exodus, write_ensight,
-              write_texts):
+              write_texts, write_hdf):
     write()

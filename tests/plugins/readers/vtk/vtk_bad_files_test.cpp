@@ -2,6 +2,7 @@
 // Damaged files of the VTK formats end in an error that names the file, or in a dataset that is one (S6, S20).
 #include "tests/plugins/readers/vtk/vtk_test_files.h"
 
+#include <QElapsedTimer>
 #include <QFile>
 #include <QTest>
 
@@ -131,6 +132,105 @@ private slots:
                          dataset.error().text.c_str());
         }
         QVERIFY2(accepted.isEmpty(), qPrintable("\n" + accepted.join('\n')));
+    }
+
+    /// What is said is true of the file, says what to do, and shows nothing of this program's memory.
+    void reasonsAreTrue_data()
+    {
+        QTest::addColumn<QByteArray>("name");
+        QTest::addColumn<QByteArray>("content");
+        QTest::addColumn<QByteArray>("told");
+        const auto row = [](const char* what, const char* name, const QByteArray& content, const char* told) {
+            QTest::newRow(what) << QByteArray(name) << content << QByteArray(told);
+        };
+        const QByteArray hdf5 = QByteArray("\x89HDF\r\n\x1a\n", 8) + QByteArray(100, '\0');
+        row("HDF4", "a.hdf", QByteArray("\x0e\x03\x13\x01", 4) + QByteArray(500, '\0'), "it is an HDF4 file");
+        row("HDF5 of others", "a.hdf", hdf5 + "Something", "it has no group VTKHDF");
+        row("a later type", "a.vtkhdf", hdf5 + "VTKHDF Type PolyData",
+            "of the type PolyData, which came after VTK 9.1");
+        row("a later kind of several files", "a.vtkhdf", hdf5 + "VTKHDF UnstructuredGrid PartitionedDataSetCollection",
+            "of the type PartitionedDataSetCollection");
+        row("time steps", "a.vtkhdf", hdf5 + "VTKHDF UnstructuredGrid Steps NSteps", "several time steps");
+        row("HDF5 that is damaged", "a.vtkhdf", hdf5 + "VTKHDF UnstructuredGrid", "VTK");
+        row("a field alone", "a.vtk", "# vtk DataFile Version 2.0\nvalues\nASCII\nFIELD data 1\nx 1 3 float\n1 2 3\n",
+            "values alone, without points or a grid");
+        row("a table", "a.vtk", "# vtk DataFile Version 3.0\nvalues\nASCII\nDATASET TABLE\nROW_DATA 1\n",
+            "'DATASET TABLE'");
+        row("a missing data file", "a.mhd",
+            "ObjectType = Image\nNDims = 3\nDimSize = 4 5 6\nElementType = MET_FLOAT\nElementDataFile = no where.raw\n",
+            "its data file 'no where.raw' is missing");
+        row("a type that VTK takes for another", "a.mhd",
+            "NDims = 3\nDimSize = 4 5 6\nElementType = MET_LONG\nBinaryData = True\nElementDataFile = LOCAL\n" +
+                QByteArray(960, '\1'),
+            "'MET_LONG'");
+        row("a list of files", "a.pvd",
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\"><Collection><DataSet timestep=\"0\" "
+            "file=\"first.vtu\"/><DataSet timestep=\"1\" file=\"second.vtu\"/></Collection></VTKFile>\n",
+            "Open one of its files, such as 'first.vtu'");
+        row("a piece that is missing", "a.pvtu",
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\"><PUnstructuredGrid "
+            "GhostLevel=\"0\">"
+            "<Piece Source=\"piece.vtu\"/></PUnstructuredGrid></VTKFile>\n",
+            "its file 'piece.vtu' is missing");
+        row("other bytes than this machine's", "a.mrc",
+            QByteArray(212, '\0') + QByteArray(1, 17) + QByteArray(2000, '\0'), "big endian");
+        row("a geometry that is missing", "a.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: no.geo\n",
+            "its file 'no.geo' is missing");
+        row("a section that VTK does not know", "a.case",
+            "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: no.geo\nMATERIAL\nmaterial set number: 1\n", "'MATERIAL'");
+        row("components without end", "a.vtu",
+            with(vtuText(), "NumberOfComponents=\"1\"", "NumberOfComponents=\"4294967297\""),
+            "'4294967297' components");
+        row("elements in one another without end", "a.vti",
+            "<?xml version=\"1.0\"?><VTKFile type=\"ImageData\" version=\"1.0\">" + QByteArray("<a>").repeated(300'000),
+            "deep in one another");
+        QByteArray attributes = "<?xml version=\"1.0\"?><VTKFile type=\"UnstructuredGrid\"";
+        for (int n = 0; n < 100'000; ++n)
+            attributes += " a" + QByteArray::number(n) + "=\"1\"";
+        row("attributes without end", "a.vtu", attributes + ">", "attributes");
+        row("more cells than bytes", "a.vtu", with(vtuText(), "NumberOfCells=\"2\"", "NumberOfCells=\"1000000000\""),
+            "1000000000 points or cells");
+        row("text that is none", "a.vtu",
+            "<?xml version=\"1.0\"?><VTKFile type=\"UnstructuredGrid\">" + QByteArray(1000, '\0'), "VTK says");
+        row("Tecplot that is cut", "hang.tec",
+            "TITLE=\"TEST\"\nVARIABLES=\"X\",\"Y\",\"Z\",\"P\"\nZONE T=\"ZONE1\", N=", "ends within its header");
+        row("an unknown dataset", "a.vtk", with(legacyText(), "STRUCTURED_POINTS", "TEAPOTS"), "TEAPOTS");
+    }
+    void reasonsAreTrue()
+    {
+        constexpr int soon = 10'000; // some hundred milliseconds, on a machine with nothing else to do
+        QFETCH(QByteArray, name);
+        QFETCH(QByteArray, content);
+        QFETCH(QByteArray, told);
+        QElapsedTimer timer;
+        timer.start();
+        const auto dataset = builtVtkReader().read(folder_.write(name, content), {}, {});
+        QVERIFY(!dataset.ok());
+        const std::string& text = dataset.error().text;
+        QVERIFY2(text.find(told.toStdString()) != std::string::npos, text.c_str());
+        QVERIFY2(text.find(name.toStdString()) != std::string::npos, text.c_str());
+        QVERIFY2(text.find("0x") == std::string::npos && text.find("Debug") == std::string::npos, text.c_str());
+        QVERIFY2(text.find(".cxx") == std::string::npos, text.c_str());
+        QCOMPARE(int(dataset.error().kind), int(ErrorKind::BadInput));
+        QVERIFY(timer.elapsed() < soon);
+    }
+
+    /// Some programs call quadratic cells linear; the number of their corners tells.
+    void mislabelledQuadraticCellsAreRead()
+    {
+        const QByteArray corners = "0 0 0 2 0 0 0 2 0 0 0 2 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 0 1 1";
+        const QByteArray text =
+            "# vtk DataFile Version 3.0\ntest\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 10 float\n" + corners +
+            "\nCELLS 1 11\n10 0 1 2 3 4 5 6 7 8 9\nCELL_TYPES 1\n10\nPOINT_DATA 10\nSCALARS value double 1\n"
+            "LOOKUP_TABLE default\n0 1 2 3 4 5 6 7 8 9\n";
+        const auto linear = builtVtkReader().read(folder_.write("linear.vtk", text), {}, {});
+        const auto quadratic = builtVtkReader().read(
+            folder_.write("quadratic.vtk", with(text, "CELL_TYPES 1\n10", "CELL_TYPES 1\n24")), {}, {});
+        QVERIFY2(linear.ok(), linear.ok() ? "" : linear.error().text.c_str());
+        QVERIFY2(quadratic.ok(), quadratic.ok() ? "" : quadratic.error().text.c_str());
+        QCOMPARE(*linear->tetrahedra, *quadratic->tetrahedra);
+        QCOMPARE(linear->tetrahedra->size(), std::size_t(8));
+        QCOMPARE(linear->remarks.size(), quadratic->remarks.size() + 1);
     }
 
     /// What may be right by chance is read or refused, for every cut and change.

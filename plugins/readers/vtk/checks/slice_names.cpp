@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plugins/readers/vtk/helper/slice_names.h"
+#include "plugins/readers/vtk/checks/slice_names.h"
 
 #include <algorithm>
 #include <string>

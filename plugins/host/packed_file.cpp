@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/host/packed_file.h"
+
+#include "core/base/byte_text.h"
+#include "plugins/host/input_file.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <string_view>
+#include <system_error>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace tetra {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error cannotUnpack(const fs::path& path, ErrorKind kind, const std::string& reason)
+{
+    return {kind, "Cannot read '" + path.string() + "': " + reason};
+}
+
+Error damagedGzip(const fs::path& path)
+{
+    return cannotUnpack(path, ErrorKind::BadInput,
+                        "it is packed by gzip, and damaged or cut short. Copy it again from where it came from.");
+}
+
+/// zlib's own reader of such files, which joins several that stand behind one another, and compares their checksums.
+class GzipFile {
+public:
+    static Result<GzipFile> open(const fs::path& path)
+    {
+        const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+        const int problem = errno;
+        if (descriptor >= 0)
+            if (gzFile file = gzdopen(descriptor, "rb"); file != nullptr) {
+                constexpr unsigned buffer = 1 << 18;
+                gzbuffer(file, buffer);
+                return GzipFile(path, file);
+            }
+        if (descriptor >= 0)
+            ::close(descriptor);
+        return cannotUnpack(path, isLackOfResources(problem) ? ErrorKind::OutOfResource : ErrorKind::BadInput,
+                            std::generic_category().message(problem) + ".");
+    }
+
+    /// How many bytes came, less than the room there is only at the end.
+    Result<std::size_t> read(std::span<std::byte> room)
+    {
+        const int count = gzread(file_.get(), room.data(), static_cast<unsigned>(room.size()));
+        int problem = Z_OK;
+        gzerror(file_.get(), &problem);
+        // A file that ends too early is only told by the state.
+        if (count < 0 || (static_cast<std::size_t>(count) < room.size() && problem != Z_OK && problem != Z_STREAM_END))
+            return problem == Z_MEM_ERROR
+                       ? cannotUnpack(path_, ErrorKind::OutOfResource, "there is not enough memory to unpack it.")
+                       : damagedGzip(path_);
+        return static_cast<std::size_t>(count);
+    }
+
+    std::uint64_t packedPlace() const
+    {
+        return static_cast<std::uint64_t>(std::max<z_off_t>(0, gzoffset(file_.get())));
+    }
+
+private:
+    GzipFile(fs::path path, gzFile file) : path_(std::move(path)), file_(file, gzclose_r) {}
+
+    fs::path path_;
+    std::unique_ptr<gzFile_s, decltype(&gzclose_r)> file_;
+};
+
+/// Writes all of it; the error is the system's, 0 if there is none.
+int writeBytes(int descriptor, std::span<const std::byte> bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno != EINTR)
+            return errno;
+        bytes = bytes.subspan(static_cast<std::size_t>(std::max<ssize_t>(0, written)));
+    }
+    return 0;
+}
+
+Error noRoom(const fs::path& path, const fs::path& folder, int systemError)
+{
+    return cannotUnpack(
+        path, ErrorKind::CannotWrite,
+        "it is packed by gzip, and cannot be unpacked into '" + folder.string() +
+            "': " + std::generic_category().message(systemError) +
+            ". Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).");
+}
+
+} // namespace
+
+bool isPackedByGzip(std::span<const std::byte> firstBytes) noexcept
+{
+    return firstBytes.size() > 2 && firstBytes[0] == std::byte(0x1f) && firstBytes[1] == std::byte(0x8b);
+}
+
+std::string unpackingProgram(std::span<const std::byte> firstBytes)
+{
+    using namespace std::string_view_literals;
+    const std::string_view bytes(reinterpret_cast<const char*>(firstBytes.data()), firstBytes.size());
+    constexpr std::array<std::pair<std::string_view, const char*>, 6> kinds = {{{"BZh"sv, "bunzip2"},
+                                                                                {"\xfd"
+                                                                                 "7zXZ"sv,
+                                                                                 "unxz"},
+                                                                                {"\x28\xb5\x2f\xfd"sv, "unzstd"},
+                                                                                {"PK\x03\x04"sv, "unzip"},
+                                                                                {"7z\xbc\xaf\x27\x1c"sv, "7z x"},
+                                                                                {"\x1f\x9d"sv, "uncompress"}}};
+    for (const auto& [start, program] : kinds)
+        if (bytes.starts_with(start))
+            return program;
+    constexpr std::size_t tarMark = 257;
+    return bytes.size() > tarMark && bytes.substr(tarMark).starts_with("ustar") ? "tar -xf" : "";
+}
+
+fs::path unpackedName(const fs::path& path)
+{
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    fs::path name = path;
+    return ending == ".gz" || ending == ".gzip" ? name.replace_extension() : name;
+}
+
+Result<Buffer<std::byte>> firstUnpackedBytes(const fs::path& path)
+{
+    auto file = GzipFile::open(path);
+    if (!file)
+        return file.error();
+    Buffer<std::byte> bytes(shownToReaders);
+    const auto count = file->read(bytes);
+    if (!count)
+        return count.error();
+    bytes.resize(*count);
+    return bytes;
+}
+
+Result<UnpackedFile> UnpackedFile::unpack(const fs::path& path, const Progress& progress)
+{
+    constexpr std::size_t step = 1 << 20;
+    auto file = GzipFile::open(path);
+    if (!file)
+        return file.error();
+    std::error_code problem;
+    const fs::path temporary = fs::temp_directory_path(problem);
+    if (problem)
+        return noRoom(path, "TMPDIR", problem.value());
+    std::string folder = (temporary / "tan-unpacked-XXXXXX").string();
+    if (::mkdtemp(folder.data()) == nullptr)
+        return noRoom(path, temporary, errno);
+    UnpackedFile unpacked;
+    unpacked.folder_ = std::shared_ptr<const void>(nullptr, [folder](const void*) {
+        std::error_code ignored;
+        fs::remove_all(folder, ignored);
+    });
+    unpacked.path_ = fs::path(folder) / unpackedName(path).filename();
+    const int target = ::open(unpacked.path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
+    if (target < 0)
+        return noRoom(path, temporary, errno);
+    const std::shared_ptr<const void> closing(nullptr, [target](const void*) { ::close(target); });
+
+    const auto space = fs::space(temporary, problem);
+    const std::uint64_t room = problem ? ~std::uint64_t(0) : space.available / 2;
+    const std::uint64_t packedBytes = std::max<std::uint64_t>(1, fs::file_size(path, problem));
+    Buffer<std::byte> bytes(step);
+    for (std::uint64_t written = 0;;) {
+        if (progress.cancelled())
+            return cancelledError("Unpacking");
+        const auto count = file->read(bytes);
+        if (!count)
+            return count.error();
+        if (const int failure = writeBytes(target, std::span(bytes).first(*count)); failure != 0)
+            return noRoom(path, temporary, failure);
+        written += *count;
+        if (written > room)
+            return cannotUnpack(path, ErrorKind::OutOfResource,
+                                "it is packed by gzip, and unpacks to more than " + neededBytesText(room) +
+                                    ", half of the "
+                                    "room in '" +
+                                    temporary.string() +
+                                    "'. Free some space there, set TMPDIR to a folder with more, or unpack it yourself "
+                                    "(gunzip).");
+        if (*count < bytes.size())
+            return unpacked;
+        progress.report(std::min(1., double(file->packedPlace()) / double(packedBytes)), "Unpacking");
+    }
+}
+
+} // namespace tetra

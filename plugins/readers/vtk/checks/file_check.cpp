@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/vtk/checks/file_check.h"
+
+#include "plugins/readers/vtk/checks/dicom_check.h"
+#include "plugins/readers/vtk/checks/ensight_check.h"
+#include "plugins/readers/vtk/checks/fluent_check.h"
+#include "plugins/readers/vtk/checks/hdf_check.h"
+#include "plugins/readers/vtk/checks/legacy_check.h"
+#include "plugins/readers/vtk/checks/metaimage_check.h"
+#include "plugins/readers/vtk/checks/mrc_check.h"
+#include "plugins/readers/vtk/checks/netcdf_check.h"
+#include "plugins/readers/vtk/checks/slice_names.h"
+#include "plugins/readers/vtk/checks/tiff_check.h"
+#include "plugins/readers/vtk/checks/xml_check.h"
+
+namespace tetra {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::uint64_t fileBytes(const fs::path& path)
+{
+    std::error_code problem;
+    const auto size = fs::file_size(path, problem);
+    return problem ? 0 : size;
+}
+
+/// Of all files in a folder and those in it.
+std::uint64_t folderBytes(const fs::path& folder)
+{
+    constexpr int mostFiles = 100'000;
+    std::uint64_t sum = 0;
+    std::error_code problem;
+    int files = 0;
+    for (fs::recursive_directory_iterator at(folder, problem), end; !problem && at != end && files < mostFiles;
+         at.increment(problem), ++files) {
+        std::error_code ignored;
+        if (at->is_regular_file(ignored))
+            sum = boundedSum(sum, fileBytes(at->path()));
+    }
+    return sum;
+}
+
+} // namespace
+
+Result<CheckedFile> checkBeforeVtk(const VtkRequest& request)
+{
+    const fs::path path = request.path;
+    switch (request.format) {
+    case VtkFormat::Xml: return checkXml(path);
+    case VtkFormat::Legacy: return checkLegacy(path);
+    case VtkFormat::Exodus:
+    case VtkFormat::NetCdf: return checkNetCdf(path);
+    case VtkFormat::EnSight: return checkEnSight(path, request.timeStep);
+    case VtkFormat::MetaImage: return checkMetaImage(path);
+    case VtkFormat::Mrc: return checkMrc(path);
+    case VtkFormat::Tiff: return checkTiff(numberedBeside(path));
+    case VtkFormat::Dicom: return checkDicom(path);
+    case VtkFormat::OpenFoam: return CheckedFile{.bytes = folderBytes(path.parent_path())};
+    case VtkFormat::Plot3d: return CheckedFile{.bytes = boundedProduct(3, fileBytes(path))}; // with its solution
+    case VtkFormat::Fluent: return checkFluent(path);
+    case VtkFormat::Hdf: return checkVtkHdf(path);
+    case VtkFormat::Cgns:
+    case VtkFormat::Nifti:
+        return CheckedFile{.bytes = fileBytes(path), .unpackedBytes = boundedProduct(usualPacking, fileBytes(path))};
+    default: return CheckedFile{.bytes = fileBytes(path)};
+    }
+}
+
+} // namespace tetra

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugins/readers/vtk/checks/checked_file.h"
+#include "plugins/readers/vtk/vtk_findings.h"
+
+namespace tetra {
+
+/// Looks at what is asked for before VTK does, each format by its own check in this folder; of those whose libraries
+/// look by themselves (HDF5, NIfTI ...) only at how much there is. Reads each file at most once, and holds none.
+Result<CheckedFile> checkBeforeVtk(const VtkRequest& request);
+
+} // namespace tetra

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/vtk/checks/fluent_check.h"
+
+#include "core/base/mapped_file.h"
+
+#include <string_view>
+
+namespace tetra {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where the section that begins at `place` ends, as VTK finds its end: by its brackets, or of a binary one, which has
+/// a longer number, by its last words.
+std::size_t endOfSection(std::string_view text, std::size_t place, std::size_t longestTextNumber)
+{
+    const auto blank = text.find(' ', place);
+    if (blank == std::string_view::npos)
+        return blank;
+    const std::string number(text.substr(place + 1, blank - place - 1));
+    if (number.size() > longestTextNumber) {
+        const auto words = text.find("End of Binary Section", blank);
+        return words == std::string_view::npos ? words : text.find(')', words);
+    }
+    int depth = 0;
+    for (; place < text.size(); ++place) {
+        depth += text[place] == '(' ? 1 : text[place] == ')' ? -1 : 0;
+        if (depth == 0)
+            return place;
+    }
+    return std::string_view::npos;
+}
+
+Status checkSections(const std::string& what, std::string_view text, std::size_t longestTextNumber)
+{
+    for (auto place = text.find('('); place != std::string_view::npos; place = text.find('(', place)) {
+        place = endOfSection(text, place, longestTextNumber);
+        if (place == std::string_view::npos)
+            return Error{ErrorKind::BadInput,
+                         what + " ends within a section. It is cut short: copy it again from where it came from."};
+    }
+    return {};
+}
+
+} // namespace
+
+Result<CheckedFile> checkFluent(const fs::path& path)
+{
+    CheckedFile checked;
+    fs::path data = path;
+    data.replace_extension("dat");
+    std::error_code ignored;
+    if (!fs::exists(data, ignored))
+        return Error{ErrorKind::BadInput,
+                     "its file " + nameOf(data) +
+                         " is missing, which holds the values. Copy it into the folder of this one."};
+    for (const fs::path& part : {path, data}) {
+        const auto file = MappedFile::open(part);
+        if (!file)
+            return file.error();
+        const std::string_view text(reinterpret_cast<const char*>((*file)->bytes().data()), (*file)->bytes().size());
+        const bool isCase = part == path;
+        if (text.find('(') == std::string_view::npos)
+            return Error{ErrorKind::BadInput, (isCase ? "it" : "its file " + nameOf(data)) +
+                                                  " has no section. It is cut short, or of another format."};
+        const Status ends = checkSections(isCase ? "it" : "its file " + nameOf(data), text, isCase ? 2 : 3);
+        if (!ends)
+            return ends.error();
+        checked.bytes = boundedSum(checked.bytes, text.size());
+    }
+    return checked;
+}
+
+} // namespace tetra

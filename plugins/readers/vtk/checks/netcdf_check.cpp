@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The format: https://docs.unidata.ucar.edu/netcdf-c/current/file_format_specifications.html
+#include "plugins/readers/vtk/checks/netcdf_check.h"
+
+#include "core/base/mapped_file.h"
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace tetra {
+namespace {
+
+constexpr std::uint64_t noNumber = ~std::uint64_t(0);
+
+/// Bytes of a value of the external type; 0 for what is no type.
+std::uint64_t netCdfTypeSize(std::uint64_t type)
+{
+    constexpr std::array<std::uint64_t, 12> sizes = {0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
+    return type < sizes.size() ? sizes[type] : 0;
+}
+
+std::uint64_t padded(std::uint64_t bytes)
+{
+    return bytes > noNumber - 3 ? noNumber : (bytes + 3) / 4 * 4;
+}
+
+struct NetCdfVariable {
+    std::string name;
+    bool hasRecords = false;
+    std::uint64_t bytes = 0; ///< of all of it, or of one record; not padded
+    std::uint64_t begin = 0;
+    std::uint64_t typeSize = 0;
+};
+
+class NetCdfHeader {
+public:
+    NetCdfHeader(std::span<const std::byte> bytes) : bytes_(bytes), wideCounts_(bytes[3] == std::byte(5)) {}
+
+    Status check()
+    {
+        at_ = 4;
+        const std::uint64_t records = count();
+        if (const Status read = dimensions(); !read)
+            return read;
+        if (const Status read = attributes(); !read)
+            return read;
+        if (const Status read = variables(); !read)
+            return read;
+        return endOfAll(records);
+    }
+
+private:
+    std::uint64_t number(std::size_t size)
+    {
+        if (size > bytes_.size() - at_) {
+            at_ = bytes_.size();
+            ended_ = true;
+            return 0;
+        }
+        std::uint64_t value = 0;
+        for (std::size_t i = 0; i < size; ++i)
+            value = value << 8U | std::to_integer<std::uint64_t>(bytes_[at_++]);
+        return value;
+    }
+    std::uint64_t count() { return number(wideCounts_ ? 8 : 4); }
+    std::uint64_t offset() { return number(bytes_[3] == std::byte(1) ? 4 : 8); }
+
+    void skip(std::uint64_t size)
+    {
+        if (size > bytes_.size() - at_) {
+            at_ = bytes_.size();
+            ended_ = true;
+        } else {
+            at_ += size;
+        }
+    }
+
+    std::string name()
+    {
+        const std::uint64_t length = count();
+        const std::size_t begin = at_;
+        skip(padded(length));
+        return ended_ ? std::string() : std::string(reinterpret_cast<const char*>(bytes_.data()) + begin, length);
+    }
+
+    /// The length of a list whose entries take at least `smallest` bytes each; nothing if there cannot be so many.
+    std::optional<std::uint64_t> listLength(std::uint64_t wantedTag, std::uint64_t smallest)
+    {
+        const std::uint64_t tag = number(4);
+        const std::uint64_t length = count();
+        const bool fits = boundedProduct(length, smallest) <= bytes_.size() - at_;
+        return !ended_ && fits && (tag == wantedTag || (tag == 0 && length == 0)) ? std::optional(length)
+                                                                                  : std::nullopt;
+    }
+
+    Error noHeader() const
+    {
+        return ended_ || at_ == bytes_.size()
+                   ? Error{ErrorKind::BadInput, "it ends within its header. It is cut short: copy it again from where "
+                                                "it came from."}
+                   : wrongHeader(
+                         "its NetCDF header has lists that are longer than the file, or none where some belong.");
+    }
+
+    Status dimensions()
+    {
+        const auto length = listLength(10, 8);
+        if (!length)
+            return noHeader();
+        for (std::uint64_t i = 0; i < *length; ++i) {
+            const std::string dimension = name();
+            const std::uint64_t points = count();
+            if (ended_)
+                return noHeader();
+            // Programs take memory for as many, used or not.
+            if (points > bytes_.size())
+                return wrongHeader("its dimension '" + shownText(dimension) + "' is " + std::to_string(points) +
+                                   " long, more than the file has bytes.");
+            lengths_.push_back(points);
+        }
+        return {};
+    }
+
+    Status attributes()
+    {
+        const auto length = listLength(12, 12);
+        if (!length)
+            return noHeader();
+        for (std::uint64_t i = 0; i < *length; ++i) {
+            name();
+            const std::uint64_t type = number(4);
+            skip(padded(boundedProduct(count(), netCdfTypeSize(type))));
+            if (ended_)
+                return noHeader();
+            if (netCdfTypeSize(type) == 0)
+                return wrongHeader("an attribute in its NetCDF header is of no type that there is.");
+        }
+        return {};
+    }
+
+    Status variables()
+    {
+        const auto length = listLength(11, 24);
+        if (!length)
+            return noHeader();
+        for (std::uint64_t i = 0; i < *length; ++i)
+            if (const Status read = variable(); !read)
+                return read;
+        return {};
+    }
+
+    Status variable()
+    {
+        NetCdfVariable variable{.name = name()};
+        const std::uint64_t rank = count();
+        if (boundedProduct(rank, 4) > bytes_.size() - at_)
+            return noHeader();
+        std::uint64_t values = 1;
+        for (std::uint64_t i = 0; i < rank; ++i) {
+            const std::uint64_t dimension = count();
+            if (ended_)
+                return noHeader();
+            if (dimension >= lengths_.size())
+                return wrongHeader("its variable '" + shownText(variable.name) +
+                                   "' has dimensions that are not there.");
+            const bool unlimited = lengths_[dimension] == 0;
+            variable.hasRecords |= unlimited && i == 0;
+            if (!unlimited || i > 0)
+                values = boundedProduct(values, lengths_[dimension]);
+        }
+        if (const Status read = attributes(); !read)
+            return read;
+        variable.typeSize = netCdfTypeSize(number(4));
+        count(); // what it says of its own size, which is not wide enough for large ones
+        variable.begin = offset();
+        if (ended_)
+            return noHeader();
+        if (variable.typeSize == 0)
+            return wrongHeader("its variable '" + shownText(variable.name) + "' is of no type that there is.");
+        variable.bytes = boundedProduct(values, variable.typeSize);
+        variables_.push_back(std::move(variable));
+        return {};
+    }
+
+    /// Bytes from a record to the next: each variable's padded, unless there is only one.
+    std::uint64_t recordBytes() const
+    {
+        std::uint64_t sum = 0;
+        std::size_t parts = 0;
+        for (const NetCdfVariable& variable : variables_)
+            if (variable.hasRecords) {
+                const std::uint64_t bytes = padded(variable.bytes);
+                sum = boundedSum(sum, bytes);
+                ++parts;
+            }
+        if (parts == 1)
+            for (const NetCdfVariable& variable : variables_)
+                if (variable.hasRecords)
+                    return variable.bytes;
+        return sum;
+    }
+
+    Status endOfAll(std::uint64_t records) const
+    {
+        const std::uint64_t stride = recordBytes();
+        for (const NetCdfVariable& variable : variables_) {
+            std::uint64_t bytes = variable.bytes;
+            if (variable.hasRecords)
+                bytes = records == 0 ? 0 : boundedProduct(records - 1, stride);
+            if (variable.hasRecords && records > 0)
+                bytes = boundedSum(bytes, variable.bytes);
+            const std::uint64_t end = boundedSum(bytes, variable.begin);
+            if (end > bytes_.size())
+                return Error{ErrorKind::BadInput,
+                             "it has " + std::to_string(bytes_.size()) + " bytes, and its variable '" +
+                                 shownText(variable.name) + "' " +
+                                 (end == noNumber ? "is larger than any file."
+                                                  : "reaches to byte " + std::to_string(end) + ".") +
+                                 " It is cut short, or was not written to its end: copy or write it again."};
+            if (bytes > 0 && variable.begin < at_)
+                return wrongHeader("its variable '" + shownText(variable.name) + "' begins within the header.");
+        }
+        return {};
+    }
+
+    std::span<const std::byte> bytes_;
+    bool wideCounts_;
+    std::size_t at_ = 0;
+    bool ended_ = false;
+    std::vector<std::uint64_t> lengths_; ///< of the dimensions; 0 for the one of the records
+    std::vector<NetCdfVariable> variables_;
+};
+
+bool isClassicNetCdf(std::span<const std::byte> bytes)
+{
+    return bytes.size() >= 4 && std::string_view(reinterpret_cast<const char*>(bytes.data()), 3) == "CDF" &&
+           (bytes[3] == std::byte(1) || bytes[3] == std::byte(2) || bytes[3] == std::byte(5));
+}
+
+} // namespace
+
+Result<CheckedFile> checkNetCdf(const std::filesystem::path& path)
+{
+    const auto file = MappedFile::open(path);
+    if (!file)
+        return file.error();
+    const auto bytes = (*file)->bytes();
+    if (!isClassicNetCdf(bytes))
+        return CheckedFile{.bytes = bytes.size(), .unpackedBytes = boundedProduct(usualPacking, bytes.size())};
+    if (const Status fits = NetCdfHeader(bytes).check(); !fits)
+        return fits.error();
+    return CheckedFile{.bytes = bytes.size()};
+}
+
+} // namespace tetra

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/vtk/checks/xml_check.h"
+
+#include "core/base/mapped_file.h"
+#include "core/base/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <optional>
+
+namespace tetra {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view xmlBlanks = " \t\r\n";
+
+template <class Number, std::size_t Count> std::optional<std::array<Number, Count>> numbersIn(std::string_view text)
+{
+    std::array<Number, Count> numbers{};
+    for (Number& number : numbers) {
+        text.remove_prefix(std::min(text.find_first_not_of(xmlBlanks), text.size()));
+        const std::string_view word = text.substr(0, text.find_first_of(xmlBlanks));
+        const auto parsed = parseNumber<Number>(word);
+        if (!parsed || !std::isfinite(static_cast<double>(*parsed)))
+            return std::nullopt;
+        number = *parsed;
+        text.remove_prefix(word.size());
+    }
+    return text.find_first_not_of(xmlBlanks) == std::string_view::npos ? std::optional(numbers) : std::nullopt;
+}
+
+/// The cells of an extent, where an axis with one point counts as one; nothing if it is none.
+std::optional<double> cellsIn(std::string_view extent)
+{
+    const auto numbers = numbersIn<std::int32_t, 6>(extent);
+    if (!numbers)
+        return std::nullopt;
+    double cells = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double steps = double((*numbers)[2 * axis + 1]) - (*numbers)[2 * axis];
+        if (steps < 0)
+            return std::nullopt;
+        cells *= std::max(1., steps);
+    }
+    return cells;
+}
+
+/// The value of `name="..."` in a tag; empty without it.
+std::string_view xmlAttribute(std::string_view tag, std::string_view name)
+{
+    const std::string start = std::string(name) + "=";
+    for (auto place = tag.find(start); place != std::string_view::npos; place = tag.find(start, place + 1)) {
+        const auto value = place + start.size();
+        if (place == 0 || xmlBlanks.find(tag[place - 1]) == std::string_view::npos || value >= tag.size())
+            continue;
+        const auto end = tag.find(tag[value], value + 1);
+        return end == std::string_view::npos ? std::string_view{} : tag.substr(value + 1, end - value - 1);
+    }
+    return {};
+}
+
+Error wrongXml(const std::string& what)
+{
+    return {ErrorKind::BadInput, what + " It is damaged, or written by a faulty program: write it anew."};
+}
+
+/// The tags of a file, one after the other, without their brackets; comments and declarations are passed over.
+class XmlTagList {
+public:
+    explicit XmlTagList(std::string_view text) : text_(text) {}
+
+    std::optional<std::string_view> next()
+    {
+        for (auto begin = bracketFrom(at_); begin != std::string_view::npos; begin = bracketFrom(at_)) {
+            if (text_.substr(begin).starts_with("<!--")) {
+                const auto end = text_.find("-->", begin);
+                at_ = end == std::string_view::npos ? text_.size() : end + 3;
+                continue;
+            }
+            const auto end = endOf(begin + 1);
+            at_ = end;
+            const std::string_view tag = text_.substr(begin + 1, end - begin - 1);
+            if (!tag.starts_with('?') && !tag.starts_with('!'))
+                return tag;
+        }
+        return std::nullopt;
+    }
+
+private:
+    /// Where the next tag begins. A zero byte is no text: what follows is not looked at.
+    std::size_t bracketFrom(std::size_t place) const
+    {
+        constexpr std::size_t step = 1 << 20;
+        for (; place < text_.size(); place += step) {
+            const std::string_view part = text_.substr(place, step);
+            const auto bracket = part.find('<');
+            if (part.substr(0, bracket).find('\0') != std::string_view::npos)
+                return std::string_view::npos;
+            if (bracket != std::string_view::npos)
+                return place + bracket;
+        }
+        return std::string_view::npos;
+    }
+
+    /// Where the bracket stands that closes it, which may also stand in the value of an attribute.
+    std::size_t endOf(std::size_t place) const
+    {
+        char quote = 0;
+        for (; place < text_.size(); ++place) {
+            const char c = text_[place];
+            if (quote != 0)
+                quote = c == quote ? '\0' : quote;
+            else if (c == '"' || c == '\'')
+                quote = c;
+            else if (c == '>')
+                return place;
+        }
+        return text_.size();
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+};
+
+bool isNamed(std::string_view tag, std::string_view name)
+{
+    return tag.starts_with(name) && (tag.size() == name.size() || tag[name.size()] == '/' ||
+                                     xmlBlanks.find(tag[name.size()]) != std::string_view::npos);
+}
+
+constexpr std::uint64_t mostPacking = 1032; ///< that zlib reaches
+
+class XmlCheck {
+public:
+    XmlCheck(const fs::path& path, int depth) : path_(path), type_(xmlType(path)), filesWithin_(depth) {}
+
+    Result<CheckedFile> run()
+    {
+        const auto file = MappedFile::open(path_);
+        if (!file)
+            return file.error();
+        checked_.bytes = (*file)->bytes().size();
+        const std::string_view text(reinterpret_cast<const char*>((*file)->bytes().data()), (*file)->bytes().size());
+        XmlTagList tags(text);
+        while (const auto tag = tags.next()) {
+            if (isNamed(*tag, "AppendedData"))
+                break;
+            if (const Status fine = look(*tag); !fine)
+                return fine.error();
+        }
+        if (type_ == "Collection")
+            return Error{ErrorKind::BadInput, "it is a list of files, one for each time step or part. Open one of its "
+                                              "files" +
+                                                  (named_.empty() ? "" : ", such as '" + shownText(named_) + "'") +
+                                                  "."};
+        if (isGridType() && !isGrid_)
+            return wrongXml("its element " + type_ + " is missing.");
+        if (isGrid_ && (!whole_ || covered_ < *whole_))
+            return wrongXml("the pieces in it do not fill the WholeExtent that it names.");
+        return checked_;
+    }
+
+private:
+    Status look(std::string_view tag)
+    {
+        // More than any program writes. VTK needs time by the square of the one, and memory for each of the others.
+        constexpr std::ptrdiff_t mostAttributes = 5000;
+        constexpr std::uint64_t mostTags = 1'000'000;
+        constexpr std::int64_t deepest = 256;
+        if (++tags_ > mostTags)
+            return wrongXml("it has more than " + std::to_string(mostTags) + " elements.");
+        if (tag.starts_with('/')) {
+            --level_;
+            return {};
+        }
+        level_ += tag.ends_with('/') ? 0 : 1;
+        if (level_ > deepest)
+            return wrongXml("its elements stand more than " + std::to_string(deepest) + " deep in one another.");
+        if (std::ranges::count(tag, '=') > mostAttributes)
+            return wrongXml("an element has more than " + std::to_string(mostAttributes) + " attributes.");
+        if (isNamed(tag, "DataArray") || isNamed(tag, "PDataArray"))
+            return array(tag);
+        for (const std::string_view section : {"PointData", "CellData", "Points", "Cells"})
+            if (isNamed(tag, section))
+                section_ = section;
+        if (isNamed(tag, "Piece"))
+            return piece(tag);
+        if (isNamed(tag, "DataSet"))
+            return fileNamed(xmlAttribute(tag, "file"));
+        if (isGridType() && isNamed(tag, type_)) {
+            isGrid_ = true;
+            whole_ = cellsIn(xmlAttribute(tag, "WholeExtent"));
+            for (const std::string_view name : {"Spacing", "Origin"})
+                if (const auto value = xmlAttribute(tag, name); !value.empty() && !numbersIn<double, 3>(value))
+                    return wrongXml("its " + std::string(name) + " is '" + shownText(value) +
+                                    "' and not three numbers.");
+        }
+        return {};
+    }
+
+    Status array(std::string_view tag)
+    {
+        constexpr std::int64_t most = 1'000'000; // VTK asks for the name of each
+        const std::string_view text = xmlAttribute(tag, "NumberOfComponents");
+        const auto components = text.empty() ? std::optional<std::int64_t>(1) : parseNumber<std::int64_t>(text);
+        if (components && *components >= 0 && *components <= most) {
+            addUnpacked(xmlAttribute(tag, "type"), static_cast<std::uint64_t>(*components));
+            return {};
+        }
+        return wrongXml("its array '" + shownText(xmlAttribute(tag, "Name")) + "' has '" + shownText(text) +
+                        "' components.");
+    }
+
+    /// What the array of a piece unpacks to, at most as much as packed data can.
+    void addUnpacked(std::string_view type, std::uint64_t components)
+    {
+        constexpr std::uint64_t corners = 8; // of a cell, roughly
+        const bool ofCells = section_ == "CellData" || section_ == "Cells";
+        const std::uint64_t bytes = type.ends_with("64") ? 8 : type.ends_with("8") ? 1 : type.ends_with("16") ? 2 : 4;
+        const std::uint64_t each = section_ == "Cells" ? corners * bytes : components * bytes;
+        checked_.unpackedBytes =
+            std::min(boundedSum(checked_.unpackedBytes, boundedProduct(ofCells ? cells_ : points_, each)),
+                     boundedProduct(checked_.bytes, mostPacking));
+    }
+
+    Status piece(std::string_view tag)
+    {
+        const auto count = [&](std::string_view name) {
+            return parseNumber<std::uint64_t>(xmlAttribute(tag, name)).value_or(0);
+        };
+        const double cells = cellsIn(xmlAttribute(tag, "Extent")).value_or(0);
+        covered_ += cells;
+        const auto ofGrid = static_cast<std::uint64_t>(std::min(cells, 1e18)); // of points hardly more
+        points_ = isGridType() ? ofGrid : count("NumberOfPoints");
+        cells_ = isGridType() ? ofGrid : count("NumberOfCells");
+        for (const std::uint64_t number : {points_, cells_})
+            if (number > boundedProduct(mostPacking, checked_.bytes) && xmlAttribute(tag, "Source").empty())
+                return wrongXml("it says that it has " + std::to_string(number) + " points or cells, more than " +
+                                std::to_string(checked_.bytes) + " bytes can hold.");
+        return fileNamed(xmlAttribute(tag, "Source"));
+    }
+
+    /// Another file that belongs to this one.
+    Status fileNamed(std::string_view name)
+    {
+        if (name.empty())
+            return {};
+        if (named_.empty())
+            named_ = name;
+        if (type_ == "Collection" || filesWithin_ == 0)
+            return {};
+        const fs::path path = path_.parent_path() / name;
+        std::error_code ignored;
+        if (!fs::exists(path, ignored))
+            return Error{ErrorKind::BadInput,
+                         "its file '" + shownText(name) +
+                             "' is missing. Copy it into the folder of this one: they belong together."};
+        const auto checked = XmlCheck(path, filesWithin_ - 1).run();
+        if (!checked)
+            return Error{checked.error().kind, "its file '" + shownText(name) + "': " + checked.error().text};
+        checked_.bytes = boundedSum(checked_.bytes, checked->bytes);
+        checked_.unpackedBytes = boundedSum(checked_.unpackedBytes, checked->unpackedBytes);
+        return {};
+    }
+
+    bool isGridType() const { return type_ == "ImageData" || type_ == "RectilinearGrid" || type_ == "StructuredGrid"; }
+
+    fs::path path_;
+    std::string type_;
+    int filesWithin_; ///< how deep files may name others
+    CheckedFile checked_;
+    std::uint64_t tags_ = 0;
+    std::int64_t level_ = 0;
+    std::string named_; ///< the first file that it names
+    bool isGrid_ = false;
+    std::optional<double> whole_;
+    double covered_ = 0;
+    std::string_view section_; ///< of a piece: PointData ...
+    std::uint64_t points_ = 0; ///< of the piece
+    std::uint64_t cells_ = 0;
+};
+
+} // namespace
+
+std::string xmlType(const fs::path& path)
+{
+    std::string start(4096, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(start.data(), static_cast<std::streamsize>(start.size()));
+    start.resize(static_cast<std::size_t>(file.gcount()));
+    const auto element = start.find("<VTKFile");
+    return element == std::string::npos ? "" : std::string(xmlAttribute(start.substr(element), "type"));
+}
+
+Result<CheckedFile> checkXml(const fs::path& path)
+{
+    constexpr int blocksOfPieces = 3;
+    return XmlCheck(path, blocksOfPieces).run();
+}
+
+} // namespace tetra

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/vtk/process_limits.h"
+
+#include "core/base/byte_text.h"
+#include "core/base/memory.h"
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <ctime>
+#include <fstream>
+#include <new>
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace tetra {
+namespace {
+
+/// What is said when a limit is met: made before, because then there is no memory or no time to make it.
+struct LastWords {
+    int descriptor = STDERR_FILENO;
+    std::array<char, 512> memory{};
+    std::array<char, 512> time{};
+};
+
+LastWords& lastWords()
+{
+    static LastWords words; // signal handlers have no other way to their data
+    return words;
+}
+
+void keep(std::array<char, 512>& place, const std::string& sentence)
+{
+    const std::string text = std::string(limitNote) + sentence;
+    place.fill(0);
+    std::ranges::copy_n(text.begin(), static_cast<std::ptrdiff_t>(std::min(text.size(), place.size() - 1)),
+                        place.begin());
+}
+
+void say(const std::array<char, 512>& words)
+{
+    const std::size_t length = std::string_view(words.data()).size();
+    [[maybe_unused]] const ssize_t written = write(lastWords().descriptor, words.data(), length);
+}
+
+void endOfTime(int)
+{
+    say(lastWords().time);
+    _exit(EXIT_FAILURE);
+}
+
+void endOfMemory()
+{
+    std::set_new_handler(nullptr);
+    say(lastWords().memory);
+    throw std::bad_alloc();
+}
+
+void setLimit(int resource, std::uint64_t soft, std::uint64_t hard)
+{
+    const auto kind = static_cast<__rlimit_resource_t>(resource);
+    rlimit limit{};
+    if (getrlimit(kind, &limit) != 0)
+        return;
+    limit.rlim_max = std::min<rlim_t>(limit.rlim_max, hard); // it may have been started with lower ones
+    limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, soft);
+    setrlimit(kind, &limit);
+}
+
+std::uint64_t usedSeconds()
+{
+    timespec time{};
+    return clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time) == 0 ? static_cast<std::uint64_t>(time.tv_sec) : 0;
+}
+
+/// The address space that this process was started with, if it was limited.
+std::uint64_t addressSpace()
+{
+    rlimit limit{};
+    return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY ? limit.rlim_cur : ~std::uint64_t(0);
+}
+
+std::string memorySentence(const WorkLimits& limits)
+{
+    if (const std::uint64_t space = addressSpace(); space <= limits.memory)
+        return "VTK needs more memory for it than the " + neededBytesText(space) +
+               " that programs may take here. Raise the limit (ulimit -v).";
+    const std::string start = "VTK needs more than " + neededBytesText(limits.memory) + " of memory for it, ";
+    return start +
+           (limits.isHalfOfMachine
+                ? "half of what this machine has. It is damaged, or too large for this machine: take a part of it."
+                : "which files of its size do not need. It is damaged; if not, write it in another format "
+                  "(.vtu, .vti).");
+}
+
+} // namespace
+
+WorkLimits limitsFor(std::uint64_t bytes, std::uint64_t unpackedBytes, std::uint64_t machineBytes)
+{
+    constexpr double least = 2. * (1ULL << 30U), timesPacked = 30, timesUnpacked = 8;
+    constexpr double leastSeconds = 60, secondsPerByte = 3e-6, mostSeconds = 1e6;
+    const auto packed = static_cast<double>(bytes);
+    const auto unpacked = static_cast<double>(std::max(bytes, unpackedBytes));
+    const double wanted = std::max({least, timesPacked * packed, timesUnpacked * unpacked});
+    const double half = machineBytes == 0 ? wanted : static_cast<double>(machineBytes) / 2;
+    WorkLimits limits;
+    limits.isHalfOfMachine = machineBytes != 0 && wanted >= half;
+    limits.memory = static_cast<std::uint64_t>(std::min(wanted, half));
+    limits.seconds = static_cast<std::uint64_t>(std::min(leastSeconds + secondsPerByte * unpacked, mostSeconds));
+    return limits;
+}
+
+void limitThisProcess()
+{
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    std::ofstream("/proc/self/oom_score_adj") << "1000";
+    setLimit(RLIMIT_CORE, 0, 0);
+    constexpr std::uint64_t anySize = 1ULL << 50U;
+    limitWork(limitsFor(anySize, anySize, physicalBytes()));
+}
+
+void limitWork(const WorkLimits& limits)
+{
+    keep(lastWords().time, "VTK needs more than " + std::to_string(limits.seconds) +
+                               " seconds of the processor for it, which files of its size do not need. It is damaged; "
+                               "if not, write it in another format (.vtu, .vti).");
+    keep(lastWords().memory, memorySentence(limits));
+    struct sigaction action {};
+    action.sa_handler = endOfTime;
+    sigaction(SIGXCPU, &action, nullptr);
+    std::set_new_handler(endOfMemory);
+    const std::uint64_t seconds = usedSeconds() + limits.seconds + 1;
+    setLimit(RLIMIT_CPU, seconds, RLIM_INFINITY);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // their shadow is larger than any memory
+    // What is written, not mapped files and libraries. Other programs' limits of address space stay as they are.
+    setLimit(RLIMIT_DATA, limits.memory, RLIM_INFINITY);
+#endif
+}
+
+Error memoryLimitMet()
+{
+    return {ErrorKind::OutOfResource, std::string(lastWords().memory.data() + limitNote.size())};
+}
+
+int takeStandardOutput()
+{
+    lastWords().descriptor = fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3);
+    const int output = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
+    if (const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
+        dup2(nowhere, STDOUT_FILENO);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // what these find must be heard
+        dup2(nowhere, STDERR_FILENO);
+#endif
+        close(nowhere);
+    }
+    return output;
+}
+
+} // namespace tetra

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+
+#include <cstdint>
+#include <string_view>
+
+namespace tetra {
+
+/// What the helper program may take for a file.
+struct WorkLimits {
+    std::uint64_t memory = 0;     ///< bytes
+    std::uint64_t seconds = 0;    ///< of processor time, which is fair to slow and busy machines
+    bool isHalfOfMachine = false; ///< the memory is what this machine can spare, not what the file should need
+};
+
+/// For files of so many bytes that unpack to so many: several times what any good file was seen to need, at least 2 GiB
+/// and a minute, at most half of the machine's memory.
+WorkLimits limitsFor(std::uint64_t bytes, std::uint64_t unpackedBytes, std::uint64_t machineBytes);
+
+/// Keeps this process from harming others, whatever a damaged file makes VTK do: it ends with the program that started
+/// it, is the first to go when memory runs out, leaves no core file, and has the limits of the largest file until
+/// limitWork() sets others. Call first.
+void limitThisProcess();
+
+/// From now on this process may take so much more. When its time is over it ends, having written limitNote and a
+/// sentence to standard error; where memory ends, std::bad_alloc is thrown, and the same written.
+void limitWork(const WorkLimits& limits);
+
+/// The Error for std::bad_alloc under the limits that are set: that, and what to do.
+Error memoryLimitMet();
+
+/// What a process whose limits were met begins its last words with.
+inline constexpr std::string_view limitNote = "\ntan-read-vtk met a limit: ";
+
+/// Sends what is printed to standard output and standard error to nowhere from now on, and gives the file descriptor
+/// that still leads to the former output; limitNote still goes to the former error.
+int takeStandardOutput();
+
+} // namespace tetra

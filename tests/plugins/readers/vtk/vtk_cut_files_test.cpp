@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A file that was cut short is refused, wherever it was cut; if what was cut off says nothing, the same dataset is read
+// as from the whole (issue 18, 1). For each format that VTK reads: those that VTK or its libraries look through by
+// themselves stay so.
+#include "plugins/readers/vtk/checks/file_check.h"
+#include "tests/plugins/readers/vtk/vtk_test_files.h"
+#include "tests/plugins/readers/vtk/written_files.h"
+
+#include <QProcess>
+#include <QTest>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <set>
+
+using namespace tetra;
+
+namespace {
+
+VtkRequest requestOf(const std::filesystem::path& path)
+{
+    const QByteArray content = contentOf(path).left(4096);
+    VtkRequest request;
+    request.path = path.string();
+    request.format =
+        guessVtkFormat(path, std::as_bytes(std::span(content.constData(), std::size_t(content.size())))).format;
+    return request;
+}
+
+bool isSame(const Dataset& a, const Dataset& b)
+{
+    const auto samePositions = [&] {
+        return a.positions == nullptr ? b.positions == nullptr : b.positions != nullptr && *a.positions == *b.positions;
+    };
+    const auto sameTetrahedra = [&] {
+        return a.tetrahedra == nullptr ? b.tetrahedra == nullptr
+                                       : b.tetrahedra != nullptr && *a.tetrahedra == *b.tetrahedra;
+    };
+    return a.domain == b.domain && a.lattice.size == b.lattice.size && a.lattice.spacing == b.lattice.spacing &&
+           a.lattice.origin == b.lattice.origin && a.values.type() == b.values.type() &&
+           std::ranges::equal(a.values.bytes(), b.values.bytes()) && samePositions() && sameTetrahedra();
+}
+
+/// The same, or it says what it lacks: a part without values, a last number that may be cut.
+bool isSameOrTold(const Dataset& read, const Dataset& whole)
+{
+    return isSame(read, whole) || read.remarks.size() > whole.remarks.size();
+}
+
+/// At the ends and between them, at most `most` of them, from the end to the beginning.
+std::vector<qsizetype> placesIn(qsizetype size, int most)
+{
+    std::set<qsizetype> places{0, 1, size / 2, size - 2, size - 1};
+    for (int i = 0; i < most; ++i)
+        places.insert(size * i / most);
+    for (qsizetype i = 2; i < 12 && most > 30; ++i) // the last number of a text
+        places.insert(size - i);
+    std::erase_if(places, [&](qsizetype place) { return place < 0 || place >= size; });
+    return {places.rbegin(), places.rend()};
+}
+
+/// Reads what is left after each cut of a file. A file that was accepted must be the same dataset. What was accepted
+/// wrongly, and how many were the same.
+QStringList wronglyAccepted(const std::filesystem::path& opened, const std::filesystem::path& cut, int most, int* same)
+{
+    const auto whole = builtVtkReader().read(opened, {}, {});
+    if (!whole)
+        return {"whole: " + QString::fromStdString(whole.error().text)};
+    const QByteArray content = contentOf(cut);
+    QStringList wrong;
+    for (const qsizetype place : placesIn(content.size(), most)) {
+        std::filesystem::resize_file(cut, std::uintmax_t(place)); // to write it anew each time takes much longer
+        const auto read = builtVtkReader().read(opened, {}, {});
+        if (!read && read.error().text.find(opened.filename().string()) == std::string::npos)
+            wrong << QString::number(place) +
+                         ": the error does not name the file: " + QString::fromStdString(read.error().text);
+        if (read && !isSameOrTold(*read, *whole))
+            wrong << QString("%1 of %2 bytes").arg(place).arg(content.size());
+        *same += read && isSame(*read, *whole) ? 1 : 0;
+    }
+    writeContent(cut, content);
+    return wrong;
+}
+
+} // namespace
+
+class VtkCutFilesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { formats_ = writeFormats(folder_.path() / "own"); }
+
+    void wholeFilesAreRead_data() { eachFormat(); }
+    void wholeFilesAreRead()
+    {
+        const WrittenFiles& files = format();
+        const auto dataset = builtVtkReader().read(files.opened, {}, {});
+        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+        QCOMPARE(dataset->pointCount(), std::uint64_t(files.points));
+        if (files.perCell)
+            return;
+        std::vector<double> values;
+        for (std::uint64_t i = 0; i < files.points; ++i)
+            values.push_back(dataset->values.at(i));
+        if (isOnLattice(dataset->domain) && !files.turned) {
+            for (std::size_t i = 0; i < files.points; ++i)
+                QCOMPARE(values[i], double(i));
+        }
+        std::ranges::sort(values);
+        for (std::size_t i = 0; i < files.points; ++i)
+            QCOMPARE(values[i], double(i));
+    }
+
+    /// At every single place, by the checks alone, which is quick; what they let pass is read, at up to 20 places.
+    void cutFilesAreRefused_data() { eachFormat(); }
+    void cutFilesAreRefused()
+    {
+        const WrittenFiles& files = format();
+        const VtkRequest request = requestOf(files.opened);
+        const auto whole = builtVtkReader().read(files.opened, {}, {});
+        QVERIFY2(whole.ok(), whole.ok() ? "" : whole.error().text.c_str());
+        QStringList wrong;
+        int tried = 0, passed = 0;
+        for (const std::filesystem::path& file : {files.data.front(), files.data.back()}) {
+            if (tried > 0 && files.data.size() == 1)
+                break;
+            const QByteArray content = contentOf(file);
+            const qsizetype step = std::max<qsizetype>(1, content.size() / 4000);
+            for (qsizetype place = content.size() - 1; place >= 0; place -= place > 600 ? step : 1) {
+                std::filesystem::resize_file(file, std::uintmax_t(place));
+                ++tried;
+                if (!checkBeforeVtk(request) || ++passed > 20)
+                    continue;
+                const auto read = builtVtkReader().read(files.opened, {}, {});
+                if (read && !isSameOrTold(*read, *whole))
+                    wrong << QString("%1 of %2 bytes of ").arg(place).arg(content.size()) +
+                                 QString::fromStdString(file.filename().string());
+            }
+            writeContent(file, content);
+        }
+        QVERIFY2(wrong.isEmpty(),
+                 qPrintable(QString("%1 of %2 cuts: ").arg(wrong.size()).arg(tried) + wrong.join(", ")));
+        QVERIFY2(tried >= 50, "too few places");
+    }
+
+    /// The reader itself, by its helper program: 20 places of each.
+    void theReaderRefusesThem_data() { eachFormat(); }
+    void theReaderRefusesThem()
+    {
+        const WrittenFiles& files = format();
+        const bool every = files.data.size() <= 5; // of different kinds
+        for (const std::filesystem::path& file : files.data) {
+            if (!every && file != files.data.back())
+                continue;
+            int same = 0;
+            const QStringList wrong = wronglyAccepted(files.opened, file, 20, &same);
+            QVERIFY2(wrong.isEmpty(),
+                     qPrintable(QString::fromStdString(file.filename().string()) + ": " + wrong.join("; ")));
+            QVERIFY2(same < 14, "most cuts lose something"); // half of a file of two times
+        }
+    }
+
+    /// Written by VTK, from Python.
+    void filesOfVtkAreRefused_data()
+    {
+        QTest::addColumn<QString>("opened");
+        QTest::addColumn<QString>("cut");
+        const auto row = [](const char* opened, const char* cut = nullptr) {
+            QTest::newRow(cut == nullptr ? opened : cut) << QString(opened) << QString(cut == nullptr ? opened : cut);
+        };
+        for (const char* name :
+             {"ascii.vti", "binary.vts", "appended.vtu", "appended.vtr", "binary.vtp", "points0.vtk", "structured1.vtk",
+              "tetrahedra0.vtk", "tetrahedra1.vtk", "cloud1.vtk", "image4.nii", "image10.nii.gz", "image10.mha",
+              "pages.tif", "mesh.ex2", "block.tec", "map.mrc", "image.vtkhdf", "grid.cgns"})
+            row(name);
+        row("halves.pvti", "halves_1.vti");
+        row("pieces.pvtu", "pieces_0.vtu");
+        row("blocks.vtm", "blocks/blocks_0.vts");
+        row("two.xyz");
+        row("two.xyz", "two.q");
+        row("image4.mhd", "image4.zraw");
+    }
+    void filesOfVtkAreRefused()
+    {
+        QFETCH(QString, opened);
+        QFETCH(QString, cut);
+        const std::filesystem::path folder = folder_.path() / "vtk";
+        if (!std::filesystem::exists(folder)) {
+            std::filesystem::create_directory(folder);
+            QProcess python;
+            python.start("/usr/bin/python3", {TAN_SOURCE_DIR "/tests/plugins/readers/vtk/make_vtk_files.py",
+                                              QString::fromStdString(folder.string())});
+            hasVtk_ = python.waitForFinished(120'000) && python.exitCode() == 0;
+        }
+        if (!hasVtk_)
+            QSKIP("skipped: no python3-vtk9");
+        int same = 0;
+        const QStringList wrong = wronglyAccepted(folder / opened.toStdString(), folder / cut.toStdString(), 45, &same);
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join("; ")));
+        QVERIFY2(same < 15, "most cuts lose something");
+    }
+
+private:
+    void eachFormat()
+    {
+        QTest::addColumn<int>("number");
+        for (std::size_t i = 0; i < formats_.size(); ++i)
+            QTest::newRow(formats_[i].what.c_str()) << int(i);
+    }
+    const WrittenFiles& format() const
+    {
+        QFETCH(int, number);
+        return formats_[std::size_t(number)];
+    }
+
+    VtkFolder folder_;
+    std::vector<WrittenFiles> formats_;
+    bool hasVtk_ = false;
+};
+
+QTEST_GUILESS_MAIN(VtkCutFilesTest)
+#include "vtk_cut_files_test.moc"
