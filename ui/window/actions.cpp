@@ -66,7 +66,8 @@ void addFileMenu(QMainWindow& window, Actions& actions)
     actions.saveStatistics = add(menu, "saveStatistics", Texts::tr("Save Stat&istics…"), {},
                                  Texts::tr("Save how large the mesh of each accuracy is, as a table"));
     menu->addSeparator();
-    actions.close = add(menu, "close", Texts::tr("&Close"), QKeySequence::Close, Texts::tr("Close the model"));
+    actions.close =
+        add(menu, "close", Texts::tr("&Close"), QKeySequence::Close, Texts::tr("Close the model and its dataset"));
     actions.quit = add(menu, "quit", Texts::tr("&Quit"), QKeySequence("Ctrl+Q"), Texts::tr("Leave the program"));
 }
 
@@ -142,6 +143,9 @@ void addViewMenu(QMainWindow& window, Actions& actions)
                               Texts::tr("Perspective, or parallel projection"));
     actions.perspective->setCheckable(true);
     actions.perspective->setChecked(true);
+    actions.resetView = add(menu, "resetView", Texts::tr("Reset &View"), {},
+                            Texts::tr("Go back to the default accuracy, colours, isovalues and camera"));
+    menu->addSeparator();
     actions.modes = menu->addMenu(Texts::tr("&Show"));
     actions.modes->setObjectName("menu.modes");
     actions.annotations = menu->addMenu(Texts::tr("&Annotations"));
@@ -202,9 +206,10 @@ void addNeeds(const Actions& actions)
 {
     for (QAction* action : QList<QAction*>{actions.saveSession, actions.saveSessionAs, actions.savePicture,
                                            actions.saveMesh, actions.saveSurfaces, actions.saveStatistics,
-                                           actions.close, actions.addIsovalue, actions.fit} +
+                                           actions.addIsovalue, actions.fit, actions.resetView} +
                                actions.namedViews)
         setNeed(*action, Texts::tr("Open a model first"));
+    setNeed(*actions.close, Texts::tr("There is nothing to close"));
     setNeed(*actions.undo, Texts::tr("There is nothing to undo"));
     setNeed(*actions.redo, Texts::tr("There is nothing to redo"));
 }

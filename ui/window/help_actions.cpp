@@ -33,7 +33,7 @@ void fillLanguages(QMenu& menu, MessageBar& messages)
         group->addAction(action);
         QObject::connect(action, &QAction::triggered, &messages, [&messages, code] {
             chooseLanguage(code);
-            messages.add(Texts::tr("The language changes when TAn starts the next time."));
+            messages.add(Texts::tr("The language changes when TAn starts the next time."), MessageSubject::Program);
         });
     };
     add(Texts::tr("&As the System"), {});

@@ -25,6 +25,7 @@ private:
     void takeWholePanel(const QString& dock, const QString& name, const QSize& size);
     void takePanelsAtWork();
     void takeDialogs();
+    void takeQuestions();
     /// What an action or another control opens.
     void takeDialog(const QString& dialog, const QString& name);
     void takeImports();
