@@ -35,7 +35,7 @@ ImportOptions withoutDefaults(ImportOptions options, const std::vector<Parameter
 
 } // namespace
 
-Workbench::Workbench(PluginHost& host, QObject* parent) : QObject(parent), host_(host), views_(viewFolder())
+Workbench::Workbench(PluginHost& host, std::filesystem::path views) : host_(host), views_(std::move(views))
 {
     const ViewState* view = &session_.view();
     connect(&session_, &Session::modelChanged, this, &Workbench::requestScene);

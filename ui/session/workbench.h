@@ -45,8 +45,8 @@ enum class SessionSource {
 class Workbench : public QObject {
     Q_OBJECT
 public:
-    /// `host` outlives it.
-    explicit Workbench(PluginHost& host, QObject* parent = nullptr);
+    /// `host` outlives it. How models are seen is kept in the folder `views`.
+    explicit Workbench(PluginHost& host, std::filesystem::path views = viewFolder());
     ~Workbench() override;
 
     PluginHost& host() noexcept { return host_; }

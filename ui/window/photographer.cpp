@@ -54,7 +54,8 @@ Animation keyFrames(const FilmFrame& present)
 } // namespace
 
 Photographer::Photographer(PluginHost& host, QDir folder, QString prefix)
-    : folder_(std::move(folder)), prefix_(std::move(prefix)), workbench_(host), window_(workbench_, BackendChoice::Cpu)
+    : folder_(std::move(folder)), prefix_(std::move(prefix)), workbench_(host, filePath(views_.path())),
+      window_(workbench_, BackendChoice::Cpu)
 {
     window_.resize(windowSize);
     window_.show();

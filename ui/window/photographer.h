@@ -4,6 +4,7 @@
 #include "ui/window/main_window.h"
 
 #include <QDir>
+#include <QTemporaryDir>
 
 namespace tetra {
 
@@ -35,6 +36,7 @@ private:
 
     QDir folder_;
     QString prefix_;
+    QTemporaryDir views_; ///< the sample is seen as at first
     mutable Workbench workbench_;
     MainWindow window_;
     bool isWhole_ = true;
