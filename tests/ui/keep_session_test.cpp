@@ -39,6 +39,7 @@ private slots:
     void aRebuiltModelIsSeenAsBefore();
     void anotherModelOfThatNameIsSeenAsFarAsItFits();
     void aSessionLeavesTheViewOfItsModelAlone();
+    void aLongFilmIsSavedAndOpened();
     void theViewIsResetByOneStep();
     void aPictureWhoseSessionIsDamagedIsNamed();
 
@@ -468,6 +469,34 @@ void KeepSessionTest::aSessionLeavesTheViewOfItsModelAlone()
     startAnew();
     open(model_);
     QVERIFY(showsEdits());
+}
+
+/// Whatever can be saved can be opened again.
+void KeepSessionTest::aLongFilmIsSavedAndOpened()
+{
+    open(model_);
+    Animation animation;
+    animation.kind = Animation::Kind::KeyFrames;
+    FilmFrame frame = window_->workbench.presentFrame(window_->viewport().camera());
+    frame.transfer.points.clear();
+    for (int point = 0; point < 64; ++point)
+        frame.transfer.points.push_back(
+            {session().range().minimum + point * session().range().extent() / 63, {1, 0, 0}, 0.5F});
+    for (int key = 0; key < 300; ++key) {
+        frame.camera.azimuth = key;
+        animation = withKey(animation, frame);
+    }
+    session().setAnimation(animation);
+    const std::filesystem::path file = filePath(folder_.filePath("long.tansession"));
+    bool isSaved = false;
+    window_->workbench.saveSession(file, *window_->workbench.sessionDocument(), [&](bool saved) { isSaved = saved; });
+    QTRY_VERIFY(isSaved);
+    QVERIFY(std::filesystem::file_size(file) > 1 << 20);
+    startAnew();
+    window_->window.open(pathText(file));
+    QTRY_VERIFY_WITH_TIMEOUT(session().model() || !window_->messages().isEmpty(), 30'000);
+    QVERIFY2(window_->messages().isEmpty(), qPrintable(window_->messages().join('\n')));
+    QCOMPARE(session().view().animation().keys.size(), std::size_t(300));
 }
 
 void KeepSessionTest::theViewIsResetByOneStep()

@@ -214,7 +214,7 @@ void SessionDocumentTest::aViewIsFoundByWhatItIsOf()
     QVERIFY(QFile::link(home.filePath("two.tan"), home.filePath("link.tan")));
     QVERIFY(writeTextFile(filePath(home.filePath("two.tan")), ""));
     QCOMPARE(views.find(filePath(home.filePath("link.tan")))->look, first.look);
-    views.release(model, true);
+    views.forget(model);
     QVERIFY(!views.find(model));
     QTRY_VERIFY(views.idle());
     QVERIFY(!views.find(model));
@@ -237,7 +237,7 @@ void SessionDocumentTest::whatAProgramLeftIsLost()
         QVERIFY(KeptViews(folder).lost().empty()); // the program runs
         // As a program leaves it that was killed: a lock of nobody.
         QVERIFY(QFile::copy(pathText(folder) + "/" + lock, home.filePath("lock")));
-        views.release(model, false);
+        views.release();
         QTRY_VERIFY(views.idle());
         QFile file(home.filePath("lock"));
         QVERIFY(file.open(QIODevice::ReadOnly));

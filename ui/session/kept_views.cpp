@@ -10,7 +10,7 @@
 #include <QDir>
 #include <QStandardPaths>
 
-#include <algorithm>
+#include <cstring>
 
 namespace tetra {
 namespace {
@@ -51,48 +51,51 @@ KeptViews::~KeptViews() = default;
 
 void KeptViews::keep(const std::filesystem::path& what, const SessionDocument& document)
 {
-    write(what, sessionToText(document, folder_), true);
+    write(what, sessionToText(document, folder_));
 }
 
-void KeptViews::release(const std::filesystem::path& what, bool forget)
+void KeptViews::forget(const std::filesystem::path& what)
 {
-    if (forget)
-        return write(what, std::nullopt, false);
+    write(what, std::nullopt);
+}
+
+void KeptViews::release()
+{
     writing_.enqueue([this](const Progress&) -> std::function<void()> {
         lock({});
         return [] {};
     });
 }
 
-void KeptViews::write(const std::filesystem::path& what, const std::optional<std::string>& text, bool isOpen)
+void KeptViews::write(const std::filesystem::path& what, const std::optional<std::string>& text)
 {
     const quint64 number = ++newest_;
     {
         const std::lock_guard guard(mutex_);
         pending_[what] = {number, text};
     }
-    writing_.enqueue([this, what, text, isOpen, number](const Progress&) -> std::function<void()> {
-        return [this, what, number, status = writeNow(what, text, isOpen)] { written(what, number, status); };
+    writing_.enqueue([this, what, text, number](const Progress&) -> std::function<void()> {
+        return [this, what, number, status = writeNow(what, text)] { written(what, number, status); };
     });
 }
 
-Status KeptViews::writeNow(const std::filesystem::path& what, const std::optional<std::string>& text, bool isOpen)
+Status KeptViews::writeNow(const std::filesystem::path& what, const std::optional<std::string>& text)
 {
     const QDir folder(pathText(folder_));
     const QString file = fileOf(folder, what);
-    if (text && !folder.mkpath("."))
+    if (!text) {
+        QFile::remove(file);
+        lock({});
+        return {};
+    }
+    if (!folder.mkpath("."))
         return Error{ErrorKind::CannotWrite, "The folder '" + folder_.string() +
                                                  "' cannot be written to, so that the view cannot be kept. Make room "
                                                  "there, or save the session."};
-    if (isOpen)
-        lock(file);
+    lock(file);
     const bool isNew = !QFile::exists(file);
-    const Status status = text ? writeTextFile(filePath(file), *text) : Status();
-    if (!text)
-        QFile::remove(file);
-    if (!isOpen)
-        lock({});
-    if (text && isNew)
+    Status status = writeTextFile(filePath(file), *text);
+    if (isNew)
         removeOld();
     return status;
 }
@@ -142,12 +145,12 @@ std::vector<LostView> KeptViews::lost() const
 {
     const QDir folder(pathText(folder_));
     for (const QString& name : folder.entryList({QString("*") + ending + lockEnding}, QDir::Files)) {
-        const QString file = folder.filePath(name.chopped(qsizetype(strlen(lockEnding))));
+        const QString file = folder.filePath(name.chopped(qsizetype(std::strlen(lockEnding))));
         // Who can have the lock has found a file without a program.
         const auto lock = takeLock(file);
         if (!lock || !QFile::exists(file))
             continue;
-        const QString aside = file.chopped(qsizetype(strlen(ending))) + lostEnding;
+        const QString aside = file.chopped(qsizetype(std::strlen(ending))) + lostEnding;
         QFile::remove(aside);
         QFile::rename(file, aside);
     }

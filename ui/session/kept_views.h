@@ -37,8 +37,10 @@ public:
 
     /// `what` is open, and seen like this.
     void keep(const std::filesystem::path& what, const SessionDocument& document);
-    /// `what` is not open any more; its view stays as it was kept last, or goes.
-    void release(const std::filesystem::path& what, bool forget);
+    /// Nothing is open any more; the view of what was stays as it was kept last.
+    void release();
+    /// How `what` was seen is not wanted any more, nor is it open.
+    void forget(const std::filesystem::path& what);
     /// How `what` was seen last, also if that is still being written; nothing if that is not known or not readable. For
     /// any thread but that of the GUI.
     std::optional<SessionDocument> find(const std::filesystem::path& what) const;
@@ -60,8 +62,9 @@ private:
         std::optional<std::string> text; ///< none: the file goes
     };
 
-    void write(const std::filesystem::path& what, const std::optional<std::string>& text, bool isOpen);
-    Status writeNow(const std::filesystem::path& what, const std::optional<std::string>& text, bool isOpen);
+    /// Without a text the file goes.
+    void write(const std::filesystem::path& what, const std::optional<std::string>& text);
+    Status writeNow(const std::filesystem::path& what, const std::optional<std::string>& text);
     void lock(const QString& file);
     void written(const std::filesystem::path& what, quint64 number, const Status& status);
     void removeOld() const;

@@ -72,6 +72,7 @@ public:
     /// Opens a model, a session, or a dataset by the reader that fits it best; asks by choicesNeeded() where there is a
     /// choice.
     void open(const QString& path);
+    /// Opens what a session says that the file holds.
     void openSession(const std::filesystem::path& path, SessionSource source);
     /// What is open and how it is seen; nothing without a model, or while a build is watched. The camera and the
     /// background are the window's.
@@ -137,7 +138,7 @@ public:
     LongTask& savingFilm() noexcept { return savingFilm_; }
     /// Of that film.
     const std::filesystem::path& filmTarget() const noexcept { return filmTarget_; }
-    /// Saves the mesh of the picture, once that is up to date.
+    /// Saves the mesh that is asked for now, whether the picture shows it already or not. There must be a model.
     void saveMesh(const std::filesystem::path& target);
     /// Saves the visible isosurfaces of that mesh, likewise.
     void saveSurfaces(const std::filesystem::path& target);
@@ -240,6 +241,7 @@ private:
     ImportOptions imported_; ///< how the dataset was opened
     std::vector<Provided<Renderer>> modes_;
     FieldExtent field_; ///< of the model that is open
+    KeptViews views_;   ///< before the workers that look into it
     SceneBuilder sceneBuilder_;
     DraftBuilder draftBuilder_;
     LongTask reading_;
@@ -252,7 +254,6 @@ private:
     LongTask savingMesh_;
     LongTask savingText_;
     LongTask loadingText_;
-    KeptViews views_;
     Gate gate_;
     std::filesystem::path sessionFile_;
     QJsonObject sessionFound_; ///< the text of that file: what is not known here stays in it

@@ -175,9 +175,10 @@ void KeepSession::leave()
         return;
     const std::filesystem::path& session = workbench_.sessionFile();
     KeptViews& views = workbench_.views();
-    if (session.empty() && isTouched)
-        views.keep(now->model, *now);
-    views.release(session.empty() ? now->model : session, !session.empty() || !isTouched);
+    if (!session.empty() || !isTouched)
+        return views.forget(session.empty() ? now->model : session);
+    views.keep(now->model, *now);
+    views.release();
 }
 
 } // namespace tetra

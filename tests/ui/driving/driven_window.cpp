@@ -48,7 +48,7 @@ void DrivenWindow::startAnew()
     waitFor([this] { return !workbench.building().running(); }, "no build runs");
     find<MessageBar>("messages").clear();
     workbench.closeModel();
-    workbench.views().release(filePath(model_), true); // as at first
+    workbench.views().forget(filePath(model_)); // as at first
     window.open(model_);
     waitFor([this] { return session().model() && settled(); }, "the model is open");
     if (!workbench.dataset() || workbench.dataset()->source.path != volume_.toStdString()) {
