@@ -4,6 +4,7 @@
 #include "ui/widgets/mnemonics.h"
 
 #include <QAbstractButton>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QDragEnterEvent>
 #include <QDropEvent>
@@ -40,6 +41,7 @@ private slots:
     void aBuildIsCancelledAndLeavesNoFile();
     void aBuildIsWatchedWhileItGrows();
     void aBuildIsStoppedAndKept();
+    void aBuildWithNothingToKeepSaysSo();
     void aBuildThatCannotWriteSaysSo();
     void anExistingModelIsReplacedOnlyWithAWord();
     void theMouseMovesTheCamera();
@@ -274,6 +276,24 @@ void WindowTest::aBuildIsStoppedAndKept()
     QVERIFY(window_->workbench.session().model()->finalError() > 0);
     QVERIFY(window_->find<QLabel>("accuracy.limit").text().contains("nothing finer"));
     QCOMPARE(window_->messages(), QStringList());
+}
+
+/// Decimation has a model when it is through with all of the mesh, not before.
+void WindowTest::aBuildWithNothingToKeepSaysSo()
+{
+    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(64), window_->folderPath())));
+    QTRY_VERIFY(window_->workbench.dataset());
+    auto& builder = window_->find<QComboBox>("build.builder");
+    builder.setCurrentIndex(builder.findData("decimation"));
+    const QString target = window_->find<QLineEdit>("build.target").text();
+    window_->find<QPushButton>("build.start").click();
+    QTRY_VERIFY(window_->find<QProgressBar>("build.progress").value() > 0);
+    QVERIFY(!window_->workbench.canKeepBuild());
+    window_->find<QPushButton>("build.keep").click();
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.building().running(), 60'000);
+    QTRY_COMPARE(window_->messages().size(), 1);
+    QVERIFY2(window_->messages().first().contains("nothing to keep"), qPrintable(window_->messages().first()));
+    QVERIFY(!QFile::exists(target));
 }
 
 void WindowTest::aBuildThatCannotWriteSaysSo()

@@ -114,11 +114,11 @@ void KeepSession::offerLost()
 {
     QList<LostOffer> offers;
     for (const LostView& lost : lost_) {
-        const QFileInfo file = openedFile(lost.document);
+        const QFileInfo model(pathText(lost.document.model));
         const QString kept = QLocale().toString(QFileInfo(pathText(lost.path)).lastModified(), QLocale::ShortFormat);
         offers.append(
-            {file.fileName(),
-             tr("Kept on %1. The model lies in %2.").arg(kept, QDir::toNativeSeparators(file.absolutePath()))});
+            {openedFile(lost.document).fileName(),
+             tr("Kept on %1. The model lies in %2.").arg(kept, QDir::toNativeSeparators(model.absolutePath()))});
     }
     offers_.setOffers(offers);
 }
