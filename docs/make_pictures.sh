@@ -50,6 +50,7 @@ take en-1x/light-palette palette
 take en-1x/light-picture picture
 take en-1x/light-import-bare import
 take en-1x/light-panel-build-dataset build
+take en-1x/light-leaving-build leaving
 take de-1x/dark-window-volume german-dark
 take it-1x/light-window-volume italian
 

@@ -36,10 +36,6 @@
         <translation>S&amp;chließen</translation>
     </message>
     <message>
-        <source>Close the model</source>
-        <translation>Schließt das Modell</translation>
-    </message>
-    <message>
         <source>&amp;Quit</source>
         <translation>B&amp;eenden</translation>
     </message>
@@ -302,6 +298,22 @@
     <message>
         <source>Picked &amp;Value</source>
         <translation>&amp;Gewählter Wert</translation>
+    </message>
+    <message>
+        <source>Close the model and its dataset</source>
+        <translation>Schließt das Modell und seinen Datensatz</translation>
+    </message>
+    <message>
+        <source>Reset &amp;View</source>
+        <translation>A&amp;nsicht zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Go back to the default accuracy, colours, isovalues and camera</source>
+        <translation>Stellt die anfängliche Genauigkeit, Farben, Isowerte und Kamera wieder her</translation>
+    </message>
+    <message>
+        <source>There is nothing to close</source>
+        <translation>Es ist nichts zu schließen</translation>
     </message>
 </context>
 <context>
@@ -2107,10 +2119,6 @@
         <translation>Der Ordner „%1“ für Beispiele kann nicht angelegt werden: %2. Machen Sie ihn beschreibbar, oder schaffen Sie Platz.</translation>
     </message>
     <message>
-        <source>The folder &apos;%1&apos; cannot be written to, so that the session would be lost if the program ended unexpectedly. Make room there, or save the session.</source>
-        <translation>In den Ordner „%1“ kann nicht geschrieben werden, sodass die Sitzung verloren wäre, wenn das Programm unerwartet endete. Schaffen Sie dort Platz, oder speichern Sie die Sitzung.</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; ends in none of .vtu, .vtk and .ply, the formats in which meshes are written, nor of .vtp, .stl, .obj and .glb, for their boundary alone. Choose one of these endings.</source>
         <translation>„%1“ endet weder auf .vtu, .vtk oder .ply, in denen Netze geschrieben werden, noch auf .vtp, .stl, .obj oder .glb, für ihren Rand allein. Wählen Sie eine dieser Endungen.</translation>
     </message>
@@ -2666,6 +2674,10 @@
         <source>The mesh has too many tetrahedra for its boundary to be shown. Lower the accuracy of the mesh.</source>
         <translation>Das Netz hat zu viele Tetraeder, um seine Berandung zu zeigen. Verringern Sie die Genauigkeit des Netzes.</translation>
     </message>
+    <message>
+        <source>The folder &apos;%1&apos; cannot be written to, so that the view cannot be kept. Make room there, or save the session.</source>
+        <translation>In den Ordner „%1“ kann nicht geschrieben werden, sodass die Ansicht nicht erhalten bleibt. Schaffen Sie dort Platz, oder speichern Sie die Sitzung.</translation>
+    </message>
 </context>
 <context>
     <name>Statistics</name>
@@ -3157,6 +3169,10 @@ Verwerfung %2</translation>
     <message>
         <source>Measured on other data; a larger error takes less. Half or twice as much is possible.</source>
         <translation>An anderen Daten gemessen; ein größerer Fehler braucht weniger. Die Hälfte oder das Doppelte ist möglich.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -3938,6 +3954,113 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::Leaving</name>
+    <message>
+        <source>%1 % is done, about %2 are left.</source>
+        <translation>%1 % sind fertig, es dauert noch etwa %2.</translation>
+    </message>
+    <message>
+        <source>%1 % is done.</source>
+        <translation>%1 % sind fertig.</translation>
+    </message>
+    <message>
+        <source>It can continue in the background.</source>
+        <translation>Das kann im Hintergrund weitergehen.</translation>
+    </message>
+    <message>
+        <source>If you stop now, you can keep what is finished as %1, a model of lower accuracy.</source>
+        <translation>Wenn Sie jetzt anhalten, können Sie das Fertige als %1 behalten, ein Modell geringerer Genauigkeit.</translation>
+    </message>
+    <message>
+        <source>Nothing of it can be kept yet.</source>
+        <translation>Behalten werden kann davon noch nichts.</translation>
+    </message>
+    <message>
+        <source>Build in Progress</source>
+        <translation>Modell im Bau</translation>
+    </message>
+    <message>
+        <source>The model of %1 is still being built.</source>
+        <translation>Das Modell von %1 wird noch gebaut.</translation>
+    </message>
+    <message>
+        <source>&amp;Continue Building</source>
+        <translation>&amp;Weiterbauen</translation>
+    </message>
+    <message>
+        <source>Stop and &amp;Keep</source>
+        <translation>Anhalten und behal&amp;ten</translation>
+    </message>
+    <message>
+        <source>&amp;Discard Build</source>
+        <translation>&amp;Bau verwerfen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>If you stop it, nothing of it is kept.</source>
+        <translation>Wenn Sie ihn anhalten, bleibt nichts davon.</translation>
+    </message>
+    <message>
+        <source>Film in Progress</source>
+        <translation>Film in Arbeit</translation>
+    </message>
+    <message>
+        <source>The film %1 is still being written.</source>
+        <translation>Der Film %1 wird noch geschrieben.</translation>
+    </message>
+    <message>
+        <source>&amp;Continue Writing</source>
+        <translation>&amp;Weiterschreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Discard Film</source>
+        <translation>&amp;Film verwerfen</translation>
+    </message>
+    <message>
+        <source>Unsaved Changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>The session %1 has unsaved changes.</source>
+        <translation>Die Sitzung %1 hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>Your changes will be lost if you do not save them.</source>
+        <translation>Ihre Änderungen gehen verloren, wenn Sie sie nicht speichern.</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>Saving</source>
+        <translation>Es wird gespeichert</translation>
+    </message>
+    <message>
+        <source>A file is still being saved.</source>
+        <translation>Eine Datei wird noch gespeichert.</translation>
+    </message>
+    <message>
+        <source>TAn will quit when it is done.</source>
+        <translation>TAn wird beendet, sobald das getan ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Do Not Quit</source>
+        <translation>&amp;Nicht beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Quit Without Saving</source>
+        <translation>Ohne Speichern &amp;beenden</translation>
+    </message>
+</context>
+<context>
     <name>tetra::LostOffers</name>
     <message>
         <source>Sessions to restore</source>
@@ -3991,10 +4114,6 @@ Verwerfung %2</translation>
         <translation>Liste &amp;leeren</translation>
     </message>
     <message>
-        <source>%1 – TAn</source>
-        <translation>%1 – TAn</translation>
-    </message>
-    <message>
         <source>TAn</source>
         <translation>TAn</translation>
     </message>
@@ -4030,12 +4149,48 @@ Verwerfung %2</translation>
         <source>Drawing the picture, %1 more waiting</source>
         <translation>Das Bild wird gezeichnet, %1 weitere warten</translation>
     </message>
+    <message>
+        <source>reset of view</source>
+        <translation>Zurücksetzen der Ansicht</translation>
+    </message>
+    <message>
+        <source>The model %1 is built.</source>
+        <translation>Das Modell %1 ist fertig gebaut.</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>%1[*] – TAn</source>
+        <translation>%1[*] – TAn</translation>
+    </message>
+    <message>
+        <source>Its model is being built. The panel on the left shows the progress.</source>
+        <translation>Sein Modell wird gebaut. Das Feld links zeigt den Fortschritt.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
     <message>
-        <source>%1 more</source>
-        <translation>%1 weitere</translation>
+        <source>Show or hide the older messages</source>
+        <translation>Zeigt oder verbirgt die älteren Meldungen</translation>
+    </message>
+    <message>
+        <source>Close All</source>
+        <translation>Alle schließen</translation>
+    </message>
+    <message>
+        <source>Dismiss all messages</source>
+        <translation>Schließt alle Meldungen</translation>
+    </message>
+    <message>
+        <source>Show fewer</source>
+        <translation>Weniger zeigen</translation>
+    </message>
+    <message>
+        <source>Show %1 more</source>
+        <translation>%1 weitere zeigen</translation>
     </message>
 </context>
 <context>

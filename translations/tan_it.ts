@@ -36,10 +36,6 @@
         <translation>C&amp;hiudi</translation>
     </message>
     <message>
-        <source>Close the model</source>
-        <translation>Chiude il modello</translation>
-    </message>
-    <message>
         <source>&amp;Quit</source>
         <translation>&amp;Esci</translation>
     </message>
@@ -302,6 +298,22 @@
     <message>
         <source>Picked &amp;Value</source>
         <translation>&amp;Valore scelto</translation>
+    </message>
+    <message>
+        <source>Close the model and its dataset</source>
+        <translation>Chiude il modello e il suo insieme di dati</translation>
+    </message>
+    <message>
+        <source>Reset &amp;View</source>
+        <translation>Reimposta &amp;vista</translation>
+    </message>
+    <message>
+        <source>Go back to the default accuracy, colours, isovalues and camera</source>
+        <translation>Ripristina accuratezza, colori, isovalori e camera iniziali</translation>
+    </message>
+    <message>
+        <source>There is nothing to close</source>
+        <translation>Non c’è nulla da chiudere</translation>
     </message>
 </context>
 <context>
@@ -2107,10 +2119,6 @@
         <translation>La cartella «%1» per gli esempi non può essere creata: %2. Renderla scrivibile, o liberare spazio.</translation>
     </message>
     <message>
-        <source>The folder &apos;%1&apos; cannot be written to, so that the session would be lost if the program ended unexpectedly. Make room there, or save the session.</source>
-        <translation>Nella cartella «%1» non si può scrivere, perciò la sessione andrebbe persa se il programma terminasse all&apos;improvviso. Fare spazio lì, o salvare la sessione.</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; ends in none of .vtu, .vtk and .ply, the formats in which meshes are written, nor of .vtp, .stl, .obj and .glb, for their boundary alone. Choose one of these endings.</source>
         <translation>«%1» non termina né in .vtu, .vtk o .ply, i formati in cui si scrivono le mesh, né in .vtp, .stl, .obj o .glb, per il solo bordo. Scegliere una di queste estensioni.</translation>
     </message>
@@ -2666,6 +2674,10 @@
         <source>The mesh has too many tetrahedra for its boundary to be shown. Lower the accuracy of the mesh.</source>
         <translation>La mesh ha troppi tetraedri perché se ne mostri il contorno. Ridurre la precisione della mesh.</translation>
     </message>
+    <message>
+        <source>The folder &apos;%1&apos; cannot be written to, so that the view cannot be kept. Make room there, or save the session.</source>
+        <translation>Non si può scrivere nella cartella «%1», quindi la vista non può essere conservata. Liberare spazio lì, o salvare la sessione.</translation>
+    </message>
 </context>
 <context>
     <name>Statistics</name>
@@ -3157,6 +3169,10 @@ deformazione %2</translation>
     <message>
         <source>Measured on other data; a larger error takes less. Half or twice as much is possible.</source>
         <translation>Misurato su altri dati; un errore maggiore richiede meno. È possibile la metà o il doppio.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -3938,6 +3954,113 @@ deformazione %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::Leaving</name>
+    <message>
+        <source>%1 % is done, about %2 are left.</source>
+        <translation>Fatto il %1 %, mancano circa %2.</translation>
+    </message>
+    <message>
+        <source>%1 % is done.</source>
+        <translation>Fatto il %1 %.</translation>
+    </message>
+    <message>
+        <source>It can continue in the background.</source>
+        <translation>Può continuare in secondo piano.</translation>
+    </message>
+    <message>
+        <source>If you stop now, you can keep what is finished as %1, a model of lower accuracy.</source>
+        <translation>Fermandola ora si può conservare la parte finita come %1, un modello meno accurato.</translation>
+    </message>
+    <message>
+        <source>Nothing of it can be kept yet.</source>
+        <translation>Non si può ancora conservarne nulla.</translation>
+    </message>
+    <message>
+        <source>Build in Progress</source>
+        <translation>Costruzione in corso</translation>
+    </message>
+    <message>
+        <source>The model of %1 is still being built.</source>
+        <translation>Il modello di %1 è ancora in costruzione.</translation>
+    </message>
+    <message>
+        <source>&amp;Continue Building</source>
+        <translation>&amp;Continua a costruire</translation>
+    </message>
+    <message>
+        <source>Stop and &amp;Keep</source>
+        <translation>Ferma e co&amp;nserva</translation>
+    </message>
+    <message>
+        <source>&amp;Discard Build</source>
+        <translation>&amp;Scarta costruzione</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>If you stop it, nothing of it is kept.</source>
+        <translation>Fermandolo non ne resta nulla.</translation>
+    </message>
+    <message>
+        <source>Film in Progress</source>
+        <translation>Filmato in corso</translation>
+    </message>
+    <message>
+        <source>The film %1 is still being written.</source>
+        <translation>Il filmato %1 è ancora in scrittura.</translation>
+    </message>
+    <message>
+        <source>&amp;Continue Writing</source>
+        <translation>&amp;Continua a scrivere</translation>
+    </message>
+    <message>
+        <source>&amp;Discard Film</source>
+        <translation>&amp;Scarta filmato</translation>
+    </message>
+    <message>
+        <source>Unsaved Changes</source>
+        <translation>Modifiche non salvate</translation>
+    </message>
+    <message>
+        <source>The session %1 has unsaved changes.</source>
+        <translation>La sessione %1 ha modifiche non salvate.</translation>
+    </message>
+    <message>
+        <source>Your changes will be lost if you do not save them.</source>
+        <translation>Le modifiche andranno perse se non vengono salvate.</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Salva</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>S&amp;carta</translation>
+    </message>
+    <message>
+        <source>Saving</source>
+        <translation>Salvataggio</translation>
+    </message>
+    <message>
+        <source>A file is still being saved.</source>
+        <translation>È ancora in corso il salvataggio di un file.</translation>
+    </message>
+    <message>
+        <source>TAn will quit when it is done.</source>
+        <translation>TAn si chiuderà al termine.</translation>
+    </message>
+    <message>
+        <source>&amp;Do Not Quit</source>
+        <translation>&amp;Non uscire</translation>
+    </message>
+    <message>
+        <source>&amp;Quit Without Saving</source>
+        <translation>&amp;Esci senza salvare</translation>
+    </message>
+</context>
+<context>
     <name>tetra::LostOffers</name>
     <message>
         <source>Sessions to restore</source>
@@ -3991,10 +4114,6 @@ deformazione %2</translation>
         <translation>&amp;Svuota elenco</translation>
     </message>
     <message>
-        <source>%1 – TAn</source>
-        <translation>%1 – TAn</translation>
-    </message>
-    <message>
         <source>TAn</source>
         <translation>TAn</translation>
     </message>
@@ -4030,12 +4149,48 @@ deformazione %2</translation>
         <source>Picture copied, %1 × %2 pixels</source>
         <translation>Immagine copiata, %1 × %2 pixel</translation>
     </message>
+    <message>
+        <source>reset of view</source>
+        <translation>reimpostazione della vista</translation>
+    </message>
+    <message>
+        <source>The model %1 is built.</source>
+        <translation>Il modello %1 è costruito.</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Apri</translation>
+    </message>
+    <message>
+        <source>%1[*] – TAn</source>
+        <translation>%1[*] – TAn</translation>
+    </message>
+    <message>
+        <source>Its model is being built. The panel on the left shows the progress.</source>
+        <translation>Il suo modello è in costruzione. Il pannello a sinistra mostra l’avanzamento.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
     <message>
-        <source>%1 more</source>
-        <translation>altri %1</translation>
+        <source>Show or hide the older messages</source>
+        <translation>Mostra o nasconde i messaggi meno recenti</translation>
+    </message>
+    <message>
+        <source>Close All</source>
+        <translation>Chiudi tutti</translation>
+    </message>
+    <message>
+        <source>Dismiss all messages</source>
+        <translation>Chiude tutti i messaggi</translation>
+    </message>
+    <message>
+        <source>Show fewer</source>
+        <translation>Mostra meno</translation>
+    </message>
+    <message>
+        <source>Show %1 more</source>
+        <translation>Mostra altri %1</translation>
     </message>
 </context>
 <context>

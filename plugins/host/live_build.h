@@ -26,6 +26,13 @@ public:
     /// A sink that hands everything on to `next` and remembers it; `next` and this outlive it. Called by the build.
     std::unique_ptr<HistorySink> watch(HistorySink& next, const Dataset& dataset, const ModelDescription& description);
 
+    /// Whether there is a mesh of known error by now, so that the build can be stopped and kept.
+    bool hasMesh()
+    {
+        const std::lock_guard lock(mutex_);
+        return completeSteps_ > 0;
+    }
+
     /// A model of what has been made so far, as the file `path`; null if there is nothing new since the last look.
     Result<std::shared_ptr<const Model>> look(const std::filesystem::path& path);
 

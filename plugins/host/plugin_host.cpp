@@ -139,6 +139,12 @@ std::string PluginHost::explainMissing(PluginKind kind) const
     return text;
 }
 
+void PluginHost::whenRefused(std::function<void(const PluginStatus&)> tell)
+{
+    const std::lock_guard lock(mutex_);
+    tellRefused_ = std::move(tell);
+}
+
 void PluginHost::find()
 {
     std::set<fs::path> seen; // one file is one plugin, by however many links and folders it is reached
@@ -252,6 +258,8 @@ Status PluginHost::load(Entry& entry)
         return {};
     const auto refuse = [&](std::string text) {
         entry.refuse(std::move(text));
+        if (tellRefused_)
+            tellRefused_(entry.status);
         return Error{ErrorKind::BadInput,
                      "The plugin \"" + entry.status.metadata.id + "\" cannot be used. " + entry.status.error};
     };

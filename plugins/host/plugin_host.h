@@ -10,6 +10,7 @@
 #include <QObject>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -81,6 +82,10 @@ public:
     Result<Provided<Editor>> editor(const std::string& id) { return one<Editor>(PluginKind::Editor, id); }
     Result<Provided<Reader>> reader(const std::string& id) { return one<Reader>(PluginKind::Reader, id); }
 
+    /// `tell` hears of each plugin that turns out to be unusable when it is loaded; from any thread, so that it may
+    /// only pass it on, and must not call the host. None: nobody hears of it.
+    void whenRefused(std::function<void(const PluginStatus&)> tell);
+
     /// Why plugins of this kind are missing, a line each; empty if none is.
     std::string explainMissing(PluginKind kind) const;
 
@@ -119,8 +124,9 @@ private:
     }
 
     PluginHostOptions options_;
-    mutable std::mutex mutex_; ///< guards entries_ after construction
+    mutable std::mutex mutex_; ///< guards the next two after construction
     std::vector<std::unique_ptr<Entry>> entries_;
+    std::function<void(const PluginStatus&)> tellRefused_;
 };
 
 } // namespace tetra

@@ -8,6 +8,7 @@
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QTemporaryDir>
 
 #include <vector>
 
@@ -21,7 +22,7 @@ constexpr int moves = 500; ///< of a drag
 class DraggedWindow {
 public:
     DraggedWindow(PluginHost& host, const std::filesystem::path& model, bool undoes)
-        : workbench_(host), window_(workbench_, BackendChoice::Cpu)
+        : workbench_(host, views_.path().toStdString()), window_(workbench_, BackendChoice::Cpu)
     {
         window_.resize(windowSize);
         window_.show();
@@ -42,6 +43,7 @@ public:
 private:
     Viewport& viewport() { return window_.viewport(); }
 
+    QTemporaryDir views_; ///< the model is seen as at first
     Workbench workbench_;
     MainWindow window_;
 };

@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QTemporaryDir>
 
 #include <algorithm>
 
@@ -56,7 +57,7 @@ bool looksRed(const QImage& picture)
 class EditedWindow {
 public:
     EditedWindow(PluginHost& host, const std::filesystem::path& model)
-        : workbench_(host), window_(workbench_, BackendChoice::Cpu)
+        : workbench_(host, views_.path().toStdString()), window_(workbench_, BackendChoice::Cpu)
     {
         window_.resize(windowSize);
         window_.show();
@@ -98,6 +99,7 @@ private:
         return !workbench_.sceneBuilder().busy() && window_.viewport().scene() && window_.viewport().settled();
     }
 
+    QTemporaryDir views_; ///< the model is seen as at first
     Workbench workbench_;
     MainWindow window_;
 };

@@ -7,7 +7,7 @@
 #include "ui/panels/parameter_form.h"
 #include "ui/session/import_texts.h"
 #include "ui/session/session_document.h"
-#include "ui/viewport/scene_pick.h"
+#include "ui/session/text_file.h"
 #include "ui/viewport/value_pick.h"
 
 #include <QCheckBox>
@@ -64,7 +64,9 @@ private:
     void openSession(const std::string& text) const
     {
         window_->workbench.closeModel();
-        window_->workbench.openSession(text, window_->folderPath(), {});
+        const std::filesystem::path file = window_->folderPath() + "/opened.tansession";
+        QVERIFY(writeTextFile(file, text));
+        window_->workbench.openSession(file, SessionSource::File);
         QTRY_VERIFY_WITH_TIMEOUT(session().model() && window_->settled(), 30'000);
     }
 
@@ -232,12 +234,15 @@ void BoundaryTest::itHidesNothingFromDoubleClicks()
     Camera camera = fitted({}, seen.bounds);
     camera.azimuth = camera.elevation = 0;
     const PictureProjection projection(camera, QSizeF(100, 100));
-    const auto place = placeSeenAt(seen, projection, QPointF(50, 50));
-    QVERIFY(place && std::abs(place->y() - 0.5) < 1e-6);
+    const auto depth = [&] {
+        const auto place = seenPlace(seen, projection.sightLine(QPointF(50, 50)));
+        return place ? place->place.y() : 99.0;
+    };
+    QVERIFY(std::abs(depth() - 0.5) < 1e-6);
     seen.surfaces[1].opacity = 0.8f;
-    QVERIFY(std::abs(placeSeenAt(seen, projection, QPointF(50, 50))->y() + 0.5) < 1e-6);
+    QVERIFY(std::abs(depth() + 0.5) < 1e-6);
     seen.surfaces[1].backFacesOnly = true;
-    QVERIFY(std::abs(placeSeenAt(seen, projection, QPointF(50, 50))->y() - 0.5) < 1e-6);
+    QVERIFY(std::abs(depth() - 0.5) < 1e-6);
 }
 
 /// A lattice has no warping; its block sizes are words, too, in the language of the user.

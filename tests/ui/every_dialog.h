@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/ui/window_fixture.h"
+#include "ui/window/leaving.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -49,6 +50,31 @@ inline std::vector<OpenableDialog> everyDialog(const QString& volume, const QStr
         {"filmOptions", byAction("saveFilm")},
         {"importDialog", import(volume)},
         {"importDialog", import(raw)},
+        {"leaving.build",
+         [](WindowFixture& window) {
+             askAboutBuild({LeavingWay::Quit, "headsq_64x64x93_int16.nhdr", "7 % is done, about 1 min 20 s are left.",
+                            "headsq_64x64x93_int16.tan", true},
+                           &window.window);
+         }},
+        {"leaving.build",
+         [](WindowFixture& window) {
+             askAboutBuild({LeavingWay::OpenModel, "headsq_64x64x93_int16.nhdr",
+                            "7 % is done, about 1 min 20 s are left.", "headsq_64x64x93_int16.tan", true},
+                           &window.window);
+         }},
+        {"leaving.film",
+         [](WindowFixture& window) {
+             askAboutFilm({LeavingWay::OpenModel,
+                           "headsq_64x64x93_int16-film.png",
+                           "7 % is done, about 1 min 20 s are left.",
+                           {}},
+                          &window.window);
+         }},
+        {"leaving.session",
+         [](WindowFixture& window) {
+             askAboutSession({LeavingWay::Quit, "headsq_64x64x93_int16.tansession", {}, {}}, &window.window);
+         }},
+        {"leaving.saving", [](WindowFixture& window) { askAboutSaving(&window.window); }},
         {"transfer.presetPopup", openPresets},
         {"transfer.presetName",
          [openPresets](WindowFixture& window) {

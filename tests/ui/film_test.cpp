@@ -15,6 +15,9 @@
 #include <QTableWidget>
 #include <QToolButton>
 
+#include <algorithm>
+#include <limits>
+
 using namespace tetra;
 
 class FilmTest : public QObject {
@@ -27,6 +30,8 @@ private slots:
     void aPreviewLeavesTheViewAlone();
     void aFilmIsWrittenAsPictures();
     void aFilmThatIsCancelledLeavesNothing();
+    void filesInTheWayAreFoundAtOnce();
+    void aSlowFolderStopsNobody();
     void aFilmBlendsItsKeys();
     void aVideoIsMadeWhereThereIsFfmpeg();
     void whatTheEncoderSaysIsTold();
@@ -134,6 +139,7 @@ void FilmTest::aFilmIsWrittenAsPictures()
     window_->find<QSpinBox>("film.height").setValue(120);
     auto& target = window_->find<QLineEdit>("film.target");
     target.setText(window_->folder.filePath("round.png"));
+    QTRY_VERIFY(window_->find<QPushButton>("film.save").isEnabled());
     QCOMPARE(window_->find<QPushButton>("film.save").text(), QString("&Save"));
     QSignalSpy saved(&window_->workbench, &Workbench::filmSaved);
     window_->find<QPushButton>("film.save").click();
@@ -144,7 +150,7 @@ void FilmTest::aFilmIsWrittenAsPictures()
     QCOMPARE(files, (QStringList{"round_0001.png", "round_0002.png", "round_0003.png", "round_0004.png"}));
     QVERIFY(QImage(folder.filePath(files[0])) != QImage(folder.filePath(files[1])));
     QCOMPARE(QImage(folder.filePath(files[3])).size(), QSize(160, 120));
-    QCOMPARE(window_->find<QPushButton>("film.save").text(), QString("&Replace and Save"));
+    QTRY_COMPARE(window_->find<QPushButton>("film.save").text(), QString("&Replace and Save"));
     QVERIFY(window_->find<QLabel>("film.hint").text().contains('4'));
 }
 
@@ -166,6 +172,56 @@ void FilmTest::aFilmThatIsCancelledLeavesNothing()
     QVERIFY2(clock.elapsed() < 1000, qPrintable(QString::number(clock.elapsed())));
     QVERIFY(QDir(window_->folder.path()).entryList({"long*"}, QDir::AllEntries | QDir::Hidden).isEmpty());
     QCOMPARE(window_->messages(), QStringList());
+}
+
+/// However many frames the film has (D2): the folder is read once.
+void FilmTest::filesInTheWayAreFoundAtOnce()
+{
+    const QDir folder(window_->folder.path());
+    const auto make = [&folder](const QString& name) {
+        QFile file(folder.filePath(name));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+    };
+    for (const char* name : {"a_0001.png", "a_0017.png", "a_0200.png", "a_0201.png", "a_1.png", "a_00017.png", "a_.png",
+                             "a_-001.png", "ab_0001.png", "a_0001.jpg", "a.png", "a_000001.png", "a_100000.png"})
+        make(name);
+    const auto found = [&folder](const char* name, int count) {
+        QStringList names;
+        for (const auto& path : filesInTheWay(folder.filePath(name).toStdString(), count))
+            names.append(QString::fromStdString(path.filename().string()));
+        return names;
+    };
+    QCOMPARE(found("a.png", 200), (QStringList{"a_0001.png", "a_0017.png", "a_0200.png"}));
+    QCOMPARE(found("a.png", 100'000), (QStringList{"a_000001.png", "a_100000.png"}));
+    QCOMPARE(found("b.png", 200), QStringList());
+    QCOMPARE(found("no/such/folder/a.png", 200), QStringList());
+    const auto best = [&](int count) {
+        qint64 least = std::numeric_limits<qint64>::max();
+        for (int time = 0; time < 7; ++time) {
+            QElapsedTimer clock;
+            clock.start();
+            found("a.png", count);
+            least = std::min(least, clock.nsecsElapsed());
+        }
+        return static_cast<double>(least);
+    };
+    const double ratio = best(100'000) / best(10);
+    QVERIFY2(ratio < 10, qPrintable(QString::number(ratio)));
+}
+
+/// The dialog looks for them in a worker, and saves nothing before it knows.
+void FilmTest::aSlowFolderStopsNobody()
+{
+    window_->find<QAction>("action.saveFilm").trigger();
+    auto& save = window_->find<QPushButton>("film.save");
+    QTRY_VERIFY(save.isEnabled());
+    QFile file(window_->folder.filePath("there_0001.png"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    window_->find<QLineEdit>("film.target").setText(window_->folder.filePath("there.png"));
+    QCOMPARE(save.text(), QString("&Save"));
+    QVERIFY(!save.isEnabled());
+    QTRY_COMPARE(save.text(), QString("&Replace and Save"));
+    QVERIFY(save.isEnabled());
 }
 
 /// Frames of a film follow isovalues and accuracy, too, not only the camera.

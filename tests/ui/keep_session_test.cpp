@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
 
-#include "ui/session/recovery.h"
-#include "ui/session/session_document.h"
+#include "ui/session/kept_views.h"
 #include "ui/session/target_path.h"
 #include "ui/session/text_file.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QImage>
 #include <QLabel>
 #include <QProcess>
 #include <QPushButton>
-#include <QStandardPaths>
 #include <QToolButton>
 
 using namespace tetra;
@@ -32,10 +31,25 @@ private slots:
     void whatIsIgnoredIsOfferedInTheBarAndStays();
     void whatCannotBeRestoredStays();
     void aKilledProgramLosesAtMostTenSeconds();
+    void aKilledSessionIsModified();
+    void aViewIsBackAfterAQuit();
+    void aViewIsBackWhenAnotherModelWasOpen();
+    void aViewIsBackWhenItIsOpenedAnew();
+    void whatWasNeverChangedIsSeenAsAtFirst();
+    void aRebuiltModelIsSeenAsBefore();
+    void anotherModelOfThatNameIsSeenAsFarAsItFits();
+    void aSessionLeavesTheViewOfItsModelAlone();
+    void aLongFilmIsSavedAndOpened();
+    void theViewIsResetByOneStep();
+    void aPictureWhoseSessionIsDamagedIsNamed();
 
 private:
     Session& session() const { return window_->workbench.session(); }
     void open(const QString& path) const;
+    /// Another window, after this one has been closed as a user closes it.
+    void startAnew();
+    /// A model of its own in the folder of that name.
+    QString modelIn(const char* folder, std::uint32_t size, double error = 0) const;
     void edit() const;
     void choose(const QString& path) const;
     static SessionDocument ofModel(const QString& path);
@@ -61,7 +75,7 @@ void KeepSessionTest::initTestCase()
 
 void KeepSessionTest::init()
 {
-    QDir(pathText(recoveryFolder())).removeRecursively();
+    QDir(pathText(viewFolder())).removeRecursively();
     window_ = std::make_unique<WindowFixture>();
     window_->window.show();
 }
@@ -106,9 +120,9 @@ SessionDocument KeepSessionTest::ofModel(const QString& path)
 
 std::filesystem::path KeepSessionTest::leave(const SessionDocument& document)
 {
-    std::filesystem::create_directories(recoveryFolder());
-    const std::filesystem::path left = recoveryFolder() / "left.tansession";
-    if (!writeTextFile(left, sessionToText(document, recoveryFolder())))
+    std::filesystem::create_directories(viewFolder());
+    const std::filesystem::path left = viewFolder() / "left.lost.tansession";
+    if (!writeTextFile(left, sessionToText(document, viewFolder())))
         qFatal("the session could not be left");
     return left;
 }
@@ -234,7 +248,7 @@ void KeepSessionTest::whatIsDeclinedIsNotOfferedAgain()
     window_->find<QPushButton>("lost.discard").click();
     QVERIFY(!window_->find<QWidget>("lost").isVisible());
     QCOMPARE(window_->messages(), QStringList());
-    QVERIFY(lostSessions(recoveryFolder()).empty());
+    QVERIFY(KeptViews(viewFolder()).lost().empty());
 }
 
 void KeepSessionTest::whatIsIgnoredIsOfferedInTheBarAndStays()
@@ -255,7 +269,7 @@ void KeepSessionTest::whatIsIgnoredIsOfferedInTheBarAndStays()
     window_->find<QPushButton>("message.answer").click();
     QTRY_VERIFY_WITH_TIMEOUT(!std::filesystem::exists(left), 30'000);
     window_ = std::make_unique<WindowFixture>();
-    QVERIFY(lostSessions(recoveryFolder()).empty());
+    QVERIFY(KeptViews(viewFolder()).lost().empty());
 }
 
 void KeepSessionTest::whatCannotBeRestoredStays()
@@ -276,22 +290,261 @@ void KeepSessionTest::whatCannotBeRestoredStays()
     QVERIFY(std::filesystem::exists(left));
 }
 
+/// It shows the view that was kept before; what it has of that when it is killed is offered, and does not come back by
+/// itself: it may have been what ended the program.
 void KeepSessionTest::aKilledProgramLosesAtMostTenSeconds()
 {
+    open(model_);
+    edit();
     window_.reset();
+    const QDir folder(pathText(viewFolder()));
+    QCOMPARE(folder.entryList(QDir::Files).size(), 1);
+    const QString view = folder.filePath(folder.entryList(QDir::Files).first());
+    const QDateTime before = QFileInfo(view).lastModified();
     QProcess program;
     program.start(TAN_BINARY_DIR "/bin/tan-desktop", {"--backend", "cpu", model_});
     QVERIFY(program.waitForStarted());
-    const QDir folder(pathText(recoveryFolder()));
-    const auto files = [&folder] { return folder.entryList({"*.tansession"}, QDir::Files); };
-    QTRY_VERIFY_WITH_TIMEOUT(!files().isEmpty(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(view + ".lock") && QFileInfo(view).lastModified() > before, 60'000);
     program.kill();
     QVERIFY(program.waitForFinished());
     window_ = std::make_unique<WindowFixture>();
     window_->window.show();
-    window_->find<QPushButton>("lost.restore").click();
-    QTRY_VERIFY_WITH_TIMEOUT(session().model() != nullptr, 30'000);
+    QVERIFY(window_->find<QWidget>("lost").isVisible());
+    open(model_);
+    QVERIFY(!showsEdits());
+    QTRY_COMPARE(window_->messages().size(), 1);
+    window_->find<QPushButton>("message.answer").click();
+    QTRY_VERIFY_WITH_TIMEOUT(showsEdits(), 30'000);
     QCOMPARE(session().model()->path(), filePath(model_));
+    startAnew();
+    QVERIFY(!window_->find<QWidget>("lost").isVisible());
+}
+
+/// Its changes were in no file yet: they are there again, and still in none.
+void KeepSessionTest::aKilledSessionIsModified()
+{
+    open(model_);
+    auto document = window_->workbench.sessionDocument();
+    QVERIFY(document.has_value());
+    const std::filesystem::path file = filePath(window_->folder.filePath("work.tansession"));
+    QVERIFY(writeTextFile(file, sessionToText(*document, file.parent_path())));
+    document->file = file;
+    document->query.error = 3.5;
+    leave(*document);
+    auto next = std::make_unique<WindowFixture>();
+    next->window.show();
+    QVERIFY2(next->find<QLabel>("lost.text").text().contains("work.tansession"),
+             qPrintable(next->find<QLabel>("lost.text").text()));
+    next->find<QPushButton>("lost.restore").click();
+    QTRY_VERIFY_WITH_TIMEOUT(next->workbench.session().model() != nullptr, 30'000);
+    QCOMPARE(next->workbench.session().view().error(), 3.5);
+    QCOMPARE(next->workbench.sessionFile(), file);
+    QVERIFY(next->window.isWindowModified());
+}
+
+void KeepSessionTest::startAnew()
+{
+    QVERIFY(window_->window.close());
+    window_ = std::make_unique<WindowFixture>();
+    window_->window.show();
+}
+
+QString KeepSessionTest::modelIn(const char* folder, std::uint32_t size, double error) const
+{
+    const QString path = folder_.filePath(folder);
+    QDir().mkpath(path);
+    return pathText(buildSampleModel(*window_->host, sampleDataset(size), filePath(path), error));
+}
+
+void KeepSessionTest::aViewIsBackAfterAQuit()
+{
+    open(model_);
+    edit();
+    const auto isovalues = session().view().isovalues();
+    startAnew();
+    QVERIFY(!window_->find<QWidget>("lost").isVisible()); // it has ended as it should
+    open(model_);
+    QVERIFY(showsEdits());
+    QCOMPARE(session().view().isovalues(), isovalues);
+    QCOMPARE(session().undoStack().count(), 0);
+    QVERIFY(window_->workbench.sessionFile().empty());
+    QVERIFY(!window_->window.isWindowModified());
+    QCOMPARE(window_->messages(), QStringList());
+    startAnew(); // without a change
+    open(model_);
+    QVERIFY(showsEdits());
+}
+
+void KeepSessionTest::aViewIsBackWhenAnotherModelWasOpen()
+{
+    const QString other = modelIn("other", 10);
+    open(model_);
+    edit();
+    open(other);
+    QTRY_COMPARE(pathText(session().model()->path()), other);
+    QVERIFY(!showsEdits());
+    window_->window.open(QFileInfo(model_).path() + "/../" + QFileInfo(model_).dir().dirName() + "/c60.tan");
+    QTRY_COMPARE(QFileInfo(pathText(session().model()->path())).canonicalFilePath(),
+                 QFileInfo(model_).canonicalFilePath());
+    QVERIFY(showsEdits()); // by whatever name
+}
+
+void KeepSessionTest::aViewIsBackWhenItIsOpenedAnew()
+{
+    open(model_);
+    edit();
+    const auto before = session().model();
+    window_->window.open(model_);
+    QTRY_VERIFY(session().model() != before);
+    QVERIFY(showsEdits());
+    window_->find<QAction>("action.close").trigger();
+    QVERIFY(!session().model());
+    open(model_);
+    QVERIFY(showsEdits());
+}
+
+/// So that better defaults of a later version are seen.
+void KeepSessionTest::whatWasNeverChangedIsSeenAsAtFirst()
+{
+    open(model_);
+    startAnew();
+    QVERIFY(QDir(pathText(viewFolder())).entryList(QDir::Files).isEmpty());
+}
+
+/// The same data, another accuracy.
+void KeepSessionTest::aRebuiltModelIsSeenAsBefore()
+{
+    const QString path = modelIn("rebuilt", 12);
+    open(path);
+    edit();
+    startAnew();
+    const std::uint64_t before = modelIdentity(**Model::open(filePath(path)));
+    modelIn("rebuilt", 12, 1);
+    QVERIFY(modelIdentity(**Model::open(filePath(path))) != before);
+    open(path);
+    QVERIFY(showsEdits());
+    QCOMPARE(window_->messages(), QStringList());
+}
+
+/// Mode and background are; colours, values and places of other data are not.
+void KeepSessionTest::anotherModelOfThatNameIsSeenAsFarAsItFits()
+{
+    const QString fresh = modelIn("fresh", 20);
+    open(fresh);
+    const std::vector<Isovalue> isovalues = session().view().isovalues();
+    const TransferFunction transfer = session().view().look().transfer;
+    const Camera camera = window_->viewport().camera();
+    startAnew();
+    const QString path = modelIn("replaced", 12);
+    open(path);
+    edit();
+    QueryState query = session().view().query();
+    query.window.enabled = true;
+    session().setQuery(query);
+    startAnew();
+    modelIn("replaced", 20);
+    open(path);
+    QCOMPARE(session().view().look().mode, std::string("hybrid"));
+    QVERIFY(window_->viewport().background() == (Colour{0, 0.5F, 0}));
+    QCOMPARE(session().view().isovalues(), isovalues);
+    QVERIFY(session().view().look().transfer == transfer);
+    QVERIFY(!session().view().query().window.enabled);
+    QCOMPARE(window_->viewport().camera().distance, camera.distance);
+    QCOMPARE(window_->messages(), QStringList());
+}
+
+void KeepSessionTest::aSessionLeavesTheViewOfItsModelAlone()
+{
+    open(model_);
+    edit();
+    auto document = window_->workbench.sessionDocument();
+    QVERIFY(document.has_value());
+    document->query.error = 8;
+    const std::filesystem::path file = filePath(window_->folder.filePath("other.tansession"));
+    QVERIFY(writeTextFile(file, sessionToText(*document, file.parent_path())));
+    open(pathText(file));
+    QTRY_COMPARE(session().view().error(), 8.0);
+    window_->find<QAction>("action.mode.volume").trigger();
+    session().undoStack().undo(); // nothing to be asked about
+    startAnew();
+    open(model_);
+    QVERIFY(showsEdits());
+}
+
+/// Whatever can be saved can be opened again.
+void KeepSessionTest::aLongFilmIsSavedAndOpened()
+{
+    open(model_);
+    Animation animation;
+    animation.kind = Animation::Kind::KeyFrames;
+    FilmFrame frame = window_->workbench.presentFrame(window_->viewport().camera());
+    frame.transfer.points.clear();
+    for (int point = 0; point < 64; ++point)
+        frame.transfer.points.push_back(
+            {session().range().minimum + point * session().range().extent() / 63, {1, 0, 0}, 0.5F});
+    for (int key = 0; key < 300; ++key) {
+        frame.camera.azimuth = key;
+        animation = withKey(animation, frame);
+    }
+    session().setAnimation(animation);
+    const std::filesystem::path file = filePath(folder_.filePath("long.tansession"));
+    bool isSaved = false;
+    window_->workbench.saveSession(file, *window_->workbench.sessionDocument(), [&](bool saved) { isSaved = saved; });
+    QTRY_VERIFY(isSaved);
+    QVERIFY(std::filesystem::file_size(file) > 1 << 20);
+    startAnew();
+    window_->window.open(pathText(file));
+    QTRY_VERIFY_WITH_TIMEOUT(session().model() || !window_->messages().isEmpty(), 30'000);
+    QVERIFY2(window_->messages().isEmpty(), qPrintable(window_->messages().join('\n')));
+    QCOMPARE(session().view().animation().keys.size(), std::size_t(300));
+}
+
+void KeepSessionTest::theViewIsResetByOneStep()
+{
+    open(model_);
+    const ViewState& view = session().view();
+    const QueryState query = view.query();
+    const Look look = view.look();
+    const auto isovalues = view.isovalues();
+    const Camera camera = window_->viewport().camera();
+    auto& reset = window_->find<QAction>("action.resetView");
+    reset.trigger();
+    QCOMPARE(session().undoStack().count(), 0); // it is so already
+    edit();
+    AnnotationState annotations;
+    annotations[AnnotationKind::Title].shown = true;
+    session().setAnnotations(annotations);
+    startAnew();
+    open(model_);
+    QVERIFY(showsEdits());
+    auto& resetNow = window_->find<QAction>("action.resetView");
+    resetNow.trigger();
+    QCOMPARE(session().undoStack().count(), 1);
+    QVERIFY(session().view().query() == query && session().view().look() == look &&
+            session().view().isovalues() == isovalues && session().view().annotations() == AnnotationState());
+    QVERIFY(window_->viewport().camera() == camera && !window_->viewport().chosenBackground());
+    window_->find<QAction>("action.undo").trigger();
+    QVERIFY(showsEdits() && session().view().annotations() == annotations);
+    window_->find<QAction>("action.redo").trigger();
+    QVERIFY(session().view().look() == look && window_->viewport().camera() == camera);
+    startAnew();
+    open(model_);
+    QVERIFY(session().view().look() == look);
+}
+
+void KeepSessionTest::aPictureWhoseSessionIsDamagedIsNamed()
+{
+    QImage picture(8, 8, QImage::Format_RGB32);
+    picture.fill(Qt::red);
+    picture.setText("TAn-session", "{}");
+    const QString path = window_->folder.filePath("old.png");
+    QVERIFY(picture.save(path));
+    window_->window.open(path);
+    QTRY_COMPARE(window_->messages().size(), 1);
+    window_->find<QPushButton>("message.answer").click();
+    QTRY_VERIFY(!window_->workbench.reading().running() && window_->messages().size() == 1);
+    QVERIFY2(window_->messages().first().contains("old.png: The session cannot be read"),
+             qPrintable(window_->messages().first()));
 }
 
 QTEST_MAIN(KeepSessionTest)

@@ -42,7 +42,9 @@ public:
 
     void openModel(const char* name)
     {
-        fixture_.window.open(places_.models.filePath(name));
+        const QString path = places_.models.filePath(name);
+        fixture_.workbench.views().forget(path.toStdString()); // as at first, not as another sitting left it
+        fixture_.window.open(path);
         settle();
     }
     void settle()

@@ -188,7 +188,7 @@ void OutputTest::aPictureRestoresItsView()
     window_->window.open(path);
     QTRY_COMPARE(window_->messages().size(), 1);
     QVERIFY(window_->messages().first().contains("view.png"));
-    QSignalSpy opened(&window_->workbench, &Workbench::sessionOpened);
+    QSignalSpy opened(&window_->workbench, &Workbench::viewRestored);
     window_->find<QPushButton>("message.answer").click();
     QTRY_COMPARE(opened.count(), 1);
     QCOMPARE(session().view().error(), 3.0);
@@ -216,7 +216,7 @@ void OutputTest::picturesWaitForEachOther()
         order.target = window_->folder.filePath(QString("p%1.png").arg(i)).toStdString();
         window_->workbench.savePicture(order);
     }
-    QCOMPARE(window_->workbench.picturesWaiting(), 3);
+    QCOMPARE(window_->workbench.savingPicture().waiting(), 3);
     QTRY_COMPARE(saved.count(), 4);
     for (int i = 0; i < 4; ++i)
         QVERIFY(saved[i].first().toString().endsWith(QString("p%1.png").arg(i)));

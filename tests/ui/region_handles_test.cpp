@@ -264,15 +264,18 @@ void RegionHandlesTest::aPixelShowsTheNearestSurface()
         camera.perspective = perspective;
         const PictureProjection projection(camera, pictureSize);
         const Eigen::Vector3d wanted(3, -10, -7);
-        const auto found = placeSeenAt(scene, projection, *projection.pixelOf(wanted));
-        QVERIFY(found && (*found - wanted).norm() < 1e-6);
-        QVERIFY(!placeSeenAt(scene, projection, {2, 2}));
+        const auto at = [&projection](const Scene& seen, QPointF pixel) {
+            return seenPlace(*surfacesOf(seen), projection.sightLine(pixel));
+        };
+        const auto found = at(scene, *projection.pixelOf(wanted));
+        QVERIFY(found && (found->place - wanted).norm() < 1e-6);
+        QVERIFY(!at(scene, {2, 2}));
         // What a clip plane cuts away is not seen.
         Scene cut = scene;
         cut.clipPlanes = {{{0, 1, 0}, -5}};
         const Eigen::Vector3d behind(3, 5, -7);
-        const auto next = placeSeenAt(cut, projection, *projection.pixelOf(behind));
-        QVERIFY(next && (*next - behind).norm() < 1e-6);
+        const auto next = at(cut, *projection.pixelOf(behind));
+        QVERIFY(next && (next->place - behind).norm() < 1e-6);
     }
 }
 

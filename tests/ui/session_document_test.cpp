@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sessions as text: they come back the same, keep what they do not know, and say what is wrong with them.
-#include "ui/session/recovery.h"
+#include "ui/session/kept_views.h"
 #include "ui/session/session_document.h"
 #include "ui/session/target_path.h"
 #include "ui/session/text_file.h"
@@ -89,8 +89,11 @@ private slots:
     void whatIsMissingIsAsUsual();
     void badSessionsAreRefused_data();
     void badSessionsAreRefused();
-    void aSessionThatWasLostIsFound();
-    void theSessionOfARunningProgramIsNotLost();
+    void aViewIsFoundByWhatItIsOf();
+    void whatAProgramLeftIsLost();
+    void twoProgramsKeepTheViewOfOneModel();
+    void oldViewsGo();
+    void whatCannotBeKeptIsToldOnce();
 };
 
 void SessionDocumentTest::aSessionComesBackTheSame()
@@ -187,43 +190,139 @@ void SessionDocumentTest::badSessionsAreRefused()
         QVERIFY(!sessionFromText(other, "/"));
 }
 
-void SessionDocumentTest::aSessionThatWasLostIsFound()
+void SessionDocumentTest::aViewIsFoundByWhatItIsOf()
 {
     const QTemporaryDir home;
-    const std::filesystem::path folder = filePath(home.filePath("recovery"));
-    QVERIFY(lostSessions(folder).empty());
+    const std::filesystem::path folder = filePath(home.filePath("views"));
+    const std::filesystem::path model = filePath(home.filePath("one.tan"));
     std::mt19937 random(1);
-    const std::string text = sessionToText(randomDocument(random), folder);
+    const SessionDocument first = randomDocument(random), second = randomDocument(random);
     {
-        // As a program leaves it that was killed: the file, and a lock of nobody.
-        Recovery killed(folder);
-        QVERIFY(killed.keep(text));
-        const QStringList files = QDir(pathText(folder)).entryList({"*.tansession"}, QDir::Files);
-        QCOMPARE(files.size(), 1);
-        QVERIFY(QFile::copy(pathText(folder) + "/" + files.first(), pathText(folder) + "/of-the-dead.tansession"));
+        KeptViews views(folder);
+        QVERIFY(!views.find(model));
+        views.keep(model, first);
+        QCOMPARE(views.find(model)->query, first.query); // whether it is written or not
+        views.keep(model, second);
+        views.keep(filePath(home.filePath("two.tan")), first);
+        QCOMPARE(views.find(model)->query, second.query);
     }
-    QVERIFY(writeTextFile(folder / "no-session.tansession", "{}"));
-    const std::vector<LostSession> lost = lostSessions(folder);
-    QCOMPARE(lost.size(), std::size_t(1));
-    QCOMPARE(lost.front().text, text);
-    removeLostSession(lost.front());
-    QVERIFY(lostSessions(folder).empty());
+    QVERIFY(QDir(pathText(folder)).entryList({"*.lock"}, QDir::Files).isEmpty()); // nothing is lost
+    KeptViews views(folder);
+    QVERIFY(views.lost().empty());
+    QCOMPARE(views.find(model)->look, second.look);
+    QCOMPARE(views.find(filePath(home.filePath("views/../one.tan")))->look, second.look);
+    QVERIFY(QFile::link(home.filePath("two.tan"), home.filePath("link.tan")));
+    QVERIFY(writeTextFile(filePath(home.filePath("two.tan")), ""));
+    QCOMPARE(views.find(filePath(home.filePath("link.tan")))->look, first.look);
+    views.forget(model);
+    QVERIFY(!views.find(model));
+    QTRY_VERIFY(views.idle());
+    QVERIFY(!views.find(model));
+    QCOMPARE(QDir(pathText(folder)).entryList(QDir::Files).size(), 1);
 }
 
-void SessionDocumentTest::theSessionOfARunningProgramIsNotLost()
+void SessionDocumentTest::whatAProgramLeftIsLost()
 {
     const QTemporaryDir home;
-    const std::filesystem::path folder = filePath(home.filePath("recovery"));
+    const std::filesystem::path folder = filePath(home.filePath("views"));
+    const std::filesystem::path model = filePath(home.filePath("one.tan"));
     std::mt19937 random(1);
-    const std::string text = sessionToText(randomDocument(random), folder);
-    Recovery one(folder), other(folder);
-    QVERIFY(one.keep(text) && other.keep(text) && one.keep(text));
-    QVERIFY(lostSessions(folder).empty());
-    one.forget();
-    other.forget();
-    QVERIFY(QDir(pathText(folder)).isEmpty());
-    const auto full = Recovery("/proc/nowhere").keep(text);
-    QVERIFY(!full && full.error().text.find("/proc/nowhere") != std::string::npos);
+    const SessionDocument document = randomDocument(random);
+    {
+        KeptViews views(folder);
+        views.keep(model, document);
+        QTRY_VERIFY(views.idle());
+        const QString lock = QDir(pathText(folder)).entryList({"*.lock"}, QDir::Files).value(0);
+        QVERIFY(!lock.isEmpty());
+        QVERIFY(KeptViews(folder).lost().empty()); // the program runs
+        // As a program leaves it that was killed: a lock of nobody.
+        QVERIFY(QFile::copy(pathText(folder) + "/" + lock, home.filePath("lock")));
+        views.release();
+        QTRY_VERIFY(views.idle());
+        QFile file(home.filePath("lock"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QList<QByteArray> lines = file.readAll().split('\n');
+        lines[0] = "999999999"; // its process
+        QVERIFY(writeTextFile(folder / lock.toStdString(), lines.join('\n').toStdString()));
+    }
+    QVERIFY(writeTextFile(folder / "none.lost.tansession", "{}"));
+    KeptViews views(folder);
+    const std::vector<LostView> lost = views.lost();
+    QCOMPARE(lost.size(), std::size_t(1));
+    QCOMPARE(lost.front().document.query, document.query);
+    QVERIFY(!views.find(model)); // it does not come back by itself
+    QCOMPARE(KeptViews(folder).lost().size(), std::size_t(1));
+    views.removeLost(model);
+    QCOMPARE(views.lost().size(), std::size_t(1));
+    views.removeLost(lost.front().path);
+    QVERIFY(views.lost().empty());
+}
+
+void SessionDocumentTest::twoProgramsKeepTheViewOfOneModel()
+{
+    const QTemporaryDir home;
+    const std::filesystem::path folder = filePath(home.filePath("views"));
+    std::mt19937 random(1);
+    const SessionDocument mine = randomDocument(random), theirs = randomDocument(random);
+    auto one = std::make_unique<KeptViews>(folder);
+    auto other = std::make_unique<KeptViews>(folder);
+    one->keep("/a.tan", mine);
+    QTRY_VERIFY(one->idle());
+    other->keep("/a.tan", theirs);
+    QTRY_VERIFY(other->idle());
+    QCOMPARE(one->find("/a.tan")->query, theirs.query);
+    QVERIFY(KeptViews(folder).lost().empty());
+    other.reset();
+    QVERIFY(KeptViews(folder).lost().empty()); // one still has it
+    one.reset();
+    QVERIFY(QDir(pathText(folder)).entryList({"*.lock"}, QDir::Files).isEmpty());
+    QVERIFY(KeptViews(folder).find("/a.tan"));
+}
+
+void SessionDocumentTest::oldViewsGo()
+{
+    const QTemporaryDir home;
+    const std::filesystem::path folder = filePath(home.filePath("views"));
+    const QDir files(pathText(folder));
+    std::mt19937 random(1);
+    const SessionDocument document = randomDocument(random);
+    KeptViews views(folder);
+    for (int model = 0; model < 260; ++model)
+        views.keep(filePath(QString("/%1.tan").arg(model)), document);
+    QTRY_VERIFY_WITH_TIMEOUT(views.idle(), 60'000);
+    QCOMPARE(files.entryList({"*.tansession"}, QDir::Files).size(), 200);
+    QVERIFY(views.find("/259.tan"));
+    // Older than a year.
+    QDateTime then = QDateTime::currentDateTime().addDays(-366);
+    for (const QString& name : files.entryList({"*.tansession"}, QDir::Files)) {
+        QFile file(files.filePath(name));
+        QVERIFY(file.open(QIODevice::ReadWrite) && file.setFileTime(then, QFileDevice::FileModificationTime));
+    }
+    views.keep("/new.tan", document);
+    QTRY_VERIFY(views.idle());
+    QCOMPARE(files.entryList({"*.tansession"}, QDir::Files).size(), 1);
+}
+
+void SessionDocumentTest::whatCannotBeKeptIsToldOnce()
+{
+    std::mt19937 random(1);
+    const SessionDocument document = randomDocument(random);
+    KeptViews views("/proc/nowhere");
+    const QSignalSpy failed(&views, &KeptViews::failed);
+    for (int time = 0; time < 2; ++time) {
+        views.keep("/a.tan", document);
+        QTRY_VERIFY(views.idle());
+    }
+    QCOMPARE(failed.count(), 1);
+    QVERIFY(failed.first().first().toString().contains("/proc/nowhere"));
+    // What is damaged is no view, and no harm.
+    const QTemporaryDir home;
+    KeptViews others(filePath(home.path()));
+    others.keep("/a.tan", document);
+    QTRY_VERIFY(others.idle());
+    const QString name = QDir(home.path()).entryList({"*.tansession"}, QDir::Files).value(0);
+    QVERIFY(writeTextFile(filePath(home.filePath(name)), "{\"format\": "));
+    QVERIFY(!others.find("/a.tan"));
 }
 
 QTEST_GUILESS_MAIN(SessionDocumentTest)

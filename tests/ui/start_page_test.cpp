@@ -7,6 +7,7 @@
 
 #include <QClipboard>
 #include <QCommandLinkButton>
+#include <QFileDialog>
 #include <QLabel>
 #include <QStandardPaths>
 #include <QToolButton>
@@ -27,6 +28,8 @@ private slots:
     void makingASampleIsCancelled();
     void anUnknownSampleIsRefused();
     void recentFilesSayWhereTheyLie();
+    void samplesLieWhereNobodyLooks();
+    void aPluginThatFailsIsToldOnce();
     void pluginsAreSwitchedOffAndOn();
     void thePluginsAreCopied();
 
@@ -119,6 +122,41 @@ void StartPageTest::recentFilesSayWhereTheyLie()
     QCOMPARE(button.text(), QString("c60.nrrd"));
     QVERIFY(folder.endsWith(button.description().section('/', -1)));
     QVERIFY(button.focusPolicy() != Qt::NoFocus);
+}
+
+/// Their folder may be emptied at any time: it is none to save in, nor to look for files in.
+void StartPageTest::samplesLieWhereNobodyLooks()
+{
+    window_->workbench.openSample("c60");
+    QTRY_VERIFY_WITH_TIMEOUT(window_->workbench.session().model() != nullptr, 60'000);
+    QCOMPARE(recentFiles(), QStringList());
+    const auto isOutside = [](const QString& folder) {
+        return !folder.startsWith(QString::fromStdString(sampleFolder().string()));
+    };
+    const QString proposed = window_->workbench.proposedPath(".png");
+    QVERIFY2(isOutside(proposed) && QFileInfo(proposed).dir().exists(), qPrintable(proposed));
+    window_->find<QAction>("action.open").trigger();
+    auto& dialog = window_->find<QFileDialog>("openDialog");
+    QVERIFY2(isOutside(dialog.directory().absolutePath()), qPrintable(dialog.directory().absolutePath()));
+    dialog.reject();
+}
+
+void StartPageTest::aPluginThatFailsIsToldOnce()
+{
+    const QTemporaryDir folder;
+    QVERIFY(QFile::copy(TAN_FIXTURES "/throwing.so", folder.filePath("throwing.so")));
+    PluginHostOptions options{.folders = window_->host->folders()};
+    options.folders.push_back(folder.path().toStdString());
+    window_ = std::make_unique<WindowFixture>(BackendChoice::Cpu, std::make_unique<PluginHost>(options));
+    window_->window.show();
+    QCOMPARE(window_->messages(), QStringList()); // it was not needed yet
+    for (int time = 0; time < 2; ++time) {
+        window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
+        QTRY_VERIFY(!window_->workbench.reading().running() && window_->workbench.dataset());
+        QTRY_COMPARE(window_->messages().size(), 1);
+        QVERIFY2(window_->messages().first().contains("no luck"), qPrintable(window_->messages().first()));
+        QVERIFY(window_->find<QLabel>("message.count").text().isEmpty());
+    }
 }
 
 void StartPageTest::pluginsAreSwitchedOffAndOn()

@@ -176,7 +176,9 @@ void StoryTest::aDetailInFocusWithABudget()
     QVERIFY(window.find<QWidget>("focus.radius").isVisible());
     QTRY_VERIFY_WITH_TIMEOUT(upToDate(), 20000);
     const QPoint detail = window.viewport().rect().center() + QPoint(30, 20);
+    const Eigen::Vector3d elsewhere = session.view().query().focus.centre;
     QTest::mouseDClick(&window.viewport(), Qt::LeftButton, {}, detail);
+    QTRY_VERIFY(session.view().query().focus.centre != elsewhere);
     const Eigen::Vector3d there = session.view().query().focus.centre;
     QTest::mousePress(&window.viewport(), Qt::LeftButton, {}, detail);
     for (int i = 1; i <= 10; ++i)

@@ -3,6 +3,8 @@
 #include "ui/session/recent_files.h"
 #include "ui/widgets/mnemonics.h"
 
+#include <QAbstractButton>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QDragEnterEvent>
 #include <QDropEvent>
@@ -16,6 +18,8 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QToolButton>
+
+#include <algorithm>
 
 using namespace tetra;
 
@@ -32,9 +36,12 @@ private slots:
     void whatCannotBeOpenedIsToldAndStays_data();
     void whatCannotBeOpenedIsToldAndStays();
     void messagesAreNeverLost();
+    void messagesOfAnotherFileGo();
+    void allMessagesAreShownAndClosed();
     void aBuildIsCancelledAndLeavesNoFile();
     void aBuildIsWatchedWhileItGrows();
     void aBuildIsStoppedAndKept();
+    void aBuildWithNothingToKeepSaysSo();
     void aBuildThatCannotWriteSaysSo();
     void anExistingModelIsReplacedOnlyWithAWord();
     void theMouseMovesTheCamera();
@@ -43,6 +50,8 @@ private slots:
     void aPictureIsSaved();
     void recentFilesAreOffered();
     void closingTheModelLeavesTheInvitation();
+    void closingLeadsToTheStartPage();
+    void aDatasetBesideAModelStaysWhenThatIsClosed();
     void theViewportFollowsThePalette();
     void theLayoutIsKept();
     void thePluginsAreListed();
@@ -149,12 +158,68 @@ void WindowTest::messagesAreNeverLost()
     for (const char* text : {"a", "b", "c", "d", "d"})
         bar.add(text);
     QCOMPARE(bar.texts(), (QStringList{"d", "c", "b", "a"}));
-    QVERIFY(window_->find<QLabel>("messages.more").isVisible());
+    QVERIFY(window_->find<QWidget>("messages.more").isVisible());
     for (int left = 4; left > 0; --left) {
         QCOMPARE(bar.texts().size(), left);
         QTest::mouseClick(&window_->find<QToolButton>("message.close"), Qt::LeftButton);
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     }
+    QVERIFY(!bar.isVisible());
+}
+
+void WindowTest::messagesOfAnotherFileGo()
+{
+    const QString missing = window_->folder.filePath("missing.nrrd");
+    window_->window.open(missing);
+    QTRY_COMPARE(window_->messages().size(), 1);
+    openSample();
+    QCOMPARE(window_->messages(), QStringList());
+    window_->window.open(missing);
+    QTRY_COMPARE(window_->messages().size(), 1);
+    window_->window.open(window_->folder.filePath("missing, too.nrrd"));
+    QTRY_COMPARE(window_->messages().size(), 2); // nothing else was opened
+    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
+    QTRY_VERIFY(window_->workbench.dataset());
+    QCOMPARE(window_->messages(), QStringList());
+    window_->window.open(missing);
+    QTRY_COMPARE(window_->messages().size(), 1);
+    window_->find<QAction>("action.close").trigger();
+    QCOMPARE(window_->messages(), QStringList());
+    // What is lost unless somebody does something stays.
+    openSample();
+    window_->workbench.saveText("/no/such/folder/text.json", "{}");
+    QTRY_COMPARE(window_->messages().size(), 1);
+    openSample();
+    QTRY_VERIFY(!window_->workbench.reading().running());
+    QCOMPARE(window_->messages().size(), 1);
+}
+
+void WindowTest::allMessagesAreShownAndClosed()
+{
+    auto& bar = window_->find<MessageBar>("messages");
+    bar.add("a");
+    QVERIFY(!window_->find<QAbstractButton>("messages.closeAll").isVisible());
+    for (int message = 0; message < 40; ++message)
+        bar.add(QString("message %1").arg(message));
+    const auto shown = [&bar] {
+        return std::ranges::count_if(bar.findChildren<MessageRow*>(),
+                                     [](const MessageRow* row) { return row->isVisible(); });
+    };
+    QCOMPARE(shown(), 3);
+    const auto& list = *bar.findChild<MessageList*>();
+    QTRY_COMPARE(list.viewport()->height(), list.widget()->sizeHint().height()); // nothing is cut off
+    const int before = bar.height();
+    auto& more = window_->find<QAbstractButton>("messages.more");
+    QVERIFY(more.text().contains("38") && more.focusPolicy() != Qt::NoFocus);
+    more.click();
+    QCOMPARE(shown(), 41);
+    QTRY_VERIFY(bar.height() > before);
+    QVERIFY2(bar.height() < 0.6 * window_->window.height(), qPrintable(QString::number(bar.height())));
+    more.click();
+    QCOMPARE(shown(), 3);
+    QTRY_COMPARE(bar.height(), before);
+    window_->find<QAbstractButton>("messages.closeAll").click();
+    QCOMPARE(window_->messages(), QStringList());
     QVERIFY(!bar.isVisible());
 }
 
@@ -211,6 +276,24 @@ void WindowTest::aBuildIsStoppedAndKept()
     QVERIFY(window_->workbench.session().model()->finalError() > 0);
     QVERIFY(window_->find<QLabel>("accuracy.limit").text().contains("nothing finer"));
     QCOMPARE(window_->messages(), QStringList());
+}
+
+/// Decimation has a model when it is through with all of the mesh, not before.
+void WindowTest::aBuildWithNothingToKeepSaysSo()
+{
+    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(64), window_->folderPath())));
+    QTRY_VERIFY(window_->workbench.dataset());
+    auto& builder = window_->find<QComboBox>("build.builder");
+    builder.setCurrentIndex(builder.findData("decimation"));
+    const QString target = window_->find<QLineEdit>("build.target").text();
+    window_->find<QPushButton>("build.start").click();
+    QTRY_VERIFY(window_->find<QProgressBar>("build.progress").value() > 0);
+    QVERIFY(!window_->workbench.canKeepBuild());
+    window_->find<QPushButton>("build.keep").click();
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.building().running(), 60'000);
+    QTRY_COMPARE(window_->messages().size(), 1);
+    QVERIFY2(window_->messages().first().contains("nothing to keep"), qPrintable(window_->messages().first()));
+    QVERIFY(!QFile::exists(target));
 }
 
 void WindowTest::aBuildThatCannotWriteSaysSo()
@@ -321,6 +404,44 @@ void WindowTest::closingTheModelLeavesTheInvitation()
     QVERIFY(!window_->find<QLabel>("status.sites").isVisible());
     QVERIFY(!window_->find<QWidget>("accuracy").isEnabled());
     QVERIFY(!window_->viewport().scene());
+}
+
+/// Model and dataset are one thing to who has built the one of the other.
+void WindowTest::closingLeadsToTheStartPage()
+{
+    const auto& close = window_->find<QAction>("action.close");
+    const auto isStart = [this] {
+        return window_->find<QWidget>("empty.open").isVisible() && !window_->find<QWidget>("dock.build").isVisible();
+    };
+    QVERIFY(isStart() && !close.isEnabled());
+    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
+    QTRY_VERIFY(window_->find<QWidget>("dock.build").isVisible());
+    QVERIFY(!isStart());
+    window_->find<QAction>("action.close").trigger();
+    QVERIFY(isStart() && !close.isEnabled());
+
+    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
+    QTRY_VERIFY(window_->find<QWidget>("dock.build").isVisible());
+    window_->find<QPushButton>("build.start").click();
+    QTRY_VERIFY(window_->workbench.session().model() && !window_->workbench.building().running());
+    QTRY_VERIFY(!window_->find<QWidget>("dock.build").isVisible());
+    window_->find<QAction>("action.close").trigger();
+    QVERIFY(isStart());
+}
+
+void WindowTest::aDatasetBesideAModelStaysWhenThatIsClosed()
+{
+    openSample();
+    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
+    QTRY_VERIFY(window_->workbench.dataset());
+    window_->find<QAction>("action.dock.build").trigger(); // away, to see more of the model
+    QVERIFY(!window_->find<QWidget>("dock.build").isVisible());
+    window_->find<QAction>("action.close").trigger();
+    QVERIFY(!window_->workbench.session().model());
+    QVERIFY(window_->find<QWidget>("build.start").isVisible());
+    window_->find<QAction>("action.close").trigger();
+    QVERIFY(window_->find<QWidget>("empty.open").isVisible());
+    QVERIFY(!window_->find<QWidget>("dock.build").isVisible());
 }
 
 void WindowTest::theViewportFollowsThePalette()

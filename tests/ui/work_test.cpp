@@ -23,6 +23,8 @@ private slots:
     void aCancelledTaskStillEnds();
     void aReplacedTaskDoesNotTellItsEnd();
     void aReplacedTaskThatEndsLastIsNotHeardOf();
+    void whatWaitsIsDoneInOrderAndTold();
+    void whatWaitsIsDoneBeforeTheEnd();
 };
 
 namespace {
@@ -189,6 +191,55 @@ void WorkTest::aReplacedTaskThatEndsLastIsNotHeardOf()
     QCoreApplication::processEvents();
     QCOMPARE(told, 2);
     QCOMPARE(finished.count(), 1);
+}
+
+void WorkTest::whatWaitsIsDoneInOrderAndTold()
+{
+    LongTask task;
+    QSignalSpy finished(&task, &LongTask::finished);
+    std::latch goOn(1);
+    QList<int> done;
+    QList<int> told;
+    for (const int number : {1, 2, 3})
+        task.enqueue([&, number](const Progress&) -> std::function<void()> {
+            goOn.wait();
+            done.append(number);
+            return [&told, number] { told.append(number); };
+        });
+    QVERIFY(task.running());
+    QCOMPARE(task.waiting(), 2);
+    task.cancel(); // of the one that runs, and nobody else
+    goOn.count_down();
+    QTRY_COMPARE(told, (QList<int>{1, 2, 3}));
+    QCOMPARE(done, told);
+    QCOMPARE(finished.count(), 3);
+    QVERIFY(!task.running() && task.waiting() == 0);
+}
+
+/// What is short is done whole; what looks at its progress ends.
+void WorkTest::whatWaitsIsDoneBeforeTheEnd()
+{
+    std::atomic<int> written = 0;
+    bool wasCancelled = false;
+    {
+        LongTask task;
+        std::latch begun(1);
+        task.enqueue([&](const Progress& progress) -> std::function<void()> {
+            begun.count_down();
+            while (!progress.cancelled())
+                std::this_thread::yield();
+            ++written;
+            return [] {};
+        });
+        task.enqueue([&](const Progress& progress) -> std::function<void()> {
+            wasCancelled = progress.cancelled();
+            ++written;
+            return [] {};
+        });
+        begun.wait();
+    }
+    QCOMPARE(written.load(), 2);
+    QVERIFY(wasCancelled);
 }
 
 QTEST_GUILESS_MAIN(WorkTest)

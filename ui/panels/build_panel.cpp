@@ -181,11 +181,11 @@ QWidget* BuildPanel::makeProgress()
     cancel_ = new QPushButton(tr("&Cancel"));
     cancel_->setObjectName("build.cancel");
     cancel_->setToolTip(tr("Ends the build and throws away what it has made"));
-    connect(cancel_, &QPushButton::clicked, this, [this] { stop(false); });
+    connect(cancel_, &QPushButton::clicked, this, [this] { workbench_.stopBuild(false); });
     keep_ = new QPushButton(tr("Stop and &Keep"));
     keep_->setObjectName("build.keep");
     keep_->setToolTip(tr("Ends the build; what is finished becomes the model, with the accuracy that it has reached"));
-    connect(keep_, &QPushButton::clicked, this, [this] { stop(true); });
+    connect(keep_, &QPushButton::clicked, this, [this] { workbench_.stopBuild(true); });
     progress_ = new QWidget;
     auto* layout = new QVBoxLayout(progress_);
     layout->setContentsMargins({});
@@ -201,6 +201,8 @@ QWidget* BuildPanel::makeProgress()
 void BuildPanel::connectWorkbench()
 {
     connect(&workbench_, &Workbench::datasetOpened, this, &BuildPanel::showDataset);
+    connect(&workbench_, &Workbench::datasetClosed, this, [this] { pages_->setCurrentWidget(nothingPage_); });
+    connect(&workbench_, &Workbench::buildStopping, this, &BuildPanel::showStopping);
     LongTask& building = workbench_.building();
     connect(&building, &LongTask::started, this, [this] { showRunning(true); });
     connect(&building, &LongTask::progressed, this, &BuildPanel::showProgress);
@@ -271,9 +273,11 @@ void BuildPanel::showProgress(const TaskProgress& progress)
     bar_->setValue(static_cast<int>(std::lround(progress.fraction * barSteps)));
     if (!cancel_->isEnabled() || progress.activity.isEmpty())
         return;
-    activity_->setText(progress.remainingSeconds
-                           ? tr("%1, %2 left").arg(progress.activity, durationText(*progress.remainingSeconds))
-                           : progress.activity);
+    const QString activity = progress.remainingSeconds
+                                 ? tr("%1, %2 left").arg(progress.activity, durationText(*progress.remainingSeconds))
+                                 : progress.activity;
+    const bool isOfOther = workbench_.buildName() != name_->text(); // another dataset was opened since
+    activity_->setText(isOfOther ? tr("%1: %2").arg(workbench_.buildName(), activity) : activity);
 }
 
 void BuildPanel::browse()
@@ -289,12 +293,11 @@ void BuildPanel::browse()
     dialog->open();
 }
 
-void BuildPanel::stop(bool keep)
+void BuildPanel::showStopping(bool keep)
 {
     cancel_->setEnabled(false);
     keep_->setEnabled(false);
     activity_->setText(keep ? tr("Keeping what is finished…") : tr("Cancelling…"));
-    workbench_.stopBuild(keep);
 }
 
 void BuildPanel::build()

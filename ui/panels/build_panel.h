@@ -36,7 +36,7 @@ private:
     void showProgress(const TaskProgress& progress);
     void browse();
     void build();
-    void stop(bool keep);
+    void showStopping(bool keep);
 
     Workbench& workbench_;
     QStackedWidget* pages_;

@@ -156,17 +156,22 @@ std::filesystem::path framePath(const std::filesystem::path& target, int frame, 
 
 std::vector<std::filesystem::path> filesInTheWay(const std::filesystem::path& target, int count)
 {
-    std::vector<std::filesystem::path> files;
-    const auto add = [&files](const std::filesystem::path& path) {
-        std::error_code ignored;
-        if (std::filesystem::exists(path, ignored))
-            files.push_back(path);
-    };
+    std::error_code failed;
     if (isVideoFile(target))
-        add(target);
-    else
-        for (int i = 0; i < count; ++i)
-            add(framePath(target, i, count));
+        return std::filesystem::exists(target, failed) ? std::vector{target} : std::vector<std::filesystem::path>();
+    const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
+    const QString begin = pathText(target.stem()) + '_';
+    const QString end = pathText(target.extension());
+    std::vector<std::filesystem::path> files;
+    for (std::filesystem::directory_iterator at(folder, failed), none; !failed && at != none; at.increment(failed)) {
+        const QString name = pathText(at->path().filename());
+        if (!name.startsWith(begin) || !name.endsWith(end))
+            continue;
+        const int frame = name.mid(begin.size()).chopped(end.size()).toInt();
+        if (frame > 0 && frame <= count && filePath(name) == framePath(target, frame - 1, count).filename())
+            files.push_back(target.parent_path() / filePath(name));
+    }
+    std::ranges::sort(files);
     return files;
 }
 

@@ -32,7 +32,8 @@ SceneRequest sceneOf(const FilmOrder& order, const FilmFrame& frame);
 /// The file of a frame: NAME_0001.png, of as many digits as `count` needs, four at least.
 std::filesystem::path framePath(const std::filesystem::path& target, int frame, int count);
 
-/// The files there that the film would take the place of.
+/// The files there that the film would take the place of. O(files in the folder), which may lie far away: not for the
+/// GUI thread.
 std::vector<std::filesystem::path> filesInTheWay(const std::filesystem::path& target, int count);
 
 /// Draws all frames into a folder beside the target; when all are done they take their names, or become the video.

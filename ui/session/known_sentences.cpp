@@ -130,7 +130,7 @@ constexpr std::array sentences{
     QT_TRANSLATE_NOOP("Sentence", "'%1' exists and is no TAn model, so it is not overwritten. Give the model another name, or remove that file first."),
     QT_TRANSLATE_NOOP("Sentence", "'%1' cannot be written: %2. Choose another place."),
     QT_TRANSLATE_NOOP("Sentence", "The folder '%1' for samples cannot be made: %2. Make it writable, or free some space."),
-    QT_TRANSLATE_NOOP("Sentence", "The folder '%1' cannot be written to, so that the session would be lost if the program ended unexpectedly. Make room there, or save the session."),
+    QT_TRANSLATE_NOOP("Sentence", "The folder '%1' cannot be written to, so that the view cannot be kept. Make room there, or save the session."),
     QT_TRANSLATE_NOOP("Sentence", "'%1' ends in none of .vtu, .vtk and .ply, the formats in which meshes are written, nor of .vtp, .stl, .obj and .glb, for their boundary alone. Choose one of these endings."),
     QT_TRANSLATE_NOOP("Sentence", "'%1' ends in none of .vtp, .vtk, .vtu, .ply, .stl, .obj and .glb, the formats in which surfaces are written. Choose one of these endings."),
     QT_TRANSLATE_NOOP("Sentence", "'%1' ends in neither .csv nor .json, the formats in which statistics are written. Choose one of these endings."),

@@ -5,7 +5,6 @@
 #include "core/base/result.h"
 #include "core/graphics/camera.h"
 #include "core/graphics/scene.h"
-#include "core/model/model.h"
 
 #include <QImage>
 #include <QString>
@@ -29,7 +28,6 @@ struct PictureOrder {
     int dotsPerInch = 0;                           ///< for printing; 0 says nothing
     std::map<QString, QString> texts{};            ///< what the file says of itself, by PNG keywords
     std::function<void(QImage& picture)> finish{}; ///< paints over it; called in the worker
-    std::shared_ptr<const Model> model{};          ///< that the scene is of, if it is of one
 };
 
 /// Draws with the CPU back end, finely.

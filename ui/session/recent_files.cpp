@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/recent_files.h"
 
+#include "ui/session/sample_models.h"
+#include "ui/session/target_path.h"
+
 #include <QFileInfo>
 #include <QSettings>
 
@@ -15,13 +18,15 @@ constexpr const char* recentFilesKey = "recentFiles";
 QStringList recentFiles()
 {
     QStringList files = QSettings().value(recentFilesKey).toStringList();
-    files.removeIf([](const QString& path) { return !QFileInfo::exists(path); });
+    files.removeIf([](const QString& path) { return isOfSample(filePath(path)) || !QFileInfo::exists(path); });
     return files;
 }
 
 void addRecentFile(const QString& path)
 {
     const QString absolute = QFileInfo(path).absoluteFilePath();
+    if (isOfSample(filePath(absolute)))
+        return;
     QStringList files = recentFiles();
     files.removeAll(absolute);
     files.prepend(absolute);

@@ -51,6 +51,11 @@ std::filesystem::path sampleFolder()
     return filePath(QStandardPaths::writableLocation(QStandardPaths::CacheLocation)) / "samples";
 }
 
+bool isOfSample(const std::filesystem::path& file)
+{
+    return file.parent_path() == sampleFolder();
+}
+
 Result<std::filesystem::path> sampleModel(PluginHost& host, const std::string& name,
                                           const std::filesystem::path& folder, const Progress& progress)
 {

@@ -14,6 +14,8 @@ namespace tetra {
 
 /// Where the models of samples are kept between starts: this user's cache, which may be emptied at any time.
 std::filesystem::path sampleFolder();
+/// Whether the file lies there.
+bool isOfSample(const std::filesystem::path& file);
 
 /// The model of a sample (analytic_fields.h) in the folder; makes dataset and model there unless it is there already,
 /// in a size that takes a few seconds. Call from a worker thread. Errors: as of making, saving, reading and building.

@@ -31,12 +31,14 @@ void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> iso
 {
     const QueryState query = startingQuery(*model, startingError(*model));
     open(std::move(model), std::move(isovalues), std::move(look), query);
+    followsModel_ = true;
 }
 
 void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues, Look look,
                    const QueryState& query)
 {
     model_ = std::move(model);
+    followsModel_ = false;
     undoStack_.clear();
     shown_.reset();
     for (Isovalue& isovalue : isovalues) {
@@ -53,7 +55,7 @@ void Session::grow(std::shared_ptr<const Model> model)
     model_ = std::move(model);
     shown_.reset();
     emit modelGrown();
-    if (!edited())
+    if (followsModel_ && !edited())
         view_.setQuery(startingQuery(*model_, startingError(*model_)));
 }
 
@@ -175,6 +177,21 @@ void Session::setAnimation(const Animation& animation)
     const Animation after = corrected(animation);
     if (model_ && after != view_.animation())
         undoStack_.push(new ChangeAnimation(view_, after, gesture_));
+}
+
+void Session::setAll(const QueryState& query, const Look& look, const std::vector<Isovalue>& isovalues,
+                     const AnnotationState& annotations, const Animation& animation)
+{
+    setQuery(query);
+    setLook(look);
+    if (model_ && isovalues != view_.isovalues()) {
+        while (view_.isovalueCount() > 0)
+            removeIsovalue(view_.isovalueCount() - 1);
+        for (const Isovalue& isovalue : isovalues)
+            undoStack_.push(new AddIsovalue(view_, isovalue));
+    }
+    setAnnotations(annotations);
+    setAnimation(animation);
 }
 
 void Session::restore(const AnnotationState& annotations, const Animation& animation)

@@ -24,6 +24,7 @@ public:
     const std::shared_ptr<const Model>& model() const noexcept { return model_; }
     const ViewState& view() const noexcept { return view_; }
     QUndoStack& undoStack() noexcept { return undoStack_; }
+    const QUndoStack& undoStack() const noexcept { return undoStack_; }
     /// The mesh at the chosen accuracy or budget, known without extracting it, but for focus, window and values; zeros
     /// without a model.
     MeshSize meshSize() const;
@@ -35,7 +36,7 @@ public:
     /// Shows `model` as somebody has left it; what of the query does not fit the model is brought into it.
     void open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues, Look look, const QueryState& query);
     /// Shows a model of the same dataset that has more sites, as the model is seen now: the history of edits goes on.
-    /// As long as nothing was edited the accuracy follows what is quick to draw.
+    /// As long as nothing was edited the accuracy follows what is quick to draw, unless somebody left it as it is.
     void grow(std::shared_ptr<const Model> model);
     void close();
 
@@ -62,6 +63,9 @@ public:
     void setAnnotations(const AnnotationState& annotations);
     /// What is not in its range is brought into it, see corrected().
     void setAnimation(const Animation& animation);
+    /// All of that at once: as many steps as there are differences.
+    void setAll(const QueryState& query, const Look& look, const std::vector<Isovalue>& isovalues,
+                const AnnotationState& annotations, const Animation& animation);
     /// As a session has left it: no edit.
     void restore(const AnnotationState& annotations, const Animation& animation);
     /// At `value`, or in the middle of the widest range of values without one; in a colour that is not in use.
@@ -93,6 +97,7 @@ private:
     ViewState view_;
     std::optional<ShownMesh> shown_;
     QUndoStack undoStack_;
+    bool followsModel_ = false; ///< the accuracy, as it was not chosen
     Gesture lastGesture_ = 0;
     Gesture gesture_ = 0;
 };

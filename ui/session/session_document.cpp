@@ -64,6 +64,16 @@ std::uint64_t modelIdentity(const Model& model)
     return identity;
 }
 
+bool isOfSameField(const SessionDocument& document, const Model& model)
+{
+    const ModelDescription& described = model.description();
+    const bool sameBox = document.bounds.isEmpty() || (document.bounds.min() == described.bounds.min() &&
+                                                       document.bounds.max() == described.bounds.max());
+    const bool sameRange = !document.range || (document.range->minimum == described.range.minimum &&
+                                               document.range->maximum == described.range.maximum);
+    return document.identity == modelIdentity(model) || (sameBox && sameRange);
+}
+
 bool isSessionFile(const std::filesystem::path& path)
 {
     return path.extension() == std::string(".") + sessionSuffix;
@@ -71,18 +81,25 @@ bool isSessionFile(const std::filesystem::path& path)
 
 std::string sessionToText(const SessionDocument& document, const std::filesystem::path& folder)
 {
+    QJsonObject model = {{"path", writtenPath(document.model, folder)},
+                         {"identity", QString::number(document.identity, 16)}};
+    if (!document.bounds.isEmpty()) {
+        const auto corner = [](const Eigen::Vector3d& place) { return QJsonArray{place[0], place[1], place[2]}; };
+        model["bounds"] = QJsonArray{corner(document.bounds.min()), corner(document.bounds.max())};
+    }
+    if (document.range)
+        model["range"] = QJsonArray{document.range->minimum, document.range->maximum};
     QJsonObject ours = {{"format", formatName},
                         {"version", formatVersion},
-                        {"model", QJsonObject{{"path", writtenPath(document.model, folder)},
-                                              {"identity", QString::number(document.identity, 16)}}},
+                        {"model", model},
                         {"mesh", toJson(document.query)},
                         {"look", toJson(document.look)},
                         {"isovalues", toJson(document.isovalues)},
                         {"annotations", toJson(document.annotations)},
                         {"animation", toJson(document.animation)}};
     QJsonObject found = document.found;
-    found.remove("background");
-    found.remove("camera");
+    for (const char* ofOthers : {"background", "camera", "file"})
+        found.remove(ofOthers);
     // Settings and functions are whole values: what was in the old ones must not come back.
     QJsonObject look = found.value("look").toObject();
     look.remove("transfer");
@@ -90,6 +107,8 @@ std::string sessionToText(const SessionDocument& document, const std::filesystem
     found.insert("look", look);
     if (document.camera)
         ours["camera"] = toJson(*document.camera);
+    if (!document.file.empty())
+        ours["file"] = pathText(document.file);
     if (const auto& background = document.background)
         ours["background"] = QJsonArray{background->red, background->green, background->blue};
     return QJsonDocument(over(found, ours)).toJson().toStdString();
@@ -110,6 +129,15 @@ Result<SessionDocument> sessionFromText(std::string_view text, const std::filesy
     model.read("identity", identity);
     document.identity = QString::fromStdString(identity).toULongLong(nullptr, 16);
     document.model = (folder / filePath(QString::fromStdString(path))).lexically_normal();
+    const QJsonArray corners = model.object().value("bounds").toArray();
+    const QJsonArray range = model.object().value("range").toArray();
+    for (const QJsonValue& corner : corners)
+        document.bounds.extend(Eigen::Vector3d(corner[0].toDouble(), corner[1].toDouble(), corner[2].toDouble()));
+    if (range.size() == 2)
+        document.range = ValueRange{range[0].toDouble(), range[1].toDouble()};
+    std::string file;
+    fields.read("file", file);
+    document.file = filePath(QString::fromStdString(file));
     readQuery(fields.fields("mesh"), document.query);
     readLook(fields.fields("look"), document.look, error);
     document.isovalues = isovaluesOf(root->value("isovalues").toArray(), error);

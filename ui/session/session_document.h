@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/data/scalar_field.h"
 #include "core/graphics/camera.h"
 #include "core/graphics/picture.h"
 #include "ui/session/animation.h"
 #include "ui/session/annotation_state.h"
 #include "ui/session/look.h"
 #include "ui/session/query_state.h"
+
+#include <Eigen/Geometry>
 
 #include <QJsonObject>
 
@@ -20,8 +23,10 @@ namespace tetra {
 /// What is open and how it is seen, as a file keeps it: a JSON text of the format "tan-session", version 1. Models are
 /// named by a path relative to the session's folder where they lie in it, so that a folder can be moved as a whole.
 struct SessionDocument {
-    std::filesystem::path model; ///< absolute
-    std::uint64_t identity = 0;  ///< modelIdentity() of the model; 0 if the file does not say
+    std::filesystem::path model;       ///< absolute
+    std::uint64_t identity = 0;        ///< modelIdentity() of the model; 0 if the file does not say
+    Eigen::AlignedBox3d bounds{};      ///< of the model; empty if the file does not say
+    std::optional<ValueRange> range{}; ///< of its values, likewise
     QueryState query;
     Look look;
     std::vector<Isovalue> isovalues;
@@ -29,13 +34,18 @@ struct SessionDocument {
     std::optional<Colour> background; ///< none: the one that fits the desktop's colours
     AnnotationState annotations{};
     Animation animation{};
-    QJsonObject found{}; ///< the whole text that was read: what is not known here stays in it
+    std::filesystem::path file{}; ///< of a session that was kept before it was saved: where it belongs; else empty
+    QJsonObject found{};          ///< the whole text that was read: what is not known here stays in it
 };
 
 inline constexpr const char* sessionSuffix = "tansession";
 
 /// Differs for models of different content: the checksum of the header and the section table (FORMAT.md).
 std::uint64_t modelIdentity(const Model& model);
+
+/// Whether places and values of the document are places and values of this model, too: it is the same one, or has the
+/// same domain and the same range.
+bool isOfSameField(const SessionDocument& document, const Model& model);
 
 /// Whether the file's name is that of a session.
 bool isSessionFile(const std::filesystem::path& path);

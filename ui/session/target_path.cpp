@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/target_path.h"
 
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -17,12 +18,16 @@ QString pathText(const std::filesystem::path& path)
     return QFile::decodeName(QByteArray::fromStdString(path.native()));
 }
 
+QString documentFolder()
+{
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QFileInfo(documents).isDir() ? documents : QDir::homePath();
+}
+
 QString proposedModelPath(const std::filesystem::path& dataset)
 {
     const QFileInfo file(pathText(dataset));
-    const QString folder = QFileInfo(file.absolutePath()).isWritable()
-                               ? file.absolutePath()
-                               : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    const QString folder = QFileInfo(file.absolutePath()).isWritable() ? file.absolutePath() : documentFolder();
     const QString name = file.completeBaseName().isEmpty() ? QString("model") : file.completeBaseName();
     return folder + "/" + name + ".tan";
 }

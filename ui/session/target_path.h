@@ -7,6 +7,9 @@
 
 namespace tetra {
 
+/// The user's documents, or home where there is no folder for them.
+QString documentFolder();
+
 /// Where the model of a dataset goes unless the user says otherwise: beside it, or into the user's documents if that
 /// folder cannot be written to.
 QString proposedModelPath(const std::filesystem::path& dataset);

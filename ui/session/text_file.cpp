@@ -10,7 +10,7 @@
 namespace tetra {
 namespace {
 
-constexpr qint64 largestFile = 1 << 20;
+constexpr qint64 largestFile = 64 << 20; // a session with a long film has some megabytes
 
 } // namespace
 

@@ -9,7 +9,7 @@
 
 namespace tetra {
 
-/// The content of a small file: a transfer function, a camera. Errors: it cannot be read, or has more than a mebibyte.
+/// The content of a small file: a transfer function, a camera. Errors: it cannot be read, or has more than 64 MiB.
 Result<std::string> readTextFile(const std::filesystem::path& path);
 
 /// Whole or not at all.

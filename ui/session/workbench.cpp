@@ -35,7 +35,7 @@ ImportOptions withoutDefaults(ImportOptions options, const std::vector<Parameter
 
 } // namespace
 
-Workbench::Workbench(PluginHost& host, QObject* parent) : QObject(parent), host_(host)
+Workbench::Workbench(PluginHost& host, std::filesystem::path views) : host_(host), views_(std::move(views))
 {
     const ViewState* view = &session_.view();
     connect(&session_, &Session::modelChanged, this, &Workbench::requestScene);
@@ -49,8 +49,6 @@ Workbench::Workbench(PluginHost& host, QObject* parent) : QObject(parent), host_
     connect(&sceneBuilder_, &SceneBuilder::sceneReady, &session_,
             [this](const BuiltScene& scene) { session_.setShown(scene.mesh); });
     connect(&sceneBuilder_, &SceneBuilder::sceneReady, this, &Workbench::requestDrafts);
-    connect(&sceneBuilder_, &SceneBuilder::sceneReady, this, &Workbench::saveMeshWhenShown);
-    connect(&sceneBuilder_, &SceneBuilder::failed, this, [this] { meshTarget_.clear(); });
     connect(&session_, &Session::modelChanged, this, &Workbench::watchForDamage);
     connect(&session_, &Session::modelGrown, this, &Workbench::watchForDamage);
     connect(&watching_, &QTimer::timeout, this, &Workbench::lookForDamage);
@@ -80,12 +78,7 @@ QStringList Workbench::nameFilters()
 void Workbench::open(const QString& path)
 {
     if (const std::filesystem::path file = filePath(path); isSessionFile(file))
-        loadText(file, [this, file](const std::string& text) -> Status {
-            openSession(text, std::filesystem::absolute(file).parent_path(), file);
-            return {};
-        });
-    else if (isPictureFile(file))
-        openPicture(file);
+        openSession(file, SessionSource::File);
     else
         look(file, false);
 }
@@ -101,19 +94,48 @@ void Workbench::readDifferently()
         look(dataset_->source.path, true);
 }
 
+/// In a worker; what was being read before is not wanted any more.
+void Workbench::read(LongTask::Work work)
+{
+    emit opening();
+    reading_.start(std::move(work));
+}
+
 void Workbench::look(const std::filesystem::path& path, bool ask)
 {
-    reading_.start([this, path, ask](const Progress& progress) -> std::function<void()> {
-        if (isModelFile(path) && !ask)
-            return whenModelRead(Model::open(path));
-        return whenLookedAt(path, ask, progress);
+    read([this, path, ask](const Progress& progress) -> std::function<void()> {
+        if (isPictureFile(path) && !ask && !sessionInPicture(path).empty())
+            return [this, path] { emit pictureOpened(pathText(path)); };
+        if (!isModelFile(path) || ask)
+            return whenLookedAt(path, ask, progress);
+        const auto opened = openModel(path);
+        if (!opened)
+            return tellLater(opened.error());
+        return [this, opened = *opened] { passGate(true, [this, opened] { showModel(opened); }); };
     });
+}
+
+/// Lets what was read take the place of what is open, if that may be.
+void Workbench::passGate(bool isModel, const std::function<void()>& go, const std::function<void()>& stay)
+{
+    const auto goOn = [this, go] {
+        turnedAway_ = building_.running();
+        go();
+    };
+    if (gate_)
+        gate_(isModel, goOn, stay);
+    else
+        goOn();
+}
+
+std::function<void()> Workbench::tellLater(const Error& error)
+{
+    return [this, error] { tell(error); };
 }
 
 /// What is to be done in the GUI thread with a file that may hold a dataset.
 std::function<void()> Workbench::whenLookedAt(const std::filesystem::path& path, bool ask, const Progress& progress)
 {
-    const auto tellLater = [this](const Error& error) { return [this, error] { tell(error); }; };
     ImportQuestion question;
     question.path = path;
     question.options = rememberedImport(path, host_);
@@ -145,13 +167,14 @@ Workbench::ReadDataset Workbench::readDataset(const std::filesystem::path& path,
 
 void Workbench::importDataset(const std::filesystem::path& path, const ImportOptions& options)
 {
-    reading_.start([this, path, options](const Progress& progress) -> std::function<void()> {
+    read([this, path, options](const Progress& progress) -> std::function<void()> {
         const auto reader = chooseReader(host_, path, options.reader);
         const auto parameters = reader ? reader->plugin->parameters() : std::vector<Parameter>();
         return [this, path, options, read = readDataset(path, withoutDefaults(options, parameters), progress)] {
             if (read.dataset) {
                 rememberImport(path, read.options);
-                return datasetRead(path, read);
+                return passGate(
+                    false, [this, path, read] { takeDataset(path, read); }, [this] { emit importFailed({}); });
             }
             const Error& error = read.dataset.error();
             emit importFailed(error.kind == ErrorKind::Cancelled ? QString() : translatedSentence(error.text));
@@ -159,49 +182,36 @@ void Workbench::importDataset(const std::filesystem::path& path, const ImportOpt
     });
 }
 
-/// What is to be done in the GUI thread with a model that was opened in a worker.
-std::function<void()> Workbench::whenModelRead(const Result<std::shared_ptr<const Model>>& model)
+/// For a worker.
+Result<Workbench::OpenedModel> Workbench::openModel(const std::filesystem::path& path) const
 {
+    const auto model = Model::open(path);
     if (!model)
-        return [this, error = model.error()] { tell(error); };
-    return [this, model = *model, field = extentOf(**model)] { showModel(model, field); };
-}
-
-void Workbench::showModel(const std::shared_ptr<const Model>& model, const FieldExtent& field)
-{
-    if (prepareToShow(model, field))
-        session_.open(model, startingIsovalues(modes_, field),
-                      startingLook(modes_, field, model->description().domain));
-}
-
-/// Whether there is a way to show it.
-bool Workbench::prepareToShow(const std::shared_ptr<const Model>& model, const FieldExtent& field)
-{
-    modes_ = renderingModes(host_);
-    if (modes_.empty()) {
-        emit failed(tr("No renderer plugin could be loaded, so there is no way to show a model. %1")
-                        .arg(translatedSentence(host_.explainMissing(PluginKind::Renderer))));
-        return false;
-    }
-    field_ = field;
-    if (model != look_)
-        addRecentFile(pathText(model->path()));
-    sceneBuilder_.clear();
-    draftBuilder_.clear();
-    sessionFile_.clear();
-    sessionFound_ = {};
-    return true;
+        return model.error();
+    return OpenedModel{*model, extentOf(**model), views_.find(path)};
 }
 
 void Workbench::datasetRead(const std::filesystem::path& path, const ReadDataset& read)
 {
     if (!read.dataset)
         return tell(read.dataset.error());
+    passGate(false, [this, path, read] { takeDataset(path, read); });
+}
+
+void Workbench::takeDataset(const std::filesystem::path& path, const ReadDataset& read)
+{
     dataset_ = std::make_shared<const Dataset>(*read.dataset);
     buildSize_ = read.size;
     imported_ = read.options;
     addRecentFile(pathText(path));
     emit datasetOpened();
+}
+
+void Workbench::closeDataset()
+{
+    dataset_.reset();
+    buildSize_ = {.points = 0};
+    emit datasetClosed();
 }
 
 void Workbench::build(const BuildOrder& order)
@@ -211,23 +221,21 @@ void Workbench::build(const BuildOrder& order)
     live_ = std::make_shared<LiveBuild>();
     keep_ = std::make_shared<std::atomic<bool>>(false);
     look_.reset();
-    building_.start([this, order, dataset = dataset_, imported = imported_, live = live_,
-                     keep = keep_](const Progress& progress) -> std::function<void()> {
-        return
-            [this, order,
-             built = tetra::buildModel(host_, *dataset, order.builder, order.values, order.target, progress,
-                                       {.live = live.get(), .keepWhenCancelled = keep.get(), .imported = imported})] {
-                if (built) {
-                    emit modelBuilt();
-                    showBuilt(order.target);
-                } else {
-                    closeLook();
-                    tell(built.error());
-                }
-            };
-    });
+    turnedAway_ = false;
+    buildName_ = QString::fromStdString(dataset_->source.name);
     buildTarget_ = order.target;
     lookPath_ = filePath(looks_.filePath(pathText(order.target.filename())));
+    building_.start([this, order, dataset = dataset_, imported = imported_, live = live_,
+                     keep = keep_](const Progress& progress) -> std::function<void()> {
+        const auto built =
+            tetra::buildModel(host_, *dataset, order.builder, order.values, order.target, progress,
+                              {.live = live.get(), .keepWhenCancelled = keep.get(), .imported = imported});
+        return [this, order, dataset, model = built ? openModel(order.target) : built.error()] {
+            if (model)
+                built_ = dataset;
+            showBuilt(order, model);
+        };
+    });
     if (order.watch && !session_.model() && looks_.isValid())
         looking_.start();
 }
@@ -237,6 +245,7 @@ void Workbench::stopBuild(bool keep)
     if (keep_)
         *keep_ = keep;
     building_.cancel();
+    emit buildStopping(keep);
 }
 
 void Workbench::lookAtBuild()
@@ -245,15 +254,16 @@ void Workbench::lookAtBuild()
         return;
     if (look_ != nullptr && !showsLook())
         return looking_.stop(); // the user has turned to something else
-    looker_.start([this, live = live_, path = lookPath_](const Progress&) -> std::function<void()> {
-        return [this, live, look = live->look(path)] {
+    looker_.start([this, live = live_, path = lookPath_, target = buildTarget_,
+                   isFirst = look_ == nullptr](const Progress&) -> std::function<void()> {
+        return [this, live, look = live->look(path), view = isFirst ? views_.find(target) : std::nullopt] {
             if (building_.running() && live == live_)
-                showLook(look);
+                showLook(look, view);
         };
     });
 }
 
-void Workbench::showLook(const Result<std::shared_ptr<const Model>>& look)
+void Workbench::showLook(const Result<std::shared_ptr<const Model>>& look, const std::optional<SessionDocument>& view)
 {
     if (!look)
         return looking_.stop(); // a picture of the build is not worth a message: no room for it, say
@@ -266,7 +276,7 @@ void Workbench::showLook(const Result<std::shared_ptr<const Model>>& look)
         return;
     look_ = *look;
     if (isFirst)
-        showModel(look_, roughExtentOf(*look_));
+        showModel({look_, roughExtentOf(*look_), view});
     else
         session_.grow(look_);
 }
@@ -279,30 +289,62 @@ void Workbench::closeLook()
     look_.reset();
 }
 
-/// The model that was watched goes on being shown as it is; any other is opened.
-void Workbench::showBuilt(const std::filesystem::path& target)
+/// A model that was watched goes on being shown as it is seen. Another one is shown unless the user has turned to
+/// something else or would lose changes by that.
+void Workbench::showBuilt(const BuildOrder& order, const Result<OpenedModel>& built)
 {
-    if (!showsLook())
-        return look(target, false);
+    if (!built) {
+        closeLook();
+        const bool nothingKept = built.error().kind == ErrorKind::Cancelled && *keep_;
+        tellSave(nothingKept ? Error{ErrorKind::CannotWrite, "The build was stopped before there was a mesh of known "
+                                                             "error, so there is nothing to keep."}
+                             : built.error());
+        return emit buildEnded(false);
+    }
+    const bool isWatched = showsLook();
+    const bool isShown = isWatched || (!turnedAway_ && !reading_.running() && !sessionModified());
     look_.reset();
-    reading_.start([this, target](const Progress&) -> std::function<void()> {
-        return [this, target, model = Model::open(target)] {
-            if (!model)
-                return tell(model.error());
-            addRecentFile(pathText(target));
-            session_.grow(*model);
-        };
-    });
+    addRecentFile(pathText(order.target));
+    emit modelBuilt(pathText(order.target), isShown);
+    if (isWatched) {
+        field_ = built->field;
+        session_.grow(built->model);
+    } else if (isShown) {
+        showModel(*built);
+    }
+    emit buildEnded(true);
+}
+
+bool Workbench::hasSomethingOpen() const
+{
+    return session_.model() || (dataset_ && !building_.running());
+}
+
+void Workbench::close()
+{
+    const bool isOfDataset = !session_.model() || datasetIsBuilt();
+    if (session_.model())
+        closeModel();
+    if (dataset_ && isOfDataset && !building_.running())
+        closeDataset();
 }
 
 void Workbench::closeModel()
 {
-    sessionFile_.clear();
-    sessionFound_ = {};
-    meshTarget_.clear();
+    emit leaving();
+    turnedAway_ = building_.running();
+    setSessionFile({});
     sceneBuilder_.clear();
     draftBuilder_.clear();
     session_.close();
+}
+
+void Workbench::setSessionFile(const std::filesystem::path& file)
+{
+    sessionFile_ = file;
+    if (file.empty())
+        sessionFound_ = {};
+    emit sessionFileChanged();
 }
 
 const Renderer* Workbench::renderer() const
@@ -375,6 +417,13 @@ void Workbench::tell(const Error& error)
 {
     if (error.kind != ErrorKind::Cancelled)
         emit failed(translatedSentence(error.text));
+}
+
+bool Workbench::tellSave(const Status& saved)
+{
+    if (!saved && saved.error().kind != ErrorKind::Cancelled)
+        emit saveFailed(translatedSentence(saved.error().text));
+    return saved.ok();
 }
 
 } // namespace tetra

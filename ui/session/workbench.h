@@ -8,6 +8,7 @@
 #include "ui/session/draft_builder.h"
 #include "ui/session/film_file.h"
 #include "ui/session/import_question.h"
+#include "ui/session/kept_views.h"
 #include "ui/session/mesh_saving.h"
 #include "ui/session/picture_file.h"
 #include "ui/session/scene_builder.h"
@@ -19,7 +20,6 @@
 #include <QTimer>
 
 #include <atomic>
-#include <deque>
 #include <filesystem>
 #include <functional>
 
@@ -33,13 +33,20 @@ struct BuildOrder {
     bool watch = true; ///< show the model while it grows, unless another one is open
 };
 
+/// What a session was read from.
+enum class SessionSource {
+    File,    ///< of its own, which it is saved in from now on
+    Picture, ///< that shows it
+    Lost,    ///< what was kept of it by a program that ended unexpectedly
+};
+
 /// Everything that the window can do, without the window: opens files, builds models, keeps the scene up to date with
 /// the session. All work is done in workers; signals come in the thread that it lives in. Errors are told by failed().
 class Workbench : public QObject {
     Q_OBJECT
 public:
-    /// `host` outlives it.
-    explicit Workbench(PluginHost& host, QObject* parent = nullptr);
+    /// `host` outlives it. How models are seen is kept in the folder `views`.
+    explicit Workbench(PluginHost& host, std::filesystem::path views = viewFolder());
     ~Workbench() override;
 
     PluginHost& host() noexcept { return host_; }
@@ -65,16 +72,23 @@ public:
     /// Opens a model, a session, or a dataset by the reader that fits it best; asks by choicesNeeded() where there is a
     /// choice.
     void open(const QString& path);
-    /// Opens the session that `text` describes, with paths from `folder` on; `file` is where it is saved from now on,
-    /// empty if it has no file.
-    void openSession(const std::string& text, const std::filesystem::path& folder,
-                     const std::filesystem::path& file = {});
+    /// Opens what a session says that the file holds.
+    void openSession(const std::filesystem::path& path, SessionSource source);
     /// What is open and how it is seen; nothing without a model, or while a build is watched. The camera and the
     /// background are the window's.
     std::optional<SessionDocument> sessionDocument() const;
     /// The file of the session that is open; empty if it has none.
     const std::filesystem::path& sessionFile() const noexcept { return sessionFile_; }
-    void saveSession(const std::filesystem::path& target, const SessionDocument& document);
+    /// Whether that has changes which are not in its file. A model that is not part of a session has none: how it is
+    /// seen is kept by itself.
+    bool sessionModified() const { return !sessionFile_.empty() && !session_.undoStack().isClean(); }
+    /// `then`: with whether it worked.
+    void saveSession(const std::filesystem::path& target, const SessionDocument& document,
+                     const std::function<void(bool saved)>& then = {});
+    /// How models are seen that are not part of a session.
+    KeptViews& views() noexcept { return views_; }
+    /// How the model would be seen if nobody had ever looked at it; but for the camera. There must be one.
+    SessionDocument startingView() const { return startingView(*session_.model()); }
     /// Asks by choicesNeeded() how a dataset is to be read, whether it must be known or not.
     void openWithOptions(const QString& path);
     /// Makes the sample of that name (sampleKinds()) unless it is there from before, and opens its model.
@@ -87,15 +101,31 @@ public:
     void build(const BuildOrder& order);
     /// Ends the build; `keep`: what is finished becomes the model, of less accuracy.
     void stopBuild(bool keep);
+    /// The dataset and the file of the build that runs.
+    const QString& buildName() const noexcept { return buildName_; }
+    const std::filesystem::path& buildTarget() const noexcept { return buildTarget_; }
+    /// Whether the model of the build that runs is what is seen, as far as it is made.
+    bool showsBuild() const { return building_.running() && showsLook(); }
+    /// Whether what is finished of that build can become a model.
+    bool canKeepBuild() const { return live_ && live_->hasMesh(); }
+    /// Whether a model was built of the dataset that is open.
+    bool datasetIsBuilt() const noexcept { return dataset_ && dataset_ == built_; }
+    /// Whether there is something to close.
+    bool hasSomethingOpen() const;
+    /// Closes the model, and with it the dataset that it was built of; without a model the dataset, unless that is
+    /// being built.
+    void close();
     void closeModel();
+    /// Asked before what was read is shown, in place of the model that is open or, of a dataset, beside it: calls `go`,
+    /// or `stay`. Without one nothing is asked.
+    using Gate = std::function<void(bool isModel, const std::function<void()>& go, const std::function<void()>& stay)>;
+    void setGate(Gate gate) { gate_ = std::move(gate); }
     /// Where a file about the model goes unless the user says otherwise: beside it, or while its build is watched to
-    /// where it will be. `ending` follows the model's name. There must be a model.
+    /// where it will be; of a sample to the user's documents. `ending` follows the model's name. There must be a model.
     QString proposedPath(const QString& ending) const;
     /// Saves a picture, or copies it, once those that were ordered before are done.
     void savePicture(const PictureOrder& order);
     LongTask& savingPicture() noexcept { return savingPicture_; }
-    /// Pictures that wait for the one that is being drawn.
-    int picturesWaiting() const noexcept { return static_cast<int>(pictures_.size()); }
     /// Of the present view, which `camera` belongs to.
     FilmFrame presentFrame(const Camera& camera) const;
     /// A film of the session's animation: what it takes of the model. There must be one, and a way to show it.
@@ -106,7 +136,9 @@ public:
     /// One at a time: there must be none being saved.
     void saveFilm(const FilmOrder& order);
     LongTask& savingFilm() noexcept { return savingFilm_; }
-    /// Saves the mesh of the picture, once that is up to date.
+    /// Of that film.
+    const std::filesystem::path& filmTarget() const noexcept { return filmTarget_; }
+    /// Saves the mesh that is asked for now, whether the picture shows it already or not. There must be a model.
     void saveMesh(const std::filesystem::path& target);
     /// Saves the visible isosurfaces of that mesh, likewise.
     void saveSurfaces(const std::filesystem::path& target);
@@ -117,57 +149,92 @@ public:
     /// Reads one and gives it to `use`, in this thread; what that says against it is told with the file's name.
     void loadText(const std::filesystem::path& path, std::function<Status(const std::string& text)> use);
     LongTask& savingMesh() noexcept { return savingMesh_; }
+    LongTask& savingText() noexcept { return savingText_; }
+    /// Whether a file is being written that is neither a model nor a film.
+    bool saving() const noexcept;
 
 signals:
+    /// Something could not be opened or shown.
     void failed(const QString& text);
+    /// A file was not written.
+    void saveFailed(const QString& text);
+    /// Something is about to be read.
+    void opening();
+    /// What is open is about to give way, the last moment to look at it.
+    void leaving();
     void datasetOpened();
+    void datasetClosed();
     void choicesNeeded(const tetra::ImportQuestion& question);
     /// What the reader has against the choices; empty if the user stopped it.
     void importFailed(const QString& reason);
-    /// A session's model is shown; this is how it was seen.
-    void sessionOpened(const tetra::SessionDocument& document);
-    /// The build is done; its model is opened next.
-    void modelBuilt();
+    /// A model is shown as somebody left it, like this; `from` is the file of the session or picture that says so,
+    /// empty if that is how the model was seen last.
+    void viewRestored(const tetra::SessionDocument& document, const std::filesystem::path& from);
+    void sessionFileChanged();
+    /// The build was asked to end.
+    void buildStopping(bool keep);
+    /// The build is done. Its model is shown next, unless the user has turned to something else.
+    void modelBuilt(const QString& path, bool isShown);
+    /// The build is over and its model shown, if it is; nothing more comes of it. `worked`: there is a model.
+    void buildEnded(bool worked);
     void pictureSaved(const QString& path);
     void pictureDrawn(const QImage& picture); ///< one that was ordered without a target
-    void picturesWaitingChanged();
     void filmSaved(const QString& path);
     /// A picture was opened that holds the session by which it was made.
-    void pictureOpened(const QString& path, const std::string& session);
+    void pictureOpened(const QString& path);
     void meshSaved(const QString& path);
     void textSaved(const QString& path);
 
 private:
-    /// Either reads the file or asks for choices.
-    void look(const std::filesystem::path& path, bool ask);
-    std::function<void()> whenLookedAt(const std::filesystem::path& path, bool ask, const Progress& progress);
-    void lookAtBuild();
-    void showLook(const Result<std::shared_ptr<const Model>>& look);
-    void closeLook();
-    void showBuilt(const std::filesystem::path& target);
-    bool showsLook() const { return look_ != nullptr && session_.model() == look_; }
+    /// A model that was read, and how to show it.
+    struct OpenedModel {
+        std::shared_ptr<const Model> model;
+        FieldExtent field;
+        std::optional<SessionDocument> view{}; ///< none: as at first
+        std::filesystem::path from{};          ///< of the view, if that is not how the model was seen last
+        SessionSource source = SessionSource::File;
+    };
     struct ReadDataset {
         Result<Dataset> dataset;
         BuildSize size;
         ImportOptions options;
     };
+
+    void read(LongTask::Work work);
+    /// Either reads the file or asks for choices.
+    void look(const std::filesystem::path& path, bool ask);
+    Result<OpenedModel> openModel(const std::filesystem::path& path) const;
+    Result<OpenedModel> openedBySession(const std::filesystem::path& path, SessionSource source) const;
+    std::function<void()> whenLookedAt(const std::filesystem::path& path, bool ask, const Progress& progress);
+    std::function<void()> tellLater(const Error& error);
+    void passGate(
+        bool isModel, const std::function<void()>& go, const std::function<void()>& stay = [] {});
     ReadDataset readDataset(const std::filesystem::path& path, const ImportOptions& options, const Progress& progress);
     void datasetRead(const std::filesystem::path& path, const ReadDataset& read);
-    std::function<void()> whenModelRead(const Result<std::shared_ptr<const Model>>& model);
-    void showModel(const std::shared_ptr<const Model>& model, const FieldExtent& field);
-    void showSession(const std::shared_ptr<const Model>& model, const FieldExtent& field,
-                     const SessionDocument& document);
-    bool prepareToShow(const std::shared_ptr<const Model>& model, const FieldExtent& field);
+    void takeDataset(const std::filesystem::path& path, const ReadDataset& read);
+    void closeDataset();
+    void showModel(const OpenedModel& opened);
+    bool prepareToShow(const OpenedModel& opened);
+    SessionDocument startingView(const Model& model) const;
+    void showSession(const SessionDocument& document, const OpenedModel& opened);
+    void setSessionFile(const std::filesystem::path& file);
+
+    void lookAtBuild();
+    void showLook(const Result<std::shared_ptr<const Model>>& look, const std::optional<SessionDocument>& view);
+    void closeLook();
+    void showBuilt(const BuildOrder& order, const Result<OpenedModel>& built);
+    bool showsLook() const { return look_ != nullptr && session_.model() == look_; }
     const Renderer* renderer() const;
     SceneRequest sceneRequest() const;
     void requestScene();
     void requestDrafts(const BuiltScene& scene);
-    void saveNextPicture();
-    void openPicture(const std::filesystem::path& path);
-    void saveMeshWhenShown();
     void watchForDamage();
     void lookForDamage();
+    MeshOrder meshOrder(const std::filesystem::path& target) const;
+    void saveMesh(const std::filesystem::path& target, const std::function<Status(const Progress&)>& write);
     void tell(const Error& error);
+    /// Whether it worked; else it is told.
+    bool tellSave(const Status& saved);
 
     PluginHost& host_;
     Session session_;
@@ -176,6 +243,7 @@ private:
     ImportOptions imported_; ///< how the dataset was opened
     std::vector<Provided<Renderer>> modes_;
     FieldExtent field_; ///< of the model that is open
+    KeptViews views_;   ///< before the workers that look into it
     SceneBuilder sceneBuilder_;
     DraftBuilder draftBuilder_;
     LongTask reading_;
@@ -183,20 +251,23 @@ private:
     LongTask building_;
     LongTask savingPicture_;
     LongTask savingFilm_;
-    std::deque<PictureOrder> pictures_; ///< that wait
+    std::filesystem::path filmTarget_;
     std::optional<FilmFrame> preview_;
     LongTask savingMesh_;
-    LongTask textFiles_;
+    LongTask savingText_;
+    LongTask loadingText_;
+    Gate gate_;
     std::filesystem::path sessionFile_;
-    QJsonObject sessionFound_;         ///< the text of that file: what is not known here stays in it
-    std::filesystem::path meshTarget_; ///< of what waits to be saved; empty if nothing does
-    bool savesSurfaces_ = false;       ///< the isosurfaces, not the mesh
+    QJsonObject sessionFound_; ///< the text of that file: what is not known here stays in it
 
     std::shared_ptr<LiveBuild> live_;         ///< of the build that is being watched
     std::shared_ptr<std::atomic<bool>> keep_; ///< of the same build
-    std::filesystem::path buildTarget_;       ///< of that build
-    std::filesystem::path lookPath_;          ///< where looks at it are written
-    std::shared_ptr<const Model> look_;       ///< the last one shown
+    QString buildName_;
+    std::filesystem::path buildTarget_;
+    std::shared_ptr<const Dataset> built_; ///< that a model was built of last
+    bool turnedAway_ = false;              ///< from that build, to something else
+    std::filesystem::path lookPath_;       ///< where looks at it are written
+    std::shared_ptr<const Model> look_;    ///< the last one shown
     QTimer looking_;
     QTimer watching_; ///< the model's file for damage
     LongTask looker_;

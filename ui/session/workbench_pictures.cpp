@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is seen as pictures and films, and pictures that say how they were made.
-#include "ui/session/picture_texts.h"
 #include "ui/session/target_path.h"
 #include "ui/session/workbench.h"
 
@@ -8,47 +7,20 @@ namespace tetra {
 
 void Workbench::savePicture(const PictureOrder& order)
 {
-    pictures_.push_back(order);
-    pictures_.back().model = session_.model();
-    emit picturesWaitingChanged();
-    saveNextPicture();
-}
-
-void Workbench::saveNextPicture()
-{
-    if (pictures_.empty() || savingPicture_.running())
-        return;
-    const PictureOrder order = pictures_.front();
-    pictures_.pop_front();
-    emit picturesWaitingChanged();
-    savingPicture_.start([this, order](const Progress& progress) -> std::function<void()> {
+    savingPicture_.enqueue([this, order, model = session_.model()](const Progress& progress) -> std::function<void()> {
         const auto picture = drawPicture(order, progress);
-        const Status right = order.model ? order.model->confirm(progress.withCallback({})) : Status();
+        const Status right = model ? model->confirm(progress.withCallback({})) : Status();
         const Status done = !picture               ? Status(picture.error())
                             : !right               ? right
                             : order.target.empty() ? Status()
                                                    : writePicture(*picture, order.target);
         return [this, order, done, picture] {
-            if (!done)
-                tell(done.error());
-            else if (order.target.empty())
+            if (!tellSave(done))
+                return;
+            if (order.target.empty())
                 emit pictureDrawn(*picture);
             else
                 emit pictureSaved(pathText(order.target));
-            saveNextPicture();
-        };
-    });
-}
-
-/// One of ours, or a dataset.
-void Workbench::openPicture(const std::filesystem::path& path)
-{
-    textFiles_.start([this, path](const Progress&) -> std::function<void()> {
-        return [this, path, session = sessionInPicture(path)] {
-            if (session.empty())
-                look(path, false);
-            else
-                emit pictureOpened(pathText(path), session);
         };
     });
 }
@@ -86,12 +58,11 @@ void Workbench::previewFrame(const std::optional<FilmFrame>& frame)
 
 void Workbench::saveFilm(const FilmOrder& order)
 {
+    filmTarget_ = order.target;
     savingFilm_.start([this, order](const Progress& progress) -> std::function<void()> {
         return [this, order, written = writeFilm(order, progress)] {
-            if (written)
+            if (tellSave(written))
                 emit filmSaved(pathText(order.target));
-            else
-                tell(written.error());
         };
     });
 }

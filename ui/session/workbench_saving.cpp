@@ -2,6 +2,7 @@
 // What of the session goes into files: pictures, meshes, surfaces, statistics, small texts.
 #include "core/model/level_text.h"
 #include "ui/session/accuracy_scale.h"
+#include "ui/session/sample_models.h"
 #include "ui/session/target_path.h"
 #include "ui/session/text_file.h"
 #include "ui/session/workbench.h"
@@ -14,24 +15,24 @@ QString Workbench::proposedPath(const QString& ending) const
 {
     const std::filesystem::path& path = session_.model()->path();
     const QFileInfo model(pathText(path == lookPath_ ? buildTarget_ : path)); // looks go with the program
-    return model.absolutePath() + "/" + model.completeBaseName() + ending;
+    // What lies beside a sample may be gone tomorrow.
+    const QString folder = isOfSample(path) ? documentFolder() : model.absolutePath();
+    return folder + "/" + model.completeBaseName() + ending;
 }
 
 void Workbench::saveText(const std::filesystem::path& target, const std::string& text)
 {
-    textFiles_.start([this, target, text](const Progress&) -> std::function<void()> {
+    savingText_.enqueue([this, target, text](const Progress&) -> std::function<void()> {
         return [this, target, saved = writeTextFile(target, text)] {
-            if (saved)
+            if (tellSave(saved))
                 emit textSaved(pathText(target));
-            else
-                tell(saved.error());
         };
     });
 }
 
 void Workbench::loadText(const std::filesystem::path& path, std::function<Status(const std::string& text)> use)
 {
-    textFiles_.start([this, path, use = std::move(use)](const Progress&) -> std::function<void()> {
+    loadingText_.enqueue([this, path, use = std::move(use)](const Progress&) -> std::function<void()> {
         return [this, path, use, text = readTextFile(path)] {
             if (!text)
                 return tell(text.error());
@@ -41,18 +42,42 @@ void Workbench::loadText(const std::filesystem::path& path, std::function<Status
     });
 }
 
+bool Workbench::saving() const noexcept
+{
+    return savingText_.running() || savingMesh_.running() || savingPicture_.running();
+}
+
+/// What is asked for now; of the mesh that is seen where that is the one. Of two meshes that are blended neither is.
+MeshOrder Workbench::meshOrder(const std::filesystem::path& target) const
+{
+    MeshOrder order{session_.model(), nullptr, meshQuery(session_.view().query(), *session_.model()), target};
+    const bool isBlended = renderer() != nullptr && renderer()->blendsFocus();
+    // While the worker is busy its mesh may be that of a picture to come.
+    if (!isBlended && !sceneBuilder_.busy() && session_.showsQuery())
+        order.mesh = sceneBuilder_.mesh();
+    return order;
+}
+
 void Workbench::saveMesh(const std::filesystem::path& target)
 {
-    meshTarget_ = target;
-    savesSurfaces_ = false;
-    saveMeshWhenShown();
+    saveMesh(target, [order = meshOrder(target)](const Progress& progress) { return writeMesh(order, progress); });
 }
 
 void Workbench::saveSurfaces(const std::filesystem::path& target)
 {
-    meshTarget_ = target;
-    savesSurfaces_ = true;
-    saveMeshWhenShown();
+    saveMesh(target, [order = SurfaceOrder{meshOrder(target), session_.view().isovalues()}](const Progress& progress) {
+        return writeSurfaces(order, progress);
+    });
+}
+
+void Workbench::saveMesh(const std::filesystem::path& target, const std::function<Status(const Progress&)>& write)
+{
+    savingMesh_.enqueue([this, target, write](const Progress& progress) -> std::function<void()> {
+        return [this, target, saved = write(progress)] {
+            if (tellSave(saved))
+                emit meshSaved(pathText(target));
+        };
+    });
 }
 
 void Workbench::saveStatistics(const std::filesystem::path& target)
@@ -60,40 +85,17 @@ void Workbench::saveStatistics(const std::filesystem::path& target)
     std::vector<Accuracy> levels;
     for (const double error : accuracyPresets)
         levels.push_back(bothWithin(error));
-    textFiles_.start(
+    savingText_.enqueue(
         [this, target, levels, model = session_.model()](const Progress& progress) -> std::function<void()> {
             const auto text = levelsFor(target, *model, levels);
-            const Status right = text ? model->confirm(progress.withCallback({})) : Status(text.error());
-            return [this, target, saved = right ? writeTextFile(target, *text) : right] {
-                if (saved)
+            Status saved = text ? model->confirm(progress.withCallback({})) : Status(text.error());
+            if (saved)
+                saved = writeTextFile(target, *text);
+            return [this, target, saved] {
+                if (tellSave(saved))
                     emit textSaved(pathText(target));
-                else
-                    tell(saved.error());
             };
         });
-}
-
-void Workbench::saveMeshWhenShown()
-{
-    MeshOrder order{session_.model(), sceneBuilder_.mesh(), session_.shown() ? session_.shown()->query : MeshQuery(),
-                    meshTarget_};
-    // While the worker is busy its mesh may be that of a picture to come.
-    if (meshTarget_.empty() || sceneBuilder_.busy() || !session_.showsQuery() || !order.mesh)
-        return;
-    // Of two meshes that are blended neither is what was asked for.
-    if (renderer() != nullptr && renderer()->blendsFocus())
-        order.mesh = nullptr;
-    meshTarget_.clear();
-    savingMesh_.start([this, order, surfaces = savesSurfaces_,
-                       isovalues = session_.view().isovalues()](const Progress& progress) -> std::function<void()> {
-        const Status result = surfaces ? writeSurfaces({order, isovalues}, progress) : writeMesh(order, progress);
-        return [this, target = order.target, saved = result] {
-            if (saved)
-                emit meshSaved(pathText(target));
-            else
-                tell(saved.error());
-        };
-    });
 }
 
 } // namespace tetra

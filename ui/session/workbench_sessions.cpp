@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sessions in files: what the workbench has open, and how it is seen.
+// How a model is seen: at first, as somebody left it, and as a session's file says.
+#include "plugins/api/scene_parameters.h"
+#include "ui/session/accuracy_scale.h"
 #include "ui/session/field_extent.h"
+#include "ui/session/picture_texts.h"
 #include "ui/session/recent_files.h"
+#include "ui/session/sentences.h"
 #include "ui/session/target_path.h"
 #include "ui/session/text_file.h"
 #include "ui/session/workbench.h"
@@ -23,54 +27,120 @@ Look lookOf(const SessionDocument& document, const std::vector<Provided<Renderer
     return look;
 }
 
+/// Of a view that was kept of another field: what is not a place in it nor a value of it.
+void leaveWhatFits(SessionDocument& view, const SessionDocument& start)
+{
+    view.query.focus = start.query.focus;
+    view.query.window = start.query.window;
+    view.query.values = start.query.values;
+    view.look.transfer = {};
+    view.look.settings.erase(clipId);
+    view.isovalues = start.isovalues;
+    view.camera.reset();
+    view.animation = {};
+}
+
 } // namespace
 
-void Workbench::openSession(const std::string& text, const std::filesystem::path& folder,
-                            const std::filesystem::path& file)
+void Workbench::openSession(const std::filesystem::path& path, SessionSource source)
 {
-    auto document = sessionFromText(text, folder);
-    if (!document)
-        return tell({document.error().kind, file.string() + ": " + document.error().text});
-    reading_.start([this, file, document = *std::move(document)](const Progress&) -> std::function<void()> {
-        const auto model = Model::open(document.model);
-        if (!model)
-            return [this, error = model.error()] {
-                tell({error.kind, "The model of the session cannot be opened. " + error.text});
-            };
-        return [this, file, document, model = *model, field = extentOf(**model)] {
-            showSession(model, field, document);
-            if (session_.model() != model)
-                return;
-            sessionFile_ = file;
-            if (!file.empty())
-                addRecentFile(pathText(file));
-            sessionFound_ = document.found;
-        };
+    read([this, path, source](const Progress&) -> std::function<void()> {
+        const Result<OpenedModel> opened = openedBySession(path, source);
+        if (!opened)
+            return tellLater(opened.error());
+        return [this, opened = *opened] { passGate(true, [this, opened] { showModel(opened); }); };
     });
 }
 
-void Workbench::showSession(const std::shared_ptr<const Model>& model, const FieldExtent& field,
-                            const SessionDocument& document)
+/// For a worker.
+Result<Workbench::OpenedModel> Workbench::openedBySession(const std::filesystem::path& path, SessionSource source) const
 {
-    if (!prepareToShow(model, field))
+    const auto text =
+        source == SessionSource::Picture ? Result<std::string>(sessionInPicture(path)) : readTextFile(path);
+    if (!text)
+        return text.error();
+    const auto document = sessionFromText(*text, std::filesystem::absolute(path).parent_path());
+    if (!document)
+        return Error{document.error().kind, path.string() + ": " + document.error().text};
+    const auto model = Model::open(document->model);
+    if (!model)
+        return Error{model.error().kind, "The model of the session cannot be opened. " + model.error().text};
+    return OpenedModel{*model, extentOf(**model), *document, path, source};
+}
+
+void Workbench::showModel(const OpenedModel& opened)
+{
+    if (!prepareToShow(opened))
         return;
-    session_.open(model, document.isovalues,
-                  lookOf(document, modes_, startingLook(modes_, field, model->description().domain)), document.query);
-    session_.restore(document.annotations, document.animation);
-    emit sessionOpened(document);
-    if (document.identity != 0 && document.identity != modelIdentity(*model))
+    const SessionDocument start = startingView(*opened.model);
+    if (!opened.view)
+        return session_.open(opened.model, start.isovalues, start.look);
+    SessionDocument view = *opened.view;
+    if (!isOfSameField(view, *opened.model))
+        leaveWhatFits(view, start);
+    session_.open(opened.model, view.isovalues, lookOf(view, modes_, start.look), view.query);
+    session_.restore(view.annotations, view.animation);
+    if (!opened.from.empty())
+        showSession(view, opened);
+    emit viewRestored(view, opened.from);
+}
+
+/// What a session has beside the view of its model.
+void Workbench::showSession(const SessionDocument& document, const OpenedModel& opened)
+{
+    const bool isLost = opened.source == SessionSource::Lost && !document.file.empty();
+    if (opened.source == SessionSource::File || isLost) {
+        sessionFound_ = document.found;
+        setSessionFile(isLost ? document.file : opened.from);
+        addRecentFile(pathText(sessionFile_));
+    }
+    if (isLost)
+        session_.undoStack().resetClean(); // the file does not have what was lost
+    if (document.identity != 0 && document.identity != modelIdentity(*opened.model))
         emit failed(tr("The model %1 is another one than when the session was saved: it was built anew, or replaced. "
                        "It is shown as the session says, as far as that fits.")
-                        .arg(pathText(model->path())));
+                        .arg(pathText(opened.model->path())));
+}
+
+/// Whether there is a way to show it.
+bool Workbench::prepareToShow(const OpenedModel& opened)
+{
+    auto modes = renderingModes(host_);
+    if (modes.empty()) {
+        emit failed(tr("No renderer plugin could be loaded, so there is no way to show a model. %1")
+                        .arg(translatedSentence(host_.explainMissing(PluginKind::Renderer))));
+        return false;
+    }
+    emit leaving();
+    modes_ = std::move(modes);
+    field_ = opened.field;
+    if (opened.model != look_)
+        addRecentFile(pathText(opened.model->path()));
+    sceneBuilder_.clear();
+    draftBuilder_.clear();
+    setSessionFile({});
+    return true;
+}
+
+SessionDocument Workbench::startingView(const Model& model) const
+{
+    SessionDocument view;
+    view.query = startingQuery(model, startingError(model));
+    view.look = startingLook(modes_, field_, model.description().domain);
+    view.isovalues = startingIsovalues(modes_, field_);
+    return view;
 }
 
 std::optional<SessionDocument> Workbench::sessionDocument() const
 {
     if (!session_.model() || showsLook())
         return std::nullopt;
+    const Model& model = *session_.model();
     SessionDocument document;
-    document.model = std::filesystem::absolute(session_.model()->path());
-    document.identity = modelIdentity(*session_.model());
+    document.model = std::filesystem::absolute(model.path());
+    document.identity = modelIdentity(model);
+    document.bounds = model.description().bounds;
+    document.range = model.description().range;
     document.query = session_.view().query();
     document.look = session_.view().look();
     document.isovalues = session_.view().isovalues();
@@ -80,16 +150,26 @@ std::optional<SessionDocument> Workbench::sessionDocument() const
     return document;
 }
 
-void Workbench::saveSession(const std::filesystem::path& target, const SessionDocument& document)
+/// The changes count as saved from here on, so that those that come while the file is written do not.
+void Workbench::saveSession(const std::filesystem::path& target, const SessionDocument& document,
+                            const std::function<void(bool saved)>& then)
 {
+    session_.undoStack().setClean();
     const std::string text = sessionToText(document, std::filesystem::absolute(target).parent_path());
-    textFiles_.start([this, target, text](const Progress&) -> std::function<void()> {
-        return [this, target, saved = writeTextFile(target, text)] {
-            if (!saved)
-                return tell(saved.error());
-            sessionFile_ = target;
-            addRecentFile(pathText(target));
-            emit textSaved(pathText(target));
+    savingText_.enqueue([this, target, text, then, model = session_.model()](const Progress&) -> std::function<void()> {
+        return [this, target, then, model, saved = writeTextFile(target, text)] {
+            const bool isOpen = session_.model() == model;
+            if (!tellSave(saved)) {
+                if (isOpen)
+                    session_.undoStack().resetClean();
+            } else {
+                if (isOpen)
+                    setSessionFile(target);
+                addRecentFile(pathText(target));
+                emit textSaved(pathText(target));
+            }
+            if (then)
+                then(saved.ok());
         };
     });
 }

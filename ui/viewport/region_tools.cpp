@@ -2,7 +2,6 @@
 #include "ui/viewport/region_tools.h"
 
 #include "ui/viewport/region_painter.h"
-#include "ui/viewport/scene_pick.h"
 #include "ui/viewport/viewport.h"
 
 #include <QKeyEvent>
@@ -138,14 +137,24 @@ bool RegionTools::doubleClick(const QMouseEvent& event)
         return true;
     if (!query().has(RegionKind::Focus) || !viewport_.scene() || event.button() != Qt::LeftButton)
         return false;
-    const auto place = placeSeenAt(*viewport_.scene(), viewport_.projection(), event.position());
-    if (!place)
-        return false;
+    const auto scene = viewport_.scene();
+    place_.find(surfacesOf(*scene), viewport_.projection().sightLine(event.position()),
+                [this, scene](const std::optional<SeenPlace>& seen) {
+                    if (seen && scene == viewport_.scene() && !drag_)
+                        bringFocusTo(seen->place);
+                });
+    return true;
+}
+
+void RegionTools::bringFocusTo(const Eigen::Vector3d& place)
+{
+    if (!query().has(RegionKind::Focus))
+        return;
     FocusState focus = query().focus;
-    focus.centre = *place;
+    focus.centre = place;
     session_.setFocus(focus);
     select(RegionKind::Focus);
-    return true;
+    emit focusPlaced();
 }
 
 void RegionTools::drag(Qt::KeyboardModifiers modifiers)

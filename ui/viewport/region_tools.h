@@ -3,6 +3,7 @@
 
 #include "ui/session/session.h"
 #include "ui/viewport/region_handles.h"
+#include "ui/viewport/scene_pick.h"
 
 #include <QColor>
 #include <QWidget>
@@ -32,6 +33,10 @@ public:
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
+signals:
+    /// The focus was brought to a place on a surface.
+    void focusPlaced();
+
 protected:
     void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
@@ -51,6 +56,7 @@ private:
     bool move(const QMouseEvent& event);
     bool release(const QMouseEvent& event);
     bool doubleClick(const QMouseEvent& event);
+    void bringFocusTo(const Eigen::Vector3d& place);
     bool keyPress(const QKeyEvent& event);
     bool keyRelease(const QKeyEvent& event);
     bool keyWhileDragging(const QKeyEvent& event);
@@ -82,6 +88,7 @@ private:
     bool cancelled_ = false;         ///< a drag was, and its button is still down
     DragRule rule_;
     QPointF pointer_; ///< of the drag, last
+    ScenePick place_; ///< that was double-clicked
 };
 
 } // namespace tetra

@@ -1,17 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/scene_pick.h"
 
-#include "core/graphics/sight/seen_place.h"
+#include <new>
 
 namespace tetra {
+namespace {
 
-std::optional<Eigen::Vector3d> placeSeenAt(const Scene& scene, const PictureProjection& projection, QPointF pixel)
+std::optional<SeenPlace> seenOrNothing(const Scene& scene, const SightLine& line, const Progress& progress)
+try {
+    return seenPlace(scene, line, progress);
+} catch (const std::bad_alloc&) {
+    return std::nullopt;
+}
+
+} // namespace
+
+void ScenePick::find(std::shared_ptr<const Scene> scene, const SightLine& line, Found found)
 {
-    Scene surfaces;
-    surfaces.surfaces = scene.surfaces;
-    surfaces.clipPlanes = scene.clipPlanes;
-    const auto seen = seenPlace(surfaces, projection.sightLine(pixel));
-    return seen ? std::optional(seen->place) : std::nullopt;
+    job_.submit(
+        [this, number = ++newest_, scene = std::move(scene), line, found = std::move(found)](std::stop_token stop) {
+            const auto seen = seenOrNothing(*scene, line, Progress(std::move(stop), {}));
+            QMetaObject::invokeMethod(
+                this,
+                [this, number, found, seen] {
+                    if (number != newest_)
+                        return;
+                    done_ = number;
+                    found(seen);
+                },
+                Qt::QueuedConnection);
+        });
+}
+
+void ScenePick::forget()
+{
+    done_ = ++newest_;
+    job_.cancel();
+}
+
+std::shared_ptr<const Scene> surfacesOf(const Scene& scene)
+{
+    auto surfaces = std::make_shared<Scene>();
+    surfaces->surfaces = scene.surfaces;
+    surfaces->clipPlanes = scene.clipPlanes;
+    return surfaces;
 }
 
 } // namespace tetra

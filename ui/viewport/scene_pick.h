@@ -2,15 +2,37 @@
 #pragma once
 
 #include "core/graphics/scene.h"
-#include "ui/viewport/picture_projection.h"
+#include "core/graphics/sight/seen_place.h"
+#include "ui/work/latest_job.h"
 
+#include <functional>
+#include <memory>
 #include <optional>
 
 namespace tetra {
 
-/// The place on a surface that is seen at a pixel: where no clip plane cuts it away, and of several the one that is
-/// seen most, so that a faint boundary does not stand before what is in it. Nothing where no surface is.
-/// O(triangles).
-std::optional<Eigen::Vector3d> placeSeenAt(const Scene& scene, const PictureProjection& projection, QPointF pixel);
+/// What is seen along a line of sight, looked for in a worker: O(triangles) and tetrahedra of the scene, too long for
+/// the GUI thread. One line at a time; the newest takes the place of the one before. Nothing is found where nothing is
+/// seen, and where the memory is too small to look.
+class ScenePick : public QObject {
+    Q_OBJECT
+public:
+    using Found = std::function<void(const std::optional<SeenPlace>&)>;
+
+    using QObject::QObject;
+
+    /// `found` is called in this thread, unless another line is asked about before, or forget() is called.
+    void find(std::shared_ptr<const Scene> scene, const SightLine& line, Found found);
+    void forget();
+    bool busy() const noexcept { return newest_ != done_; }
+
+private:
+    quint64 newest_ = 0; ///< of the numbers of what was looked for
+    quint64 done_ = 0;   ///< the newest that is done with
+    LatestJob job_;
+};
+
+/// The scene without what is no surface: lines, and volumes, which have no place that one could point at.
+std::shared_ptr<const Scene> surfacesOf(const Scene& scene);
 
 } // namespace tetra

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/value_pick.h"
 
-#include "core/graphics/sight/seen_place.h"
 #include "plugins/widgets/number_text.h"
 #include "ui/viewport/viewport.h"
 
@@ -11,7 +10,6 @@
 #include <QPainter>
 
 #include <algorithm>
-#include <new>
 #include <utility>
 
 namespace tetra {
@@ -52,13 +50,6 @@ std::optional<PickedValue> pickedOf(const SeenPlace& seen, const Scene& scene, c
     if (*seen.surface >= isovalues.size())
         return std::nullopt;
     return PickedValue{isovalues[*seen.surface], seen.place, true};
-}
-
-std::optional<SeenPlace> seenOrNothing(const Scene& scene, const SightLine& line, const Progress& progress)
-try {
-    return seenPlace(scene, line, progress);
-} catch (const std::bad_alloc&) {
-    return std::nullopt;
 }
 
 } // namespace
@@ -104,7 +95,7 @@ void ValuePick::pickAtPointer()
 void ValuePick::forget()
 {
     wanted_.reset();
-    found_ = ++newest_; // what is being looked for does not matter any more
+    seen_.forget();
     setPicked(std::nullopt);
 }
 
@@ -115,21 +106,11 @@ void ValuePick::look()
         return;
     const SightLine line = viewport_.projection().sightLine(*wanted_);
     wanted_.reset();
-    job_.submit([this, number = ++newest_, scene, line,
-                 isovalues = isovaluesOf(*scene, workbench_.session().view().isovalues())](std::stop_token stop) {
-        const auto seen = seenOrNothing(*scene, line, Progress(std::move(stop), {}));
-        const auto picked = seen ? pickedOf(*seen, *scene, isovalues) : std::nullopt;
-        QMetaObject::invokeMethod(
-            this, [this, number, picked] { arrived(number, picked); }, Qt::QueuedConnection);
-    });
-}
-
-void ValuePick::arrived(quint64 number, const std::optional<PickedValue>& picked)
-{
-    if (number != newest_)
-        return;
-    found_ = number;
-    setPicked(picked);
+    seen_.find(scene, line,
+               [this, scene, isovalues = isovaluesOf(*scene, workbench_.session().view().isovalues())](
+                   const std::optional<SeenPlace>& seen) {
+                   setPicked(seen ? pickedOf(*seen, *scene, isovalues) : std::nullopt);
+               });
 }
 
 void ValuePick::setPicked(const std::optional<PickedValue>& picked)

@@ -3,7 +3,7 @@
 
 #include "plugins/api/editor.h"
 #include "ui/session/workbench.h"
-#include "ui/work/latest_job.h"
+#include "ui/viewport/scene_pick.h"
 
 #include <QWidget>
 
@@ -33,7 +33,7 @@ public:
     void pickAtPointer();
     void forget();
     /// Whether a value that was asked for is still being looked for.
-    bool busy() const noexcept { return wanted_ || newest_ != found_; }
+    bool busy() const noexcept { return wanted_ || seen_.busy(); }
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -46,7 +46,6 @@ protected:
 private:
     void followMouse(const QMouseEvent& event);
     void look();
-    void arrived(quint64 number, const std::optional<PickedValue>& picked);
     void setPicked(const std::optional<PickedValue>& picked);
 
     Workbench& workbench_;
@@ -54,9 +53,7 @@ private:
     std::optional<PickedValue> picked_;
     std::optional<QPointF> pressed_; ///< the button, there, and not moved since
     std::optional<QPointF> wanted_;  ///< to be picked when the picture is up to date
-    quint64 newest_ = 0;             ///< of the numbers of what was looked for
-    quint64 found_ = 0;              ///< the newest that is done with
-    LatestJob job_;
+    ScenePick seen_;
 };
 
 } // namespace tetra

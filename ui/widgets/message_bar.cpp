@@ -7,9 +7,11 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QToolButton>
 
 #include <algorithm>
+#include <limits>
 
 namespace tetra {
 namespace {
@@ -21,8 +23,8 @@ constexpr int iconSide = 20;
 
 } // namespace
 
-MessageRow::MessageRow(const QString& text, QWidget* parent)
-    : QFrame(parent), text_(text), count_(new QLabel), layout_(new QHBoxLayout(this))
+MessageRow::MessageRow(const QString& text, MessageSubject subject)
+    : text_(text), subject_(subject), count_(new QLabel), layout_(new QHBoxLayout(this))
 {
     setObjectName("message");
     auto* sign = new QLabel;
@@ -38,6 +40,7 @@ MessageRow::MessageRow(const QString& text, QWidget* parent)
     close->setAutoRaise(true);
     close->setToolTip(tr("Dismiss this message"));
     close->setAccessibleName(tr("Dismiss this message"));
+    count_->setObjectName("message.count");
     count_->hide();
 
     layout_->setContentsMargins(10, 6, 6, 6);
@@ -57,6 +60,7 @@ QPushButton& MessageRow::addButton(const QString& text)
 
 void MessageRow::countAgain()
 {
+    isOld_ = false;
     count_->setText(tr("%1 times").arg(++times_));
     count_->show();
 }
@@ -72,33 +76,86 @@ void MessageRow::paintEvent(QPaintEvent* event)
     painter.fillRect(QRect(0, height() - 1, width(), 1), palette().color(QPalette::Mid));
 }
 
-MessageBar::MessageBar(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayout(this)), more_(new QLabel)
+MessageList::MessageList() : rows_(nullptr)
 {
-    setObjectName("messages");
-    layout_->setContentsMargins({});
-    layout_->setSpacing(0);
-    more_->setObjectName("messages.more");
-    more_->setContentsMargins(10, 4, 6, 4);
-    layout_->addWidget(more_);
-    showNewest();
+    auto* content = new QWidget;
+    rows_ = new QVBoxLayout(content);
+    rows_->setContentsMargins({});
+    rows_->setSpacing(0);
+    setWidget(content);
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    showAll(false);
+    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
 }
 
-void MessageBar::add(const QString& text)
+void MessageList::insert(MessageRow* row)
+{
+    rows_->insertWidget(0, row);
+}
+
+void MessageList::showAll(bool all)
+{
+    showsAll_ = all;
+    setVerticalScrollBarPolicy(all ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
+    verticalScrollBar()->setValue(0);
+}
+
+int MessageList::heightForWidth(int width) const
+{
+    const int most = showsAll_ ? window()->height() / 2 : std::numeric_limits<int>::max();
+    return std::min(most, rows_->totalHeightForWidth(width));
+}
+
+MessageBar::MessageBar(QWidget* parent)
+    : QWidget(parent), list_(new MessageList), below_(new QWidget), more_(new QToolButton)
+{
+    setObjectName("messages");
+    more_->setObjectName("messages.more");
+    more_->setToolTip(tr("Show or hide the older messages"));
+    auto* closeAll = new QToolButton;
+    closeAll->setObjectName("messages.closeAll");
+    closeAll->setText(tr("Close All"));
+    closeAll->setToolTip(tr("Dismiss all messages"));
+    for (QToolButton* button : {more_, closeAll})
+        button->setAutoRaise(true);
+    auto* buttons = new QHBoxLayout(below_);
+    buttons->setContentsMargins(6, 1, 6, 1);
+    buttons->addWidget(more_);
+    buttons->addStretch();
+    buttons->addWidget(closeAll);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins({});
+    layout->setSpacing(0);
+    layout->addWidget(list_);
+    layout->addWidget(below_);
+    connect(more_, &QToolButton::clicked, this, [this] {
+        list_->showAll(!list_->showsAll());
+        showRows();
+    });
+    connect(closeAll, &QToolButton::clicked, this, &MessageBar::clear);
+    showRows();
+}
+
+void MessageBar::add(const QString& text, MessageSubject subject)
 {
     const auto same = std::ranges::find_if(rows_, [&](const MessageRow* row) { return row->text() == text; });
     if (same != rows_.end()) {
         (*same)->countAgain();
         return;
     }
-    auto* row = new MessageRow(text);
+    auto* row = new MessageRow(text, subject);
     connect(row, &MessageRow::dismissed, this, [this, row] { dismiss(row); });
     insert(row);
 }
 
 void MessageBar::ask(const QString& text, const QString& answer, const std::function<void()>& accepted,
-                     const std::function<void()>& declined)
+                     const std::function<void()>& declined, MessageSubject subject)
 {
-    auto* row = new MessageRow(text);
+    auto* row = new MessageRow(text, subject);
     QPushButton& button = row->addButton(answer);
     button.setObjectName("message.answer");
     connect(&button, &QPushButton::clicked, this, [this, row, accepted] {
@@ -114,9 +171,9 @@ void MessageBar::ask(const QString& text, const QString& answer, const std::func
 
 void MessageBar::insert(MessageRow* row)
 {
-    layout_->insertWidget(0, row);
+    list_->insert(row);
     rows_.prepend(row);
-    showNewest();
+    showRows();
 }
 
 QStringList MessageBar::texts() const
@@ -133,22 +190,40 @@ void MessageBar::clear()
         dismiss(rows_.first());
 }
 
+void MessageBar::markOld()
+{
+    for (MessageRow* row : rows_)
+        row->markOld();
+}
+
+void MessageBar::clearOld()
+{
+    const QList<MessageRow*> rows = rows_;
+    for (MessageRow* row : rows)
+        if (row->isOld())
+            dismiss(row);
+}
+
 void MessageBar::dismiss(MessageRow* row)
 {
     rows_.removeOne(row);
-    layout_->removeWidget(row);
+    row->hide();
     row->deleteLater();
-    showNewest();
+    showRows();
 }
 
-void MessageBar::showNewest()
+void MessageBar::showRows()
 {
+    if (rows_.size() <= mostShown)
+        list_->showAll(false);
     for (qsizetype i = 0; i < rows_.size(); ++i)
-        rows_[i]->setVisible(i < mostShown);
+        rows_[i]->setVisible(list_->showsAll() || i < mostShown);
     const auto hidden = static_cast<int>(rows_.size() - mostShown);
-    more_->setText(tr("%1 more").arg(hidden));
+    more_->setText(list_->showsAll() ? tr("Show fewer") : tr("Show %1 more").arg(hidden));
     more_->setVisible(hidden > 0);
+    below_->setVisible(rows_.size() > 1);
     setVisible(!rows_.isEmpty());
+    list_->updateGeometry();
 }
 
 } // namespace tetra

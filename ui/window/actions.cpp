@@ -67,8 +67,8 @@ void addFileMenu(QMainWindow& window, Actions& actions)
     actions.saveStatistics = add(menu, "saveStatistics", ActionTexts::tr("Save Stat&istics…"), {},
                                  ActionTexts::tr("Save how large the mesh of each accuracy is, as a table"));
     menu->addSeparator();
-    actions.close =
-        add(menu, "close", ActionTexts::tr("&Close"), QKeySequence::Close, ActionTexts::tr("Close the model"));
+    actions.close = add(menu, "close", ActionTexts::tr("&Close"), QKeySequence::Close,
+                        ActionTexts::tr("Close the model and its dataset"));
     actions.quit =
         add(menu, "quit", ActionTexts::tr("&Quit"), QKeySequence("Ctrl+Q"), ActionTexts::tr("Leave the program"));
 }
@@ -147,6 +147,9 @@ void addViewMenu(QMainWindow& window, Actions& actions)
                               ActionTexts::tr("Perspective, or parallel projection"));
     actions.perspective->setCheckable(true);
     actions.perspective->setChecked(true);
+    actions.resetView = add(menu, "resetView", ActionTexts::tr("Reset &View"), {},
+                            ActionTexts::tr("Go back to the default accuracy, colours, isovalues and camera"));
+    menu->addSeparator();
     actions.modes = menu->addMenu(ActionTexts::tr("&Show"));
     actions.modes->setObjectName("menu.modes");
     actions.annotations = menu->addMenu(ActionTexts::tr("&Annotations"));
@@ -208,9 +211,10 @@ void addNeeds(const Actions& actions)
 {
     for (QAction* action : QList<QAction*>{actions.saveSession, actions.saveSessionAs, actions.savePicture,
                                            actions.saveMesh, actions.saveSurfaces, actions.saveStatistics,
-                                           actions.close, actions.addIsovalue, actions.fit} +
+                                           actions.addIsovalue, actions.fit, actions.resetView} +
                                actions.namedViews)
         setNeed(*action, ActionTexts::tr("Open a model first"));
+    setNeed(*actions.close, ActionTexts::tr("There is nothing to close"));
     setNeed(*actions.undo, ActionTexts::tr("There is nothing to undo"));
     setNeed(*actions.redo, ActionTexts::tr("There is nothing to redo"));
 }

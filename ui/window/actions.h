@@ -30,6 +30,7 @@ struct Actions {
     QAction* palette = nullptr;
     QAction* fit = nullptr;
     QAction* perspective = nullptr;
+    QAction* resetView = nullptr;
     QList<QAction*> namedViews; ///< in the order of NamedView
     QAction* fullScreen = nullptr;
     QAction* resetLayout = nullptr;

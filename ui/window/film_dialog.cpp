@@ -125,7 +125,7 @@ void FilmDialog::connectControls()
 {
     connect(form_, &PictureForm::changed, this, &FilmDialog::showSummary);
     connect(format_, &QComboBox::activated, this, &FilmDialog::chooseFormat);
-    connect(target_, &QLineEdit::textChanged, this, &FilmDialog::showTarget);
+    connect(target_, &QLineEdit::textChanged, this, &FilmDialog::lookAtTarget);
     connect(browse_, &QPushButton::clicked, this, &FilmDialog::browse);
     connect(save_, &QPushButton::clicked, this, &FilmDialog::save);
     LongTask& task = workbench_.savingFilm();
@@ -134,11 +134,11 @@ void FilmDialog::connectControls()
     connect(&task, &LongTask::progressed, this, &FilmDialog::showProgress);
     connect(&task, &LongTask::finished, this, &FilmDialog::showRunning);
     connect(&workbench_, &Workbench::filmSaved, this, [this] {
-        showTarget();
+        lookAtTarget();
         remaining_->setText(tr("Saved."));
         remaining_->show();
     });
-    connect(&workbench_.session().view(), &ViewState::animationChanged, this, &FilmDialog::showTarget);
+    connect(&workbench_.session().view(), &ViewState::animationChanged, this, &FilmDialog::lookAtTarget);
     connect(&workbench_.session(), &Session::modelChanged, this, &QDialog::reject);
 }
 
@@ -149,11 +149,13 @@ void FilmDialog::ask()
         target_->setText(workbench_.proposedPath("-film." + format_->currentData().toString()));
         remaining_->clear();
     }
+    lookAtTarget();
     showTarget();
-    tryOnePicture();
     show();
     raise();
     activateWindow();
+    lookAtTarget();
+    tryOnePicture();
 }
 
 FilmOrder FilmDialog::order() const
@@ -212,7 +214,22 @@ void FilmDialog::showSummary()
     summary_->setText(seconds > 0 ? tr("%1; writing takes about %2").arg(film, durationText(seconds)) : film);
 }
 
-/// Says what the film would take the place of.
+/// For what the film would take the place of; until that is known nothing is saved.
+void FilmDialog::lookAtTarget()
+{
+    if (!isVisible() || !workbench_.session().model())
+        return;
+    const int count = frameCount(workbench_.session().view().animation());
+    looking_.start([this, target = filePath(target_->text()), count](const Progress&) -> std::function<void()> {
+        return [this, found = filesInTheWay(target, count).size()] {
+            inTheWay_ = found;
+            showTarget();
+            resize(width(), std::max(height(), layout()->totalHeightForWidth(width()))); // the hint may be longer now
+        };
+    });
+    showTarget();
+}
+
 void FilmDialog::showTarget()
 {
     if (!workbench_.session().model())
@@ -220,14 +237,15 @@ void FilmDialog::showTarget()
     showSummary();
     const int count = frameCount(workbench_.session().view().animation());
     const std::filesystem::path target = filePath(target_->text());
-    const auto found = filesInTheWay(target, count);
     const QString first = pathText(framePath(target, 0, count).filename());
     QString hint = isVideoFile(target) ? QString() : tr("%1 and so on").arg(first);
-    if (!found.empty())
-        hint = tr("Files of this name are there already and will be replaced: %1.").arg(countText(found.size()));
+    const bool replaces = inTheWay_ > 0 && !looking_.running();
+    if (replaces)
+        hint = tr("Files of this name are there already and will be replaced: %1.").arg(countText(inTheWay_));
     hint_->setText(hint);
-    save_->setText(found.empty() ? tr("&Save") : tr("&Replace and Save"));
-    save_->setEnabled(count > 0 && !target_->text().isEmpty() && !workbench_.savingFilm().running());
+    save_->setText(replaces ? tr("&Replace and Save") : tr("&Save"));
+    save_->setEnabled(count > 0 && !target_->text().isEmpty() && !workbench_.savingFilm().running() &&
+                      !looking_.running());
 }
 
 void FilmDialog::showRunning()

@@ -36,6 +36,7 @@ private:
     void browse();
     void tryOnePicture();
     void showSummary();
+    void lookAtTarget();
     void showTarget();
     void showProgress(const TaskProgress& progress);
     void showRunning();
@@ -56,7 +57,9 @@ private:
     QPushButton* cancel_;
     int frames_ = 0;             ///< of the film that is being written
     double secondsPerPixel_ = 0; ///< of a picture, as measured; 0 before that
+    std::size_t inTheWay_ = 0;   ///< files of the film's name
     LongTask trial_;
+    LongTask looking_; ///< for them
 };
 
 } // namespace tetra

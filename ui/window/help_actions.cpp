@@ -33,7 +33,8 @@ void fillLanguages(QMenu& menu, MessageBar& messages)
         group->addAction(action);
         QObject::connect(action, &QAction::triggered, &messages, [&messages, code] {
             chooseLanguage(code);
-            messages.add(HelpMenuTexts::tr("The language changes when TAn starts the next time."));
+            messages.add(HelpMenuTexts::tr("The language changes when TAn starts the next time."),
+                         MessageSubject::Program);
         });
     };
     add(HelpMenuTexts::tr("&As the System"), {});

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/keep_session.h"
 
-#include "ui/session/sentences.h"
 #include "ui/session/target_path.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
@@ -20,11 +19,10 @@ namespace {
 /// From the first change that is not kept yet, so that no more than this is ever lost.
 constexpr int keepAfter = 10'000; // milliseconds
 
-/// The file of the model; empty if the text is none of a session.
-QFileInfo modelOf(const LostSession& lost, const std::filesystem::path& folder)
+/// What was open: the session, or the model.
+QFileInfo openedFile(const SessionDocument& document)
 {
-    const auto document = sessionFromText(lost.text, folder);
-    return document ? QFileInfo(pathText(document->model)) : QFileInfo();
+    return QFileInfo(pathText(document.file.empty() ? document.model : document.file));
 }
 
 } // namespace
@@ -32,14 +30,18 @@ QFileInfo modelOf(const LostSession& lost, const std::filesystem::path& folder)
 KeepSession::KeepSession(Workbench& workbench, Viewport& viewport, MessageBar& messages, LostOffers& offers,
                          QWidget* window)
     : QObject(window), workbench_(workbench), viewport_(viewport), messages_(messages), offers_(offers),
-      window_(window), recovery_(recoveryFolder())
+      window_(window), lost_(workbench.views().lost())
 {
     waiting_.setSingleShot(true);
     waiting_.setInterval(keepAfter);
     connect(&waiting_, &QTimer::timeout, this, &KeepSession::keep);
     const Session* session = &workbench.session();
     const ViewState* view = &session->view();
-    connect(session, &Session::modelChanged, this, &KeepSession::changed);
+    connect(session, &Session::modelChanged, this, [this] {
+        wasKept_ = false;
+        changed();
+    });
+    connect(session, &Session::modelGrown, this, &KeepSession::changed);
     connect(view, &ViewState::queryChanged, this, &KeepSession::changed);
     connect(view, &ViewState::lookChanged, this, &KeepSession::changed);
     connect(view, &ViewState::isovalueInserted, this, &KeepSession::changed);
@@ -49,18 +51,25 @@ KeepSession::KeepSession(Workbench& workbench, Viewport& viewport, MessageBar& m
     connect(view, &ViewState::animationChanged, this, &KeepSession::changed);
     connect(&viewport, &Viewport::cameraChanged, this, &KeepSession::changed);
     connect(&viewport, &Viewport::backgroundChanged, this, &KeepSession::changed);
-    connect(&workbench, &Workbench::sessionOpened, this, &KeepSession::restore);
+    connect(&workbench, &Workbench::opening, this, [this] {
+        if (waiting_.isActive())
+            keep(); // it may be opened anew
+    });
+    connect(&workbench, &Workbench::leaving, this, &KeepSession::leave);
+    connect(&workbench, &Workbench::viewRestored, this, &KeepSession::restore);
     connect(&workbench, &Workbench::pictureOpened, this, &KeepSession::offerPicture);
-    connect(&offers, &LostOffers::restoreClicked, this,
-            [this](int offer) { restoreLost(lost_.at(static_cast<std::size_t>(offer))); });
+    connect(&workbench.views(), &KeptViews::failed, &messages,
+            [&messages](const QString& text) { messages.add(text, MessageSubject::Program); });
+    connect(&offers, &LostOffers::restoreClicked, this, [this](int offer) {
+        workbench_.openSession(lost_.at(static_cast<std::size_t>(offer)).path, SessionSource::Lost);
+    });
     connect(&offers, &LostOffers::discardClicked, this, [this](int offer) {
         const std::filesystem::path path = lost_.at(static_cast<std::size_t>(offer)).path;
-        removeLostSession(lost_.at(static_cast<std::size_t>(offer)));
-        forgetLost(path);
+        removeLost(path);
     });
     // Not before the one that is being restored has been taken out.
     connect(session, &Session::modelChanged, this, &KeepSession::offerInBar, Qt::QueuedConnection);
-    findLost();
+    offerLost();
 }
 
 std::optional<SessionDocument> KeepSession::document() const
@@ -73,61 +82,42 @@ std::optional<SessionDocument> KeepSession::document() const
     return document;
 }
 
-void KeepSession::save()
+void KeepSession::save(const std::function<void(bool saved)>& then)
 {
     if (workbench_.sessionFile().empty())
-        return saveAs();
+        return saveAs(then);
     if (const auto now = document())
-        workbench_.saveSession(workbench_.sessionFile(), *now);
+        workbench_.saveSession(workbench_.sessionFile(), *now, then);
 }
 
-void KeepSession::saveAs()
+void KeepSession::saveAs(const std::function<void(bool saved)>& then)
 {
     if (!workbench_.session().model())
         return;
     const QString proposed = workbench_.sessionFile().empty() ? workbench_.proposedPath(QString(".") + sessionSuffix)
                                                               : pathText(workbench_.sessionFile());
     askForTextTarget(window_, "sessionDialog", tr("Save Session"), tr("Sessions (*.tansession)"), proposed,
-                     [this](const QString& path) {
+                     [this, then](const QString& path) {
                          if (const auto now = document())
-                             workbench_.saveSession(filePath(path), *now);
+                             workbench_.saveSession(filePath(path), *now, then);
                      });
 }
 
-void KeepSession::end()
+void KeepSession::restore(const SessionDocument& document, const std::filesystem::path& from)
 {
-    waiting_.stop();
-    if (!keeping_.running()) // else the file goes when that has ended
-        recovery_.forget();
-}
-
-void KeepSession::restore(const SessionDocument& document)
-{
+    wasKept_ = true;
     viewport_.startFrom(document.camera.value_or(viewport_.camera()), document.background);
-    if (!restoring_)
-        return;
-    const LostSession lost = *std::exchange(restoring_, std::nullopt);
-    const auto wanted = sessionFromText(lost.text, recovery_.folder());
-    if (!wanted || wanted->found != document.found)
-        return; // that could not be opened, and this is another one
-    removeLostSession(lost);
-    forgetLost(lost.path);
-}
-
-void KeepSession::findLost()
-{
-    lost_ = lostSessions(recovery_.folder());
-    offerLost();
+    removeLost(from);
 }
 
 void KeepSession::offerLost()
 {
     QList<LostOffer> offers;
-    for (const LostSession& lost : lost_) {
-        const QFileInfo model = modelOf(lost, recovery_.folder());
+    for (const LostView& lost : lost_) {
+        const QFileInfo model(pathText(lost.document.model));
         const QString kept = QLocale().toString(QFileInfo(pathText(lost.path)).lastModified(), QLocale::ShortFormat);
         offers.append(
-            {model.fileName(),
+            {openedFile(lost.document).fileName(),
              tr("Kept on %1. The model lies in %2.").arg(kept, QDir::toNativeSeparators(model.absolutePath()))});
     }
     offers_.setOffers(offers);
@@ -138,34 +128,27 @@ void KeepSession::offerInBar()
 {
     if (!workbench_.session().model())
         return;
-    for (const LostSession& lost : std::exchange(lost_, {}))
+    for (const LostView& lost : std::exchange(lost_, {}))
         messages_.ask(
             tr("TAn ended unexpectedly while %1 was open. How it was seen can be restored.")
-                .arg(modelOf(lost, recovery_.folder()).fileName()),
-            tr("&Restore"), [this, lost] { restoreLost(lost); }, [lost] { removeLostSession(lost); });
+                .arg(openedFile(lost.document).fileName()),
+            tr("&Restore"), [this, lost] { workbench_.openSession(lost.path, SessionSource::Lost); },
+            [this, lost] { removeLost(lost.path); }, MessageSubject::Program);
     offerLost();
 }
 
-void KeepSession::restoreLost(const LostSession& lost)
+void KeepSession::removeLost(const std::filesystem::path& path)
 {
-    restoring_ = lost;
-    workbench_.openSession(lost.text, recovery_.folder());
+    workbench_.views().removeLost(path);
+    if (std::erase_if(lost_, [&](const LostView& lost) { return lost.path == path; }) > 0)
+        offerLost();
 }
 
-void KeepSession::forgetLost(const std::filesystem::path& path)
-{
-    std::erase_if(lost_, [&](const LostSession& lost) { return lost.path == path; });
-    offerLost();
-}
-
-void KeepSession::offerPicture(const QString& path, const std::string& session)
+void KeepSession::offerPicture(const QString& path)
 {
     messages_.ask(
         tr("%1 holds the view that it shows, which can be restored.").arg(QFileInfo(path).fileName()), tr("&Restore"),
-        [this, path, session] {
-            workbench_.openSession(session, std::filesystem::absolute(filePath(path)).parent_path());
-        },
-        [] {});
+        [this, path] { workbench_.openSession(filePath(path), SessionSource::Picture); }, [] {});
 }
 
 void KeepSession::changed()
@@ -176,18 +159,26 @@ void KeepSession::changed()
 
 void KeepSession::keep()
 {
+    waiting_.stop();
+    if (auto now = document()) {
+        now->file = workbench_.sessionFile();
+        workbench_.views().keep(now->file.empty() ? now->model : now->file, *now);
+    }
+}
+
+void KeepSession::leave()
+{
+    waiting_.stop();
+    const bool isTouched = wasKept_ || workbench_.session().undoStack().index() > 0;
     const auto now = document();
-    if (keeping_.running())
-        return waiting_.start();
     if (!now)
-        return recovery_.forget();
-    keeping_.start([this, text = sessionToText(*now, recovery_.folder())](const Progress&) -> std::function<void()> {
-        return [this, kept = recovery_.keep(text)] {
-            if (!kept && !told_)
-                messages_.add(translatedSentence(kept.error().text));
-            told_ = !kept;
-        };
-    });
+        return;
+    const std::filesystem::path& session = workbench_.sessionFile();
+    KeptViews& views = workbench_.views();
+    if (!session.empty() || !isTouched)
+        return views.forget(session.empty() ? now->model : session);
+    views.keep(now->model, *now);
+    views.release();
 }
 
 } // namespace tetra

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/recovery.h"
 #include "ui/session/workbench.h"
 
 #include <QTimer>
@@ -12,31 +11,32 @@ class LostOffers;
 class MessageBar;
 class Viewport;
 
-/// Saves the session when the user says so, and keeps it in any case: a while after each change, so that it can be
-/// restored if the program ends unexpectedly. What was lost is offered on the start page, and once something is open in
-/// the bar of messages. Its file goes when it is restored or declined, so that ignoring it loses nothing.
+/// Saves the session when the user says so, and keeps in any case how a model is seen: a while after each change, and
+/// when something else is opened or the program ends. What a program that ended unexpectedly has left is offered on the
+/// start page, and once something is open in the bar of messages; it goes when it is restored or declined, so that
+/// ignoring it loses nothing.
 class KeepSession : public QObject {
     Q_OBJECT
 public:
     /// Everything outlives it.
     KeepSession(Workbench& workbench, Viewport& viewport, MessageBar& messages, LostOffers& offers, QWidget* window);
 
-    /// Into its file, or one that is asked for if it has none.
-    void save();
-    void saveAs();
+    /// Into its file, or one that is asked for if it has none. `then`: with whether it was saved; not called if no file
+    /// is chosen.
+    void save(const std::function<void(bool saved)>& then = {});
+    void saveAs(const std::function<void(bool saved)>& then = {});
     /// The session as it would be saved now; nothing without a model.
     std::optional<SessionDocument> document() const;
-    /// The program ends as it should: nothing is kept.
-    void end();
+    /// What is open gives way, or the program ends: its view is kept as it is. The changes of a session are in its
+    /// file, or are not wanted.
+    void leave();
 
 private:
-    void restore(const SessionDocument& document);
-    void findLost();
+    void restore(const SessionDocument& document, const std::filesystem::path& from);
     void offerLost();
     void offerInBar();
-    void restoreLost(const LostSession& lost);
-    void forgetLost(const std::filesystem::path& path);
-    void offerPicture(const QString& path, const std::string& session);
+    void removeLost(const std::filesystem::path& path);
+    void offerPicture(const QString& path);
     void changed();
     void keep();
 
@@ -45,12 +45,9 @@ private:
     MessageBar& messages_;
     LostOffers& offers_;
     QWidget* window_;
-    Recovery recovery_;
-    std::vector<LostSession> lost_;        ///< that are offered on the start page
-    std::optional<LostSession> restoring_; ///< the one that is being opened
-    QTimer waiting_;                       ///< from a change until it is kept
-    bool told_ = false;
-    LongTask keeping_; ///< ends before the file goes
+    std::vector<LostView> lost_; ///< that are offered on the start page
+    bool wasKept_ = false;       ///< how the model is seen that is open, before it was opened
+    QTimer waiting_;             ///< from a change until it is kept
 };
 
 } // namespace tetra

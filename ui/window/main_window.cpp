@@ -21,6 +21,7 @@
 #include "ui/window/help_actions.h"
 #include "ui/window/import_dialog.h"
 #include "ui/window/keep_session.h"
+#include "ui/window/leaving.h"
 #include "ui/window/manual.h"
 #include "ui/window/mode_actions.h"
 #include "ui/window/pick_actions.h"
@@ -42,6 +43,8 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -81,13 +84,19 @@ MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
     connectActions();
     connectRegions();
     connectWorkbench();
+    connectMessages();
     connectFollowing();
     connectHelp(*this, actions_, workbench_.session(), *messages_);
     showBackend();
     showModel();
-    for (const QString& error : pluginErrors(workbench_.host()))
-        messages_->add(error);
     restoreLayout();
+}
+
+MainWindow::~MainWindow()
+{
+    workbench_.host().whenRefused({});
+    workbench_.setGate({});
+    keptSession_->leave();
 }
 
 QWidget* MainWindow::makeCentre()
@@ -121,10 +130,17 @@ void MainWindow::restoreLayout()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
+    if (!std::exchange(mayClose_, false) && !leaving_->isFree(LeavingWay::Quit)) {
+        event->ignore();
+        return leaving_->ask(LeavingWay::Quit, [this] {
+            mayClose_ = true;
+            close();
+        });
+    }
     QSettings settings;
     settings.setValue(geometryKey, saveGeometry());
     settings.setValue(layoutKey, saveState(layoutVersion));
-    keptSession_->end();
+    keptSession_->leave();
     event->accept();
 }
 
@@ -166,17 +182,24 @@ void MainWindow::connectActions()
     });
     connect(actions_.recent, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
     keptSession_ = new KeepSession(workbench_, *viewport_, *messages_, empty_->lost(), this);
-    connect(actions_.saveSession, &QAction::triggered, keptSession_, &KeepSession::save);
-    connect(actions_.saveSessionAs, &QAction::triggered, keptSession_, &KeepSession::saveAs);
+    leaving_ = new Leaving(workbench_, *keptSession_, this);
+    connect(actions_.saveSession, &QAction::triggered, keptSession_, [this] { keptSession_->save(); });
+    connect(actions_.saveSessionAs, &QAction::triggered, keptSession_, [this] { keptSession_->saveAs(); });
     connectPictures();
     connect(actions_.saveMesh, &QAction::triggered, this, &MainWindow::saveMesh);
     connect(actions_.saveSurfaces, &QAction::triggered, this, &MainWindow::saveSurfaces);
     connect(actions_.saveStatistics, &QAction::triggered, this, &MainWindow::saveStatistics);
     connect(docks_.statisticsPanel, &StatisticsPanel::saveWanted, actions_.saveStatistics, &QAction::trigger);
-    connect(actions_.close, &QAction::triggered, &workbench_, &Workbench::closeModel);
+    connect(actions_.close, &QAction::triggered, this, [this] {
+        leaving_->ask(LeavingWay::Close, [this] {
+            messages_->markOld();
+            workbench_.close();
+        });
+    });
     connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
     connect(actions_.addIsovalue, &QAction::triggered, this, [this] { workbench_.session().addIsovalue(); });
     connect(actions_.fit, &QAction::triggered, this, &MainWindow::fit);
+    connect(actions_.resetView, &QAction::triggered, this, &MainWindow::resetView);
     connect(actions_.perspective, &QAction::toggled, viewport_, &Viewport::setPerspective);
     for (int view = 0; view < actions_.namedViews.size(); ++view)
         connect(actions_.namedViews[view], &QAction::triggered, viewport_,
@@ -222,14 +245,14 @@ void MainWindow::connectRegions()
 
 void MainWindow::connectWorkbench()
 {
-    connect(&workbench_, &Workbench::failed, messages_, &MessageBar::add);
     connect(&workbench_, &Workbench::datasetOpened, this, &MainWindow::showDataset);
+    connect(&workbench_, &Workbench::datasetClosed, this, &MainWindow::showDataset);
     connect(&workbench_, &Workbench::choicesNeeded, this, [this](const ImportQuestion& question) {
         if (import_ == nullptr)
             import_ = new ImportDialog(workbench_, this);
         import_->ask(question);
     });
-    connect(&workbench_, &Workbench::modelBuilt, docks_.build, &QWidget::hide);
+    connect(&workbench_, &Workbench::modelBuilt, this, &MainWindow::offerBuilt);
     const auto tellSaved = [this](const QString& path) {
         statusBar()->showMessage(tr("Saved %1").arg(path), statusMessageTime);
     };
@@ -240,6 +263,13 @@ void MainWindow::connectWorkbench()
     statusBar()->addPermanentWidget(new TaskLine("status.saving", tr("Saving"), workbench_.savingMesh()));
     connect(&workbench_.session(), &Session::modelChanged, this, &MainWindow::showModel);
     connect(&workbench_.session(), &Session::modelGrown, this, &MainWindow::showFile);
+    connect(&workbench_, &Workbench::sessionFileChanged, this, &MainWindow::showFile);
+    connect(&workbench_.session().undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::showFile);
+    connect(&workbench_.building(), &LongTask::started, this, &MainWindow::showWhatCanBeClosed);
+    connect(&workbench_, &Workbench::buildEnded, this, &MainWindow::showWhatCanBeClosed);
+    workbench_.setGate([this](bool isModel, const auto& go, const auto& stay) {
+        leaving_->ask(isModel ? LeavingWay::OpenModel : LeavingWay::OpenDataset, go, stay);
+    });
     SceneBuilder& scenes = workbench_.sceneBuilder();
     connect(&scenes, &SceneBuilder::sceneReady, this, &MainWindow::showScene);
     connect(&scenes, &SceneBuilder::busyChanged, status_, &StatusLine::setBusy);
@@ -252,6 +282,24 @@ void MainWindow::connectWorkbench()
     connect(viewport_, &Viewport::failed, this, [this](const QString& text) {
         messages_->add(text);
         showBackend();
+    });
+}
+
+/// What is said of a file goes when another one is open; what is not saved, or is about the program, stays.
+void MainWindow::connectMessages()
+{
+    connect(&workbench_, &Workbench::failed, messages_, [this](const QString& text) { messages_->add(text); });
+    connect(&workbench_, &Workbench::saveFailed, messages_,
+            [this](const QString& text) { messages_->add(text, MessageSubject::Program); });
+    connect(&workbench_, &Workbench::opening, messages_, &MessageBar::markOld);
+    connect(&workbench_, &Workbench::datasetOpened, messages_, &MessageBar::clearOld);
+    connect(&workbench_.session(), &Session::modelChanged, messages_, &MessageBar::clearOld);
+    for (const QString& error : pluginErrors(workbench_.host()))
+        messages_->add(error, MessageSubject::Program);
+    workbench_.host().whenRefused([messages = messages_](const PluginStatus& plugin) {
+        QMetaObject::invokeMethod(
+            messages, [messages, plugin] { messages->add(pluginError(plugin), MessageSubject::Program); },
+            Qt::QueuedConnection);
     });
 }
 
@@ -301,12 +349,51 @@ void MainWindow::fit()
         viewport_->fit(model->description().bounds);
 }
 
+/// One step to undo.
+void MainWindow::resetView()
+{
+    Session& session = workbench_.session();
+    const ViewState& view = session.view();
+    const SessionDocument start = workbench_.startingView();
+    const Camera camera = fitted(Camera(), session.model()->description().bounds);
+    if (view.query() == start.query && view.look() == start.look && view.isovalues() == start.isovalues &&
+        view.annotations() == start.annotations && view.animation() == start.animation &&
+        viewport_->camera() == camera && !viewport_->chosenBackground())
+        return;
+    session.undoStack().beginMacro(tr("reset of view"));
+    session.setAll(start.query, start.look, start.isovalues, start.annotations, start.animation);
+    viewport_->glideTo(camera);
+    viewport_->setBackground(std::nullopt);
+    session.undoStack().endMacro();
+}
+
+/// Where the user has turned to something else the model does not push that away.
+void MainWindow::offerBuilt(const QString& path, bool isShown)
+{
+    if (isShown && workbench_.datasetIsBuilt())
+        docks_.build->hide();
+    if (!isShown)
+        messages_->ask(
+            tr("The model %1 is built.").arg(QFileInfo(path).fileName()), tr("&Open"), [this, path] { open(path); },
+            [] {}, MessageSubject::Program);
+}
+
 void MainWindow::showFile()
 {
     const auto& model = workbench_.session().model();
     const QFileInfo file(model ? pathText(model->path()) : QString());
+    const std::filesystem::path& session = workbench_.sessionFile();
+    const QString name = session.empty() ? file.fileName() : pathText(session.filename());
     status_->setFile(file.fileName(), file.absoluteFilePath());
-    setWindowTitle(model ? tr("%1 – TAn").arg(file.fileName()) : tr("TAn"));
+    setWindowTitle(model ? tr("%1[*] – TAn").arg(name) : tr("TAn"));
+    setWindowModified(workbench_.sessionModified());
+}
+
+void MainWindow::showWhatCanBeClosed()
+{
+    actions_.close->setEnabled(workbench_.hasSomethingOpen());
+    if (!workbench_.session().model())
+        showNothing();
 }
 
 void MainWindow::showModel()
@@ -316,7 +403,7 @@ void MainWindow::showModel()
     for (QAction* action :
          QList<QAction*>{actions_.saveSession, actions_.saveSessionAs, actions_.savePicture, actions_.copyPicture,
                          actions_.saveFilm, actions_.saveMesh, actions_.saveSurfaces, actions_.saveStatistics,
-                         actions_.close, actions_.addIsovalue, actions_.fit} +
+                         actions_.addIsovalue, actions_.fit, actions_.resetView} +
              actions_.namedViews)
         action->setEnabled(model != nullptr);
     viewport_->setScene(nullptr);
@@ -325,9 +412,8 @@ void MainWindow::showModel()
     if (model) {
         pages_->setCurrentWidget(viewport_);
         viewport_->setFocus();
-    } else {
-        showNothing();
     }
+    showWhatCanBeClosed();
 }
 
 void MainWindow::showScene(const BuiltScene& scene)
@@ -363,21 +449,26 @@ void MainWindow::connectFollowing()
 
 void MainWindow::showDataset()
 {
-    docks_.build->show();
-    docks_.build->raise();
-    docks_.build->widget()->setFocus();
-    if (!workbench_.session().model())
-        showNothing();
+    docks_.build->setVisible(workbench_.dataset() != nullptr);
+    if (workbench_.dataset()) {
+        docks_.build->raise();
+        docks_.build->widget()->setFocus();
+    }
+    showWhatCanBeClosed();
 }
 
 void MainWindow::showNothing()
 {
     pages_->setCurrentWidget(empty_);
-    if (const auto& dataset = workbench_.dataset())
+    const auto& dataset = workbench_.dataset();
+    if (!dataset)
+        return empty_->invite(recentFiles());
+    docks_.build->show(); // it was away while the model was seen
+    if (workbench_.building().running())
+        empty_->tell(workbench_.buildName(), tr("Its model is being built. The panel on the left shows the progress."));
+    else
         empty_->tell(QString::fromStdString(dataset->source.name),
                      tr("The dataset is open. Build its model to look at it: the panel on the left has the options."));
-    else
-        empty_->invite(recentFiles());
 }
 
 void MainWindow::showAbout()

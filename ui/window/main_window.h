@@ -16,6 +16,7 @@ class EmptyPage;
 class KeepSession;
 class FilmDialog;
 class ImportDialog;
+class Leaving;
 class MessageBar;
 class PictureDialog;
 class RegionActions;
@@ -29,6 +30,7 @@ class MainWindow : public QMainWindow {
 public:
     /// `workbench` outlives it.
     explicit MainWindow(Workbench& workbench, BackendChoice backend = BackendChoice::Automatic);
+    ~MainWindow() override;
 
     Viewport& viewport() noexcept { return *viewport_; }
     void open(const QString& path);
@@ -44,7 +46,7 @@ private:
     void restoreLayout();
     void connectActions();
     void connectWorkbench();
-
+    void connectMessages();
     void connectRegions();
     void connectPictures();
     void savePicture();
@@ -56,7 +58,10 @@ private:
     void saveStatistics();
     void fillRecent();
     void fit();
+    void resetView();
+    void offerBuilt(const QString& path, bool isShown);
     void showFile();
+    void showWhatCanBeClosed();
     void showModel();
     void showScene(const BuiltScene& scene);
     void showDrafts(const std::vector<DraftScene>& drafts);
@@ -78,6 +83,8 @@ private:
     StatusLine* status_;
     RegionActions* regions_;
     KeepSession* keptSession_ = nullptr;
+    Leaving* leaving_ = nullptr;
+    bool mayClose_ = false; ///< all questions are answered
     Docks docks_;
 };
 

@@ -28,8 +28,8 @@ void MainWindow::connectPictures()
     auto* pictureLine = new TaskLine("status.picture", tr("Drawing the picture"), workbench_.savingPicture());
     statusBar()->addPermanentWidget(pictureLine);
     statusBar()->addPermanentWidget(new TaskLine("status.film", tr("Drawing the film"), workbench_.savingFilm()));
-    connect(&workbench_, &Workbench::picturesWaitingChanged, pictureLine, [this, pictureLine] {
-        const int waiting = workbench_.picturesWaiting();
+    connect(&workbench_.savingPicture(), &LongTask::waitingChanged, pictureLine, [this, pictureLine] {
+        const int waiting = workbench_.savingPicture().waiting();
         pictureLine->setActivity(waiting == 0 ? tr("Drawing the picture")
                                               : tr("Drawing the picture, %1 more waiting").arg(waiting));
     });

@@ -5,7 +5,7 @@
 #include "ui/session/target_path.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/message_bar.h"
-#include "ui/window/keep_session.h"
+#include "ui/window/leaving.h"
 
 #include <QAbstractButton>
 #include <QCoreApplication>
@@ -54,7 +54,8 @@ Animation keyFrames(const FilmFrame& present)
 } // namespace
 
 Photographer::Photographer(PluginHost& host, QDir folder, QString prefix)
-    : folder_(std::move(folder)), prefix_(std::move(prefix)), workbench_(host), window_(workbench_, BackendChoice::Cpu)
+    : folder_(std::move(folder)), prefix_(std::move(prefix)), workbench_(host, filePath(views_.path())),
+      window_(workbench_, BackendChoice::Cpu)
 {
     window_.resize(windowSize);
     window_.show();
@@ -71,6 +72,7 @@ bool Photographer::takeAll()
     takePanels();
     takePanelsAtWork();
     takeDialogs();
+    takeQuestions();
     takeImports();
     return isWhole_;
 }
@@ -176,6 +178,27 @@ void Photographer::takeDialogs()
     takeDialog("transfer.presetPopup", "presets");
 }
 
+/// What is asked before work is lost.
+void Photographer::takeQuestions()
+{
+    const LeavingFacts quit{LeavingWay::Quit, "bonsai.nhdr",
+                            Leaving::tr("%1 % is done, about %2 are left.").arg(7).arg("59 s"), "bonsai.tan", true};
+    LeavingFacts open = quit;
+    open.way = LeavingWay::OpenModel;
+    askAboutBuild(quit, &window_);
+    takeDialog("leaving.build", "leaving-build");
+    askAboutBuild(open, &window_);
+    takeDialog("leaving.build", "leaving-build-behind");
+    open.name = "bonsai-film.png";
+    askAboutFilm(open, &window_);
+    takeDialog("leaving.film", "leaving-film");
+    open.name = "bonsai.tansession";
+    askAboutSession(open, &window_);
+    takeDialog("leaving.session", "leaving-session");
+    askAboutSaving(&window_);
+    takeDialog("leaving.saving", "leaving-saving");
+}
+
 void Photographer::takeDialog(const QString& dialog, const QString& name)
 {
     QCoreApplication::processEvents();
@@ -185,6 +208,7 @@ void Photographer::takeDialog(const QString& dialog, const QString& name)
         return;
     take(name, *widget);
     widget->close();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
 }
 
 /// Of a file that says what it is, and of one that does not; and the panel that builds a model of it.

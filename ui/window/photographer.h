@@ -4,6 +4,7 @@
 #include "ui/window/main_window.h"
 
 #include <QDir>
+#include <QTemporaryDir>
 
 namespace tetra {
 
@@ -25,6 +26,7 @@ private:
     void takeWholePanel(const QString& dock, const QString& name, const QSize& size);
     void takePanelsAtWork();
     void takeDialogs();
+    void takeQuestions();
     /// What an action or another control opens.
     void takeDialog(const QString& dialog, const QString& name);
     void takeImports();
@@ -34,6 +36,7 @@ private:
 
     QDir folder_;
     QString prefix_;
+    QTemporaryDir views_; ///< the sample is seen as at first
     mutable Workbench workbench_;
     MainWindow window_;
     bool isWhole_ = true;

@@ -107,9 +107,14 @@ QStringList pluginErrors(const PluginHost& host)
     QStringList errors;
     for (const PluginStatus& plugin : host.plugins())
         if (plugin.state == PluginState::Refused)
-            errors.append(PluginWindow::tr("The plugin %1 cannot be used. %2")
-                              .arg(qString(plugin.metadata.id), translatedSentence(plugin.error)));
+            errors.append(pluginError(plugin));
     return errors;
+}
+
+QString pluginError(const PluginStatus& plugin)
+{
+    return PluginWindow::tr("The plugin %1 cannot be used. %2")
+        .arg(QString(plugin.metadata.id), translatedSentence(plugin.error));
 }
 
 } // namespace tetra

@@ -27,5 +27,6 @@ private:
 
 /// The plugins that cannot be used, as messages for the user.
 QStringList pluginErrors(const PluginHost& host);
+QString pluginError(const PluginStatus& plugin);
 
 } // namespace tetra

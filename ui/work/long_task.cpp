@@ -6,6 +6,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -31,6 +32,19 @@ LongTask::~LongTask()
 {
     for (const auto& run : runs_)
         run->thread.request_stop();
+    runs_.clear(); // waits
+    std::stop_source stopped;
+    stopped.request_stop();
+    for (const Work& work : waiting_)
+        work(Progress(stopped.get_token(), {}));
+}
+
+void LongTask::enqueue(Work work)
+{
+    if (!running())
+        return start(std::move(work));
+    waiting_.push_back(std::move(work));
+    emit waitingChanged();
 }
 
 void LongTask::start(Work work)
@@ -71,6 +85,12 @@ void LongTask::ended(const Run* run, const std::function<void()>& afterwards)
     telling_.stop();
     emit finished();
     afterwards();
+    if (running() || waiting_.empty())
+        return;
+    Work next = std::move(waiting_.front());
+    waiting_.pop_front();
+    emit waitingChanged();
+    start(std::move(next));
 }
 
 void LongTask::tell()

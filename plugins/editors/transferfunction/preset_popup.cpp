@@ -7,13 +7,16 @@
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QFutureWatcher>
 #include <QInputDialog>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPromise>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollBar>
+#include <QThreadPool>
 
 #include <algorithm>
 
@@ -23,6 +26,11 @@ namespace {
 constexpr QSize previewSize(72, 18);
 constexpr QSize popupSize(340, 360);
 constexpr int widestList = 600; ///< names of the user's own may be long
+
+struct OwnPresets {
+    Status changed;
+    std::vector<Preset> presets;
+};
 
 } // namespace
 
@@ -70,6 +78,30 @@ PresetPopup::PresetPopup(EditorState& state, QWidget* parent)
     connect(delete_, &QPushButton::clicked, this, &PresetPopup::remove);
     addActions();
     fill();
+    readOwn([] { return Status(); });
+}
+
+void PresetPopup::readOwn(const std::function<Status()>& change)
+{
+    const auto promise = std::make_shared<QPromise<OwnPresets>>();
+    auto* watcher = new QFutureWatcher<OwnPresets>(this);
+    connect(watcher, &QFutureWatcher<OwnPresets>::finished, this, [this, watcher, number = ++newest_] {
+        watcher->deleteLater();
+        const OwnPresets read = watcher->result();
+        if (!read.changed)
+            state_.host().tell(QString::fromStdString(read.changed.error().text));
+        if (number != newest_)
+            return;
+        own_ = read.presets;
+        fill();
+    });
+    watcher->setFuture(promise->future());
+    QThreadPool::globalInstance()->start([promise, change] {
+        promise->start();
+        Status changed = change();
+        promise->addResult(OwnPresets{std::move(changed), ownPresets()});
+        promise->finish();
+    });
 }
 
 /// The supplied presets as commands.
@@ -82,9 +114,11 @@ void PresetPopup::addActions()
     }
 }
 
+/// The one that is chosen stays chosen.
 void PresetPopup::fill()
 {
-    presets_ = ownPresets();
+    const QVariant chosen = list_->currentItem() != nullptr ? list_->currentItem()->data(Qt::UserRole) : QVariant();
+    presets_ = own_;
     std::ranges::move(suppliedPresets(), std::back_inserter(presets_));
     list_->clear();
     for (const Preset& preset : presets_) {
@@ -95,6 +129,9 @@ void PresetPopup::fill()
     const int widest = list_->sizeHintForColumn(0) + list_->verticalScrollBar()->sizeHint().width();
     list_->setMinimumWidth(std::min(widest, widestList));
     narrow();
+    for (int row = 0; row < list_->count(); ++row)
+        if (list_->item(row)->data(Qt::UserRole) == chosen && !list_->item(row)->isHidden())
+            list_->setCurrentRow(row);
 }
 
 /// Shows what has the text in its name, and has what is to be taken.
@@ -116,7 +153,8 @@ void PresetPopup::narrow()
 void PresetPopup::showAt(const QWidget& button)
 {
     search_->clear();
-    fill();
+    readOwn([] { return Status(); });
+    narrow();
     const QRect screen = button.screen()->availableGeometry();
     const QSize size = popupSize.expandedTo(minimumSizeHint());
     const QPoint below = button.mapToGlobal(QPoint(0, button.height()));
@@ -185,11 +223,9 @@ void PresetPopup::save(const QString& name)
     const TransferLimits range = state_.range();
     if (name.trimmed().isEmpty() || !(range.least < range.largest))
         return;
-    const Status saved =
-        saveOwnPreset(name.trimmed(), tetra::presetOf(state_.function(), range, state_.host().diagonal()));
-    if (!saved)
-        state_.host().tell(QString::fromStdString(saved.error().text));
-    fill();
+    readOwn([name = name.trimmed(), preset = tetra::presetOf(state_.function(), range, state_.host().diagonal())] {
+        return saveOwnPreset(name, preset);
+    });
 }
 
 void PresetPopup::remove()
@@ -197,9 +233,7 @@ void PresetPopup::remove()
     const Preset* preset = presetOf(list_->currentItem());
     if (preset == nullptr || !preset->isOwn)
         return;
-    if (const Status deleted = deleteOwnPreset(preset->name); !deleted)
-        state_.host().tell(QString::fromStdString(deleted.error().text));
-    fill();
+    readOwn([name = preset->name] { return deleteOwnPreset(name); });
 }
 
 void PresetPopup::enableWhatIsPossible()

@@ -4,7 +4,11 @@
 #include "plugins/editors/transferfunction/editor_state.h"
 #include "plugins/editors/transferfunction/preset.h"
 
+#include "core/base/result.h"
+
 #include <QFrame>
+
+#include <functional>
 
 class QComboBox;
 class QLineEdit;
@@ -15,7 +19,7 @@ class QPushButton;
 namespace tetra {
 
 /// Transfer functions to begin with, with previews: narrowed down by typing, taken whole or only the colours or
-/// opacities of; the function as it is can be saved among them.
+/// opacities of; the function as it is can be saved among them. The user's own ones are read and written in a worker.
 class PresetPopup : public QFrame {
     Q_OBJECT
 public:
@@ -29,6 +33,8 @@ protected:
 
 private:
     void addActions();
+    /// Reads the user's own presets, once `change` has changed them.
+    void readOwn(const std::function<Status()>& change);
     void fill();
     void narrow();
     void take(const QListWidgetItem* item);
@@ -41,7 +47,9 @@ private:
     void enableWhatIsPossible();
 
     EditorState& state_;
-    std::vector<Preset> presets_;
+    std::vector<Preset> own_;     ///< as they were read last
+    quint64 newest_ = 0;          ///< of the numbers of what is read
+    std::vector<Preset> presets_; ///< those and the supplied ones
     QLineEdit* search_;
     QComboBox* part_;
     QListWidget* list_;

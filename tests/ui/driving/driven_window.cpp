@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/driving/driven_window.h"
 
+#include "ui/session/target_path.h"
+
 #include <QApplication>
 #include <QDialog>
 #include <QDockWidget>
@@ -46,6 +48,7 @@ void DrivenWindow::startAnew()
     waitFor([this] { return !workbench.building().running(); }, "no build runs");
     find<MessageBar>("messages").clear();
     workbench.closeModel();
+    workbench.views().forget(filePath(model_)); // as at first
     window.open(model_);
     waitFor([this] { return session().model() && settled(); }, "the model is open");
     if (!workbench.dataset() || workbench.dataset()->source.path != volume_.toStdString()) {

@@ -59,6 +59,11 @@ Driver::Condition fewerPresets()
     };
 }
 
+bool hasNoOwnPreset(const DrivenWindow& window)
+{
+    return window.find<QListWidget>("transfer.presetPopup.list").findItems("driven", Qt::MatchExactly).isEmpty();
+}
+
 /// One of the user's own, chosen in the list.
 void keepPreset(DrivenWindow& window)
 {
@@ -69,11 +74,9 @@ void keepPreset(DrivenWindow& window)
     dialog.accept();
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     openPresets(window);
-}
-
-bool hasNoOwnPreset(const DrivenWindow& window)
-{
-    return window.find<QListWidget>("transfer.presetPopup.list").findItems("driven", Qt::MatchExactly).isEmpty();
+    if (!QTest::qWaitFor([&window] { return !hasNoOwnPreset(window); }))
+        qFatal("the preset is not kept");
+    window.find<QListWidget>("transfer.presetPopup.list").setCurrentRow(0);
 }
 
 Drivers popupControls()

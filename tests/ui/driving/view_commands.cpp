@@ -29,6 +29,14 @@ Drivers cameraCommands()
         {"action.view.top", isSeenFrom(0, 90)},
         {"action.view.bottom", isSeenFrom(0, -90)},
         {"action.view.corner", isSeenFrom(30, 20), [](DrivenWindow& window) { window.trigger("action.view.top"); }},
+        {"action.resetView",
+         [](const DrivenWindow& window) {
+             return window.session().view().isovalueCount() == 1 && !window.viewport().chosenBackground();
+         },
+         [](DrivenWindow& window) {
+             window.session().addIsovalue();
+             window.viewport().setBackground(Colour{1, 0, 0});
+         }},
         {"action.perspective", [](const DrivenWindow& window) { return !window.viewport().camera().perspective; }},
     };
 }

@@ -39,6 +39,7 @@ private slots:
     void anOwnPresetIsSavedTakenAndDeleted();
     void anyNameCanBeAFile();
     void filesThatAreNoPresetsArePassedOver();
+    void aSlowFolderStopsNobody();
 
 private:
     static QString presetFolder()
@@ -67,6 +68,7 @@ private:
         editor_->find<QComboBox>("transfer.presetPopup.part").setCurrentIndex(part);
         auto& search = editor_->find<QLineEdit>("transfer.presetPopup.search");
         QTest::keyClicks(&search, text);
+        QTRY_VERIFY(!shownNames().isEmpty());
         QTest::keyClick(&search, Qt::Key_Return);
         QVERIFY(!editor_->find<QFrame>("transfer.presetPopup").isVisible());
     }
@@ -147,9 +149,10 @@ void TransferPresetsTest::anOwnPresetIsSavedTakenAndDeleted()
     }
     QVERIFY(std::abs(function().unitDistance - kept.unitDistance) < 1e-9 * kept.unitDistance);
     open();
+    QTRY_VERIFY(shownNames().contains("My & clouds/1"));
     list().setCurrentRow(0);
     editor_->find<QPushButton>("transfer.presetPopup.delete").click();
-    QVERIFY(!shownNames().contains("My & clouds/1"));
+    QTRY_VERIFY(!shownNames().contains("My & clouds/1"));
     QVERIFY(ownPresets().empty());
 }
 
@@ -174,6 +177,17 @@ void TransferPresetsTest::filesThatAreNoPresetsArePassedOver()
     QVERIFY(ownPresets().empty());
     open();
     QCOMPARE(shownNames().size(), 2 + static_cast<qsizetype>(colourMaps().size()));
+}
+
+/// Presets are read by a worker: what it finds comes when the popup is there already.
+void TransferPresetsTest::aSlowFolderStopsNobody()
+{
+    QVERIFY(saveOwnPreset("found later", sequentialTransferFunction(0, 1, 0.1)));
+    QTest::mouseClick(&editor_->find<QToolButton>("transfer.presets"), Qt::LeftButton);
+    QVERIFY(editor_->find<QFrame>("transfer.presetPopup").isVisible());
+    QVERIFY(!shownNames().contains("found later"));
+    QTest::keyClicks(&editor_->find<QLineEdit>("transfer.presetPopup.search"), "later");
+    QTRY_COMPARE(shownNames(), QStringList{"found later"});
 }
 
 QTEST_MAIN(TransferPresetsTest)

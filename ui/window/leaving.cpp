@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/leaving.h"
+
+#include "plugins/widgets/number_text.h"
+#include "ui/session/target_path.h"
+
+#include <QMessageBox>
+#include <QPushButton>
+
+#include <utility>
+
+namespace tetra {
+namespace {
+
+constexpr int patience = 300; // milliseconds
+
+class Question {
+public:
+    Question(QWidget* window, const char* name, const QString& title, const QString& text, const QString& more)
+        : box_(new QMessageBox(QMessageBox::Question, title, text, QMessageBox::NoButton, window))
+    {
+        box_->setObjectName(QString("leaving.") + name);
+        box_->setAttribute(Qt::WA_DeleteOnClose);
+        box_->setTextFormat(Qt::PlainText);
+        box_->setInformativeText(more);
+    }
+    Question& add(const char* name, const QString& text, QMessageBox::ButtonRole role)
+    {
+        QPushButton* button = box_->addButton(text, role);
+        button->setObjectName(QString("leaving.") + name);
+        if (box_->defaultButton() == nullptr)
+            box_->setDefaultButton(button);
+        if (role == QMessageBox::RejectRole)
+            box_->setEscapeButton(button);
+        return *this;
+    }
+    QMessageBox* show()
+    {
+        box_->open();
+        return box_;
+    }
+
+private:
+    QMessageBox* box_;
+};
+
+QString progressText(const TaskProgress& progress)
+{
+    const int percent = static_cast<int>(100 * progress.fraction);
+    return progress.remainingSeconds ? Leaving::tr("%1 % is done, about %2 are left.")
+                                           .arg(percent)
+                                           .arg(durationText(*progress.remainingSeconds))
+                                     : Leaving::tr("%1 % is done.").arg(percent);
+}
+
+} // namespace
+
+QMessageBox* askAboutBuild(const LeavingFacts& facts, QWidget* window)
+{
+    QStringList more{facts.progress};
+    if (facts.way != LeavingWay::Quit)
+        more << Leaving::tr("It can continue in the background.");
+    more << (facts.canKeep
+                 ? Leaving::tr("If you stop now, you can keep what is finished as %1, a model of lower accuracy.")
+                       .arg(facts.target)
+                 : Leaving::tr("Nothing of it can be kept yet."));
+    Question question(window, "build", Leaving::tr("Build in Progress"),
+                      Leaving::tr("The model of %1 is still being built.").arg(facts.name), more.join(' '));
+    question.add("goOn", Leaving::tr("&Continue Building"),
+                 facts.way == LeavingWay::Quit ? QMessageBox::RejectRole : QMessageBox::AcceptRole);
+    if (facts.canKeep)
+        question.add("keep", Leaving::tr("Stop and &Keep"), QMessageBox::AcceptRole);
+    question.add("discard", Leaving::tr("&Discard Build"), QMessageBox::DestructiveRole);
+    if (facts.way != LeavingWay::Quit)
+        question.add("cancel", Leaving::tr("Cancel"), QMessageBox::RejectRole);
+    return question.show();
+}
+
+QMessageBox* askAboutFilm(const LeavingFacts& facts, QWidget* window)
+{
+    const bool quits = facts.way == LeavingWay::Quit;
+    QStringList more{facts.progress};
+    if (!quits)
+        more << Leaving::tr("It can continue in the background.");
+    more << Leaving::tr("If you stop it, nothing of it is kept.");
+    Question question(window, "film", Leaving::tr("Film in Progress"),
+                      Leaving::tr("The film %1 is still being written.").arg(facts.name), more.join(' '));
+    question.add("goOn", Leaving::tr("&Continue Writing"), quits ? QMessageBox::RejectRole : QMessageBox::AcceptRole);
+    question.add("discard", Leaving::tr("&Discard Film"), QMessageBox::DestructiveRole);
+    if (!quits)
+        question.add("cancel", Leaving::tr("Cancel"), QMessageBox::RejectRole);
+    return question.show();
+}
+
+QMessageBox* askAboutSession(const LeavingFacts& facts, QWidget* window)
+{
+    return Question(window, "session", Leaving::tr("Unsaved Changes"),
+                    Leaving::tr("The session %1 has unsaved changes.").arg(facts.name),
+                    Leaving::tr("Your changes will be lost if you do not save them."))
+        .add("save", Leaving::tr("&Save"), QMessageBox::AcceptRole)
+        .add("discard", Leaving::tr("&Discard"), QMessageBox::DestructiveRole)
+        .add("cancel", Leaving::tr("Cancel"), QMessageBox::RejectRole)
+        .show();
+}
+
+QMessageBox* askAboutSaving(QWidget* window)
+{
+    return Question(window, "saving", Leaving::tr("Saving"), Leaving::tr("A file is still being saved."),
+                    Leaving::tr("TAn will quit when it is done."))
+        .add("cancel", Leaving::tr("&Do Not Quit"), QMessageBox::RejectRole)
+        .add("discard", Leaving::tr("&Quit Without Saving"), QMessageBox::DestructiveRole)
+        .show();
+}
+
+Leaving::Leaving(Workbench& workbench, KeepSession& session, QWidget* window)
+    : QObject(window), workbench_(workbench), session_(session), window_(window)
+{
+    connect(&workbench.building(), &LongTask::started, this, [this] {
+        built_ = {};
+        buildGoesOn_ = false;
+    });
+    connect(&workbench.savingFilm(), &LongTask::started, this, [this] {
+        filmed_ = {};
+        filmGoesOn_ = false;
+    });
+    connect(&workbench.building(), &LongTask::progressed, this, [this](const TaskProgress& now) { built_ = now; });
+    connect(&workbench.savingFilm(), &LongTask::progressed, this, [this](const TaskProgress& now) { filmed_ = now; });
+    connect(&workbench, &Workbench::buildEnded, this, &Leaving::next);
+    // Not before their outcome is told.
+    for (LongTask* task :
+         {&workbench.savingFilm(), &workbench.savingPicture(), &workbench.savingMesh(), &workbench.savingText()})
+        connect(task, &LongTask::finished, this, &Leaving::next, Qt::QueuedConnection);
+    connect(&workbench, &Workbench::saveFailed, this, &Leaving::stay);
+    patience_.setSingleShot(true);
+    patience_.setInterval(patience);
+    connect(&patience_, &QTimer::timeout, this, [this] { show(Obstacle::Saving); });
+}
+
+Leaving::Obstacle Leaving::obstacle(LeavingWay way) const
+{
+    const bool quits = way == LeavingWay::Quit;
+    const bool endsBuild = way != LeavingWay::Close || workbench_.showsBuild();
+    if (workbench_.building().running() && endsBuild && (quits || !buildGoesOn_))
+        return Obstacle::Build;
+    if (workbench_.savingFilm().running() && (quits || !filmGoesOn_))
+        return Obstacle::Film;
+    if (workbench_.sessionModified() && way != LeavingWay::OpenDataset && !discards_)
+        return Obstacle::Session;
+    return quits && workbench_.saving() ? Obstacle::Saving : Obstacle::None;
+}
+
+void Leaving::ask(LeavingWay way, const std::function<void()>& go, const std::function<void()>& stays)
+{
+    stay(); // of what was asked before
+    wish_ = Wish{way, go, stays};
+    next();
+}
+
+/// Asks about what is in the way now, unless it is asked already or is about to go.
+void Leaving::next()
+{
+    if (!wish_)
+        return;
+    const Obstacle now = obstacle(wish_->way);
+    if (now == asked_ && now != Obstacle::None)
+        return;
+    closeBox();
+    asked_ = now;
+    if (now == Obstacle::Saving)
+        return patience_.start();
+    if (now != Obstacle::None)
+        return show(now);
+    discards_ = false;
+    std::exchange(wish_, std::nullopt)->go();
+}
+
+void Leaving::closeBox()
+{
+    patience_.stop();
+    if (!box_)
+        return;
+    box_->disconnect(this);
+    box_->close(); // and goes
+    box_ = nullptr;
+}
+
+void Leaving::stay()
+{
+    closeBox();
+    asked_ = Obstacle::None;
+    discards_ = false;
+    if (const auto wish = std::exchange(wish_, std::nullopt))
+        wish->stay();
+}
+
+LeavingFacts Leaving::facts(Obstacle obstacle) const
+{
+    const auto nameOf = [](const std::filesystem::path& path) { return pathText(path.filename()); };
+    LeavingFacts facts;
+    facts.way = wish_->way;
+    if (obstacle == Obstacle::Build) {
+        facts.name = workbench_.buildName();
+        facts.progress = progressText(built_);
+        facts.target = nameOf(workbench_.buildTarget());
+        facts.canKeep = workbench_.canKeepBuild();
+    } else if (obstacle == Obstacle::Film) {
+        facts.name = nameOf(workbench_.filmTarget());
+        facts.progress = progressText(filmed_);
+    } else {
+        facts.name = nameOf(workbench_.sessionFile());
+    }
+    return facts;
+}
+
+void Leaving::show(Obstacle obstacle)
+{
+    const LeavingFacts named = facts(obstacle);
+    switch (obstacle) {
+    case Obstacle::Build: box_ = askAboutBuild(named, window_); break;
+    case Obstacle::Film: box_ = askAboutFilm(named, window_); break;
+    case Obstacle::Session: box_ = askAboutSession(named, window_); break;
+    case Obstacle::Saving: box_ = askAboutSaving(window_); break;
+    case Obstacle::None: return;
+    }
+    connect(box_, &QMessageBox::finished, this, [this, box = box_.data()] {
+        box_ = nullptr;
+        const QAbstractButton* button = box->clickedButton();
+        answer(button != nullptr ? button->objectName() : QString("leaving.cancel"));
+    });
+}
+
+void Leaving::answer(const QString& button)
+{
+    const bool quits = wish_->way == LeavingWay::Quit;
+    if (button == "leaving.cancel" || (button == "leaving.goOn" && quits))
+        return stay();
+    switch (asked_) {
+    case Obstacle::Build: return answerBuild(button);
+    case Obstacle::Film: return answerFilm(button);
+    case Obstacle::Session: return answerSession(button);
+    case Obstacle::Saving: return std::exchange(wish_, std::nullopt)->go();
+    case Obstacle::None: break;
+    }
+}
+
+/// What is stopped is waited for.
+void Leaving::answerBuild(const QString& button)
+{
+    if (button != "leaving.goOn")
+        return workbench_.stopBuild(button == "leaving.keep");
+    buildGoesOn_ = true;
+    next();
+}
+
+void Leaving::answerFilm(const QString& button)
+{
+    if (button != "leaving.goOn")
+        return workbench_.savingFilm().cancel();
+    filmGoesOn_ = true;
+    next();
+}
+
+void Leaving::answerSession(const QString& button)
+{
+    discards_ = button == "leaving.discard";
+    if (discards_)
+        return next();
+    session_.save([this](bool) {
+        asked_ = Obstacle::None; // there may be changes again
+        next();
+    });
+}
+
+} // namespace tetra

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/window/keep_session.h"
+
+#include <QPointer>
+
+class QMessageBox;
+
+namespace tetra {
+
+/// Why somebody may lose work.
+enum class LeavingWay {
+    OpenDataset, ///< beside the model that is seen
+    OpenModel,   ///< in its place
+    Close,
+    Quit,
+};
+
+/// What a question names.
+struct LeavingFacts {
+    LeavingWay way = LeavingWay::Quit;
+    QString name;     ///< of the dataset, the film, the session
+    QString progress; ///< a sentence: how far it is
+    QString target;   ///< of a build
+    bool canKeep = false;
+};
+
+/// The questions, with buttons named leaving.goOn, .keep, .save, .discard and .cancel as far as they have them. Owned
+/// by the window; they go when they are answered.
+QMessageBox* askAboutBuild(const LeavingFacts& facts, QWidget* window);
+QMessageBox* askAboutFilm(const LeavingFacts& facts, QWidget* window);
+QMessageBox* askAboutSession(const LeavingFacts& facts, QWidget* window);
+QMessageBox* askAboutSaving(QWidget* window);
+
+/// Asks before work is lost, one thing after the other: a build and a film that run, changes of a session that are not
+/// saved, and when the program is to end files that are still being written, which it waits for. A build and a film can
+/// go on behind something else that is opened; that is asked once for each of them. How a model is seen is no matter of
+/// a question, as it is kept by itself.
+class Leaving : public QObject {
+    Q_OBJECT
+public:
+    /// Everything outlives it.
+    Leaving(Workbench& workbench, KeepSession& session, QWidget* window);
+
+    /// Whether nothing would be lost.
+    bool isFree(LeavingWay way) const { return obstacle(way) == Obstacle::None; }
+    /// Calls `go` when nothing would be lost any more, or is to be lost: at once if it is free. Calls `stay` if the
+    /// user wants that, if something was to be saved and could not be, or if something else is asked meanwhile.
+    void ask(
+        LeavingWay way, const std::function<void()>& go, const std::function<void()>& stay = [] {});
+
+private:
+    enum class Obstacle { None, Build, Film, Session, Saving };
+    struct Wish {
+        LeavingWay way;
+        std::function<void()> go;
+        std::function<void()> stay;
+    };
+
+    Obstacle obstacle(LeavingWay way) const;
+    void next();
+    void stay();
+    void closeBox();
+    void show(Obstacle obstacle);
+    LeavingFacts facts(Obstacle obstacle) const;
+    void answer(const QString& button);
+    void answerBuild(const QString& button);
+    void answerFilm(const QString& button);
+    void answerSession(const QString& button);
+
+    Workbench& workbench_;
+    KeepSession& session_;
+    QWidget* window_;
+    std::optional<Wish> wish_;
+    Obstacle asked_ = Obstacle::None;
+    QPointer<QMessageBox> box_;
+    bool buildGoesOn_ = false; ///< the user said so
+    bool filmGoesOn_ = false;
+    bool discards_ = false; ///< the changes of the session
+    TaskProgress built_;
+    TaskProgress filmed_;
+    QTimer patience_; ///< with files being written, before a word about them
+};
+
+} // namespace tetra
