@@ -114,7 +114,7 @@ QStringList pluginErrors(const PluginHost& host)
 QString pluginError(const PluginStatus& plugin)
 {
     return PluginWindow::tr("The plugin %1 cannot be used. %2")
-        .arg(QString(plugin.metadata.id), translatedSentence(plugin.error));
+        .arg(qString(plugin.metadata.id), translatedSentence(plugin.error));
 }
 
 } // namespace tetra
