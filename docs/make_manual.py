@@ -27,6 +27,7 @@ DEVELOPERS = [
     ("CONTRIBUTING.md", "contributing"),
     ("docs/tetrahedral-graphics.md", "tetrahedral-graphics"),
     ("core/model/FORMAT.md", "model-file"),
+    ("docs/reliability.md", "reliability"),
     ("docs/measured.md", "measured"),
     ("docs/performance.md", "performance"),
     ("docs/dependencies.md", "dependencies"),

@@ -213,6 +213,20 @@ std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b)
     return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
 }
 
+/// The shape with the same corners and straight edges.
+CellShape withoutMiddles(CellShape shape)
+{
+    switch (shape) {
+    case CellShape::QuadraticTetrahedron: return CellShape::Tetrahedron;
+    case CellShape::QuadraticPyramid: return CellShape::Pyramid;
+    case CellShape::QuadraticPrism: return CellShape::Prism;
+    case CellShape::Voxel:
+    case CellShape::QuadraticHexahedron:
+    case CellShape::TriquadraticHexahedron: return CellShape::Hexahedron;
+    default: return shape;
+    }
+}
+
 } // namespace
 
 Result<PreparedCells> prepareCells(const CellComplex& complex, const ComplexValues& values, Mending& mending)
@@ -230,10 +244,7 @@ void dropMiddles(PreparedCells& cells, Mending& mending)
     for (std::size_t cell = 0; cell < cells.count(); ++cell) {
         const CellTopology& topology = cellTopology(cells.shapes[cell]);
         const auto nodes = cells.nodesOf(cell);
-        constexpr CellShape shapes[] = {CellShape::Tetrahedron, CellShape::Pyramid, CellShape::Prism,
-                                        CellShape::Hexahedron};
-        const CellShape shape = *std::ranges::find(shapes, &topology, [](CellShape s) { return &cellTopology(s); });
-        linear.shapes.push_back(shape);
+        linear.shapes.push_back(withoutMiddles(cells.shapes[cell]));
         linear.nodes.insert(linear.nodes.end(), nodes.begin(), nodes.begin() + topology.cornerCount);
         dropped.insert(dropped.end(), nodes.begin() + topology.cornerCount, nodes.end());
         linear.offsets.push_back(linear.nodes.size());

@@ -13,7 +13,7 @@
 namespace tetra {
 namespace {
 
-constexpr QSize windowSize(1366, 768);
+constexpr QSize editedWindowSize(1366, 768);
 constexpr int draggedEdits = 60;
 constexpr int singleEdits = 15;
 constexpr int ignoredEdits = 5; ///< until the window has learnt how long pictures take
@@ -59,7 +59,7 @@ public:
     EditedWindow(PluginHost& host, const std::filesystem::path& model)
         : workbench_(host, views_.path().toStdString()), window_(workbench_, BackendChoice::Cpu)
     {
-        window_.resize(windowSize);
+        window_.resize(editedWindowSize);
         window_.show();
         window_.open(QString::fromStdString(model.string()));
         secondsUntil([this] { return session().model() != nullptr && settled(); });

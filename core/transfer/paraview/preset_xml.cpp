@@ -48,7 +48,7 @@ Result<CurvePreset> presetOf(const pugi::xml_node& element)
     CurvePreset preset;
     preset.name = element.attribute("name").value();
     if (utf8Bytes(preset.name) < preset.name.size())
-        return wrong("the name of a colour map is not UTF-8");
+        return wrongXml("the name of a colour map is not UTF-8");
     const std::string space = element.attribute("space").as_string("RGB");
     const auto known = colourSpaceNamed(space, false);
     if (!known)

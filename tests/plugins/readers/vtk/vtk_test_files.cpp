@@ -16,7 +16,7 @@ QByteArray numbers(int count)
     return text;
 }
 
-QByteArray gridPoints()
+QByteArray gridCoordinates()
 {
     QByteArray text;
     for (int k = 0; k < 3; ++k)
@@ -64,7 +64,7 @@ QByteArray vtiText()
 QByteArray vtsText()
 {
     return xml("StructuredGrid", " WholeExtent=\"0 2 0 2 0 2\"", "Extent=\"0 2 0 2 0 2\"",
-               pointData(27) + "<Points>" + array("Float32", "Points", 3, gridPoints()) + "</Points>\n");
+               pointData(27) + "<Points>" + array("Float32", "Points", 3, gridCoordinates()) + "</Points>\n");
 }
 
 QByteArray vtuText()

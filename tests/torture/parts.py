@@ -1,0 +1,484 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The parts of the torture bench. Each is a function of one attempt: it gets a folder of its own and a source of chance, and gives
+what came of it in two or three words and what went wrong, in sentences."""
+import os
+import pathlib
+import re
+import resource
+import shutil
+import signal
+import time
+from dataclasses import dataclass
+from typing import Callable
+
+from bench import (BAD_INPUT, CANCELLED, CRASHES, DONE, KINDS, NO, OUT_OF_RESOURCE, QUERIES, USAGE, content)
+
+
+@dataclass(frozen=True)
+class Part:
+    name: str
+    purpose: str
+    attempt: Callable
+    count: int
+    short: int
+    in_parallel: bool = True
+    counted: Callable = None  # how many attempts there are at most, where that is a number
+
+    def most(self, bench):
+        return self.counted(bench) if self.counted else 10 ** 9
+
+    def count_for(self, bench, short):
+        return min(self.short if short else self.count, self.most(bench))
+
+
+def unexpected(ran, allowed):
+    """Failures of the way in which a program ended."""
+    if crash := ran.crash():
+        return [crash]
+    if ran.code not in allowed:
+        return ["exit code %d: %s" % (ran.code, ran.said())]
+    if ran.code != DONE and not ran.err.strip():
+        return ["exit code %d without a word" % ran.code]
+    return []
+
+
+# --- Kills ---------------------------------------------------------------------------------------------------------------------
+
+# Old and new contents of what is written, by two commands.
+def kill_cases():
+    for kind in KINDS:
+        yield "build " + kind.name, kind, None
+    for name, query in QUERIES.items():
+        if query[-1].startswith("OUT."):
+            yield name, KINDS[0], name
+    yield "session and settings", None, None
+
+
+KILL_CASES = tuple(kill_cases())
+
+
+def kill(bench, folder, chance, number):
+    """kill -9 at a random moment: the old file or the new one is there, and the same command works again and leaves nothing."""
+    title, kind, query = KILL_CASES[number % len(KILL_CASES)]
+    if kind is None:
+        return kill_session_writes(bench, folder, chance)
+    if query is None:
+        bench.put_sample(kind, folder)
+        arguments, target = bench.build_command(kind), "model.tan"
+        whole, seconds = bench.model(kind)
+        # Another model, so that old and new can be told apart.
+        old = bench.model(KINDS[(KINDS.index(kind) + 1) % len(KINDS)])[0]
+    else:
+        whole, seconds = bench.answer(kind, query)
+        (folder / "model.tan").write_bytes(bench.model(kind)[0])
+        arguments, target = bench.query(kind, query)
+        old = b"what was there before"
+    before = set(content(folder))
+    overwrites = chance.random() < 0.7 and target.endswith((".tan", ".png", ".vtu", ".stl"))
+    if overwrites:
+        (folder / target).write_bytes(old)
+    process = bench.start(bench.command(arguments), folder)
+    time.sleep(chance.random() * 1.3 * seconds)
+    os.killpg(process.pid, signal.SIGKILL)
+    process.communicate()
+    found = (folder / target).read_bytes() if (folder / target).exists() else None
+    failures = []
+    if found not in ((old, whole) if overwrites else (None, whole)):
+        failures.append("after the kill %s holds neither the old nor the new" % target)
+    again = bench.run(arguments + (("--resume",) if query is None and chance.random() < 0.3 else ())
+                      if isinstance(arguments, tuple) else arguments, folder)
+    failures += unexpected(again, (DONE,))
+    if not failures and (folder / target).read_bytes() != whole:
+        failures.append("%s after the kill is not what it is without one" % target)
+    left = set(content(folder)) - before - {target}
+    if left:
+        failures.append("left behind: " + ", ".join(sorted(left)))
+    return "killed %s" % ("before it was written" if found in (None, old) else "afterwards"), failures
+
+
+def kill_session_writes(bench, folder, chance):
+    """A program writes sessions and settings again and again: what is there when it dies can be read and is one of them."""
+    writer = bench.build / "tests/tan-torture-writes"
+    process = bench.start([str(writer), "write", str(folder)], folder)
+    time.sleep(0.1 + 0.4 * chance.random())
+    os.killpg(process.pid, signal.SIGKILL)
+    process.communicate()
+    checked = bench.finish(bench.start([str(writer), "check", str(folder)], folder))
+    return "killed while writing sessions", unexpected(checked, (DONE,))
+
+
+# --- Damage --------------------------------------------------------------------------------------------------------------------
+
+PAGE = 4096
+
+
+def damage(data, chance):
+    """Flipped bits, a page of zeros, two pages exchanged, or the end cut off; and what was done."""
+    data = bytearray(data)
+    way = chance.choice(("bits", "bits", "byte", "zeros", "exchanged", "cut"))
+    pages = len(data) // PAGE
+    if way == "bits":
+        for _ in range(chance.randint(1, 3)):
+            data[chance.randrange(len(data))] ^= 1 << chance.randrange(8)
+    elif way == "byte":
+        data[chance.randrange(len(data))] = chance.randrange(256)
+    elif way == "zeros":
+        page = chance.randrange(pages)
+        data[page * PAGE:(page + 1) * PAGE] = bytes(PAGE)
+    elif way == "exchanged":
+        one, other = (chance.randrange(pages) * PAGE for _ in range(2))
+        data[one:one + PAGE], data[other:other + PAGE] = data[other:other + PAGE], data[one:one + PAGE]
+    else:
+        del data[chance.randrange(len(data)):]
+    return bytes(data)
+
+
+def damaged_model(bench, folder, chance, number):
+    """Three queries of a damaged model: each gives the right answer, or none and exit code 3."""
+    kind = KINDS[number % len(KINDS)]
+    (folder / "model.tan").write_bytes(damage(bench.model(kind)[0], chance))
+    failures, refused = [], 0
+    for name in chance.sample(sorted(QUERIES), 3):
+        ran, told = bench.ask(kind, name, folder)
+        wrong = unexpected(ran, (DONE, BAD_INPUT))
+        if ran.code == DONE and told != bench.answer(kind, name)[0]:
+            wrong.append("a wrong answer with exit code 0")
+        if ran.code == BAD_INPUT:
+            refused += 1
+            if told is not None:
+                wrong.append("an answer is left although the command failed")
+        failures += ["%s of %s: %s" % (name, kind.name, one) for one in wrong]
+    extra = {path for path in content(folder) if path.endswith(".partial")}
+    if extra:
+        failures.append("left behind: " + ", ".join(sorted(extra)))
+    return "refused by %d of 3 queries" % refused, failures
+
+
+# --- Cut and mutated files -------------------------------------------------------------------------------------------------------
+
+def answer_of_input(bench, one, folder):
+    """What a dataset says, in the folder: how building and extracting ended, and the mesh of it all."""
+    built = bench.run(("build", one.opened, *one.options, "-o", "model.tan"), folder)
+    if built.code != DONE:
+        return built, None
+    mesh = bench.run(("extract", "model.tan", "--error", "0", "-o", "mesh.vtu"), folder)
+    return mesh, (folder / "mesh.vtu").read_bytes() if mesh.code == DONE else None
+
+
+def whole_answer(bench, one):
+    def make():
+        place = bench.whole / "answers" / one.name
+        shutil.rmtree(place, ignore_errors=True)
+        place.mkdir(parents=True)
+        one.copy_to(place)
+        return answer_of_input(bench, one, place)[1]
+    return bench.once(("input", one.name), make)
+
+
+def last_token(data):
+    """Where the last word of a text begins; the end of what is no text. A number that is cut within is a number, too."""
+    if b"\0" in data:
+        return len(data)
+    return len(data.rstrip()) - len(re.search(rb"\S*$", data.rstrip()).group())
+
+
+def cut_file(bench, folder, chance, number):
+    """A dataset that was cut anywhere, to nothing even: refused, or the same mesh as that of the whole."""
+    known = bench.inputs()
+    one = known[number % len(known)]
+    one.copy_to(folder)
+    victim = folder / chance.choice(one.files())
+    data = victim.read_bytes()
+    most = max(last_token(data), 1)
+    kept = chance.choice((0, chance.randrange(most), chance.randrange(most), chance.randrange(most * 9 // 10, most + 1)))
+    if kept >= most:
+        kept = most - 1
+    victim.write_bytes(data[:kept])
+    ran, mesh = answer_of_input(bench, one, folder)
+    failures = unexpected(ran, (DONE, BAD_INPUT, USAGE))
+    if mesh is not None and mesh != whole_answer(bench, one) and not (one.open_ended and kept > 0):
+        failures.append("%s cut after %d of %d bytes is read as something else" % (victim.name, kept, len(data)))
+    left = {path for path in content(folder) if ".partial" in path or path.endswith(".work")}
+    if left:
+        failures.append("left behind: " + ", ".join(sorted(left)))
+    return "accepted" if mesh is not None else "refused", ["%s: %s" % (one.name, failure) for failure in failures]
+
+
+def mutate(data, chance):
+    data = bytearray(data)
+    for _ in range(chance.choice((1, 1, 2, 5, 20))):
+        if not data:
+            break
+        at = chance.randrange(min(len(data), chance.choice((200, 2000, 10 ** 9))))
+        way = chance.randrange(6)
+        if way == 0:
+            data[at] ^= 1 << chance.randrange(8)
+        elif way == 1:
+            data[at:at + 1] = bytes([chance.randrange(256)])
+        elif way == 2:
+            del data[at:at + chance.choice((1, 2, 8, 64))]
+        elif way == 3:
+            data[at:at] = data[at:at + chance.choice((1, 4, 16, 256))]
+        elif way == 4:
+            data[at:at + 4] = chance.choice((b"\xff\xff\xff\xff", b"\0\0\0\0", b"\x7f\xff\xff\xff", b"\0\0\0\x80"))
+        else:
+            number = re.search(rb"\d+", data[at:])
+            if number:
+                new = chance.choice((b"0", b"-1", b"4294967297", b"99999999999999999999", b"1e309", b"nan", b"2147483647", b"65536"))
+                data[at + number.start():at + number.end()] = new
+    return bytes(data)
+
+
+def mutated_file(bench, folder, chance, number):
+    """A dataset with random changes: read or refused; what is built of it is what `tan verify` says it is."""
+    known = bench.inputs()
+    one = known[number % len(known)]
+    one.copy_to(folder)
+    victim = folder / chance.choice(one.files())
+    victim.write_bytes(mutate(victim.read_bytes(), chance))
+    limits = {resource.RLIMIT_AS: 8 << 30}
+    told = bench.run(("info", one.opened, "--json"), folder, limits=limits)
+    failures = unexpected(told, (DONE, USAGE, BAD_INPUT, OUT_OF_RESOURCE))
+    outcome = "refused"
+    if told.code == DONE:
+        outcome = "read"
+        if chance.random() < 0.5:
+            built = bench.run(("build", one.opened, "-o", "model.tan"), folder, limits=limits)
+            failures += unexpected(built, (DONE, BAD_INPUT, OUT_OF_RESOURCE))
+            if built.code == DONE:
+                proved = bench.run(("verify", "model.tan", "--against", one.opened, "--lod", "5,1,0"), folder, limits=limits)
+                failures += ["verify: " + failure for failure in unexpected(proved, (DONE,))]
+                outcome = "read and proved"
+    return outcome, ["%s: %s" % (one.name, failure) for failure in failures]
+
+
+# --- Writes, allocations, limits -------------------------------------------------------------------------------------------------
+
+def written_commands():
+    for kind in KINDS:
+        yield kind, None
+    for name, query in QUERIES.items():
+        if query[-1].startswith("OUT."):
+            yield KINDS[0], name
+
+
+WRITTEN = tuple(written_commands())
+
+
+def write_failures(bench):
+    """Each call that writes, of each command: (command, number of the call)."""
+    def make():
+        found = []
+        for which, (kind, query) in enumerate(WRITTEN):
+            place = bench.whole / ("writes-%d" % which)
+            shutil.rmtree(place, ignore_errors=True)
+            place.mkdir(parents=True)
+            ran, _, _ = run_with_failure(bench, place, kind, query, 0)
+            assert ran.code == DONE, ran.said()
+            calls = int((place / "calls").read_text())
+            found += [(which, call) for call in range(1, calls + 1)]
+        return found
+    return bench.once("write failures", make)
+
+
+def run_with_failure(bench, place, kind, query, call):
+    """A command of which one call that writes fails as on a full disk; call 0: none does, and their number is in the file `calls`."""
+    if query is None:
+        bench.put_sample(kind, place)
+        arguments, target = bench.build_command(kind), "model.tan"
+    else:
+        (place / "model.tan").write_bytes(bench.model(kind)[0])
+        arguments, target = bench.query(kind, query)
+    before = content(place)
+    library = bench.build / "tests/libtan-failing-writes.so"
+    ran = bench.run(arguments, place, environment={"LD_PRELOAD": str(library), "TAN_FAILING_CALL": str(call),
+                                                   "TAN_FAILING_FOLDER": str(place), "TAN_FAILING_COUNT": str(place / "calls")})
+    return ran, before, target
+
+
+def failed_write(bench, folder, chance, number):
+    """One call that writes fails as on a full disk: said with exit code 4, and nothing is left; or it did not matter."""
+    which, call = write_failures(bench)[number]
+    kind, query = WRITTEN[which]
+    ran, before, target = run_with_failure(bench, folder, kind, query, call)
+    failures = unexpected(ran, (DONE, OUT_OF_RESOURCE))
+    (folder / "calls").unlink(missing_ok=True)
+    after = content(folder)
+    whole = bench.model(kind)[0] if query is None else bench.answer(kind, query)[0]
+    if ran.code == DONE and after.get(target) != whole:
+        failures.append("exit code 0, but %s is not what it is without the failure" % target)
+    expected = dict(before, **({target: whole} if ran.code == DONE else {}))
+    if left := set(after) - set(expected):
+        failures.append("left behind: " + ", ".join(sorted(left)))
+    if changed := [name for name in before if after.get(name) != expected[name]]:
+        failures.append("changed: " + ", ".join(changed))
+    return "told" if ran.code else "did not matter", ["%s, call %d: %s" % (query or "build " + kind.name, call, one) for one in failures]
+
+
+def allocation_counts(bench):
+    """How many allocations each of the program's cases makes."""
+    def make():
+        program = bench.build / "tests/tan-failing-allocations"
+        ran = bench.finish(bench.start([str(program), "count"], bench.work))
+        assert ran.code == DONE, ran.said()
+        return [(int(case), int(calls)) for case, calls in (line.split() for line in ran.out.decode().splitlines())]
+    return bench.once("allocations", make)
+
+
+ALLOCATIONS_AT_ONCE = 200
+
+
+def allocation_ranges(bench):
+    return [(case, first, min(first + ALLOCATIONS_AT_ONCE, calls))
+            for case, calls in allocation_counts(bench) for first in range(0, calls, ALLOCATIONS_AT_ONCE)]
+
+
+def failed_allocations(bench, folder, chance, number):
+    """Two hundred allocations of a small build, each of which fails once: told as lack of memory, nothing leaks or is left."""
+    case, first, end = allocation_ranges(bench)[number]
+    program = bench.build / "tests/tan-failing-allocations"
+    ran = bench.finish(bench.start([str(program), "fail", str(case), str(first), str(end)], folder))
+    failures = unexpected(ran, (DONE,))
+    if left := content(folder):
+        failures.append("left behind: " + ", ".join(sorted(left)))
+    return "%d allocations told" % (end - first), failures
+
+
+def tight_limit(bench, folder, chance, number):
+    """A limit of memory, file size or descriptors: the right answer, or exit code 4, and nothing left."""
+    kind, query = WRITTEN[number % len(WRITTEN)]
+    if query is None:
+        bench.put_sample(kind, folder)
+        arguments, target = bench.build_command(kind), "model.tan"
+        whole = bench.model(kind)[0]
+    else:
+        whole = bench.answer(kind, query)[0]
+        (folder / "model.tan").write_bytes(bench.model(kind)[0])
+        arguments, target = bench.query(kind, query)
+    before = content(folder)
+    which = chance.choice(("memory", "size", "descriptors"))
+    limits = {"memory": {resource.RLIMIT_AS: chance.randrange(60 << 20, 1 << 30)},
+              "size": {resource.RLIMIT_FSIZE: chance.randrange(0, 2 * len(whole))},
+              "descriptors": {resource.RLIMIT_NOFILE: chance.randint(4, 40)}}[which]
+    ran = bench.run(arguments, folder, limits=limits)
+    if ran.code == 127 and b"shared librar" in ran.err:
+        return "not loaded for lack of " + which, []
+    failures = unexpected(ran, (DONE, OUT_OF_RESOURCE))
+    after = content(folder)
+    if ran.code == DONE and after.get(target) != whole:
+        failures.append("exit code 0 and a wrong answer")
+    if left := set(after) - set(before) - ({target} if ran.code == DONE else set()):
+        failures.append("left behind: " + ", ".join(sorted(left)))
+    told = " ".join("%s=%d" % (which, most) for most in limits.values())
+    return ("done" if ran.code == DONE else "told") + " with little " + which, ["%s, %s: %s" % (arguments[0], told, one) for one in failures]
+
+
+def interrupt(bench, folder, chance, number):
+    """SIGINT, SIGTERM or SIGHUP at a random moment: done, or cancelled within a second, and nothing left."""
+    kind, query = WRITTEN[number % len(WRITTEN)]
+    if query is None:
+        bench.put_sample(kind, folder)
+        arguments, target = bench.build_command(kind), "model.tan"
+        whole, seconds = bench.model(kind)
+    else:
+        whole, seconds = bench.answer(kind, query)
+        (folder / "model.tan").write_bytes(bench.model(kind)[0])
+        arguments, target = bench.query(kind, query)
+    before = content(folder)
+    which = chance.choice((signal.SIGINT, signal.SIGTERM, signal.SIGHUP))
+    process = bench.start(bench.command(arguments), folder)
+    time.sleep(chance.random() * 1.2 * seconds)
+    sent = time.monotonic()
+    os.kill(process.pid, which)
+    ran = bench.finish(process, sent)
+    # Before it can look after signals it dies of them, and has written nothing.
+    allowed = (DONE, CANCELLED, -which)
+    failures = [] if ran.code in allowed else unexpected(ran, (DONE, CANCELLED))
+    if ran.seconds > 1 + 2 * seconds:
+        failures.append("went on for %.1f s" % ran.seconds)
+    after = content(folder)
+    if ran.code == DONE and after.get(target) != whole:
+        failures.append("exit code 0 and a wrong answer")
+    if left := set(after) - set(before) - ({target} if ran.code == DONE else set()):
+        failures.append("left behind: " + ", ".join(sorted(left)))
+    return {DONE: "done", CANCELLED: "cancelled"}.get(ran.code, "ended by it at once"), failures
+
+
+# --- More than one program -------------------------------------------------------------------------------------------------------
+
+def race(bench, folder, chance, number):
+    """Two programs write one file at once: it is whole, and what is said about losing is exit code 4."""
+    kind, query = WRITTEN[number % len(WRITTEN)]
+    if query is None:
+        bench.put_sample(kind, folder)
+        arguments, target = bench.build_command(kind), "model.tan"
+        whole, seconds = bench.model(kind)
+    else:
+        whole, seconds = bench.answer(kind, query)
+        (folder / "model.tan").write_bytes(bench.model(kind)[0])
+        arguments, target = bench.query(kind, query)
+    before = set(content(folder))
+    first = bench.start(bench.command(arguments), folder)
+    time.sleep(chance.random() * seconds)
+    second = bench.start(bench.command(arguments), folder)
+    ends = [bench.finish(first), bench.finish(second)]
+    failures = [one for end in ends for one in unexpected(end, (DONE, OUT_OF_RESOURCE))]
+    after = content(folder)
+    if all(end.code != DONE for end in ends):
+        failures.append("neither was done: " + ends[0].said())
+    elif after.get(target) != whole:
+        failures.append("%s is not whole" % target)
+    if left := set(after) - before - {target}:
+        failures.append("left behind: " + ", ".join(sorted(left)))
+    return "%d of 2 done" % sum(end.code == DONE for end in ends), failures
+
+
+def change_in_use(bench, folder, chance, number):
+    """A model is cut, overwritten, patched, replaced or removed while it is looked at: the right answer, or none."""
+    kind = KINDS[number % len(KINDS)]
+    name = chance.choice(sorted(QUERIES))
+    whole, seconds = bench.answer(kind, name)
+    model = folder / "model.tan"
+    model.write_bytes(bench.model(kind)[0])
+    arguments, target = bench.query(kind, name)
+    process = bench.start(bench.command(arguments), folder)
+    time.sleep(chance.random() * seconds)
+    way = chance.choice(("cut", "overwritten", "patched", "replaced", "removed"))
+    size = model.stat().st_size
+    if way == "cut":
+        os.truncate(model, chance.randrange(size))
+    elif way == "overwritten":
+        with open(model, "r+b") as file:
+            file.write(chance.randbytes(size))
+    elif way == "patched":
+        with open(model, "r+b") as file:
+            file.seek(chance.randrange(size - 64))
+            file.write(chance.randbytes(64))
+    elif way == "replaced":
+        (folder / "other").write_bytes(bench.model(KINDS[(number + 1) % len(KINDS)])[0])
+        os.replace(folder / "other", model)
+    else:
+        model.unlink()
+    ran = bench.finish(process)
+    failures = unexpected(ran, (DONE, BAD_INPUT) + ((USAGE, OUT_OF_RESOURCE) if way in ("removed", "replaced") else ()))
+    told = ran.out if target is None else (folder / target).read_bytes() if (folder / target).exists() else None
+    if ran.code == DONE and told != whole and way != "replaced":
+        failures.append("a wrong answer with exit code 0")
+    if ran.code != DONE and target is not None and told is not None:
+        failures.append("an answer is left although the command failed")
+    return ("answered" if ran.code == DONE else "refused") + ", " + way, ["%s of %s, %s: %s" % (name, kind.name, way, one) for one in failures]
+
+
+PARTS = (
+    Part("kills", "kill -9 of builds, of other commands that write, and of what writes sessions and settings", kill, 1000, 40),
+    Part("damage", "a model with flipped bits, zeroed or exchanged pages, or a part of it; three queries each", damaged_model, 10_000, 150),
+    Part("cuts", "a dataset cut anywhere, in every format that can be written here", cut_file, 3000, 100),
+    Part("mutations", "a dataset with random changes; a model built of it is proved", mutated_file, 10_000, 150),
+    Part("writes", "each call that writes fails once, as on a full disk", failed_write, 10 ** 9, 60, counted=lambda bench: len(write_failures(bench))),
+    Part("allocations", "each allocation of small builds fails once", failed_allocations, 10 ** 9, 6,
+         counted=lambda bench: len(allocation_ranges(bench))),
+    Part("limits", "little memory, small files, few descriptors", tight_limit, 1000, 60),
+    Part("signals", "SIGINT, SIGTERM, SIGHUP at random moments", interrupt, 500, 40),
+    Part("races", "two programs write one file", race, 300, 24),
+    Part("changes", "a model is changed while it is in use", change_in_use, 500, 40),
+)

@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Repeats what went wrong with programs of this kind, thousands of times: kills, damage, cut and mutated files, full disks, failed
+allocations and writes, tight limits, signals, races. Nothing may crash, hang, be wrong with exit code 0, be lost, or be left behind.
+
+    torture.py BUILD [--only PART,...] [--seed S] [--count N] [--number I] [--short] [--report FILE]
+
+Attempt I of a part depends on the seed and I alone (and, where a program is killed, on the moment that the machine gives it):
+--only PART --seed S --number I repeats it and keeps its folder. What is done is kept in BUILD/torture, so that a run that was
+stopped goes on where it was; another seed or another program begins anew."""
+import argparse
+import collections
+import concurrent.futures
+import hashlib
+import json
+import os
+import pathlib
+import random
+import shutil
+import sys
+import threading
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import parts  # noqa: E402
+from bench import Bench  # noqa: E402
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+DEFAULT_SEED = 1
+
+
+def fingerprint(build):
+    """Of the program: what another one did tells nothing of this one."""
+    found = hashlib.sha256()
+    for path in sorted(build.glob("bin/tan")) + sorted(build.glob("lib/**/*.so*")):
+        if path.is_file():
+            found.update(path.read_bytes())
+    return found.hexdigest()[:16]
+
+
+class Journal:
+    """A line of JSON for each attempt, written when it is done."""
+
+    def __init__(self, path, keep):
+        self.done = {}
+        self.lock = threading.Lock()
+        if keep and path.is_file():
+            for line in path.read_text().splitlines():
+                try:
+                    entry = json.loads(line)
+                except ValueError:
+                    continue  # the last line of a run that was killed
+                self.done[entry["number"]] = entry
+        self.file = open(path, "a" if keep else "w", encoding="utf-8")
+
+    def add(self, entry):
+        with self.lock:
+            self.done[entry["number"]] = entry
+            self.file.write(json.dumps(entry) + "\n")
+            self.file.flush()
+
+
+def attempt(bench, part, seed, number, keep_folder=False):
+    """One attempt in a folder of its own: what was tried, and what went wrong."""
+    folder = bench.work / ("%s-%d-%d" % (part.name, seed, number))
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    chance = random.Random("%s:%d:%d" % (part.name, seed, number))
+    try:
+        outcome, failures = part.attempt(bench, folder, chance, number)
+    except Exception as problem:  # a mistake of the bench is no success of the program
+        outcome, failures = "bench failed", ["%s: %s" % (type(problem).__name__, problem)]
+    if not keep_folder:
+        shutil.rmtree(folder, ignore_errors=True)
+    return {"number": number, "outcome": outcome, "failures": failures}
+
+
+def run_part(bench, part, seed, count, journal):
+    waiting = [number for number in range(count) if number not in journal.done]
+    began = time.monotonic()
+    with concurrent.futures.ThreadPoolExecutor(bench.at_once if part.in_parallel else 1) as pool:
+        running = [pool.submit(attempt, bench, part, seed, number) for number in waiting]
+        for finished, future in enumerate(concurrent.futures.as_completed(running), 1):
+            entry = future.result()
+            journal.add(entry)
+            for failure in entry["failures"]:
+                print("FAILED %s --seed %d --number %d: %s" % (part.name, seed, entry["number"], failure), flush=True)
+            if finished % 200 == 0:
+                left = (time.monotonic() - began) / finished * (len(running) - finished)
+                print("%s: %d of %d, %d s left" % (part.name, finished, len(running), left), file=sys.stderr, flush=True)
+    return [journal.done[number] for number in range(count)]
+
+
+def row(part, entries):
+    outcomes = collections.Counter(entry["outcome"] for entry in entries)
+    failures = sum(1 for entry in entries if entry["failures"])
+    told = ", ".join("%s %s" % (format(n, ","), outcome) for outcome, n in outcomes.most_common())
+    return "| %s | %s | %s | %s | %d |" % (part.name, part.purpose, format(len(entries), ","), told, failures)
+
+
+def write_report(path, rows, seed, machine):
+    begin, end = "<!-- table -->", "<!-- end of table -->"
+    text = path.read_text(encoding="utf-8")
+    head, rest = text.split(begin, 1)
+    tail = rest.split(end, 1)[1]
+    table = ["", "Seed %d, %s." % (seed, machine), "", "| part | what is done | attempts | what came of them | failures |",
+             "|---|---|---|---|---|"] + rows + [""]
+    partial = path.with_suffix(".new")
+    partial.write_text(head + begin + "\n".join(table) + end + tail, encoding="utf-8")
+    os.replace(partial, path)
+
+
+def arguments():
+    reader = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    reader.add_argument("build", type=pathlib.Path, help="the folder of the build")
+    reader.add_argument("--only", default="", help="these parts alone: " + ", ".join(part.name for part in parts.PARTS))
+    reader.add_argument("--seed", type=int, default=DEFAULT_SEED)
+    reader.add_argument("--count", type=int, help="so many attempts in place of each part's own number")
+    reader.add_argument("--number", type=int, help="this attempt alone, and keep its folder")
+    reader.add_argument("--short", action="store_true", help="a few of everything, in about three minutes")
+    reader.add_argument("--report", type=pathlib.Path, help="write the table into this page")
+    return reader.parse_args()
+
+
+def main():
+    asked = arguments()
+    names = [name for name in asked.only.split(",") if name]
+    chosen = [part for part in parts.PARTS if not names or part.name in names]
+    unknown = set(names) - {part.name for part in chosen}
+    if unknown:
+        sys.exit("There is no part '%s'." % "', '".join(sorted(unknown)))
+    build = asked.build.resolve()
+    home = build / ("torture-short" if asked.short else "torture")
+    home.mkdir(parents=True, exist_ok=True)
+    bench = Bench(build, SOURCE, home, with_vtk=not asked.short)
+
+    if asked.number is not None:
+        bad = 0
+        for part in chosen:
+            entry = attempt(bench, part, asked.seed, asked.number, keep_folder=True)
+            print(json.dumps(entry, indent=2))
+            bad += len(entry["failures"])
+        sys.exit(1 if bad else 0)
+
+    mark = home / "program"
+    same = mark.is_file() and mark.read_text() == fingerprint(build) and not asked.short
+    mark.write_text(fingerprint(build))
+    if not same:
+        for journal in home.glob("*.jsonl"):
+            journal.unlink()
+    rows, failures = [], 0
+    for part in chosen:
+        count = part.count_for(bench, asked.short) if asked.count is None else min(asked.count, part.most(bench))
+        began = time.monotonic()
+        entries = run_part(bench, part, asked.seed, count, Journal(home / ("%s-%d.jsonl" % (part.name, asked.seed)), same))
+        rows.append(row(part, entries))
+        failures += sum(1 for entry in entries if entry["failures"])
+        print("%s  [%.0f s]" % (rows[-1], time.monotonic() - began), flush=True)
+    if asked.report and not names:
+        write_report(asked.report, rows, asked.seed, bench.machine())
+    sys.exit(1 if failures else 0)
+
+
+if __name__ == "__main__":
+    main()
