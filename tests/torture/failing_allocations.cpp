@@ -2,7 +2,6 @@
 // tan-failing-allocations count: a line "CASE ALLOCATIONS" for each case. ... fail CASE FIRST END: runs the case once
 // for each number from FIRST to below END with that allocation failing. The case must say so, as an error or an
 // exception, or be right without it; nothing may leak (3 in a row say so: caches grow once) and no file be left.
-#include "core/data/lattice_cut.h"
 #include "core/graphics/isosurface.h"
 #include "core/mesh/curvilinear_refinement.h"
 #include "core/mesh/lattice_refinement.h"
