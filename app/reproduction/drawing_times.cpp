@@ -19,7 +19,7 @@ ParameterValues valuesFor(const ModelDescription& data, const TetrahedralMesh& m
 {
     const FieldExtent field{data.range, data.bounds,
                             volumeHistogram(mesh, data.range.minimum, data.range.maximum, histogramParts)};
-    Isovalue shown = std::get<std::vector<Isovalue>>(isovaluesParameter(data.range).defaultValue).front();
+    Isovalue shown = std::get<std::vector<Isovalue>>(isovaluesParameter(field).defaultValue).front();
     shown.value = isovalue;
     return {{isovaluesId, std::vector{shown}}, {transferId, transferParameter(field).defaultValue}};
 }

@@ -13,6 +13,7 @@
 #include <QtPlugin>
 
 #include <memory>
+#include <optional>
 #include <variant>
 
 namespace tetra {
@@ -23,6 +24,8 @@ struct FieldExtent {
     Eigen::AlignedBox3d bounds{}; ///< of the domain
     /// How the values share the domain's volume, if a mesh is there already (volumeHistogram()).
     ValueHistogram volumes{};
+    /// A value whose isosurface shows where the data have a surface, if a mesh is there already (surfaceValue()).
+    std::optional<double> surface{};
 };
 
 /// The mesh of a part of the domain in a resolution of its own (R24).

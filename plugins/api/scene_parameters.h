@@ -20,16 +20,19 @@ inline constexpr const char* shadedId = "shaded";
 inline constexpr const char* outlineId = "outline";
 inline constexpr const char* clipId = "clip";
 
-/// std::vector<Isovalue>; by default the middle of the range. A scene has one surface for each that is visible, in
-/// their order and in their colours, so that the shell knows which one was clicked.
-inline Parameter isovaluesParameter(const ValueRange& range)
+/// std::vector<Isovalue>; by default where the field has a surface, or the middle of the range if that is not known. A
+/// scene has one surface for each that is visible, in their order and in their colours, so that the shell knows which
+/// one was clicked.
+inline Parameter isovaluesParameter(const FieldExtent& field)
 {
+    const ValueRange& range = field.range;
     const auto [red, green, blue] = distinctColour(0);
     Parameter parameter;
     parameter.id = isovaluesId;
     parameter.label = "Isovalues";
     parameter.explanation = "The values whose surfaces are shown, each with its colour and opacity.";
-    parameter.defaultValue = std::vector{Isovalue{range.minimum + range.extent() / 2, red, green, blue, 1, true}};
+    const double value = field.surface.value_or(range.minimum + range.extent() / 2);
+    parameter.defaultValue = std::vector{Isovalue{value, red, green, blue, 1, true}};
     parameter.minimum = range.minimum;
     parameter.maximum = range.maximum;
     return parameter;

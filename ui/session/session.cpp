@@ -13,6 +13,32 @@ namespace {
 /// Opacities below this cannot be seen, and a surface that cannot be seen is hidden, not transparent.
 constexpr float leastOpacity = 0.01F;
 
+/// Of a step, or of one that it consists of.
+bool isTrueOfStep(const QUndoCommand& step, const std::function<bool(const QUndoCommand& step)>& what)
+{
+    bool found = what(step);
+    for (int child = 0; child < step.childCount(); ++child)
+        found = found || isTrueOfStep(*step.child(child), what);
+    return found;
+}
+
+bool changesMoreThanTheView(const QUndoCommand& step)
+{
+    return step.childCount() == 0 && step.id() != static_cast<int>(CommandId::ChangeView);
+}
+
+bool changesTransfer(const QUndoCommand& step)
+{
+    const auto* look = dynamic_cast<const ChangeLook*>(&step);
+    return look != nullptr && look->changesTransfer();
+}
+
+bool changesIsovalues(const QUndoCommand& step)
+{
+    return dynamic_cast<const ChangeIsovalue*>(&step) != nullptr ||
+           dynamic_cast<const AddIsovalue*>(&step) != nullptr || dynamic_cast<const RemoveIsovalue*>(&step) != nullptr;
+}
+
 } // namespace
 
 Session::Session(QObject* parent) : QObject(parent) {}
@@ -50,19 +76,30 @@ void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> iso
     emit modelChanged();
 }
 
-void Session::grow(std::shared_ptr<const Model> model)
+void Session::grow(std::shared_ptr<const Model> model, const std::vector<Isovalue>& isovalues, const Look& look)
 {
     model_ = std::move(model);
     shown_.reset();
     emit modelGrown();
-    if (followsModel_ && !edited())
+    if (!followsModel_)
+        return;
+    if (!edited(changesMoreThanTheView))
         view_.setQuery(startingQuery(*model_, startingError(*model_)));
+    if (look.transfer != view_.look().transfer && !edited(changesTransfer)) {
+        Look fitting = view_.look();
+        fitting.transfer = look.transfer;
+        view_.setLook(fitting);
+    }
+    if (isovalues.size() == view_.isovalues().size() && !edited(changesIsovalues))
+        for (std::size_t index = 0; index < isovalues.size(); ++index)
+            if (isovalues[index] != view_.isovalues()[index])
+                view_.setIsovalue(static_cast<int>(index), isovalues[index]);
 }
 
-bool Session::edited() const
+bool Session::edited(const std::function<bool(const QUndoCommand& step)>& what) const
 {
     for (int index = 0; index < undoStack_.count(); ++index)
-        if (undoStack_.command(index)->id() != static_cast<int>(CommandId::ChangeView))
+        if (isTrueOfStep(*undoStack_.command(index), what))
             return true;
     return false;
 }

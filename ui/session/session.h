@@ -9,6 +9,7 @@
 
 #include <QUndoStack>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -36,8 +37,9 @@ public:
     /// Shows `model` as somebody has left it; what of the query does not fit the model is brought into it.
     void open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues, Look look, const QueryState& query);
     /// Shows a model of the same dataset that has more sites, as the model is seen now: the history of edits goes on.
-    /// As long as nothing was edited the accuracy follows what is quick to draw, unless somebody left it as it is.
-    void grow(std::shared_ptr<const Model> model);
+    /// Unless somebody left it as it is, the accuracy follows what is quick to draw as long as nothing was edited, and
+    /// isovalues and transfer function become these as long as they were not.
+    void grow(std::shared_ptr<const Model> model, const std::vector<Isovalue>& isovalues, const Look& look);
     void close();
 
     void beginGesture();
@@ -89,15 +91,15 @@ signals:
 
 private:
     bool hasIsovalue(int index) const;
-    /// Whether the stack has steps that change more than from where it is looked.
-    bool edited() const;
+    /// Whether the stack has steps that `what` is true of.
+    bool edited(const std::function<bool(const QUndoCommand& step)>& what) const;
     void setLook(const Look& look);
 
     std::shared_ptr<const Model> model_;
     ViewState view_;
     std::optional<ShownMesh> shown_;
     QUndoStack undoStack_;
-    bool followsModel_ = false; ///< the accuracy, as it was not chosen
+    bool followsModel_ = false; ///< what was not edited, as it was not chosen
     Gesture lastGesture_ = 0;
     Gesture gesture_ = 0;
 };

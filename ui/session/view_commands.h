@@ -58,6 +58,7 @@ public:
     void redo() override { state_.setLook(after_.putInto(state_.look())); }
     void undo() override { state_.setLook(before_.putInto(state_.look())); }
     bool mergeWith(const QUndoCommand* next) override;
+    bool changesTransfer() const noexcept { return before_.transfer.has_value(); }
 
 private:
     static QString nameOf(const Look& before, const Look& after);

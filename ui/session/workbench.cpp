@@ -2,9 +2,9 @@
 #include "ui/session/workbench.h"
 
 #include "plugins/host/dataset_opening.h"
+#include "plugins/host/field_extent.h"
 #include "plugins/host/input_file.h"
 #include "plugins/host/model_building.h"
-#include "ui/session/field_extent.h"
 #include "ui/session/import_memory.h"
 #include "ui/session/picture_texts.h"
 #include "ui/session/plugin_texts.h"
@@ -256,14 +256,17 @@ void Workbench::lookAtBuild()
         return looking_.stop(); // the user has turned to something else
     looker_.start([this, live = live_, path = lookPath_, target = buildTarget_,
                    isFirst = look_ == nullptr](const Progress&) -> std::function<void()> {
-        return [this, live, look = live->look(path), view = isFirst ? views_.find(target) : std::nullopt] {
+        const auto look = live->look(path);
+        const FieldExtent field = look && *look ? extentOf(**look) : FieldExtent();
+        return [this, live, look, field, view = isFirst ? views_.find(target) : std::nullopt] {
             if (building_.running() && live == live_)
-                showLook(look, view);
+                showLook(look, field, view);
         };
     });
 }
 
-void Workbench::showLook(const Result<std::shared_ptr<const Model>>& look, const std::optional<SessionDocument>& view)
+void Workbench::showLook(const Result<std::shared_ptr<const Model>>& look, const FieldExtent& field,
+                         const std::optional<SessionDocument>& view)
 {
     if (!look)
         return looking_.stop(); // a picture of the build is not worth a message: no room for it, say
@@ -276,9 +279,17 @@ void Workbench::showLook(const Result<std::shared_ptr<const Model>>& look, const
         return;
     look_ = *look;
     if (isFirst)
-        showModel({look_, roughExtentOf(*look_), view});
+        showModel({look_, field, view});
     else
-        session_.grow(look_);
+        growTo(look_, field);
+}
+
+/// What nobody has chosen follows the model: what a draft of it has led to is no choice.
+void Workbench::growTo(const std::shared_ptr<const Model>& model, const FieldExtent& field)
+{
+    field_ = field;
+    const SessionDocument start = startingView(*model);
+    session_.grow(model, start.isovalues, start.look);
 }
 
 /// What was watched has not become a model.
@@ -307,8 +318,7 @@ void Workbench::showBuilt(const BuildOrder& order, const Result<OpenedModel>& bu
     addRecentFile(pathText(order.target));
     emit modelBuilt(pathText(order.target), isShown);
     if (isWatched) {
-        field_ = built->field;
-        session_.grow(built->model);
+        growTo(built->model, built->field);
     } else if (isShown) {
         showModel(*built);
     }

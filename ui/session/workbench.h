@@ -220,7 +220,9 @@ private:
     void setSessionFile(const std::filesystem::path& file);
 
     void lookAtBuild();
-    void showLook(const Result<std::shared_ptr<const Model>>& look, const std::optional<SessionDocument>& view);
+    void showLook(const Result<std::shared_ptr<const Model>>& look, const FieldExtent& field,
+                  const std::optional<SessionDocument>& view);
+    void growTo(const std::shared_ptr<const Model>& model, const FieldExtent& field);
     void closeLook();
     void showBuilt(const BuildOrder& order, const Result<OpenedModel>& built);
     bool showsLook() const { return look_ != nullptr && session_.model() == look_; }

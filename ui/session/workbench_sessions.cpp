@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How a model is seen: at first, as somebody left it, and as a session's file says.
 #include "plugins/api/scene_parameters.h"
+#include "plugins/host/field_extent.h"
 #include "ui/session/accuracy_scale.h"
-#include "ui/session/field_extent.h"
 #include "ui/session/picture_texts.h"
 #include "ui/session/recent_files.h"
 #include "ui/session/sentences.h"

@@ -26,9 +26,9 @@ Parameter orderParameter()
 
 std::vector<Parameter> HybridRenderer::parameters(const FieldExtent& field) const
 {
-    return {transferParameter(field), isovaluesParameter(field.range), shadedParameter(),          orderParameter(),
-            boundaryParameter(),      boundaryOpacityParameter(),      boundaryFarSideParameter(), clipParameter(),
-            outlineParameter()};
+    return {transferParameter(field),   isovaluesParameter(field), shadedParameter(),
+            orderParameter(),           boundaryParameter(),       boundaryOpacityParameter(),
+            boundaryFarSideParameter(), clipParameter(),           outlineParameter()};
 }
 
 std::unique_ptr<RendererSession> HybridRenderer::open(std::shared_ptr<const TetrahedralMesh> mesh,

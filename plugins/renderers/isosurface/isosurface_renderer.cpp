@@ -9,7 +9,7 @@ namespace tetra {
 std::vector<Parameter> IsosurfaceRenderer::parameters(const FieldExtent& field) const
 {
     return {
-        isovaluesParameter(field.range),  boundaryParameter(), boundaryOpacityParameter(), boundaryFarSideParameter(),
+        isovaluesParameter(field),        boundaryParameter(), boundaryOpacityParameter(), boundaryFarSideParameter(),
         boundaryTransferParameter(field), clipParameter(),     outlineParameter()};
 }
 

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/host/field_extent.h"
+
+#include "core/graphics/surface_value.h"
+#include "core/graphics/volume/volume_histogram.h"
+#include "core/model/queries/mesh_query.h"
+#include "core/model/queries/uniform_budget.h"
+
+#include <new>
+
+namespace tetra {
+namespace {
+
+constexpr std::uint64_t largestMesh = 100'000; // tetrahedra
+constexpr int histogramParts = 256;
+constexpr double anyError = 1e9; ///< %
+
+FieldExtent boxAndRange(const Model& model)
+{
+    return {model.description().range, model.description().bounds};
+}
+
+/// The finest that is small, or the coarsest if that is not.
+std::uint32_t sitesOfCoarseMesh(const Model& model)
+{
+    const auto size = meshSizeWithin(model, {}, largestMesh);
+    return size ? size->sites : meshSizeAt(model, {.error = anyError}).sites;
+}
+
+} // namespace
+
+FieldExtent extentOf(const Model& model)
+try {
+    FieldExtent field = boxAndRange(model);
+    if (const auto mesh = extractPrefix(model, sitesOfCoarseMesh(model))) {
+        field.volumes = volumeHistogram(*mesh, field.range.minimum, field.range.maximum, histogramParts);
+        field.surface = surfaceValue(*mesh, field.range.minimum, field.range.maximum);
+    }
+    return field;
+} catch (const std::bad_alloc&) {
+    return boxAndRange(model);
+}
+
+} // namespace tetra

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/model/model.h"
+#include "plugins/api/renderer.h"
+
+namespace tetra {
+
+/// What defaults follow from: the model's range and box, and by a coarse mesh of it how the values share the volume, so
+/// that transfer functions to begin with show what is rare, and where the data have a surface. The same for window and
+/// command line. Takes some milliseconds: not for the GUI thread.
+FieldExtent extentOf(const Model& model);
+
+} // namespace tetra
