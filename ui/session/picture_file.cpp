@@ -12,7 +12,7 @@
 namespace tetra {
 namespace {
 
-/// Twice as many samples along each axis as the viewport takes: a picture to keep may take its time.
+/// As smooth as the viewport at rest: a picture to keep may take its time.
 constexpr int samplesPerAxis = 4;
 constexpr double inchesPerMetre = 1 / 0.0254;
 

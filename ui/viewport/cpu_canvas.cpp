@@ -13,7 +13,11 @@
 namespace tetra {
 namespace {
 
-constexpr int fineSamples = 2; ///< along each axis of a pixel
+/// Along each axis of a pixel: edges are as smooth as in saved pictures, unless that would keep the processor busy for
+/// longer than this, in seconds.
+constexpr int smoothSamples = 4;
+constexpr int fineSamples = 2;
+constexpr double longestSmoothing = 5;
 /// A coarse picture on its way is finished and shown before a newer one begins; a fine one is given up.
 constexpr auto movingPatience = std::chrono::milliseconds(200);
 /// The order of cells is used again for cameras that differ by less, in degrees: what is wrong then cannot be seen in
@@ -61,7 +65,8 @@ void CpuCanvas::render()
         return;
     if (view_.moving)
         return drawMoving();
-    steps_ = pacer_.refinement(pixelCount(), fineSamples);
+    const bool isSmooth = pacer_.secondsOfStill(pixelCount(), smoothSamples) <= longestSmoothing;
+    steps_ = pacer_.refinement(pixelCount(), isSmooth ? smoothSamples : fineSamples);
     refine(0);
 }
 

@@ -22,6 +22,12 @@ namespace {
 
 /// As in CpuCanvas, degrees.
 constexpr double glMovingTolerance = 4;
+/// Along each axis of a pixel, of the first picture at rest, and of the smooth one that follows where it is quick, in
+/// seconds, as the window waits for it, and does not take too much memory, in samples.
+constexpr int glFineSamples = 2;
+constexpr int glSmoothSamples = 4;
+constexpr double longestWait = 0.25;
+constexpr double mostSamples = 24e6;
 
 QSurfaceFormat wantedFormat()
 {
@@ -87,6 +93,7 @@ void GlCanvas::show(const View& view)
     if (haveSameStill(before, view_) || (view_.moving && wouldShowNothingNew(before, view_, level())))
         return;
     settled_ = false;
+    smoothing_ = false;
     update();
 }
 
@@ -110,6 +117,7 @@ void GlCanvas::resizeGL(int width, int height)
     Q_UNUSED(width);
     Q_UNUSED(height);
     settled_ = false;
+    smoothing_ = false;
 }
 
 void GlCanvas::paintGL()
@@ -125,9 +133,14 @@ void GlCanvas::paintGL()
     options.width = std::max(1, static_cast<int>(std::lround(pixels.width() / plan.reduction)));
     options.height = std::max(1, static_cast<int>(std::lround(pixels.height() / plan.reduction)));
     options.background = view_.background;
-    options.samplesPerAxis = view_.moving ? 1 : 2;
+    options.samplesPerAxis = view_.moving ? 1 : smoothing_ ? smoothSamples() : glFineSamples;
     options.orderTolerance = view_.moving ? glMovingTolerance : 0;
-    const Status drawn = draw(level, options);
+    Status drawn = draw(level, options);
+    if (!drawn && smoothing_) {
+        isTooSmooth_ = true;
+        options.samplesPerAxis = glFineSamples;
+        drawn = draw(level, options);
+    }
     if (!drawn)
         return giveUp(translatedSentence(drawn.error().text));
     context()->functions()->glFinish(); // so that the time is that of drawing, not of asking for it
@@ -135,8 +148,25 @@ void GlCanvas::paintGL()
     const int samples = options.samplesPerAxis * options.samplesPerAxis;
     pacer_.learn(plan.level, static_cast<double>(samples) * options.width * options.height, painter_->statistics(),
                  seconds);
-    settled_ = !view_.moving;
+    const bool smoothNext = !view_.moving && !smoothing_ && smoothSamples() > glFineSamples;
+    settled_ = !view_.moving && !smoothNext;
+    if (smoothNext) {
+        smoothing_ = true;
+        update();
+    }
     framePainted({seconds, view_.moving, view_.moving ? clock_.tick() : 0, plan.reduction, level.tetrahedra});
+}
+
+/// Along each axis of a pixel.
+int GlCanvas::smoothSamples() const
+{
+    const QSize pixels = size() * devicePixelRatioF();
+    const double count = static_cast<double>(pixels.width()) * pixels.height();
+    int samples = isTooSmooth_ ? glFineSamples : glSmoothSamples;
+    while (samples > glFineSamples &&
+           (count * samples * samples > mostSamples || pacer_.secondsOfStill(count, samples) > longestWait))
+        --samples;
+    return samples;
 }
 
 /// A picture that is smaller than the window is drawn beside it and stretched over it.

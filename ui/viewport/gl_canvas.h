@@ -35,12 +35,15 @@ protected:
 
 private:
     Status draw(const SceneLevel& level, const PictureOptions& options);
+    int smoothSamples() const;
     void giveUp(const QString& text);
     void release();
 
     GlLevel level_;
     View view_;
     bool settled_ = false;
+    bool smoothing_ = false;   ///< the fine picture of the view was drawn: now the smooth one
+    bool isTooSmooth_ = false; ///< the graphics card has no room for that
     bool givenUp_ = false;
     FramePacer pacer_;
     FrameClock clock_;

@@ -60,6 +60,11 @@ std::vector<RefinementStep> FramePacer::refinement(double pixels, int samplesPer
     return refinementSteps(levels_.front(), pixels, samplesPerAxis);
 }
 
+double FramePacer::secondsOfStill(double pixels, int samplesPerAxis) const
+{
+    return predictedSeconds(levels_.front(), pixels, 1.0 / samplesPerAxis);
+}
+
 void FramePacer::learn(std::size_t level, double samples, const RenderStatistics& statistics, double seconds)
 {
     if (level >= levels_.size())

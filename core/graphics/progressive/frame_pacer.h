@@ -22,6 +22,8 @@ public:
     FramePlan nextFrame(double pixels);
     /// For when it rests.
     std::vector<RefinementStep> refinement(double pixels, int samplesPerAxis) const;
+    /// What the last of those pictures is expected to take.
+    double secondsOfStill(double pixels, int samplesPerAxis) const;
     /// A picture of this level with so many samples took `seconds`.
     void learn(std::size_t level, double samples, const RenderStatistics& statistics, double seconds);
 

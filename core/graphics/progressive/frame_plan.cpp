@@ -80,7 +80,8 @@ std::vector<RefinementStep> refinementSteps(const FrameLevel& finest, double pix
         return predictedSeconds(finest, pixels, step.reduction / step.samplesPerAxis);
     };
     std::vector<RefinementStep> steps{{1, samplesPerAxis}};
-    for (const RefinementStep& step : {RefinementStep{1, 1}, RefinementStep{2, 1}, RefinementStep{4, 1}})
+    for (const RefinementStep& step :
+         {RefinementStep{1, 2}, RefinementStep{1, 1}, RefinementStep{2, 1}, RefinementStep{4, 1}})
         if (seconds(steps.front()) > quickEnough && seconds(step) <= worthwhile * seconds(steps.front()))
             steps.insert(steps.begin(), step);
     return steps;
