@@ -315,6 +315,10 @@
         <source>There is nothing to close</source>
         <translation>Es ist nichts zu schließen</translation>
     </message>
+    <message>
+        <source>&amp;Orientation</source>
+        <translation>&amp;Ausrichtung</translation>
+    </message>
 </context>
 <context>
     <name>AddIsovalue</name>
@@ -376,6 +380,17 @@
     <message>
         <source>The error that what is shown keeps, in % of the value range</source>
         <translation>Der Fehler, den das Gezeigte einhält, in % des Wertebereichs</translation>
+    </message>
+</context>
+<context>
+    <name>Camera</name>
+    <message>
+        <source>%1 Up</source>
+        <translation>%1 nach oben</translation>
+    </message>
+    <message>
+        <source>%1 Down</source>
+        <translation>%1 nach unten</translation>
     </message>
 </context>
 <context>
@@ -4216,6 +4231,65 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::OrientationActions</name>
+    <message>
+        <source>Turn Upside Down</source>
+        <translation>Auf den Kopf stellen</translation>
+    </message>
+    <message>
+        <source>Let the axis that points up point down</source>
+        <translation>Die Achse, die nach oben zeigt, nach unten zeigen lassen</translation>
+    </message>
+    <message>
+        <source>Roll Clockwise</source>
+        <translation>Im Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Turn the picture by 90° clockwise</source>
+        <translation>Das Bild um 90° im Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Roll Anticlockwise</source>
+        <translation>Gegen den Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Turn the picture by 90° anticlockwise</source>
+        <translation>Das Bild um 90° gegen den Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Waagrecht ausrichten</translation>
+    </message>
+    <message>
+        <source>Take the roll away: the axis that points up is upright</source>
+        <translation>Die Neigung aufheben: die Achse, die nach oben zeigt, steht aufrecht</translation>
+    </message>
+    <message>
+        <source>Trackball</source>
+        <translation>Trackball</translation>
+    </message>
+    <message>
+        <source>Dragging turns the model freely, in any direction, instead of around the up axis</source>
+        <translation>Ziehen dreht das Modell frei in jede Richtung, statt um die Achse, die nach oben zeigt</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Show the model with this axis upright</source>
+        <translation>Das Modell so zeigen, dass diese Achse senkrecht steht</translation>
+    </message>
+    <message>
+        <source>Open a model first</source>
+        <translation>Erst ein Modell öffnen</translation>
+    </message>
+    <message>
+        <source>The picture is not rolled</source>
+        <translation>Das Bild ist nicht geneigt</translation>
+    </message>
+</context>
+<context>
     <name>tetra::ParameterForm</name>
     <message>
         <source>%1 (%2)</source>
@@ -5155,16 +5229,8 @@ Verwerfung %2</translation>
         <translation>Azimut</translation>
     </message>
     <message>
-        <source>Direction around the z axis, in degrees; 0 looks along y</source>
-        <translation>Richtung um die z-Achse, in Grad; 0 blickt entlang y</translation>
-    </message>
-    <message>
         <source>Elevation</source>
         <translation>Höhe</translation>
-    </message>
-    <message>
-        <source>Height above the xy plane, in degrees</source>
-        <translation>Höhe über der xy-Ebene, in Grad</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -5305,6 +5371,58 @@ Verwerfung %2</translation>
     <message>
         <source>Bottom</source>
         <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Direction around the up axis, in degrees</source>
+        <translation>Richtung um die senkrechte Achse, in Grad</translation>
+    </message>
+    <message>
+        <source>Height above the plane across the up axis, in degrees</source>
+        <translation>Höhe über der Ebene quer zur senkrechten Achse, in Grad</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>By how much the picture is turned clockwise, in degrees</source>
+        <translation>Um wie viel das Bild im Uhrzeigersinn gedreht ist, in Grad</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Achse nach oben</translation>
+    </message>
+    <message>
+        <source>Which axis of the data points up</source>
+        <translation>Welche Achse der Daten nach oben zeigt</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Drehteller</translation>
+    </message>
+    <message>
+        <source>Trackball</source>
+        <translation>Trackball</translation>
+    </message>
+    <message>
+        <source>Dragging</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>Whether dragging turns the model around the up axis, or freely in any direction (Ctrl+T)</source>
+        <translation>Ob Ziehen das Modell um die senkrechte Achse dreht oder frei in jede Richtung (Strg+T)</translation>
+    </message>
+    <message>
+        <source>&amp;Roll</source>
+        <translation>&amp;Neigung</translation>
+    </message>
+    <message>
+        <source>&amp;Up axis</source>
+        <translation>&amp;Oben</translation>
+    </message>
+    <message>
+        <source>Dra&amp;gging</source>
+        <translation>&amp;Ziehen</translation>
     </message>
 </context>
 <context>

@@ -315,6 +315,10 @@
         <source>There is nothing to close</source>
         <translation>Non c’è nulla da chiudere</translation>
     </message>
+    <message>
+        <source>&amp;Orientation</source>
+        <translation>&amp;Orientamento</translation>
+    </message>
 </context>
 <context>
     <name>AddIsovalue</name>
@@ -376,6 +380,17 @@
     <message>
         <source>The error that what is shown keeps, in % of the value range</source>
         <translation>L&apos;errore che ciò che si vede non supera, in % dell&apos;intervallo dei valori</translation>
+    </message>
+</context>
+<context>
+    <name>Camera</name>
+    <message>
+        <source>%1 Up</source>
+        <translation>%1 in alto</translation>
+    </message>
+    <message>
+        <source>%1 Down</source>
+        <translation>%1 in basso</translation>
     </message>
 </context>
 <context>
@@ -4216,6 +4231,65 @@ deformazione %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::OrientationActions</name>
+    <message>
+        <source>Turn Upside Down</source>
+        <translation>Capovolgi</translation>
+    </message>
+    <message>
+        <source>Let the axis that points up point down</source>
+        <translation>Rivolge verso il basso l’asse che punta verso l’alto</translation>
+    </message>
+    <message>
+        <source>Roll Clockwise</source>
+        <translation>Ruota in senso orario</translation>
+    </message>
+    <message>
+        <source>Turn the picture by 90° clockwise</source>
+        <translation>Ruota l’immagine di 90° in senso orario</translation>
+    </message>
+    <message>
+        <source>Roll Anticlockwise</source>
+        <translation>Ruota in senso antiorario</translation>
+    </message>
+    <message>
+        <source>Turn the picture by 90° anticlockwise</source>
+        <translation>Ruota l’immagine di 90° in senso antiorario</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Raddrizza</translation>
+    </message>
+    <message>
+        <source>Take the roll away: the axis that points up is upright</source>
+        <translation>Annulla il rollio: l’asse che punta verso l’alto è verticale</translation>
+    </message>
+    <message>
+        <source>Trackball</source>
+        <translation>Trackball</translation>
+    </message>
+    <message>
+        <source>Dragging turns the model freely, in any direction, instead of around the up axis</source>
+        <translation>Trascinando, il modello ruota liberamente in ogni direzione anziché intorno all’asse verticale</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Show the model with this axis upright</source>
+        <translation>Mostra il modello con questo asse in verticale</translation>
+    </message>
+    <message>
+        <source>Open a model first</source>
+        <translation>Aprire prima un modello</translation>
+    </message>
+    <message>
+        <source>The picture is not rolled</source>
+        <translation>L’immagine non è inclinata</translation>
+    </message>
+</context>
+<context>
     <name>tetra::ParameterForm</name>
     <message>
         <source>%1 (%2)</source>
@@ -5155,16 +5229,8 @@ deformazione %2</translation>
         <translation>Azimut</translation>
     </message>
     <message>
-        <source>Direction around the z axis, in degrees; 0 looks along y</source>
-        <translation>Direzione attorno all&apos;asse z, in gradi; 0 guarda lungo y</translation>
-    </message>
-    <message>
         <source>Elevation</source>
         <translation>Elevazione</translation>
-    </message>
-    <message>
-        <source>Height above the xy plane, in degrees</source>
-        <translation>Altezza sopra il piano xy, in gradi</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -5305,6 +5371,58 @@ deformazione %2</translation>
     <message>
         <source>Bottom</source>
         <translation>Basso</translation>
+    </message>
+    <message>
+        <source>Direction around the up axis, in degrees</source>
+        <translation>Direzione intorno all’asse verticale, in gradi</translation>
+    </message>
+    <message>
+        <source>Height above the plane across the up axis, in degrees</source>
+        <translation>Altezza sul piano perpendicolare all’asse verticale, in gradi</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rollio</translation>
+    </message>
+    <message>
+        <source>By how much the picture is turned clockwise, in degrees</source>
+        <translation>Di quanto l’immagine è ruotata in senso orario, in gradi</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Asse in alto</translation>
+    </message>
+    <message>
+        <source>Which axis of the data points up</source>
+        <translation>Quale asse dei dati punta verso l’alto</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Piatto girevole</translation>
+    </message>
+    <message>
+        <source>Trackball</source>
+        <translation>Trackball</translation>
+    </message>
+    <message>
+        <source>Dragging</source>
+        <translation>Trascinamento</translation>
+    </message>
+    <message>
+        <source>Whether dragging turns the model around the up axis, or freely in any direction (Ctrl+T)</source>
+        <translation>Se trascinando il modello ruota intorno all’asse verticale o liberamente in ogni direzione (Ctrl+T)</translation>
+    </message>
+    <message>
+        <source>&amp;Roll</source>
+        <translation>&amp;Rollio</translation>
+    </message>
+    <message>
+        <source>&amp;Up axis</source>
+        <translation>&amp;Alto</translation>
+    </message>
+    <message>
+        <source>Dra&amp;gging</source>
+        <translation>&amp;Trascina</translation>
     </message>
 </context>
 <context>

@@ -29,7 +29,7 @@ constexpr std::array<NamedView, 7> views = {{{"front", 0, 0},
 
 constexpr qint64 largestFile = 1 << 20;
 
-Result<Camera> readCamera(const std::string& path, const Eigen::AlignedBox3d& bounds)
+Result<Camera> readCamera(const std::string& path, const Eigen::AlignedBox3d& bounds, double aspectRatio)
 {
     QFile file{std::filesystem::path(path)};
     if (!file.exists())
@@ -38,7 +38,7 @@ Result<Camera> readCamera(const std::string& path, const Eigen::AlignedBox3d& bo
     if (!file.open(QIODevice::ReadOnly))
         return Error{ErrorKind::BadInput,
                      "The camera '" + path + "' cannot be read: " + file.errorString().toStdString() + "."};
-    const auto camera = cameraFromText(file.read(largestFile).toStdString(), bounds);
+    const auto camera = cameraFromText(file.read(largestFile).toStdString(), bounds, aspectRatio);
     if (!camera)
         return Error{camera.error().kind, "'" + path + "': " + camera.error().text};
     return camera;
@@ -54,12 +54,12 @@ std::string cameraNames()
     return names;
 }
 
-Result<Camera> cameraFor(const std::string& nameOrFile, const Eigen::AlignedBox3d& bounds)
+Result<Camera> cameraFor(const std::string& nameOrFile, const Eigen::AlignedBox3d& bounds, double aspectRatio)
 {
     const auto view = std::ranges::find(views, nameOrFile, &NamedView::name);
     if (view == views.end())
-        return readCamera(nameOrFile, bounds);
-    return fitted(Camera{.azimuth = view->azimuth, .elevation = view->elevation}, bounds);
+        return readCamera(nameOrFile, bounds, aspectRatio);
+    return fitted(Camera{.azimuth = view->azimuth, .elevation = view->elevation}, bounds, aspectRatio);
 }
 
 } // namespace tetra

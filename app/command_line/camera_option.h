@@ -9,9 +9,9 @@
 namespace tetra {
 
 /// The camera that `--camera` asks for: a named view (front, back, left, right, top, bottom, iso), or a JSON file with
-/// any of the keys azimuth, elevation, fieldOfView (degrees), perspective (true or false), target ([x, y, z]) and
-/// distance, in units of the dataset. What is left open makes the whole of `bounds` visible.
-Result<Camera> cameraFor(const std::string& nameOrFile, const Eigen::AlignedBox3d& bounds);
+/// any of the keys that core/graphics/camera_text.h has. What is left open fits `bounds` into a picture of this
+/// width / height.
+Result<Camera> cameraFor(const std::string& nameOrFile, const Eigen::AlignedBox3d& bounds, double aspectRatio);
 
 /// "front, back, ...".
 std::string cameraNames();

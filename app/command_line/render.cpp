@@ -10,9 +10,9 @@
 #include "app/command_line/render_request.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
-#include "core/graphics/volume/volume_histogram.h"
 #include "core/model/queries/mesh_extractor.h"
 #include "core/model/queries/two_resolutions.h"
+#include "plugins/host/field_extent.h"
 #include "ui/annotations/field_name.h"
 
 #include <QFile>
@@ -59,20 +59,17 @@ struct PreparedScene {
     std::size_t tetrahedra = 0;
 };
 
-Result<Camera> cameraOf(const Arguments& arguments, const Eigen::AlignedBox3d& bounds)
+Result<Camera> cameraOf(const Arguments& arguments, const Eigen::AlignedBox3d& bounds, const PictureOptions& picture)
 {
+    const double aspectRatio = static_cast<double>(picture.width) / picture.height;
     const auto given = arguments.value("camera");
-    return given ? cameraFor(*given, bounds) : Result<Camera>(fitted(Camera(), bounds));
+    return given ? cameraFor(*given, bounds, aspectRatio) : Result<Camera>(fitted(Camera(), bounds, aspectRatio));
 }
 
-/// With the defaults that fit the mesh where the arguments say nothing.
-ParameterValues completed(ParameterValues values, const Renderer& renderer, const ModelDescription& data,
-                          const TetrahedralMesh& mesh)
+/// With the defaults that fit the model where the arguments say nothing: the window's, whatever mesh is drawn.
+ParameterValues completed(ParameterValues values, const Renderer& renderer, const Model& model)
 {
-    constexpr int parts = 256;
-    const ValueRange& range = data.range;
-    for (const Parameter& parameter :
-         renderer.parameters({range, data.bounds, volumeHistogram(mesh, range.minimum, range.maximum, parts)}))
+    for (const Parameter& parameter : renderer.parameters(extentOf(model)))
         values.try_emplace(parameter.id, parameter.defaultValue);
     return values;
 }
@@ -142,7 +139,7 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, const RenderReq
     const auto values = pluginValues(invocation.arguments, renderer.plugin->parameters({data.range, data.bounds}));
     if (!values)
         return values.error();
-    const auto camera = cameraOf(invocation.arguments, data.bounds);
+    const auto camera = cameraOf(invocation.arguments, data.bounds, request.picture);
     if (!camera)
         return camera.error();
     const auto shown = confirmed(
@@ -160,7 +157,7 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, const RenderReq
     const std::shared_ptr<const TetrahedralMesh> mesh(shown->mesh, &found.mesh);
     const auto session = shown->focus ? renderer.plugin->openWithFocus(mesh, *shown->focus, data.bounds)
                                       : renderer.plugin->open(mesh, data.bounds);
-    const ParameterValues look = completed(*values, *renderer.plugin, data, found.mesh);
+    const ParameterValues look = completed(*values, *renderer.plugin, **model);
     const auto scene = session->prepare(look, *camera, invocation.progress.part(0.3, 0.6));
     if (!scene)
         return scene.error();

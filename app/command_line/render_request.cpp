@@ -104,35 +104,36 @@ Status checkFiles(const RenderRequest& request)
 
 std::vector<Option> pictureOptions()
 {
-    return {{.name = "camera",
-             .placeholder = "VIEW or FILE",
-             .explanation = "A view (" + cameraNames() +
-                            "), or a JSON file with any of azimuth, elevation, fieldOfView (in degrees), "
-                            "perspective (true or false), target ([x, y, z]) and distance.",
-             .byDefault = "from the front, right and above"},
-            {.name = "size",
-             .placeholder = "WxH",
-             .explanation = "Of the picture, in pixels.",
-             .byDefault = std::string(defaultSize)},
-            {.name = "samples",
-             .placeholder = "N",
-             .explanation = "A pixel is the mean of N x N samples, N from 1 (coarse, quick) to 4 (smooth).",
-             .byDefault = std::to_string(defaultSamples)},
-            {.name = "background",
-             .placeholder = "COLOUR",
-             .explanation = "transparent, #rrggbb, or one of " + colourNames() + ".",
-             .byDefault = "white"},
-            {.name = "backend",
-             .placeholder = "cpu|gl|gl33",
-             .explanation = "Who draws: the processor, or OpenGL. With OpenGL 4.3 the graphics card orders a volume's "
-                            "cells, too, where it can; gl33 does without.",
-             .byDefault = std::string(defaultBackend)},
-            threadsOption(),
-            {.name = "depth",
-             .placeholder = "FILE.png",
-             .explanation = "Writes the depth of each pixel, too, as a grey picture of 16 bits, dark where it is near "
-                            "and white (65535) where nothing is. --json tells which depths the greys are."},
-            outputOption("FILE.png", "The picture to write.")};
+    return {
+        {.name = "camera",
+         .placeholder = "VIEW or FILE",
+         .explanation = "A view (" + cameraNames() +
+                        "), or a JSON file with any of azimuth, elevation, roll, fieldOfView (in degrees), up (x, -x, "
+                        "y, -y, z or -z), perspective (true or false), target ([x, y, z]) and distance.",
+         .byDefault = "from the front, right and above"},
+        {.name = "size",
+         .placeholder = "WxH",
+         .explanation = "Of the picture, in pixels.",
+         .byDefault = std::string(defaultSize)},
+        {.name = "samples",
+         .placeholder = "N",
+         .explanation = "A pixel is the mean of N x N samples, N from 1 (coarse, quick) to 4 (smooth).",
+         .byDefault = std::to_string(defaultSamples)},
+        {.name = "background",
+         .placeholder = "COLOUR",
+         .explanation = "transparent, #rrggbb, or one of " + colourNames() + ".",
+         .byDefault = "white"},
+        {.name = "backend",
+         .placeholder = "cpu|gl|gl33",
+         .explanation = "Who draws: the processor, or OpenGL. With OpenGL 4.3 the graphics card orders a volume's "
+                        "cells, too, where it can; gl33 does without.",
+         .byDefault = std::string(defaultBackend)},
+        threadsOption(),
+        {.name = "depth",
+         .placeholder = "FILE.png",
+         .explanation = "Writes the depth of each pixel, too, as a grey picture of 16 bits, dark where it is near "
+                        "and white (65535) where nothing is. --json tells which depths the greys are."},
+        outputOption("FILE.png", "The picture to write.")};
 }
 
 Result<RenderRequest> renderRequestOf(const Arguments& arguments)

@@ -14,16 +14,39 @@ constexpr double largestDistance = 1e30;
 /// The nearest that a perspective view shows, as a fraction of the farthest.
 constexpr double nearestFraction = 1e-4;
 
+/// The part of the picture's width or height, whichever is filled, that a fitted box takes.
+constexpr double fittedShare = 0.96;
+/// The eye stays at least so far before a fitted box, in diagonals: one may look along a box that is but a line.
+constexpr double leastFittedDistance = 0.01;
+
 double radians(double degrees)
 {
     return degrees * (std::numbers::pi / 180);
 }
 
-/// The unit vectors of the eye: its columns are right, up and back (towards the viewer).
-Eigen::Matrix3d eyeAxes(const Camera& camera)
+double inDegrees(double radians)
 {
-    const double azimuth = radians(camera.azimuth);
-    const double elevation = radians(camera.elevation);
+    return radians * (180 / std::numbers::pi);
+}
+
+/// The axes that angles are counted from: to the right and away from the eye where azimuth and elevation are 0, and up.
+Eigen::Matrix3d axesOfAngles(UpAxis up)
+{
+    const auto axis = static_cast<int>(up) / 2;
+    const double sign = static_cast<int>(up) % 2 == 0 ? 1 : -1;
+    const Eigen::Vector3d above = sign * Eigen::Vector3d::Unit(axis);
+    const Eigen::Vector3d away =
+        axis == 1 ? Eigen::Vector3d(-Eigen::Vector3d::UnitZ()) : Eigen::Vector3d::Unit(axis == 0 ? 2 : 1);
+    Eigen::Matrix3d axes;
+    axes << away.cross(above), away, above;
+    return axes;
+}
+
+/// The eye's axes without roll, in axesOfAngles().
+Eigen::Matrix3d levelAxes(double azimuthDegrees, double elevationDegrees)
+{
+    const double azimuth = radians(azimuthDegrees);
+    const double elevation = radians(elevationDegrees);
     const Eigen::Vector3d right(std::cos(azimuth), std::sin(azimuth), 0);
     const Eigen::Vector3d back(std::sin(azimuth) * std::cos(elevation), -std::cos(azimuth) * std::cos(elevation),
                                std::sin(elevation));
@@ -62,15 +85,28 @@ DepthRange depthRange(const Camera& camera, const Eigen::AlignedBox3d& bounds)
 
 } // namespace
 
-Camera fitted(const Camera& camera, const Eigen::AlignedBox3d& bounds)
+Camera fitted(const Camera& camera, const Eigen::AlignedBox3d& bounds, double aspectRatio)
 {
     if (bounds.isEmpty())
         return camera;
-    const double radius = bounds.diagonal().norm() / 2;
+    const Eigen::Vector3d half = bounds.sizes() / 2;
+    const double diagonal = bounds.sizes().norm() > 0 ? bounds.sizes().norm() : 1;
+    const Eigen::Matrix3d eyeFromWorld = eyeAxes(camera).transpose();
+    // How far a place beside the target may lie from it, in distances from the eye.
+    const Eigen::Array2d reach = fittedShare * tangentOfHalfField(camera) *
+                                 Eigen::Array2d(std::max(1.0, aspectRatio), std::max(1.0, 1 / aspectRatio));
+    double distance = leastFittedDistance * diagonal;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Eigen::Vector3d signs(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+        const Eigen::Vector3d seen = eyeFromWorld * half.cwiseProduct(signs);
+        const double wanted = (seen.head<2>().array().abs() / reach).maxCoeff();
+        const double before = camera.perspective ? seen.z() : 0;
+        distance = std::max({distance, before + wanted, before + leastFittedDistance * diagonal});
+    }
     Camera result = camera;
     result.target = bounds.center();
     result.distance = 1;
-    return zoomed(result, (radius > 0 ? radius : 1) / std::sin(std::atan(tangentOfHalfField(camera))));
+    return zoomed(result, distance);
 }
 
 Camera turned(const Camera& camera, double azimuth, double elevation)
@@ -79,6 +115,31 @@ Camera turned(const Camera& camera, double azimuth, double elevation)
     result.azimuth = std::remainder(camera.azimuth + azimuth, 360.0);
     result.elevation = std::clamp(camera.elevation + elevation, -90.0, 90.0);
     return result;
+}
+
+Camera rolled(const Camera& camera, double degrees)
+{
+    Camera result = camera;
+    result.roll = std::remainder(camera.roll + degrees, 360.0);
+    return result;
+}
+
+Camera rotated(const Camera& camera, const Eigen::Matrix3d& rotation)
+{
+    return withEyeAxes(camera, eyeAxes(camera) * rotation.transpose());
+}
+
+Camera upright(const Camera& camera, UpAxis up)
+{
+    Camera result = camera;
+    result.up = up;
+    result.roll = 0;
+    return result;
+}
+
+UpAxis opposite(UpAxis up)
+{
+    return static_cast<UpAxis>(static_cast<int>(up) ^ 1);
 }
 
 Camera zoomed(const Camera& camera, double factor)
@@ -100,6 +161,32 @@ Camera panned(const Camera& camera, double right, double up)
 Eigen::Vector3d eyePosition(const Camera& camera)
 {
     return camera.target + camera.distance * eyeAxes(camera).col(2);
+}
+
+Eigen::Matrix3d eyeAxes(const Camera& camera)
+{
+    const Eigen::Matrix3d level = axesOfAngles(camera.up) * levelAxes(camera.azimuth, camera.elevation);
+    const double cosine = std::cos(radians(camera.roll));
+    const double sine = std::sin(radians(camera.roll));
+    Eigen::Matrix3d axes;
+    axes << cosine * level.col(0) + sine * level.col(1), cosine * level.col(1) - sine * level.col(0), level.col(2);
+    return axes;
+}
+
+/// At a pole, where no azimuth is told from a roll, the azimuth stays.
+Camera withEyeAxes(const Camera& camera, const Eigen::Matrix3d& axes)
+{
+    constexpr double atPole = 1e-9;
+    const Eigen::Matrix3d turned = axesOfAngles(camera.up).transpose() * axes;
+    const Eigen::Vector3d back = turned.col(2).normalized();
+    const double beside = std::hypot(back.x(), back.y());
+    Camera result = camera;
+    result.elevation = inDegrees(std::atan2(back.z(), beside));
+    if (beside > atPole)
+        result.azimuth = inDegrees(std::atan2(back.x(), -back.y()));
+    const Eigen::Matrix3d level = levelAxes(result.azimuth, result.elevation);
+    result.roll = inDegrees(std::atan2(level.col(1).dot(turned.col(0)), level.col(0).dot(turned.col(0))));
+    return result;
 }
 
 Eigen::Matrix4d viewMatrix(const Camera& camera)

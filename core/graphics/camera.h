@@ -6,30 +6,52 @@
 
 namespace tetra {
 
-/// A turntable camera: it looks at `target` from `distance` away, z is up. Angles in degrees, lengths in the units of
-/// the dataset. A value; every change gives a new one.
+/// Which axis of the dataset points up, and which way.
+enum class UpAxis { X, MinusX, Y, MinusY, Z, MinusZ };
+
+/// A camera that looks at `target` from `distance` away. Angles in degrees, lengths in the units of the dataset. A
+/// value; every change gives a new one.
 struct Camera {
     Eigen::Vector3d target{0, 0, 0};
     double distance = 1;
-    double azimuth = 30;     ///< around the z axis; 0 looks along +y
-    double elevation = 20;   ///< above the xy plane, kept within [-90, 90]
+    /// Around the up axis, counterclockwise seen from above. 0 looks along +y if z is up or down, along -z if y is,
+    /// along +z if x is.
+    double azimuth = 30;
+    double elevation = 20; ///< above the plane across the up axis, kept within [-90, 90]
+    double roll = 0;       ///< about the line of sight: what is seen is turned clockwise by it
+    UpAxis up = UpAxis::Z;
     double fieldOfView = 30; ///< across the shorter side of the picture, in (0, 180)
     bool perspective = true; ///< else orthographic, showing the same part of the plane through the target
+    /// How it is turned by hand: in any direction, like a ball, roll included; else like a turntable, around the up
+    /// axis and up and down.
+    bool trackball = false;
     bool operator==(const Camera&) const = default;
 };
 
-/// The camera that shows the whole of `bounds` in a picture of any shape, from the direction of `camera`. It fits the
-/// sphere around the box in either projection, so that turning or changing the projection hides nothing.
-Camera fitted(const Camera& camera, const Eigen::AlignedBox3d& bounds);
+/// The camera that looks at the middle of `bounds` from the direction of `camera`, from where the box fills a picture
+/// of this width / height but for a narrow margin. Fitted to 1 the box is seen whole in a picture of any shape.
+Camera fitted(const Camera& camera, const Eigen::AlignedBox3d& bounds, double aspectRatio = 1);
 /// The eye moved around the target by angles in degrees, counterclockwise seen from above; elevation stops at the
 /// poles.
 Camera turned(const Camera& camera, double azimuth, double elevation);
+/// What is seen turned clockwise about the line of sight, in degrees.
+Camera rolled(const Camera& camera, double degrees);
+/// What is seen turned about the target: by a rotation in the eye's coordinates.
+Camera rotated(const Camera& camera, const Eigen::Matrix3d& rotation);
+/// Another axis upright, seen from the same azimuth and elevation, the horizon level.
+Camera upright(const Camera& camera, UpAxis up);
+/// The same axis, the other way.
+UpAxis opposite(UpAxis up);
 /// Nearer (factor < 1) or farther (factor > 1).
 Camera zoomed(const Camera& camera, double factor);
 /// The camera moved in the plane of the picture, by fractions of the picture's shorter side at the target.
 Camera panned(const Camera& camera, double right, double up);
 
 Eigen::Vector3d eyePosition(const Camera& camera);
+/// How the eye is turned: the columns are its right, its up and its back, towards the viewer, in dataset coordinates.
+Eigen::Matrix3d eyeAxes(const Camera& camera);
+/// The camera turned so, with its own up axis.
+Camera withEyeAxes(const Camera& camera, const Eigen::Matrix3d& axes);
 /// From dataset coordinates to the eye's: x right, y up, z towards the viewer.
 Eigen::Matrix4d viewMatrix(const Camera& camera);
 /// From the eye's coordinates to OpenGL's clip space, for a picture of this width / height; near and far enclose

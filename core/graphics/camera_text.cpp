@@ -14,8 +14,10 @@
 namespace tetra {
 namespace {
 
-constexpr std::array<std::string_view, 6> keys{"azimuth",     "elevation", "fieldOfView",
-                                               "perspective", "target",    "distance"};
+constexpr std::array<std::string_view, 9> keys{"azimuth",     "elevation", "roll",   "up",      "fieldOfView",
+                                               "perspective", "trackball", "target", "distance"};
+/// In the order of UpAxis.
+constexpr std::array<std::string_view, 6> upNames{"x", "-x", "y", "-y", "z", "-z"};
 
 std::optional<double> numberOf(const JsonValue& value)
 {
@@ -49,6 +51,19 @@ public:
             target = *truth;
         else
             fail(*value, key, "is neither true nor false");
+    }
+
+    void upAxis(std::string_view key, UpAxis& target)
+    {
+        const JsonValue* value = root_.find(key);
+        if (value == nullptr)
+            return;
+        const auto* name = value->string();
+        const auto found = name != nullptr ? std::ranges::find(upNames, *name) : upNames.end();
+        if (found != upNames.end())
+            target = static_cast<UpAxis>(found - upNames.begin());
+        else
+            fail(*value, key, "is none of x, -x, y, -y, z and -z");
     }
 
     void point(std::string_view key, Eigen::Vector3d& target)
@@ -93,15 +108,22 @@ private:
 std::string cameraToText(const Camera& camera)
 {
     const auto& target = camera.target;
-    return "{\n  \"azimuth\": " + formatNumber(camera.azimuth) +
-           ",\n  \"elevation\": " + formatNumber(camera.elevation) +
-           ",\n  \"fieldOfView\": " + formatNumber(camera.fieldOfView) +
-           ",\n  \"perspective\": " + (camera.perspective ? "true" : "false") + ",\n  \"target\": [" +
-           formatNumber(target.x()) + ", " + formatNumber(target.y()) + ", " + formatNumber(target.z()) +
-           "],\n  \"distance\": " + formatNumber(camera.distance) + "\n}\n";
+    const Camera usual;
+    std::string text =
+        "{\n  \"azimuth\": " + formatNumber(camera.azimuth) + ",\n  \"elevation\": " + formatNumber(camera.elevation);
+    if (camera.roll != usual.roll)
+        text += ",\n  \"roll\": " + formatNumber(camera.roll);
+    if (camera.up != usual.up)
+        text += ",\n  \"up\": \"" + std::string(upNames[static_cast<std::size_t>(camera.up)]) + "\"";
+    text += ",\n  \"fieldOfView\": " + formatNumber(camera.fieldOfView) +
+            ",\n  \"perspective\": " + (camera.perspective ? "true" : "false");
+    if (camera.trackball)
+        text += ",\n  \"trackball\": true";
+    return text + ",\n  \"target\": [" + formatNumber(target.x()) + ", " + formatNumber(target.y()) + ", " +
+           formatNumber(target.z()) + "],\n  \"distance\": " + formatNumber(camera.distance) + "\n}\n";
 }
 
-Result<Camera> cameraFromText(std::string_view text, const Eigen::AlignedBox3d& bounds)
+Result<Camera> cameraFromText(std::string_view text, const Eigen::AlignedBox3d& bounds, double aspectRatio)
 {
     const Result<JsonValue> root = parseJson(text);
     if (!root)
@@ -112,9 +134,12 @@ Result<Camera> cameraFromText(std::string_view text, const Eigen::AlignedBox3d& 
     Camera camera;
     reader.number("azimuth", camera.azimuth, -1e6, 1e6);
     reader.number("elevation", camera.elevation, -90, 90);
+    reader.number("roll", camera.roll, -1e6, 1e6);
+    reader.upAxis("up", camera.up);
     reader.number("fieldOfView", camera.fieldOfView, 1, 170);
     reader.truth("perspective", camera.perspective);
-    camera = fitted(camera, bounds);
+    reader.truth("trackball", camera.trackball);
+    camera = fitted(camera, bounds, aspectRatio);
     reader.number("distance", camera.distance, 1e-30, 1e30);
     reader.point("target", camera.target);
     reader.refuseOthers();

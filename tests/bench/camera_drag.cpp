@@ -53,7 +53,7 @@ double DraggedWindow::secondsOfMove()
     QElapsedTimer timer;
     timer.start();
     for (int move = 0; move < moves; ++move)
-        viewport().setCamera(turnedByDrag(viewport().camera(), {1, 0.1}));
+        viewport().setCamera(turnedByDrag(viewport().camera(), {}, {1, 0.1}, viewport().size()));
     const double seconds = static_cast<double>(timer.nsecsElapsed()) * 1e-9 / moves;
     QCoreApplication::processEvents();
     return seconds;

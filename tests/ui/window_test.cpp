@@ -362,6 +362,7 @@ void WindowTest::namedViewsAndFit()
     Viewport& viewport = window_->viewport();
     window_->find<QAction>("action.view.top").trigger();
     QCOMPARE(viewport.camera().elevation, 90.0);
+    window_->find<QAction>("action.fit").trigger();
     const double distance = viewport.camera().distance;
     QTest::keyClick(&viewport, Qt::Key_Minus);
     window_->find<QAction>("action.fit").trigger();

@@ -66,7 +66,8 @@ void showNumber(ValueBox& box, double value)
 
 ViewPanel::ViewPanel(Workbench& workbench, Viewport& viewport, QWidget* parent)
     : QWidget(parent), workbench_(workbench), viewport_(viewport), azimuth_(new ValueBox), elevation_(new ValueBox),
-      distance_(new ValueBox), fieldOfView_(new ValueBox), projection_(new QComboBox), background_(new ColourButton),
+      roll_(new ValueBox), up_(new QComboBox), distance_(new ValueBox), fieldOfView_(new ValueBox),
+      projection_(new QComboBox), turning_(new QComboBox), background_(new ColourButton),
       usualBackground_(new QToolButton), load_(new QPushButton(tr("&Load…"))), save_(new QPushButton(tr("Sa&ve…")))
 {
     setObjectName("view");
@@ -95,21 +96,36 @@ QWidget* ViewPanel::makeContent()
 void ViewPanel::addNumbers(QGridLayout& grid)
 {
     const QString degrees = tr("°");
-    setUp(*azimuth_, "azimuth", tr("Azimuth"), degrees, tr("Direction around the z axis, in degrees; 0 looks along y"));
+    setUp(*azimuth_, "azimuth", tr("Azimuth"), degrees, tr("Direction around the up axis, in degrees"));
     azimuth_->setValueRange(-180, 180);
     azimuth_->setWrapping(true);
-    setUp(*elevation_, "elevation", tr("Elevation"), degrees, tr("Height above the xy plane, in degrees"));
+    setUp(*elevation_, "elevation", tr("Elevation"), degrees,
+          tr("Height above the plane across the up axis, in degrees"));
     elevation_->setValueRange(-90, 90);
+    setUp(*roll_, "roll", tr("Roll"), degrees, tr("By how much the picture is turned clockwise, in degrees"));
+    roll_->setValueRange(-180, 180);
+    roll_->setWrapping(true);
+    up_->setObjectName("view.up");
+    for (int axis = 0; axis < 6; ++axis)
+        up_->addItem(upAxisText(static_cast<UpAxis>(axis)));
+    up_->setAccessibleName(tr("Up axis"));
+    up_->setToolTip(tr("Which axis of the data points up"));
     setUp(*distance_, "distance", tr("Distance"), {}, tr("From the eye to the target, in the units of the data"));
     setUp(*fieldOfView_, "fieldOfView", tr("Field of view"), degrees,
           tr("Angle that the shorter side of the picture spans, in degrees"));
     fieldOfView_->setValueRange(1, 170);
-    for (ValueBox* box : {azimuth_, elevation_, fieldOfView_})
+    for (ValueBox* box : {azimuth_, elevation_, roll_, fieldOfView_})
         box->setSingleStep(1);
     projection_->setObjectName("view.projection");
     projection_->addItems({tr("Perspective"), tr("Parallel")});
     projection_->setAccessibleName(tr("Projection"));
     projection_->setToolTip(tr("Whether what is farther away looks smaller (Ctrl+P)"));
+
+    turning_->setObjectName("view.turning");
+    turning_->addItems({tr("Turntable"), tr("Trackball")});
+    turning_->setAccessibleName(tr("Dragging"));
+    turning_->setToolTip(
+        tr("Whether dragging turns the model around the up axis, or freely in any direction (Ctrl+T)"));
 
     // Four columns, so that the target's three numbers stand below two pairs.
     addAxisNames(grid, 0);
@@ -124,15 +140,21 @@ void ViewPanel::addNumbers(QGridLayout& grid)
     };
     addPair(0, 0, tr("A&zimuth"), azimuth_);
     addPair(0, 2, tr("E&levation"), elevation_);
-    addPair(1, 0, tr("D&istance"), distance_);
-    addPair(1, 2, tr("&Angle"), fieldOfView_);
+    addPair(1, 0, tr("&Roll"), roll_);
+    addPair(1, 2, tr("&Up axis"), up_);
+    addPair(2, 0, tr("D&istance"), distance_);
+    addPair(2, 2, tr("&Angle"), fieldOfView_);
     pairs->setColumnStretch(1, 1);
     pairs->setColumnStretch(3, 1);
     grid.addLayout(pairs, 2, 0, 1, 4);
-    auto* label = new QLabel(tr("Pro&jection"));
-    label->setBuddy(projection_);
-    grid.addWidget(label, 3, 0);
-    grid.addWidget(projection_, 3, 1, 1, 3);
+    const auto addWide = [&grid](int row, const QString& text, QWidget* widget) {
+        auto* label = new QLabel(text);
+        label->setBuddy(widget);
+        grid.addWidget(label, row, 0);
+        grid.addWidget(widget, row, 1, 1, 3);
+    };
+    addWide(3, tr("Pro&jection"), projection_);
+    addWide(4, tr("Dra&gging"), turning_);
 }
 
 QLayout* ViewPanel::makeNamedViews()
@@ -200,12 +222,17 @@ void ViewPanel::connectControls()
     };
     connectBox(azimuth_, &Camera::azimuth);
     connectBox(elevation_, &Camera::elevation);
+    connectBox(roll_, &Camera::roll);
     connectBox(distance_, &Camera::distance);
     connectBox(fieldOfView_, &Camera::fieldOfView);
     connect(target_, &VectorInput::edited, this,
             [this](const Eigen::Vector3d& target) { edit([&target](Camera& camera) { camera.target = target; }); });
     connect(projection_, &QComboBox::activated, this,
             [this](int index) { edit([index](Camera& camera) { camera.perspective = index == 0; }); });
+    connect(up_, &QComboBox::activated, this,
+            [this](int index) { viewport_.glideTo(upright(viewport_.camera(), static_cast<UpAxis>(index))); });
+    connect(turning_, &QComboBox::activated, this,
+            [this](int index) { edit([index](Camera& camera) { camera.trackball = index == 1; }); });
     connect(background_, &ColourButton::colourChosen, this, [this](const QColor& colour) {
         viewport_.setBackground(Colour{static_cast<float>(colour.redF()), static_cast<float>(colour.greenF()),
                                        static_cast<float>(colour.blueF())});
@@ -232,7 +259,7 @@ void ViewPanel::load(const QString& path)
         const auto& model = workbench_.session().model();
         if (!model)
             return {};
-        const auto camera = cameraFromText(text, model->description().bounds);
+        const auto camera = cameraFromText(text, model->description().bounds, viewport_.aspectRatio());
         if (!camera)
             return camera.error();
         viewport_.glideTo(*camera);
@@ -261,10 +288,13 @@ void ViewPanel::showCamera()
     const Camera& camera = viewport_.camera();
     showNumber(*azimuth_, camera.azimuth);
     showNumber(*elevation_, camera.elevation);
+    showNumber(*roll_, camera.roll);
+    up_->setCurrentIndex(static_cast<int>(camera.up));
     showNumber(*distance_, camera.distance);
     showNumber(*fieldOfView_, camera.fieldOfView);
     target_->setValue(camera.target);
     projection_->setCurrentIndex(camera.perspective ? 0 : 1);
+    turning_->setCurrentIndex(camera.trackball ? 1 : 0);
     background_->setColour(qtColour(viewport_.background()));
     usualBackground_->setEnabled(viewport_.chosenBackground().has_value());
 }

@@ -39,10 +39,13 @@ private:
     Viewport& viewport_;
     ValueBox* azimuth_;
     ValueBox* elevation_;
+    ValueBox* roll_;
+    QComboBox* up_;
     ValueBox* distance_;
     ValueBox* fieldOfView_;
     VectorInput* target_ = nullptr;
     QComboBox* projection_;
+    QComboBox* turning_;
     ColourButton* background_;
     QToolButton* usualBackground_;
     QPushButton* load_;

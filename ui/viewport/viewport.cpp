@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -175,6 +176,13 @@ void Viewport::startFrom(const Camera& camera, const std::optional<Colour>& back
     emit cameraChanged();
 }
 
+void Viewport::startFitted(const Camera& camera, const Eigen::AlignedBox3d& bounds)
+{
+    startBounds_ = bounds;
+    startFit_ = fitted(camera, bounds, aspectRatio());
+    startFrom(*startFit_, std::nullopt);
+}
+
 void Viewport::glideTo(const Camera& camera)
 {
     endPreview();
@@ -255,7 +263,12 @@ void Viewport::setFrameRate(std::optional<double> perSecond)
 
 void Viewport::fit(const Eigen::AlignedBox3d& bounds)
 {
-    glideTo(fitted(camera_, bounds));
+    glideTo(fitted(camera_, bounds, aspectRatio()));
+}
+
+double Viewport::aspectRatio() const
+{
+    return static_cast<double>(std::max(1, width())) / std::max(1, height());
 }
 
 void Viewport::seeFrom(NamedView view)
@@ -323,14 +336,14 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event)
 
 void Viewport::mouseMoveEvent(QMouseEvent* event)
 {
-    const QPointF moved = event->position() - lastPosition_;
-    lastPosition_ = event->position();
+    const QPointF before = std::exchange(lastPosition_, event->position());
+    const QPointF moved = lastPosition_ - before;
     const bool left = event->buttons().testFlag(Qt::LeftButton);
     const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
     if (event->buttons().testFlag(Qt::MiddleButton) || (left && shift))
         moveCamera(pannedByDrag(camera(), moved, size()));
     else if (left)
-        moveCamera(turnedByDrag(camera(), moved));
+        moveCamera(turnedByDrag(camera(), before, lastPosition_, size()));
 }
 
 void Viewport::wheelEvent(QWheelEvent* event)
@@ -364,6 +377,15 @@ void Viewport::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange)
         followPalette();
+}
+
+void Viewport::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    if (startFit_ && camera_ == *startFit_ && !previewing_) {
+        startFit_ = fitted(camera_, startBounds_, aspectRatio());
+        startFrom(*startFit_, background_);
+    }
 }
 
 void Viewport::followPalette()

@@ -43,6 +43,9 @@ public:
 
     /// The view of something newly opened, at once: no choice of the user's. Told by started() first.
     void startFrom(const Camera& camera, const std::optional<Colour>& background);
+    /// The same with a camera that looks from the direction of `camera` and shows all of `bounds`: also of a view of
+    /// another shape, as long as nothing else moves the camera.
+    void startFitted(const Camera& camera, const Eigen::AlignedBox3d& bounds);
     void setCamera(const Camera& camera);
     /// The same, by a short glide unless motion is reduced: camera() is the new one at once. A gesture of its own.
     void glideTo(const Camera& camera);
@@ -63,6 +66,8 @@ public:
 
     /// Shows all of these bounds, from the present direction.
     void fit(const Eigen::AlignedBox3d& bounds);
+    /// Width / height.
+    double aspectRatio() const;
     void seeFrom(NamedView view);
     void setPerspective(bool perspective);
 
@@ -89,6 +94,7 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     bool event(QEvent* event) override;
 
 private:
@@ -106,6 +112,8 @@ private:
     std::vector<LineSet> outlines_;
     View view_; ///< its scene has the outlines, too; its camera may be on the way
     Camera camera_;
+    std::optional<Camera> startFit_; ///< startFitted() with these
+    Eigen::AlignedBox3d startBounds_;
     Canvas* canvas_ = nullptr;         ///< a child widget
     bool previewing_ = false;          ///< the view's camera is another one
     std::optional<Colour> background_; ///< else that of the palette

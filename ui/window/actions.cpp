@@ -143,6 +143,8 @@ void addViewMenu(QMainWindow& window, Actions& actions)
     actions.lookFrom = menu->addMenu(ActionTexts::tr("&Look From"));
     actions.lookFrom->setObjectName("menu.namedViews");
     addNamedViews(actions.lookFrom, actions);
+    actions.orientation = menu->addMenu(ActionTexts::tr("&Orientation"));
+    actions.orientation->setObjectName("menu.orientation");
     actions.perspective = add(menu, "perspective", ActionTexts::tr("&Perspective"), QKeySequence("Ctrl+P"),
                               ActionTexts::tr("Perspective, or parallel projection"));
     actions.perspective->setCheckable(true);

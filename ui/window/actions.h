@@ -41,7 +41,8 @@ struct Actions {
     QAction* plugins = nullptr;
     QAction* about = nullptr;
     QMenu* recent = nullptr;
-    QMenu* lookFrom = nullptr; ///< namedViews
+    QMenu* lookFrom = nullptr;    ///< namedViews
+    QMenu* orientation = nullptr; ///< for those of OrientationActions
     QMenu* languages = nullptr;
     QMenu* panels = nullptr;      ///< for the docks' own actions
     QMenu* modes = nullptr;       ///< for those of ModeActions

@@ -24,6 +24,7 @@
 #include "ui/window/leaving.h"
 #include "ui/window/manual.h"
 #include "ui/window/mode_actions.h"
+#include "ui/window/orientation_actions.h"
 #include "ui/window/pick_actions.h"
 #include "ui/window/picture_menu.h"
 #include "ui/window/plugin_window.h"
@@ -206,6 +207,7 @@ void MainWindow::connectActions()
                 [this, view] { viewport_->seeFrom(static_cast<NamedView>(view)); });
     connect(actions_.resetLayout, &QAction::triggered, this,
             [this] { layOutDocks(*this, docks_, workbench_.dataset() != nullptr); });
+    new OrientationActions(workbench_.session(), *viewport_, *actions_.orientation);
     auto* modes = new ModeActions(workbench_, *actions_.modes, *actions_.toolBar, this);
     connect(modes, &ModeActions::chosen, docks_.renderingPanel, &RenderingPanel::chooseMode);
     new AnnotationActions(workbench_.session(), *actions_.annotations, this);
@@ -355,7 +357,7 @@ void MainWindow::resetView()
     Session& session = workbench_.session();
     const ViewState& view = session.view();
     const SessionDocument start = workbench_.startingView();
-    const Camera camera = fitted(Camera(), session.model()->description().bounds);
+    const Camera camera = fitted(Camera(), session.model()->description().bounds, viewport_->aspectRatio());
     if (view.query() == start.query && view.look() == start.look && view.isovalues() == start.isovalues &&
         view.annotations() == start.annotations && view.animation() == start.animation &&
         viewport_->camera() == camera && !viewport_->chosenBackground())
@@ -407,11 +409,12 @@ void MainWindow::showModel()
              actions_.namedViews)
         action->setEnabled(model != nullptr);
     viewport_->setScene(nullptr);
-    const Camera& camera = viewport_->camera();
-    viewport_->startFrom(model ? fitted(camera, model->description().bounds) : camera, std::nullopt);
     if (model) {
         pages_->setCurrentWidget(viewport_);
+        viewport_->startFitted(upright(viewport_->camera(), UpAxis::Z), model->description().bounds);
         viewport_->setFocus();
+    } else {
+        viewport_->startFrom(viewport_->camera(), std::nullopt);
     }
     showWhatCanBeClosed();
 }

@@ -29,6 +29,33 @@ double smoothAzimuth(std::span<const CameraKey> keys, std::span<const double> ti
     return std::remainder(smoothCurveAt(times, angles, time), 360.0);
 }
 
+bool differInHorizon(std::span<const CameraKey> keys)
+{
+    const Camera& first = keys.front().camera;
+    return std::ranges::any_of(
+        keys, [&](const CameraKey& key) { return key.camera.up != first.up || key.camera.roll != first.roll; });
+}
+
+/// Each quaternion on the same side as the last one.
+Eigen::Matrix3d smoothOrientation(std::span<const CameraKey> keys, std::span<const double> times, double time)
+{
+    std::vector<Eigen::Quaterniond> turns;
+    for (const CameraKey& key : keys) {
+        Eigen::Quaterniond turn(eyeAxes(key.camera));
+        if (!turns.empty() && turn.dot(turns.back()) < 0)
+            turn.coeffs() *= -1;
+        turns.push_back(turn);
+    }
+    Eigen::Quaterniond result;
+    for (int part = 0; part < 4; ++part) {
+        std::vector<double> values;
+        for (const Eigen::Quaterniond& turn : turns)
+            values.push_back(turn.coeffs()[part]);
+        result.coeffs()[part] = smoothCurveAt(times, values, time);
+    }
+    return result.normalized().toRotationMatrix();
+}
+
 } // namespace
 
 Camera cameraAt(std::span<const CameraKey> keys, double time)
@@ -48,10 +75,12 @@ Camera cameraAt(std::span<const CameraKey> keys, double time)
         camera.target[axis] = at([axis](const Camera& key) { return key.target[axis]; });
     if (last.camera.distance != next->camera.distance)
         camera.distance = std::exp(at([](const Camera& key) { return std::log(key.distance); }));
+    camera.fieldOfView = at([](const Camera& key) { return key.fieldOfView; });
+    if (differInHorizon(keys))
+        return withEyeAxes(camera, smoothOrientation(keys, times, time));
     if (last.camera.azimuth != next->camera.azimuth)
         camera.azimuth = smoothAzimuth(keys, times, time);
     camera.elevation = at([](const Camera& key) { return key.elevation; });
-    camera.fieldOfView = at([](const Camera& key) { return key.fieldOfView; });
     return camera;
 }
 

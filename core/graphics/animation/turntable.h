@@ -7,8 +7,8 @@ namespace tetra {
 
 /// A film of the camera moving around its target.
 struct Turntable {
-    /// Round the vertical axis; or up and down, around the horizontal one, and back: the camera has no roll and cannot
-    /// go over a pole.
+    /// Round the up axis; or up and down, around the horizontal one, and back: the camera does not go over a pole,
+    /// where what is seen would turn upside down.
     enum class Axis { Vertical, Horizontal };
     Axis axis = Axis::Vertical;
     double degrees = 360; ///< to turn by; up and down: from the lowest to the highest place

@@ -28,6 +28,9 @@ private slots:
             camera.distance = 1e6 * (number(random) + 81);
             camera.azimuth = number(random);
             camera.elevation = number(random);
+            camera.roll = number(random);
+            camera.up = static_cast<UpAxis>(round % 6);
+            camera.trackball = round % 3 == 0;
             camera.fieldOfView = 90 + number(random);
             camera.perspective = round % 2 == 0;
             const auto back = cameraFromText(cameraToText(camera), bounds);
@@ -43,6 +46,19 @@ private slots:
         wide.fieldOfView = 60;
         QCOMPARE(*cameraFromText(R"({"fieldOfView": 60})", bounds), fitted(wide, bounds));
         QCOMPARE(cameraFromText(R"({"distance": 3})", bounds)->distance, 3.0);
+    }
+
+    /// Cameras of before there was a roll.
+    void olderCamerasAreReadAsTheyWere()
+    {
+        const auto camera = cameraFromText(
+            R"({"azimuth": 1, "elevation": 2, "fieldOfView": 30, "perspective": true, "target": [1, 2, 3],
+                               "distance": 4})",
+            bounds);
+        QVERIFY(camera.ok());
+        QCOMPARE(*camera, (Camera{.target = {1, 2, 3}, .distance = 4, .azimuth = 1, .elevation = 2}));
+        QCOMPARE(cameraFromText(R"({"up": "-z"})", bounds, 2)->distance,
+                 fitted(upright(Camera(), UpAxis::MinusZ), bounds, 2).distance);
     }
 
     void mistakesAreNamed_data()
@@ -69,6 +85,10 @@ private slots:
         row("empty", "", "no camera");
         row("binary", QString(QChar(1)) + "NRRD", "no camera");
         row("cut short", "{\"azimuth\": 3", "no camera");
+        row("no axis", R"({"up": "w"})", "\"up\" of the camera is none of x, -x, y, -y, z and -z");
+        row("an axis as a number", R"({"up": 2})", "\"up\" of the camera is none of");
+        row("no roll", R"({"roll": "left"})", "\"roll\" of the camera is no number");
+        row("no trackball", R"({"trackball": 1})", "neither true nor false");
         row("twice", R"({"azimuth": 3, "azimuth": 4})", "twice");
         row("NaN", R"({"azimuth": NaN})", "no camera");
         row("larger than any number", R"({"azimuth": 1e999})", "\"azimuth\" of the camera is no number");

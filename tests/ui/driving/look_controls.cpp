@@ -76,8 +76,8 @@ Drivers cameraControls()
 {
     Drivers drivers;
     for (const char* name :
-         {"azimuth", "elevation", "distance", "fieldOfView", "projection", "target.x", "target.y", "target.z",
-          "from.front", "from.back", "from.left", "from.right", "from.top", "from.bottom"})
+         {"azimuth", "elevation", "roll", "up", "distance", "fieldOfView", "projection", "turning", "target.x",
+          "target.y", "target.z", "from.front", "from.back", "from.left", "from.right", "from.top", "from.bottom"})
         drivers.push_back(ofCamera(name));
     drivers.push_back(ofCamera("from.corner", [](DrivenWindow& window) {
         window.trigger("action.view.top");

@@ -18,6 +18,31 @@ Driver::Condition isSeenFrom(double azimuth, double elevation)
     };
 }
 
+Driver upAxisCommand(const QString& name, UpAxis up)
+{
+    return {"action.up." + name, [up](const DrivenWindow& window) { return window.viewport().camera().up == up; },
+            [](DrivenWindow& window) { window.viewport().setCamera(upright(window.viewport().camera(), UpAxis::X)); }};
+}
+
+Drivers orientationCommands()
+{
+    Drivers drivers{upAxisCommand("minusX", UpAxis::MinusX), upAxisCommand("y", UpAxis::Y),
+                    upAxisCommand("minusY", UpAxis::MinusY), upAxisCommand("z", UpAxis::Z),
+                    upAxisCommand("minusZ", UpAxis::MinusZ)};
+    drivers.push_back(
+        {"action.up.x", [](const DrivenWindow& window) { return window.viewport().camera().up == UpAxis::X; }});
+    drivers.push_back(
+        {"action.flip", [](const DrivenWindow& window) { return window.viewport().camera().up == UpAxis::MinusZ; }});
+    for (const auto& [name, roll] : {std::pair("rollRight", 90.0), std::pair("rollLeft", -90.0)})
+        drivers.push_back({QString("action.") + name,
+                           [roll](const DrivenWindow& window) { return window.viewport().camera().roll == roll; }});
+    drivers.push_back({"action.level", [](const DrivenWindow& window) { return window.viewport().camera().roll == 0; },
+                       [](DrivenWindow& window) { window.trigger("action.rollLeft"); }});
+    drivers.push_back(
+        {"action.trackball", [](const DrivenWindow& window) { return window.viewport().camera().trackball; }});
+    return drivers;
+}
+
 Drivers cameraCommands()
 {
     return {
@@ -101,7 +126,8 @@ Drivers viewCommands()
         showing("action.fullScreen", [](const DrivenWindow& window) { return window.window.isFullScreen(); }),
         showing("action.reducedMotion", [](const DrivenWindow&) { return motionReduced(); }),
     };
-    return allOf({cameraCommands(), modeCommands(), annotationCommands(), dockCommands(), languageCommands(), others});
+    return allOf({cameraCommands(), orientationCommands(), modeCommands(), annotationCommands(), dockCommands(),
+                  languageCommands(), others});
 }
 
 } // namespace tetra

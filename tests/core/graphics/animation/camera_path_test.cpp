@@ -66,6 +66,7 @@ private slots:
     void pathsGoThroughTheirKeys();
     void pathsAreContinuous();
     void orientationsAreUnitQuaternionsWithoutRoll();
+    void rolledKeysAreGoneThroughSmoothly();
     void equalKeysAreOnePlace();
     void azimuthsTakeTheShorterWay();
     void pathsRestBeforeAndAfter();
@@ -156,6 +157,29 @@ void CameraPathTest::orientationsAreUnitQuaternionsWithoutRoll()
         const Eigen::Vector3d right = orientation(camera).conjugate() * Eigen::Vector3d::UnitX();
         QVERIFY(std::abs(right.z()) < 1e-12);
         QVERIFY(std::abs(camera.elevation) <= 90 && std::abs(camera.azimuth) <= 180 && camera.distance > 0);
+    }
+}
+
+/// Cameras that a trackball has turned, with different axes up: no jump between keys and none at them.
+void CameraPathTest::rolledKeysAreGoneThroughSmoothly()
+{
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> turn(-180, 180);
+    for (int round = 0; round < rounds; ++round) {
+        std::vector<CameraKey> keys = randomKeys(random);
+        for (CameraKey& key : keys) {
+            key.camera.roll = turn(random);
+            key.camera.up = static_cast<UpAxis>(random() % 6);
+        }
+        for (const CameraKey& key : keys)
+            QVERIFY(orientation(cameraAt(keys, key.time)).angularDistance(orientation(key.camera)) < 1e-6);
+        std::uniform_real_distribution<double> any(keys.front().time, keys.back().time);
+        for (int sample = 0; sample < 50; ++sample) {
+            const double time = any(random);
+            const Camera camera = cameraAt(keys, time);
+            QVERIFY((eyeAxes(camera).transpose() * eyeAxes(camera)).isIdentity(1e-9));
+            QVERIFY(orientation(camera).angularDistance(orientation(cameraAt(keys, time + 1e-7))) < 1e-4);
+        }
     }
 }
 

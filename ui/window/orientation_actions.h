@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/graphics/camera.h"
+
+#include <QList>
+#include <QObject>
+
+class QAction;
+class QActionGroup;
+class QMenu;
+
+namespace tetra {
+
+class Session;
+class Viewport;
+
+/// How the picture is turned upright: which axis points up, roll, and whether a drag turns a trackball. Actions named
+/// action.up.AXIS and so on, each one step to undo.
+class OrientationActions : public QObject {
+    Q_OBJECT
+public:
+    /// All outlive it.
+    OrientationActions(const Session& session, Viewport& viewport, QMenu& menu);
+
+private:
+    QAction* add(QMenu& menu, const char* name, const QString& text, const char* key, const QString& toolTip);
+    void addUpAxes(QMenu& menu);
+    void follow();
+
+    const Session& session_;
+    Viewport& viewport_;
+    QActionGroup* upAxes_; ///< in the order of UpAxis
+    QAction* flip_;
+    QAction* rollRight_;
+    QAction* rollLeft_;
+    QAction* level_;
+    QAction* trackball_;
+};
+
+} // namespace tetra
