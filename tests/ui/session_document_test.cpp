@@ -57,7 +57,8 @@ SessionDocument randomDocument(std::mt19937& random)
         document.isovalues.push_back(
             {unit(random), channel(random), channel(random), channel(random), channel(random), random() % 2 == 0});
     if (random() % 2 == 0)
-        document.camera = Camera{randomVector(random), 0.1 + unit(random), 30, 20, 40, random() % 2 == 0};
+        document.camera = Camera{randomVector(random), 0.1 + unit(random), 30, 20, 10, UpAxis::MinusY, 40,
+                                 random() % 2 == 0,    random() % 3 == 0};
     if (random() % 2 == 0)
         document.background = Colour{channel(random), channel(random), channel(random)};
     for (AnnotationPlace& place : document.annotations.places)
@@ -67,7 +68,8 @@ SessionDocument randomDocument(std::mt19937& random)
     document.animation.turntable = {static_cast<Turntable::Axis>(random() % 2), 360 * unit(random),
                                     static_cast<int>(1 + random() % 999)};
     for (unsigned count = random() % 4; count > 0; --count) {
-        const FilmFrame frame{{randomVector(random), 0.1 + unit(random), 30, 20, 40, random() % 2 == 0},
+        const FilmFrame frame{{randomVector(random), 0.1 + unit(random), 30, 20, -50, UpAxis::X, 40, random() % 2 == 0,
+                               random() % 3 == 0},
                               document.look.transfer,
                               document.isovalues,
                               unit(random),
