@@ -317,7 +317,7 @@
     </message>
     <message>
         <source>&amp;Orientation</source>
-        <translation>&amp;Ausrichtung</translation>
+        <translation>Aus&amp;richtung</translation>
     </message>
 </context>
 <context>
