@@ -1679,6 +1679,10 @@
         <translation>%1. Bitten Sie den Eigentümer um das Recht, sie zu lesen.</translation>
     </message>
     <message>
+        <source>%1. Close other programs, or raise the limit (ulimit).</source>
+        <translation>%1. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
+    </message>
+    <message>
         <source>it is a folder. Name a file in it.</source>
         <translation>Das ist ein Ordner. Nennen Sie eine Datei darin.</translation>
     </message>
@@ -1979,6 +1983,10 @@
         <translation>Wählen Sie einen anderen Ordner oder Datenträger.</translation>
     </message>
     <message>
+        <source>Close other programs, or raise the limit (ulimit).</source>
+        <translation>Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
+    </message>
+    <message>
         <source>it is not a regular file</source>
         <translation>Es ist keine gewöhnliche Datei</translation>
     </message>
@@ -2013,6 +2021,22 @@
     <message>
         <source>Wait for it, or give the model another name.</source>
         <translation>Warten Sie darauf, oder geben Sie dem Modell einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>it holds something else</source>
+        <translation>er enthält etwas anderes</translation>
+    </message>
+    <message>
+        <source>Give the model another name, or move that folder away.</source>
+        <translation>Geben Sie dem Modell einen anderen Namen, oder schieben Sie jenen Ordner beiseite.</translation>
+    </message>
+    <message>
+        <source>it is a link</source>
+        <translation>er ist ein Verweis</translation>
+    </message>
+    <message>
+        <source>Give the model another name, or move that link away.</source>
+        <translation>Geben Sie dem Modell einen anderen Namen, oder schieben Sie jenen Verweis beiseite.</translation>
     </message>
     <message>
         <source>Choose another folder for the model.</source>
@@ -2099,8 +2123,12 @@
         <translation>Die Datei gibt es auf dem Server nicht mehr</translation>
     </message>
     <message>
-        <source>A temporary file in &apos;%1&apos; cannot be used: %2. Free some space or choose another disk.</source>
-        <translation>Eine Zwischendatei in „%1“ kann nicht benutzt werden: %2. Schaffen Sie Platz, oder wählen Sie einen anderen Datenträger.</translation>
+        <source>Cannot make a temporary file in &apos;%1&apos;: %2. %3</source>
+        <translation>In „%1“ kann keine Zwischendatei angelegt werden: %2. %3</translation>
+    </message>
+    <message>
+        <source>A temporary file in &apos;%1&apos; cannot be used: %2. %3</source>
+        <translation>Eine Zwischendatei in „%1“ kann nicht benutzt werden: %2. %3</translation>
     </message>
     <message>
         <source>The output &apos;%1&apos; is the input &apos;%2&apos;. Give the output another name.</source>
@@ -2221,6 +2249,18 @@
     <message>
         <source>The memory of this machine is not enough for &apos;%1&apos; here. Close other programs, or give it smaller data.</source>
         <translation>Der Arbeitsspeicher dieses Rechners reicht hier nicht für „%1“. Schließen Sie andere Programme, oder nehmen Sie kleinere Daten.</translation>
+    </message>
+    <message>
+        <source>The memory of this machine is not enough for this. Close other programs, or raise the limit (ulimit).</source>
+        <translation>Der Speicher dieses Rechners reicht dafür nicht aus. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
+    </message>
+    <message>
+        <source>This machine can start no more threads now. Close other programs, or raise the limit (ulimit).</source>
+        <translation>Dieser Rechner kann zurzeit keine weiteren Threads starten. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
+    </message>
+    <message>
+        <source>Not all plugins can be loaded now: %1. Close other programs, or raise the limit (ulimit).</source>
+        <translation>Zurzeit können nicht alle Plugins geladen werden: %1. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; failed: %2. This is a mistake in the plugin; tell its author.</source>

@@ -1679,6 +1679,10 @@
         <translation>%1. Chiedere al proprietario il permesso di leggerlo.</translation>
     </message>
     <message>
+        <source>%1. Close other programs, or raise the limit (ulimit).</source>
+        <translation>%1. Chiudere altri programmi o alzare il limite (ulimit).</translation>
+    </message>
+    <message>
         <source>it is a folder. Name a file in it.</source>
         <translation>è una cartella. Indicare un file al suo interno.</translation>
     </message>
@@ -1979,6 +1983,10 @@
         <translation>Scegliere un&apos;altra cartella o un altro disco.</translation>
     </message>
     <message>
+        <source>Close other programs, or raise the limit (ulimit).</source>
+        <translation>Chiudere altri programmi o alzare il limite (ulimit).</translation>
+    </message>
+    <message>
         <source>it is not a regular file</source>
         <translation>non è un file ordinario</translation>
     </message>
@@ -2013,6 +2021,22 @@
     <message>
         <source>Wait for it, or give the model another name.</source>
         <translation>Aspettarlo, o dare al modello un altro nome.</translation>
+    </message>
+    <message>
+        <source>it holds something else</source>
+        <translation>contiene qualcos&apos;altro</translation>
+    </message>
+    <message>
+        <source>Give the model another name, or move that folder away.</source>
+        <translation>Dare al modello un altro nome o spostare quella cartella.</translation>
+    </message>
+    <message>
+        <source>it is a link</source>
+        <translation>è un collegamento</translation>
+    </message>
+    <message>
+        <source>Give the model another name, or move that link away.</source>
+        <translation>Dare al modello un altro nome o spostare quel collegamento.</translation>
     </message>
     <message>
         <source>Choose another folder for the model.</source>
@@ -2099,8 +2123,12 @@
         <translation>Il file non esiste più sul server</translation>
     </message>
     <message>
-        <source>A temporary file in &apos;%1&apos; cannot be used: %2. Free some space or choose another disk.</source>
-        <translation>Un file temporaneo in «%1» non può essere usato: %2. Liberare spazio o scegliere un altro disco.</translation>
+        <source>Cannot make a temporary file in &apos;%1&apos;: %2. %3</source>
+        <translation>Impossibile creare un file temporaneo in «%1»: %2. %3</translation>
+    </message>
+    <message>
+        <source>A temporary file in &apos;%1&apos; cannot be used: %2. %3</source>
+        <translation>Un file temporaneo in «%1» non può essere usato: %2. %3</translation>
     </message>
     <message>
         <source>The output &apos;%1&apos; is the input &apos;%2&apos;. Give the output another name.</source>
@@ -2221,6 +2249,18 @@
     <message>
         <source>The memory of this machine is not enough for &apos;%1&apos; here. Close other programs, or give it smaller data.</source>
         <translation>La memoria di questo computer qui non basta per «%1». Chiudere altri programmi, o dargli dati più piccoli.</translation>
+    </message>
+    <message>
+        <source>The memory of this machine is not enough for this. Close other programs, or raise the limit (ulimit).</source>
+        <translation>La memoria di questo computer non basta. Chiudere altri programmi o alzare il limite (ulimit).</translation>
+    </message>
+    <message>
+        <source>This machine can start no more threads now. Close other programs, or raise the limit (ulimit).</source>
+        <translation>Questo computer non può avviare altri thread in questo momento. Chiudere altri programmi o alzare il limite (ulimit).</translation>
+    </message>
+    <message>
+        <source>Not all plugins can be loaded now: %1. Close other programs, or raise the limit (ulimit).</source>
+        <translation>In questo momento non è possibile caricare tutti i plugin: %1. Chiudere altri programmi o alzare il limite (ulimit).</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; failed: %2. This is a mistake in the plugin; tell its author.</source>

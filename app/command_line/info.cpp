@@ -4,7 +4,7 @@
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
-#include "app/command_line/whole_file.h"
+#include "core/base/file_writer.h"
 #include "core/model/inverted_cells.h"
 #include "core/model/level_text.h"
 #include "core/model/model.h"

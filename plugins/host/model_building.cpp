@@ -146,7 +146,7 @@ Result<Provided<Builder>> chooseBuilder(PluginHost& host, const Dataset& dataset
 
 std::filesystem::path workFolderOf(const std::filesystem::path& output)
 {
-    std::filesystem::path folder = output;
+    std::filesystem::path folder = behindLinks(output); // so that they are on one disk
     folder += ".work";
     return folder;
 }

@@ -57,14 +57,7 @@ Status writePicture(const QImage& picture, const std::filesystem::path& target)
     if (!picture.save(&buffer, "PNG"))
         return Error{ErrorKind::OutOfResource, "There is not enough memory for a picture of this size."};
     const QByteArray& bytes = buffer.data();
-    auto file = FileWriter::create(target);
-    if (!file)
-        return file.error();
-    if (Status written =
-            file->write(std::as_bytes(std::span(bytes.constData(), static_cast<std::size_t>(bytes.size()))));
-        !written)
-        return written;
-    return file->commit();
+    return writeWholeFile(target, std::as_bytes(std::span(bytes.constData(), static_cast<std::size_t>(bytes.size()))));
 }
 
 } // namespace tetra
