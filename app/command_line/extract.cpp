@@ -189,6 +189,8 @@ Result<Outcome> runExtract(const Invocation& invocation)
     const auto model = Model::open(input);
     if (!model)
         return model.error();
+    if (const Status safe = checkMeshOutput(output, **model); !safe)
+        return safe.error();
     const Task task{arguments, output, **model, invocation.progress};
     auto outcome = ranges ? extractRange(task) : extractMesh(task, *query, *model);
     if (!outcome)
