@@ -32,7 +32,7 @@ Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
 
     std::ifstream file(path, std::ios::binary);
     if (!file.is_open() && isLackOfResources(errno))
-        return Error{ErrorKind::OutOfResource, "'" + path.string() + "' cannot be read: " + std::strerror(errno) +
+        return Error{ErrorKind::OutOfResource, "'" + path.string() + "' cannot be read: " + systemErrorText(errno) +
                                                    ". Close other programs, or raise the limit (ulimit)."};
     Buffer<std::byte> bytes(shownToReaders);
     file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(shownToReaders));

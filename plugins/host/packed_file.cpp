@@ -2,6 +2,7 @@
 #include "plugins/host/packed_file.h"
 
 #include "core/base/byte_text.h"
+#include "core/base/system_error.h"
 #include "plugins/host/input_file.h"
 
 #include <zlib.h>
@@ -47,7 +48,7 @@ public:
         if (descriptor >= 0)
             ::close(descriptor);
         return cannotUnpack(path, isLackOfResources(problem) ? ErrorKind::OutOfResource : ErrorKind::BadInput,
-                            std::generic_category().message(problem) + ".");
+                            systemErrorText(problem) + ".");
     }
 
     /// How many bytes came, less than the room there is only at the end.
@@ -92,8 +93,7 @@ Error noRoom(const fs::path& path, const fs::path& folder, int systemError)
 {
     return cannotUnpack(
         path, ErrorKind::CannotWrite,
-        "it is packed by gzip, and cannot be unpacked into '" + folder.string() +
-            "': " + std::generic_category().message(systemError) +
+        "it is packed by gzip, and cannot be unpacked into '" + folder.string() + "': " + systemErrorText(systemError) +
             ". Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).");
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper_process.h"
 
+#include "core/base/system_error.h"
 #include "plugins/readers/vtk/process_limits.h"
 #include "plugins/readers/vtk/vtk_exchange.h"
 
@@ -42,7 +43,7 @@ bool isLackOfResources(int systemError)
 
 Error notStarted(const fs::path& helper, int systemError)
 {
-    const std::string reason = std::generic_category().message(systemError);
+    const std::string reason = systemErrorText(systemError);
     if (isLackOfResources(systemError))
         return {ErrorKind::OutOfResource,
                 "There are not enough memory, processes or open files to start the VTK readers (" + reason +
