@@ -264,6 +264,8 @@ int main(int argumentCount, char** arguments)
     if (!asked.writes && !buildLatticeModel(asked.dataset))
         return 1;
     allocationsOf(asked);
+    if (asked.writes)
+        std::filesystem::remove(modelPath);
     for (long number = std::atol(arguments[3]); number < std::atol(arguments[4]); ++number) {
         long before = livingAfter(asked, number);
         int grown = 0;
