@@ -2,7 +2,6 @@
 // tan-failing-allocations count: a line "CASE ALLOCATIONS" for each case. ... fail CASE FIRST END: runs the case once
 // for each number from FIRST to below END with that allocation failing. The case must say so, as an error or an
 // exception, or be right without it; nothing may leak (3 in a row say so: caches grow once) and no file be left.
-#include "core/data/lattice_cut.h"
 #include "core/graphics/isosurface.h"
 #include "core/mesh/curvilinear_refinement.h"
 #include "core/mesh/lattice_refinement.h"
@@ -120,9 +119,16 @@ namespace {
 
 const std::filesystem::path modelPath = "allocations.tan";
 
+ModelDescription builtBy(const char* builder)
+{
+    ModelDescription description;
+    description.builder = builder;
+    return description;
+}
+
 Status buildLatticeModel(const Dataset& dataset)
 {
-    auto writer = ModelWriter::create(modelPath, dataset, {.builder = "refinement"});
+    auto writer = ModelWriter::create(modelPath, dataset, builtBy("refinement"));
     if (!writer)
         return writer.error();
     LatticeRefinementOptions options;
@@ -135,7 +141,7 @@ Status buildLatticeModel(const Dataset& dataset)
 
 Status buildCurvilinearModel(const Dataset& dataset)
 {
-    auto writer = ModelWriter::create(modelPath, dataset, {.builder = "refinement"});
+    auto writer = ModelWriter::create(modelPath, dataset, builtBy("refinement"));
     if (!writer)
         return writer.error();
     CurvilinearRefinementOptions options;
@@ -148,7 +154,7 @@ Status buildCurvilinearModel(const Dataset& dataset)
 
 Status buildDecimatedModel(const Dataset& dataset)
 {
-    auto writer = ModelWriter::create(modelPath, dataset, {.builder = "decimation"});
+    auto writer = ModelWriter::create(modelPath, dataset, builtBy("decimation"));
     if (!writer)
         return writer.error();
     std::vector<double> values(dataset.pointCount());
@@ -258,6 +264,8 @@ int main(int argumentCount, char** arguments)
     if (!asked.writes && !buildLatticeModel(asked.dataset))
         return 1;
     allocationsOf(asked);
+    if (asked.writes)
+        std::filesystem::remove(modelPath);
     for (long number = std::atol(arguments[3]); number < std::atol(arguments[4]); ++number) {
         long before = livingAfter(asked, number);
         int grown = 0;
