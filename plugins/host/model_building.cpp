@@ -164,8 +164,7 @@ Result<ModelBuild> buildModel(PluginHost& host, const Dataset& dataset, const st
             checkParameterValues("builder '" + builder->id + "'", builder->plugin->parameters(), values);
         !known)
         return known.error();
-    if (const Status used = checkOfUse(builder->plugin->parameters(), values, dataset);
-        !used)
+    if (const Status used = checkOfUse(builder->plugin->parameters(), values, dataset); !used)
         return used.error();
     if (const Status safe = checkOutput(output, std::array{dataset.source.path}); !safe)
         return safe.error();

@@ -144,8 +144,7 @@ private slots:
     {
         QFETCH(QStringList, options);
         const auto built = [&](const QStringList& thresholds) {
-            const Run run =
-                tan(QStringList{"build", "grid.xyz", "-o", "model.tan", "--json"} + options + thresholds);
+            const Run run = tan(QStringList{"build", "grid.xyz", "-o", "model.tan", "--json"} + options + thresholds);
             const QJsonObject figures = run.json();
             return std::pair(figures["sites"].toInt(), figures["tetrahedra"].toInt());
         };

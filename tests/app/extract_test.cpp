@@ -181,7 +181,8 @@ private slots:
     /// Pieces are more than what they were cut from, which is never more than the whole.
     void piecesAreNotTetrahedraOfTheModel()
     {
-        const QStringList cut = {"--error", "10", "--window", "0.75,0.75,0.75,14.25,14.25,14.25", "--border", "clipped"};
+        const QStringList cut = {"--error",  "10",     "--window", "0.75,0.75,0.75,14.25,14.25,14.25",
+                                 "--border", "clipped"};
         const QJsonObject figures = extracted(cut);
         QVERIFY(tetrahedra(figures) > figures["whole_tetrahedra"].toInteger());
         const qint64 kept = figures["kept_tetrahedra"].toInteger();

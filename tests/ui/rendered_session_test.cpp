@@ -181,8 +181,8 @@ void RenderedSessionTest::aPictureHoldsItsSession()
     dialog.reject();
     QTRY_COMPARE(saved.count(), 1);
     const QImage shown(path("shown.png"));
-    const Run run = tan({"render", "shown.png", "--size",
-                         QString("%1x%2").arg(shown.width()).arg(shown.height()), "-o", "again.png"});
+    const Run run = tan(
+        {"render", "shown.png", "--size", QString("%1x%2").arg(shown.width()).arg(shown.height()), "-o", "again.png"});
     QVERIFY2(run.exitCode == 0, run.messages);
     const QByteArray difference = differenceOf(shown.convertToFormat(QImage::Format_ARGB32),
                                                QImage(path("again.png")).convertToFormat(QImage::Format_ARGB32));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/model/extraction.h"
 #include "core/graphics/volume/volume_mesh.h"
+#include "core/model/extraction.h"
 #include "core/transfer/default_transfer_functions.h"
 #include "tests/ui/sample_window.h"
 #include "ui/session/accuracy_scale.h"
@@ -146,8 +146,8 @@ std::shared_ptr<const Scene> cyclicScene()
     const auto transfer = makeVolumeTransfer(*mesh, sequentialTransferFunction(0, 1, 1));
     auto scene = std::make_shared<Scene>();
     scene->bounds = volume->bounds;
-    scene->volume = Volume{std::make_shared<const VolumeMesh>(*volume),
-                           std::make_shared<const VolumeTransfer>(*transfer), false};
+    scene->volume =
+        Volume{std::make_shared<const VolumeMesh>(*volume), std::make_shared<const VolumeTransfer>(*transfer), false};
     return scene;
 }
 

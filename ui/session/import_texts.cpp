@@ -147,8 +147,9 @@ unsigned usableThreads()
 
 QString estimateText(const BuildSize& size, const BuildEstimate& estimate)
 {
-    const QString needs = needsText(size, estimate).arg(roughBytesText(estimate.memoryBytes), roughBytesText(estimate.diskBytes),
-                                              roughDurationText(estimate.seconds));
+    const QString needs = needsText(size, estimate)
+                              .arg(roughBytesText(estimate.memoryBytes), roughBytesText(estimate.diskBytes),
+                                   roughDurationText(estimate.seconds));
     const std::uint64_t usable = usableBytes();
     if (usable != 0 && estimate.memoryBytes > usable)
         return needs + " " + ImportTexts::tr("This machine has %1 of memory.").arg(bytesText(usable));

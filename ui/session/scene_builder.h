@@ -11,7 +11,8 @@
 
 namespace tetra {
 
-/// Makes scenes in a worker. The newest request wins. Used from the thread that it lives in, where it emits its signals.
+/// Makes scenes in a worker. The newest request wins. Used from the thread that it lives in, where it emits its
+/// signals.
 class SceneBuilder : public QObject {
     Q_OBJECT
 public:

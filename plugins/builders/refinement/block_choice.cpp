@@ -51,7 +51,8 @@ Parameter blockParameter()
     block.label = "Block";
     block.explanation =
         "The cells along an edge of the blocks that are refined independently, in memory for a few of them; 'none' "
-        "refines the dataset as a whole; 'automatic' takes blocks where a lattice is large. The blocks of a curvilinear "
+        "refines the dataset as a whole; 'automatic' takes blocks where a lattice is large. The blocks of a "
+        "curvilinear "
         "grid are refined together, all in memory.";
     block.unit = "cells";
     block.defaultValue = std::string("automatic");
