@@ -759,6 +759,10 @@
         <translation>%1 seiner %2 Tetraeder werden gezeigt.</translation>
     </message>
     <message>
+        <source>%1 tetrahedra in %2 pieces, as the window cuts them</source>
+        <translation>%1 Tetraeder in %2 Stücken, wie das Fenster sie schneidet</translation>
+    </message>
+    <message>
         <source>error %1 in the focus, %2 outside</source>
         <translation>Fehler %1 im Fokus, %2 außerhalb</translation>
     </message>
@@ -1007,8 +1011,8 @@
         <translation>Block</translation>
     </message>
     <message>
-        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where the dataset is large.</source>
-        <translation>Die Zellen entlang einer Kante der Blöcke, die unabhängig verfeinert werden, mit Speicher für einige davon; „keine“ verfeinert den Datensatz als Ganzes; „automatisch“ nimmt Blöcke, wo der Datensatz groß ist.</translation>
+        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice is large. The blocks of a curvilinear grid are refined together, all in memory.</source>
+        <translation>Die Zellen entlang einer Kante der Blöcke, die unabhängig verfeinert werden, mit Speicher für einige davon; „keine“ verfeinert den Datensatz als Ganzes; „automatisch“ nimmt Blöcke, wo ein Gitter groß ist. Die Blöcke krummliniger Gitter werden gemeinsam verfeinert, alle im Speicher.</translation>
     </message>
     <message>
         <source>cells</source>
@@ -1019,8 +1023,8 @@
         <translation>Verwerfung</translation>
     </message>
     <message>
-        <source>For curvilinear data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values, 1 : 1 if either is 0; 0 keeps everything.</source>
-        <translation>Bei krummlinigen Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt, 1 : 1, wenn eines von beiden 0 ist; 0 behält alles.</translation>
+        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
+        <translation>Für krummlinige und unregelmäßige Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt. Ist eines der beiden 0, gilt dafür die Zahl des anderen.</translation>
     </message>
     <message>
         <source>% of the diagonal</source>
@@ -1493,10 +1497,6 @@
     <message>
         <source>The error at which to stop; 0 goes on to the coarsest mesh.</source>
         <translation>Der Fehler, bei dem aufgehört wird; 0 geht bis zum gröbsten Netz.</translation>
-    </message>
-    <message>
-        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values, 1 : 1 if either is 0, and then the other holds for both; two of 0 go on to the coarsest mesh.</source>
-        <translation>Für krummlinige und unregelmäßige Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt, 1 : 1, wenn eines von beiden 0 ist, und dann gilt das andere für beide; sind beide 0, geht es bis zum gröbsten Netz.</translation>
     </message>
     <message>
         <source>Which point goes next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points at a time that do not touch, so that a focus region needs the least besides.</source>
@@ -2782,6 +2782,10 @@
         <translation>Eingehalten</translation>
     </message>
     <message>
+        <source>Cut</source>
+        <translation>Geschnitten</translation>
+    </message>
+    <message>
         <source>Triangles</source>
         <translation>Dreiecke</translation>
     </message>
@@ -2796,6 +2800,14 @@
     <message>
         <source>A frame</source>
         <translation>Ein Bild</translation>
+    </message>
+    <message>
+        <source>Visibility cycles</source>
+        <translation>Zyklen der Sichtfolge</translation>
+    </message>
+    <message>
+        <source>%1, in which cells are drawn by their distance</source>
+        <translation>%1, in denen die Zellen nach ihrer Entfernung gezeichnet werden</translation>
     </message>
 </context>
 <context>
@@ -3620,6 +3632,14 @@ Verwerfung %2</translation>
         <translation>Ort, Größe, Fehler und Übergang wie am Anfang</translation>
     </message>
     <message>
+        <source>A focus is not coarser than what is around it, so it gets the same error.</source>
+        <translation>Ein Fokus ist nicht gröber als seine Umgebung, also erhält er denselben Fehler.</translation>
+    </message>
+    <message>
+        <source>A focus is not coarser than what is around it, so it gets %1.</source>
+        <translation>Ein Fokus ist nicht gröber als seine Umgebung, also erhält er %1.</translation>
+    </message>
+    <message>
         <source>Outside %1, as chosen under Accuracy.</source>
         <translation>Außerhalb %1, wie unter Genauigkeit gewählt.</translation>
     </message>
@@ -4156,6 +4176,14 @@ Verwerfung %2</translation>
     <message>
         <source>TAn</source>
         <translation>TAn</translation>
+    </message>
+    <message>
+        <source>%1 is not built yet. The picture still shows %2.</source>
+        <translation>%1 ist noch nicht gebaut. Das Bild zeigt noch %2.</translation>
+    </message>
+    <message>
+        <source>The picture is not of the present settings, which could not be shown.</source>
+        <translation>Das Bild gehört nicht zu den jetzigen Einstellungen: Die ließen sich nicht darstellen.</translation>
     </message>
     <message>
         <source>The dataset is open. Build its model to look at it: the panel on the left has the options.</source>

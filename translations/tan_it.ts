@@ -759,6 +759,10 @@
         <translation>Si mostrano %1 dei suoi %2 tetraedri.</translation>
     </message>
     <message>
+        <source>%1 tetrahedra in %2 pieces, as the window cuts them</source>
+        <translation>%1 tetraedri in %2 pezzi, tagliati dalla finestra</translation>
+    </message>
+    <message>
         <source>error %1 in the focus, %2 outside</source>
         <translation>errore %1 nel fuoco, %2 all&apos;esterno</translation>
     </message>
@@ -1007,8 +1011,8 @@
         <translation>Blocco</translation>
     </message>
     <message>
-        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where the dataset is large.</source>
-        <translation>Le celle lungo uno spigolo dei blocchi raffinati indipendentemente, con memoria per pochi di essi; «nessuno» raffina l&apos;insieme di dati come un tutto; «automatico» usa blocchi dove i dati sono molti.</translation>
+        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice is large. The blocks of a curvilinear grid are refined together, all in memory.</source>
+        <translation>Le celle lungo uno spigolo dei blocchi raffinati indipendentemente, con memoria per pochi di essi; «nessuno» raffina l&apos;insieme di dati come un tutto; «automatico» usa blocchi dove un reticolo è grande. I blocchi delle griglie curvilinee sono raffinati insieme, tutti in memoria.</translation>
     </message>
     <message>
         <source>cells</source>
@@ -1019,8 +1023,8 @@
         <translation>Deformazione</translation>
     </message>
     <message>
-        <source>For curvilinear data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values, 1 : 1 if either is 0; 0 keeps everything.</source>
-        <translation>Per dati curvilinei: la deformazione a cui fermarsi. Il suo rapporto con l&apos;errore dice quanto conta la forma rispetto ai valori, 1 : 1 se uno dei due è 0; 0 conserva tutto.</translation>
+        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
+        <translation>Per dati curvilinei e irregolari: la deformazione a cui fermarsi. Il suo rapporto con l&apos;errore dice quanto conta la forma rispetto ai valori. Se uno dei due è 0, vale per esso il numero dell&apos;altro.</translation>
     </message>
     <message>
         <source>% of the diagonal</source>
@@ -1493,10 +1497,6 @@
     <message>
         <source>The error at which to stop; 0 goes on to the coarsest mesh.</source>
         <translation>L&apos;errore a cui fermarsi; 0 prosegue fino alla mesh più grossolana.</translation>
-    </message>
-    <message>
-        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values, 1 : 1 if either is 0, and then the other holds for both; two of 0 go on to the coarsest mesh.</source>
-        <translation>Per dati curvilinei e irregolari: la deformazione a cui fermarsi. Il suo rapporto con l&apos;errore dice quanto conta la forma rispetto ai valori, 1 : 1 se uno dei due è 0, e allora l&apos;altro vale per entrambi; due 0 proseguono fino alla mesh più grossolana.</translation>
     </message>
     <message>
         <source>Which point goes next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points at a time that do not touch, so that a focus region needs the least besides.</source>
@@ -2782,6 +2782,10 @@
         <translation>Garantito</translation>
     </message>
     <message>
+        <source>Cut</source>
+        <translation>Tagliati</translation>
+    </message>
+    <message>
         <source>Triangles</source>
         <translation>Triangoli</translation>
     </message>
@@ -2796,6 +2800,14 @@
     <message>
         <source>A frame</source>
         <translation>Un&apos;immagine</translation>
+    </message>
+    <message>
+        <source>Visibility cycles</source>
+        <translation>Cicli di visibilità</translation>
+    </message>
+    <message>
+        <source>%1, in which cells are drawn by their distance</source>
+        <translation>%1, in cui le celle sono disegnate secondo la distanza</translation>
     </message>
 </context>
 <context>
@@ -3620,6 +3632,14 @@ deformazione %2</translation>
         <translation>Posizione, dimensione, errore e transizione com&apos;erano all&apos;inizio</translation>
     </message>
     <message>
+        <source>A focus is not coarser than what is around it, so it gets the same error.</source>
+        <translation>Un fuoco non è più grossolano di ciò che lo circonda, quindi riceve lo stesso errore.</translation>
+    </message>
+    <message>
+        <source>A focus is not coarser than what is around it, so it gets %1.</source>
+        <translation>Un fuoco non è più grossolano di ciò che lo circonda, quindi riceve %1.</translation>
+    </message>
+    <message>
         <source>Outside %1, as chosen under Accuracy.</source>
         <translation>All&apos;esterno %1, come scelto in Accuratezza.</translation>
     </message>
@@ -4156,6 +4176,14 @@ deformazione %2</translation>
     <message>
         <source>TAn</source>
         <translation>TAn</translation>
+    </message>
+    <message>
+        <source>%1 is not built yet. The picture still shows %2.</source>
+        <translation>%1 non è ancora costruito. L&apos;immagine mostra ancora %2.</translation>
+    </message>
+    <message>
+        <source>The picture is not of the present settings, which could not be shown.</source>
+        <translation>L&apos;immagine non corrisponde alle impostazioni attuali, che non si sono potute mostrare.</translation>
     </message>
     <message>
         <source>The dataset is open. Build its model to look at it: the panel on the left has the options.</source>

@@ -92,7 +92,10 @@ Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::share
     const QJsonObject figures = figuresOf(task.model, query, found);
     for (auto figure = figures.begin(); figure != figures.end(); ++figure)
         outcome.figures[figure.key()] = figure.value();
-    if (found.mesh.tetrahedra.size() != found.wholeTetrahedra)
+    if (found.mesh.tetrahedra.size() != found.keptTetrahedra)
+        outcome.text += ", pieces of " + std::to_string(found.keptTetrahedra) + " of the " +
+                        std::to_string(found.wholeTetrahedra) + " of the whole mesh";
+    else if (found.keptTetrahedra != found.wholeTetrahedra)
         outcome.text += " of " + std::to_string(found.wholeTetrahedra);
     if (isSurfaceFileOnly(task.output))
         outcome.text += ", of which the file has the boundary";

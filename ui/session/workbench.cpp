@@ -11,6 +11,7 @@
 #include "ui/session/recent_files.h"
 #include "ui/session/sentences.h"
 #include "ui/session/target_path.h"
+#include "ui/session/view_picture.h"
 
 #include <QFileInfo>
 #include <QRegularExpression>
@@ -349,8 +350,7 @@ void Workbench::setSessionFile(const std::filesystem::path& file)
 
 const Renderer* Workbench::renderer() const
 {
-    const auto found = std::ranges::find(modes_, session_.view().look().mode, &Provided<Renderer>::id);
-    return found != modes_.end() ? found->plugin : nullptr;
+    return rendererOf(modes_, session_.view().look().mode);
 }
 
 std::vector<Parameter> Workbench::renderingParameters() const
@@ -369,11 +369,7 @@ SceneRequest Workbench::sceneRequest() const
     const ViewState& view = session_.view();
     if (preview_)
         return sceneOf(filmOrder(preview_->camera), *preview_);
-    return {session_.model(),
-            renderer(),
-            meshQuery(view.query(), *session_.model()),
-            rendererValues(renderingParameters(), view.look(), view.isovalues()),
-            {}};
+    return sceneOf(session_.model(), renderer(), renderingParameters(), view.query(), view.look(), view.isovalues());
 }
 
 void Workbench::requestScene()

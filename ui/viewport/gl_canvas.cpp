@@ -136,7 +136,9 @@ void GlCanvas::paintGL()
     pacer_.learn(plan.level, static_cast<double>(samples) * options.width * options.height, painter_->statistics(),
                  seconds);
     settled_ = !view_.moving;
-    framePainted({seconds, view_.moving, view_.moving ? clock_.tick() : 0, plan.reduction, level.tetrahedra});
+    const RenderStatistics statistics = painter_->statistics();
+    framePainted({seconds, view_.moving, view_.moving ? clock_.tick() : 0, plan.reduction, level.tetrahedra,
+                  statistics.cells, statistics.brokenCycles});
 }
 
 /// A picture that is smaller than the window is drawn beside it and stretched over it.

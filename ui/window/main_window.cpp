@@ -8,6 +8,7 @@
 #include "ui/panels/statistics_panel.h"
 #include "ui/session/recent_files.h"
 #include "ui/session/target_path.h"
+#include "ui/viewport/picture_notice.h"
 #include "ui/viewport/region_tools.h"
 #include "ui/viewport/transfer_drag.h"
 #include "ui/viewport/value_pick.h"
@@ -107,6 +108,7 @@ QWidget* MainWindow::makeCentre()
     pick_ = new ValuePick(workbench_, *viewport_);
     new TransferDrag(workbench_, *viewport_);
     new RegionTools(workbench_.session(), *viewport_); // the last one comes first: its handles go before
+    notice_ = new PictureNotice(*viewport_);
     new ViewHistory(*viewport_, workbench_.session().undoStack(), this);
     pages_->setObjectName("pages");
     pages_->addWidget(empty_);
@@ -272,6 +274,10 @@ void MainWindow::connectWorkbench()
     });
     SceneBuilder& scenes = workbench_.sceneBuilder();
     connect(&scenes, &SceneBuilder::sceneReady, this, &MainWindow::showScene);
+    connect(&scenes, &SceneBuilder::failed, this, [this] {
+        isOutdated_ = viewport_->scene() != nullptr;
+        showNotice();
+    });
     connect(&scenes, &SceneBuilder::busyChanged, status_, &StatusLine::setBusy);
     connect(&workbench_.draftBuilder(), &DraftBuilder::draftsReady, this, &MainWindow::showDrafts);
     connect(viewport_, &Viewport::framePainted, this, [this](const FrameReport& report) {
@@ -372,6 +378,8 @@ void MainWindow::offerBuilt(const QString& path, bool isShown)
 {
     if (isShown && workbench_.datasetIsBuilt())
         docks_.build->hide();
+    isBesideDataset_ = isBesideDataset_ && !workbench_.datasetIsBuilt();
+    showNotice();
     if (!isShown)
         messages_->ask(
             tr("The model %1 is built.").arg(QFileInfo(path).fileName()), tr("&Open"), [this, path] { open(path); },
@@ -407,6 +415,10 @@ void MainWindow::showModel()
              actions_.namedViews)
         action->setEnabled(model != nullptr);
     viewport_->setScene(nullptr);
+    status_->clearScene();
+    isOutdated_ = false;
+    isBesideDataset_ = false;
+    showNotice();
     const Camera& camera = viewport_->camera();
     viewport_->startFrom(model ? fitted(camera, model->description().bounds) : camera, std::nullopt);
     if (model) {
@@ -420,6 +432,22 @@ void MainWindow::showScene(const BuiltScene& scene)
 {
     viewport_->setScene(scene.scene, scene.mesh.tetrahedra);
     status_->setScene(scene);
+    isOutdated_ = false;
+    showNotice();
+}
+
+/// Says what the picture is not.
+void MainWindow::showNotice()
+{
+    const auto& model = workbench_.session().model();
+    const auto& dataset = workbench_.dataset();
+    if (model && dataset && isBesideDataset_)
+        notice_->tell(
+            tr("%1 is not built yet. The picture still shows %2.")
+                .arg(QString::fromStdString(dataset->source.name), QFileInfo(pathText(model->path())).fileName()));
+    else
+        notice_->tell(isOutdated_ ? tr("The picture is not of the present settings, which could not be shown.")
+                                  : QString());
 }
 
 void MainWindow::showDrafts(const std::vector<DraftScene>& drafts)
@@ -449,6 +477,8 @@ void MainWindow::connectFollowing()
 
 void MainWindow::showDataset()
 {
+    isBesideDataset_ = workbench_.dataset() != nullptr && !workbench_.datasetIsBuilt();
+    showNotice();
     docks_.build->setVisible(workbench_.dataset() != nullptr);
     if (workbench_.dataset()) {
         docks_.build->raise();
