@@ -774,6 +774,10 @@
         <translation>%1 seiner %2 Tetraeder werden gezeigt.</translation>
     </message>
     <message>
+        <source>%1 tetrahedra in %2 pieces, as the window cuts them</source>
+        <translation>%1 Tetraeder in %2 Stücken, wie das Fenster sie schneidet</translation>
+    </message>
+    <message>
         <source>error %1 in the focus, %2 outside</source>
         <translation>Fehler %1 im Fokus, %2 außerhalb</translation>
     </message>
@@ -1022,8 +1026,8 @@
         <translation>Block</translation>
     </message>
     <message>
-        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where the dataset is large.</source>
-        <translation>Die Zellen entlang einer Kante der Blöcke, die unabhängig verfeinert werden, mit Speicher für einige davon; „keine“ verfeinert den Datensatz als Ganzes; „automatisch“ nimmt Blöcke, wo der Datensatz groß ist.</translation>
+        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice is large. The blocks of a curvilinear grid are refined together, all in memory.</source>
+        <translation>Die Zellen entlang einer Kante der Blöcke, die unabhängig verfeinert werden, mit Speicher für einige davon; „keine“ verfeinert den Datensatz als Ganzes; „automatisch“ nimmt Blöcke, wo ein Gitter groß ist. Die Blöcke krummliniger Gitter werden gemeinsam verfeinert, alle im Speicher.</translation>
     </message>
     <message>
         <source>cells</source>
@@ -1034,8 +1038,8 @@
         <translation>Verwerfung</translation>
     </message>
     <message>
-        <source>For curvilinear data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values, 1 : 1 if either is 0; 0 keeps everything.</source>
-        <translation>Bei krummlinigen Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt, 1 : 1, wenn eines von beiden 0 ist; 0 behält alles.</translation>
+        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
+        <translation>Für krummlinige und unregelmäßige Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt. Ist eines der beiden 0, gilt dafür die Zahl des anderen.</translation>
     </message>
     <message>
         <source>% of the diagonal</source>
@@ -1510,10 +1514,6 @@
         <translation>Der Fehler, bei dem aufgehört wird; 0 geht bis zum gröbsten Netz.</translation>
     </message>
     <message>
-        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values, 1 : 1 if either is 0, and then the other holds for both; two of 0 go on to the coarsest mesh.</source>
-        <translation>Für krummlinige und unregelmäßige Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt, 1 : 1, wenn eines von beiden 0 ist, und dann gilt das andere für beide; sind beide 0, geht es bis zum gröbsten Netz.</translation>
-    </message>
-    <message>
         <source>Which point goes next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points at a time that do not touch, so that a focus region needs the least besides.</source>
         <translation>Welcher Punkt als nächster geht: „exact“ nimmt den, dessen Verlust am wenigsten schadet, für die wenigsten Punkte; „paper“ schätzt das durch Gradienten und Ebenen, wie der Aufsatz; „rounds“ nimmt viele Punkte auf einmal, die einander nicht berühren, so dass ein Fokusbereich am wenigsten sonst braucht.</translation>
     </message>
@@ -1692,6 +1692,10 @@
     <message>
         <source>%1. Ask its owner for the right to read it.</source>
         <translation>%1. Bitten Sie den Eigentümer um das Recht, sie zu lesen.</translation>
+    </message>
+    <message>
+        <source>%1. Close other programs, or raise the limit (ulimit).</source>
+        <translation>%1. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
     </message>
     <message>
         <source>it is a folder. Name a file in it.</source>
@@ -1994,6 +1998,10 @@
         <translation>Wählen Sie einen anderen Ordner oder Datenträger.</translation>
     </message>
     <message>
+        <source>Close other programs, or raise the limit (ulimit).</source>
+        <translation>Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
+    </message>
+    <message>
         <source>it is not a regular file</source>
         <translation>Es ist keine gewöhnliche Datei</translation>
     </message>
@@ -2028,6 +2036,22 @@
     <message>
         <source>Wait for it, or give the model another name.</source>
         <translation>Warten Sie darauf, oder geben Sie dem Modell einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>it holds something else</source>
+        <translation>er enthält etwas anderes</translation>
+    </message>
+    <message>
+        <source>Give the model another name, or move that folder away.</source>
+        <translation>Geben Sie dem Modell einen anderen Namen, oder schieben Sie jenen Ordner beiseite.</translation>
+    </message>
+    <message>
+        <source>it is a link</source>
+        <translation>er ist ein Verweis</translation>
+    </message>
+    <message>
+        <source>Give the model another name, or move that link away.</source>
+        <translation>Geben Sie dem Modell einen anderen Namen, oder schieben Sie jenen Verweis beiseite.</translation>
     </message>
     <message>
         <source>Choose another folder for the model.</source>
@@ -2114,8 +2138,12 @@
         <translation>Die Datei gibt es auf dem Server nicht mehr</translation>
     </message>
     <message>
-        <source>A temporary file in &apos;%1&apos; cannot be used: %2. Free some space or choose another disk.</source>
-        <translation>Eine Zwischendatei in „%1“ kann nicht benutzt werden: %2. Schaffen Sie Platz, oder wählen Sie einen anderen Datenträger.</translation>
+        <source>Cannot make a temporary file in &apos;%1&apos;: %2. %3</source>
+        <translation>In „%1“ kann keine Zwischendatei angelegt werden: %2. %3</translation>
+    </message>
+    <message>
+        <source>A temporary file in &apos;%1&apos; cannot be used: %2. %3</source>
+        <translation>Eine Zwischendatei in „%1“ kann nicht benutzt werden: %2. %3</translation>
     </message>
     <message>
         <source>The output &apos;%1&apos; is the input &apos;%2&apos;. Give the output another name.</source>
@@ -2236,6 +2264,18 @@
     <message>
         <source>The memory of this machine is not enough for &apos;%1&apos; here. Close other programs, or give it smaller data.</source>
         <translation>Der Arbeitsspeicher dieses Rechners reicht hier nicht für „%1“. Schließen Sie andere Programme, oder nehmen Sie kleinere Daten.</translation>
+    </message>
+    <message>
+        <source>The memory of this machine is not enough for this. Close other programs, or raise the limit (ulimit).</source>
+        <translation>Der Speicher dieses Rechners reicht dafür nicht aus. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
+    </message>
+    <message>
+        <source>This machine can start no more threads now. Close other programs, or raise the limit (ulimit).</source>
+        <translation>Dieser Rechner kann zurzeit keine weiteren Threads starten. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
+    </message>
+    <message>
+        <source>Not all plugins can be loaded now: %1. Close other programs, or raise the limit (ulimit).</source>
+        <translation>Zurzeit können nicht alle Plugins geladen werden: %1. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; failed: %2. This is a mistake in the plugin; tell its author.</source>
@@ -2757,6 +2797,10 @@
         <translation>Eingehalten</translation>
     </message>
     <message>
+        <source>Cut</source>
+        <translation>Geschnitten</translation>
+    </message>
+    <message>
         <source>Triangles</source>
         <translation>Dreiecke</translation>
     </message>
@@ -2771,6 +2815,14 @@
     <message>
         <source>A frame</source>
         <translation>Ein Bild</translation>
+    </message>
+    <message>
+        <source>Visibility cycles</source>
+        <translation>Zyklen der Sichtfolge</translation>
+    </message>
+    <message>
+        <source>%1, in which cells are drawn by their distance</source>
+        <translation>%1, in denen die Zellen nach ihrer Entfernung gezeichnet werden</translation>
     </message>
 </context>
 <context>
@@ -3595,6 +3647,14 @@ Verwerfung %2</translation>
         <translation>Ort, Größe, Fehler und Übergang wie am Anfang</translation>
     </message>
     <message>
+        <source>A focus is not coarser than what is around it, so it gets the same error.</source>
+        <translation>Ein Fokus ist nicht gröber als seine Umgebung, also erhält er denselben Fehler.</translation>
+    </message>
+    <message>
+        <source>A focus is not coarser than what is around it, so it gets %1.</source>
+        <translation>Ein Fokus ist nicht gröber als seine Umgebung, also erhält er %1.</translation>
+    </message>
+    <message>
         <source>Outside %1, as chosen under Accuracy.</source>
         <translation>Außerhalb %1, wie unter Genauigkeit gewählt.</translation>
     </message>
@@ -4131,6 +4191,14 @@ Verwerfung %2</translation>
     <message>
         <source>TAn</source>
         <translation>TAn</translation>
+    </message>
+    <message>
+        <source>%1 is not built yet. The picture still shows %2.</source>
+        <translation>%1 ist noch nicht gebaut. Das Bild zeigt noch %2.</translation>
+    </message>
+    <message>
+        <source>The picture is not of the present settings, which could not be shown.</source>
+        <translation>Das Bild gehört nicht zu den jetzigen Einstellungen: Die ließen sich nicht darstellen.</translation>
     </message>
     <message>
         <source>The dataset is open. Build its model to look at it: the panel on the left has the options.</source>

@@ -774,6 +774,10 @@
         <translation>Si mostrano %1 dei suoi %2 tetraedri.</translation>
     </message>
     <message>
+        <source>%1 tetrahedra in %2 pieces, as the window cuts them</source>
+        <translation>%1 tetraedri in %2 pezzi, tagliati dalla finestra</translation>
+    </message>
+    <message>
         <source>error %1 in the focus, %2 outside</source>
         <translation>errore %1 nel fuoco, %2 all&apos;esterno</translation>
     </message>
@@ -1022,8 +1026,8 @@
         <translation>Blocco</translation>
     </message>
     <message>
-        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where the dataset is large.</source>
-        <translation>Le celle lungo uno spigolo dei blocchi raffinati indipendentemente, con memoria per pochi di essi; «nessuno» raffina l&apos;insieme di dati come un tutto; «automatico» usa blocchi dove i dati sono molti.</translation>
+        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice is large. The blocks of a curvilinear grid are refined together, all in memory.</source>
+        <translation>Le celle lungo uno spigolo dei blocchi raffinati indipendentemente, con memoria per pochi di essi; «nessuno» raffina l&apos;insieme di dati come un tutto; «automatico» usa blocchi dove un reticolo è grande. I blocchi delle griglie curvilinee sono raffinati insieme, tutti in memoria.</translation>
     </message>
     <message>
         <source>cells</source>
@@ -1034,8 +1038,8 @@
         <translation>Deformazione</translation>
     </message>
     <message>
-        <source>For curvilinear data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values, 1 : 1 if either is 0; 0 keeps everything.</source>
-        <translation>Per dati curvilinei: la deformazione a cui fermarsi. Il suo rapporto con l&apos;errore dice quanto conta la forma rispetto ai valori, 1 : 1 se uno dei due è 0; 0 conserva tutto.</translation>
+        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
+        <translation>Per dati curvilinei e irregolari: la deformazione a cui fermarsi. Il suo rapporto con l&apos;errore dice quanto conta la forma rispetto ai valori. Se uno dei due è 0, vale per esso il numero dell&apos;altro.</translation>
     </message>
     <message>
         <source>% of the diagonal</source>
@@ -1510,10 +1514,6 @@
         <translation>L&apos;errore a cui fermarsi; 0 prosegue fino alla mesh più grossolana.</translation>
     </message>
     <message>
-        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values, 1 : 1 if either is 0, and then the other holds for both; two of 0 go on to the coarsest mesh.</source>
-        <translation>Per dati curvilinei e irregolari: la deformazione a cui fermarsi. Il suo rapporto con l&apos;errore dice quanto conta la forma rispetto ai valori, 1 : 1 se uno dei due è 0, e allora l&apos;altro vale per entrambi; due 0 proseguono fino alla mesh più grossolana.</translation>
-    </message>
-    <message>
         <source>Which point goes next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points at a time that do not touch, so that a focus region needs the least besides.</source>
         <translation>Quale punto togliere per primo: &apos;exact&apos; quello la cui perdita fa meno danno, per il minor numero di punti; &apos;paper&apos; lo stima con gradienti e piani, come faceva l&apos;articolo; &apos;rounds&apos; toglie molti punti per volta che non si toccano, così che una regione di fuoco richieda meno all&apos;intorno.</translation>
     </message>
@@ -1692,6 +1692,10 @@
     <message>
         <source>%1. Ask its owner for the right to read it.</source>
         <translation>%1. Chiedere al proprietario il permesso di leggerlo.</translation>
+    </message>
+    <message>
+        <source>%1. Close other programs, or raise the limit (ulimit).</source>
+        <translation>%1. Chiudere altri programmi o alzare il limite (ulimit).</translation>
     </message>
     <message>
         <source>it is a folder. Name a file in it.</source>
@@ -1994,6 +1998,10 @@
         <translation>Scegliere un&apos;altra cartella o un altro disco.</translation>
     </message>
     <message>
+        <source>Close other programs, or raise the limit (ulimit).</source>
+        <translation>Chiudere altri programmi o alzare il limite (ulimit).</translation>
+    </message>
+    <message>
         <source>it is not a regular file</source>
         <translation>non è un file ordinario</translation>
     </message>
@@ -2028,6 +2036,22 @@
     <message>
         <source>Wait for it, or give the model another name.</source>
         <translation>Aspettarlo, o dare al modello un altro nome.</translation>
+    </message>
+    <message>
+        <source>it holds something else</source>
+        <translation>contiene qualcos&apos;altro</translation>
+    </message>
+    <message>
+        <source>Give the model another name, or move that folder away.</source>
+        <translation>Dare al modello un altro nome o spostare quella cartella.</translation>
+    </message>
+    <message>
+        <source>it is a link</source>
+        <translation>è un collegamento</translation>
+    </message>
+    <message>
+        <source>Give the model another name, or move that link away.</source>
+        <translation>Dare al modello un altro nome o spostare quel collegamento.</translation>
     </message>
     <message>
         <source>Choose another folder for the model.</source>
@@ -2114,8 +2138,12 @@
         <translation>Il file non esiste più sul server</translation>
     </message>
     <message>
-        <source>A temporary file in &apos;%1&apos; cannot be used: %2. Free some space or choose another disk.</source>
-        <translation>Un file temporaneo in «%1» non può essere usato: %2. Liberare spazio o scegliere un altro disco.</translation>
+        <source>Cannot make a temporary file in &apos;%1&apos;: %2. %3</source>
+        <translation>Impossibile creare un file temporaneo in «%1»: %2. %3</translation>
+    </message>
+    <message>
+        <source>A temporary file in &apos;%1&apos; cannot be used: %2. %3</source>
+        <translation>Un file temporaneo in «%1» non può essere usato: %2. %3</translation>
     </message>
     <message>
         <source>The output &apos;%1&apos; is the input &apos;%2&apos;. Give the output another name.</source>
@@ -2236,6 +2264,18 @@
     <message>
         <source>The memory of this machine is not enough for &apos;%1&apos; here. Close other programs, or give it smaller data.</source>
         <translation>La memoria di questo computer qui non basta per «%1». Chiudere altri programmi, o dargli dati più piccoli.</translation>
+    </message>
+    <message>
+        <source>The memory of this machine is not enough for this. Close other programs, or raise the limit (ulimit).</source>
+        <translation>La memoria di questo computer non basta. Chiudere altri programmi o alzare il limite (ulimit).</translation>
+    </message>
+    <message>
+        <source>This machine can start no more threads now. Close other programs, or raise the limit (ulimit).</source>
+        <translation>Questo computer non può avviare altri thread in questo momento. Chiudere altri programmi o alzare il limite (ulimit).</translation>
+    </message>
+    <message>
+        <source>Not all plugins can be loaded now: %1. Close other programs, or raise the limit (ulimit).</source>
+        <translation>In questo momento non è possibile caricare tutti i plugin: %1. Chiudere altri programmi o alzare il limite (ulimit).</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; failed: %2. This is a mistake in the plugin; tell its author.</source>
@@ -2757,6 +2797,10 @@
         <translation>Garantito</translation>
     </message>
     <message>
+        <source>Cut</source>
+        <translation>Tagliati</translation>
+    </message>
+    <message>
         <source>Triangles</source>
         <translation>Triangoli</translation>
     </message>
@@ -2771,6 +2815,14 @@
     <message>
         <source>A frame</source>
         <translation>Un&apos;immagine</translation>
+    </message>
+    <message>
+        <source>Visibility cycles</source>
+        <translation>Cicli di visibilità</translation>
+    </message>
+    <message>
+        <source>%1, in which cells are drawn by their distance</source>
+        <translation>%1, in cui le celle sono disegnate secondo la distanza</translation>
     </message>
 </context>
 <context>
@@ -3595,6 +3647,14 @@ deformazione %2</translation>
         <translation>Posizione, dimensione, errore e transizione com&apos;erano all&apos;inizio</translation>
     </message>
     <message>
+        <source>A focus is not coarser than what is around it, so it gets the same error.</source>
+        <translation>Un fuoco non è più grossolano di ciò che lo circonda, quindi riceve lo stesso errore.</translation>
+    </message>
+    <message>
+        <source>A focus is not coarser than what is around it, so it gets %1.</source>
+        <translation>Un fuoco non è più grossolano di ciò che lo circonda, quindi riceve %1.</translation>
+    </message>
+    <message>
         <source>Outside %1, as chosen under Accuracy.</source>
         <translation>All&apos;esterno %1, come scelto in Accuratezza.</translation>
     </message>
@@ -4131,6 +4191,14 @@ deformazione %2</translation>
     <message>
         <source>TAn</source>
         <translation>TAn</translation>
+    </message>
+    <message>
+        <source>%1 is not built yet. The picture still shows %2.</source>
+        <translation>%1 non è ancora costruito. L&apos;immagine mostra ancora %2.</translation>
+    </message>
+    <message>
+        <source>The picture is not of the present settings, which could not be shown.</source>
+        <translation>L&apos;immagine non corrisponde alle impostazioni attuali, che non si sono potute mostrare.</translation>
     </message>
     <message>
         <source>The dataset is open. Build its model to look at it: the panel on the left has the options.</source>

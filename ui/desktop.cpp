@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/desktop.h"
 
+#include "core/base/file_writer.h"
 #include "plugins/widgets/icons.h"
 #include "ui/session/language.h"
 #include "ui/session/plugin_choice.h"
@@ -76,6 +77,7 @@ int refuseWithoutDisplay()
 
 int runDesktop(int argc, char** argv)
 {
+    reportFailedWrites();
     keepHeapSteady();
     const bool isShown = hasDisplay({argv, static_cast<std::size_t>(argc)});
     if (!isShown)

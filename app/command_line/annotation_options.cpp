@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/annotation_options.h"
 
-#include "ui/annotations/annotation_painter.h"
-
 #include <algorithm>
 
 namespace tetra {
@@ -31,9 +29,6 @@ const std::vector<KindOption>& kindOptions()
     return all;
 }
 
-/// Of the view whose texts are as large as on a screen.
-constexpr QSize usualView(1024, 768);
-
 } // namespace
 
 std::vector<Option> annotationOptions()
@@ -46,6 +41,12 @@ std::vector<Option> annotationOptions()
 
 bool askForAnnotations(std::span<const std::string> words)
 {
+    const auto isPicture = [&](std::size_t at) {
+        return words[at].ends_with(".png") && (at == 0 || !words[at - 1].starts_with('-'));
+    };
+    for (std::size_t at = 0; at < words.size(); ++at)
+        if (words[at].ends_with(".tansession") || isPicture(at))
+            return true;
     return std::ranges::any_of(words, [](const std::string& word) {
         const std::string given = word.substr(0, word.find('='));
         return std::ranges::any_of(kindOptions(),
@@ -60,15 +61,6 @@ AnnotationContent annotationsOf(const Arguments& arguments)
         content.state[kind].shown = arguments.has(option.name);
     content.title = QString::fromStdString(arguments.value("title").value_or(""));
     return content;
-}
-
-QImage annotated(const Picture& picture, const AnnotationContent& content)
-{
-    QImage image(reinterpret_cast<const uchar*>(picture.pixels.data()), picture.width, picture.height,
-                 QImage::Format_RGBA8888);
-    if (std::ranges::any_of(content.state.places, &AnnotationPlace::shown))
-        paintAnnotations(image, content, annotationScale(image.size(), usualView));
-    return image;
 }
 
 } // namespace tetra

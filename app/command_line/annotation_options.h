@@ -2,23 +2,17 @@
 #pragma once
 
 #include "app/command_line/arguments.h"
-#include "core/graphics/picture.h"
 #include "ui/annotations/annotation_content.h"
-
-#include <QImage>
 
 namespace tetra {
 
 /// What is written over a picture, as the window writes it: --colour-bar, --axes, --scale-bar, --title.
 std::vector<Option> annotationOptions();
 
-/// Whether words of a command line ask for any, so that fonts are needed.
+/// Whether words of a command line ask for any, or name a session, which may, so that fonts are needed.
 bool askForAnnotations(std::span<const std::string> words);
 
 /// Which of them, each in its usual corner; the content says nothing more than the title yet.
 AnnotationContent annotationsOf(const Arguments& arguments);
-
-/// The picture with what the content shows. Needs a QGuiApplication if it shows anything.
-QImage annotated(const Picture& picture, const AnnotationContent& content);
 
 } // namespace tetra

@@ -7,6 +7,7 @@
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/model_building.h"
 #include "plugins/host/output_check.h"
+#include "plugins/host/parameter_values.h"
 
 #include <QFile>
 
@@ -17,6 +18,8 @@
 
 namespace tetra {
 namespace {
+
+constexpr std::string_view usualBlock = "32";
 
 /// Before anything long is done.
 Status checkOutputs(const std::filesystem::path& input, const std::filesystem::path& output)
@@ -53,12 +56,79 @@ Outcome describe(const ModelBuild& build, const std::string& output)
     return outcome;
 }
 
+std::string optionInQuotes(std::string_view option)
+{
+    return "'--" + std::string(option) + "'";
+}
+
+/// Where an option is not known: whose it is, if one of those would build this.
+Status withOtherBuilder(PluginHost& host, const Dataset& dataset, const Status& known, const Arguments& arguments)
+{
+    std::string others;
+    for (const auto& builder : host.builders())
+        if (builder.plugin->accepts(dataset).score > 0 &&
+            checkPluginOptions(arguments, allParameters(host.builders()), builder.plugin->parameters(), {}))
+            others += (others.empty() ? "" : " or ") + optionInQuotes("builder " + builder.id);
+    return Error{known.error().kind,
+                 known.error().text + " Leave it out" + (others.empty() ? "." : ", or build with " + others + ".")};
+}
+
+/// What a build would be able to do in blocks, if its builder knows them.
+BuildAbilities abilitiesInBlocks(const Builder& builder, const Dataset& dataset, ParameterValues values)
+{
+    values["block"] = std::string(usualBlock);
+    if (!checkParameterValues({}, builder.parameters(), values) || !checkOfUse(builder.parameters(), values, dataset))
+        return {.keeps = false};
+    return builder.abilities(dataset, values);
+}
+
+/// Options that ask for what this build cannot do.
+Status checkAbilities(const Arguments& arguments, const Provided<Builder>& builder, const Dataset& dataset,
+                      const ParameterValues& values)
+{
+    const BuildAbilities abilities = builder.plugin->abilities(dataset, values);
+    const std::string build = "This build of '" + dataset.source.name + "' by '" + builder.id + "'";
+    if (arguments.has("resume") && !abilities.resumes)
+        return Error{ErrorKind::WrongUsage,
+                     build + " leaves nothing behind that could be gone on with. Leave '--resume' out" +
+                         (abilitiesInBlocks(*builder.plugin, dataset, values).resumes
+                              ? ", or build in blocks with " + optionInQuotes("block " + std::string(usualBlock)) + "."
+                              : ".")};
+    if (arguments.has("keep") && !abilities.keeps)
+        return Error{ErrorKind::WrongUsage, build + " has no mesh before it ends. Leave '--keep' out" +
+                                                (abilities.resumes ? "; '--resume' goes on with it later." : ".")};
+    return {};
+}
+
+/// Tells if threads were asked for that the build had no use for.
+void tellThreads(const Arguments& arguments, int threads, const Provided<Builder>& builder, const Dataset& dataset,
+                 const ParameterValues& values, Outcome& outcome)
+{
+    const bool usesThreads = builder.plugin->abilities(dataset, values).usesThreads;
+    const std::size_t allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    outcome.figures["threads"] = usesThreads ? static_cast<qint64>(allowed) : 1;
+    if (!arguments.has("threads") || threads == 1 || usesThreads)
+        return;
+    outcome.text += "One thread was used: such a build has no work for more.";
+    if (abilitiesInBlocks(*builder.plugin, dataset, values).usesThreads)
+        outcome.text += " In blocks it has: " + optionInQuotes("block " + std::string(usualBlock)) + ".";
+    outcome.text += "\n";
+}
+
 /// A reader that nobody chose and that has nothing to be told is no choice.
 ImportOptions toKeep(ImportOptions imported, const Arguments& arguments)
 {
     if (!arguments.has("reader") && imported.values.empty())
         imported.reader.reset();
     return imported;
+}
+
+/// Whatever is built, reading and checking may use them, too.
+Option buildThreadsOption()
+{
+    Option option = threadsOption();
+    option.explanation += " Only the refinement of lattices in blocks has work for more than one.";
+    return option;
 }
 
 } // namespace
@@ -81,12 +151,13 @@ Syntax buildSyntax(PluginHost& host)
                     {.name = "keep",
                      .placeholder = "",
                      .explanation =
-                         "When the build is interrupted, keep what is finished as a model of less accuracy."},
-                    threadsOption(),
+                         "Of refinement as a whole: when the build is interrupted, keep what is finished as a model of "
+                         "less accuracy."},
+                    buildThreadsOption(),
                     {.name = "resume",
                      .placeholder = "",
-                     .explanation = "Go on with what an interrupted build of the same model left behind; the result is "
-                                    "the same. Keeps it, too, if this one is cancelled."}},
+                     .explanation = "Of builds in blocks: go on with what an interrupted build of the same model left "
+                                    "behind; the result is the same. Keeps it, too, if this one is cancelled."}},
         .examples = {{"tan build engine.nrrd -o engine.tan", "Everything, down to an error of 0."},
                      {"tan build engine.nrrd --error 0.5 -o engine.tan", "A smaller model, exact to 0.5 %."},
                      {"tan build engine.nrrd --region 0,0,32,255,255,95 --stride 2,2,1 -o middle.tan",
@@ -123,10 +194,14 @@ Result<Outcome> runBuild(const Invocation& invocation)
     if (const Status known = checkPluginOptions(arguments, allParameters(invocation.host.builders()), parameters,
                                                 "builder '" + builder->id + "'");
         !known)
-        return known.error();
+        return withOtherBuilder(invocation.host, *dataset, known, arguments).error();
     const auto values = pluginValues(arguments, parameters);
     if (!values)
         return values.error();
+    if (const Status used = checkOfUse(parameters, *values, *dataset, "--"); !used)
+        return used.error();
+    if (const Status able = checkAbilities(arguments, *builder, *dataset, *values); !able)
+        return able.error();
     const std::atomic<bool> keep = arguments.has("keep");
     const auto build =
         buildModel(invocation.host, *dataset, builder->id, *values, output, invocation.progress.part(0.05, 1),
@@ -137,6 +212,7 @@ Result<Outcome> runBuild(const Invocation& invocation)
     if (!build)
         return build.error();
     Outcome outcome = describe(*build, output);
+    tellThreads(arguments, *threads, *builder, *dataset, *values, outcome);
     addRemarks(*dataset, outcome);
     return outcome;
 }

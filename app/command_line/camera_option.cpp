@@ -36,7 +36,7 @@ Result<Camera> readCamera(const std::string& path, const Eigen::AlignedBox3d& bo
         return Error{ErrorKind::WrongUsage,
                      "The camera '" + path + "' is neither a view (" + cameraNames() + ") nor a file."};
     if (!file.open(QIODevice::ReadOnly))
-        return Error{ErrorKind::BadInput,
+        return Error{file.error() == QFileDevice::ResourceError ? ErrorKind::OutOfResource : ErrorKind::BadInput,
                      "The camera '" + path + "' cannot be read: " + file.errorString().toStdString() + "."};
     const auto camera = cameraFromText(file.read(largestFile).toStdString(), bounds, aspectRatio);
     if (!camera)

@@ -5,13 +5,14 @@
 #include "app/command_line/nearest.h"
 #include "app/command_line/progress_line.h"
 #include "app/command_line/subcommand.h"
+#include "core/base/system_error.h"
 
 #include <QJsonDocument>
 
 #include <algorithm>
+#include <cerrno>
 #include <exception>
 #include <filesystem>
-#include <new>
 
 namespace tetra {
 namespace {
@@ -40,13 +41,28 @@ int fail(const Streams& streams, const Error& error)
     return exitCode(error.kind);
 }
 
-/// Standard output may be a file on a full disk: then nothing was said, and that is an error.
+/// What a command that fails has to say. An option or a renderer that is not known may be one of a plugin that could
+/// not be loaded for a lack of memory or open files.
+Error trueReason(const Error& error, const PluginHost& host)
+{
+    const bool mayBeOfPlugin = error.kind == ErrorKind::WrongUsage || error.kind == ErrorKind::BadInput;
+    const Status complete = host.complete();
+    return mayBeOfPlugin && !complete ? complete.error() : error;
+}
+
+/// Standard output may be a file on a full disk: then nothing was said, and that is an error. If it is a pipe whose
+/// reader has enough, as in 'tan info | head -1', nobody wants to hear of it.
 int print(const Streams& streams, const std::string& text, int code)
 {
+    errno = 0;
     streams.output << text << std::flush;
-    if (!streams.output)
-        return fail(streams, {ErrorKind::CannotWrite, "Standard output cannot be written. Is its disk full?"});
-    return code;
+    const int systemError = errno;
+    if (streams.output)
+        return code;
+    if (systemError == EPIPE)
+        return exitCode(ErrorKind::CannotWrite);
+    const std::string reason = systemError != 0 ? ": " + systemErrorText(systemError) : "";
+    return fail(streams, {ErrorKind::CannotWrite, "Standard output cannot be written" + reason + "."});
 }
 
 std::string wholeHelp(PluginHost& host)
@@ -71,9 +87,9 @@ Result<Outcome> runGuarded(const Subcommand& subcommand, const Invocation& invoc
 {
     try {
         return subcommand.run(invocation);
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource, "The memory of this machine is not enough for this."};
     } catch (const std::exception& problem) {
+        if (const auto lack = lackOfResources(problem))
+            return *lack;
         return Error{ErrorKind::BadInput, std::string("This failed unexpectedly: ") + problem.what()};
     }
 }
@@ -86,15 +102,17 @@ int runSubcommand(const Subcommand& subcommand, std::span<const std::string> wor
         return print(streams, subcommandHelp(subcommand.name, syntax), 0);
     const auto arguments = parseArguments(syntax, words);
     if (!arguments)
-        return fail(streams, {arguments.error().kind, arguments.error().text + " 'tan " + std::string(subcommand.name) +
-                                                          " --help' explains it."});
+        return fail(streams,
+                    trueReason({arguments.error().kind, arguments.error().text + " 'tan " +
+                                                            std::string(subcommand.name) + " --help' explains it."},
+                               host));
 
     ProgressLine line(streams.messages, streams.messagesAreTerminal);
     const Progress progress = line.progress(stop);
     const auto outcome = runGuarded(subcommand, {*arguments, host, progress});
     line.clear();
     if (!outcome)
-        return fail(streams, outcome.error());
+        return fail(streams, trueReason(outcome.error(), host));
     const std::string text = arguments->has("json")
                                  ? QJsonDocument(outcome->figures).toJson(QJsonDocument::Indented).toStdString()
                                  : outcome->text;

@@ -92,7 +92,10 @@ Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::share
     const QJsonObject figures = figuresOf(task.model, query, found);
     for (auto figure = figures.begin(); figure != figures.end(); ++figure)
         outcome.figures[figure.key()] = figure.value();
-    if (found.mesh.tetrahedra.size() != found.wholeTetrahedra)
+    if (found.mesh.tetrahedra.size() != found.keptTetrahedra)
+        outcome.text += ", pieces of " + std::to_string(found.keptTetrahedra) + " of the " +
+                        std::to_string(found.wholeTetrahedra) + " of the whole mesh";
+    else if (found.keptTetrahedra != found.wholeTetrahedra)
         outcome.text += " of " + std::to_string(found.wholeTetrahedra);
     if (isSurfaceFileOnly(task.output))
         outcome.text += ", of which the file has the boundary";
@@ -189,6 +192,8 @@ Result<Outcome> runExtract(const Invocation& invocation)
     const auto model = Model::open(input);
     if (!model)
         return model.error();
+    if (const Status safe = checkMeshOutput(output, **model); !safe)
+        return safe.error();
     const Task task{arguments, output, **model, invocation.progress};
     auto outcome = ranges ? extractRange(task) : extractMesh(task, *query, *model);
     if (!outcome)

@@ -4,10 +4,11 @@
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
-#include "app/command_line/whole_file.h"
+#include "core/base/file_writer.h"
 #include "core/model/inverted_cells.h"
 #include "core/model/level_text.h"
 #include "core/model/model.h"
+#include "plugins/host/build_estimate.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/input_file.h"
 #include "plugins/host/output_check.h"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <thread>
 
 namespace tetra {
 namespace {
@@ -143,6 +145,29 @@ Result<Outcome> describeModel(const std::string& path, const std::vector<Accurac
     return outcome;
 }
 
+/// What a model of it takes, by whom.
+void addEstimates(PluginHost& host, const Dataset& dataset, Outcome& outcome)
+{
+    const BuildSize size = buildSizeOf(dataset);
+    const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+    QJsonArray list;
+    for (const auto& builder : host.builders()) {
+        if (!(builder.plugin->accepts(dataset).score > 0))
+            continue;
+        const auto estimate = builder.plugin->estimate(size, {}, threads);
+        if (!estimate)
+            continue;
+        list.append(QJsonObject{{"builder", toQString(builder.id)},
+                                {"memory_bytes", static_cast<qint64>(estimate->memoryBytes)},
+                                {"disk_bytes", static_cast<qint64>(estimate->diskBytes)},
+                                {"model_bytes", static_cast<qint64>(estimate->modelBytes)},
+                                {"seconds", estimate->seconds}});
+        outcome.text += "built by " + builder.id + ": about " + byteText(estimate->memoryBytes) + " of memory, " +
+                        byteText(estimate->diskBytes) + " of disk and " + rounded(estimate->seconds, 2) + " s\n";
+    }
+    outcome.figures["estimates"] = list;
+}
+
 Result<Outcome> describeDataset(const Invocation& invocation, const std::string& path)
 {
     const auto options = importOptions(invocation, path);
@@ -158,6 +183,7 @@ Result<Outcome> describeDataset(const Invocation& invocation, const std::string&
                     .text = path + ": " + dataset->source.name + ", " + datasetText(summary) + "\n"};
     outcome.figures["source"] = toQString(dataset->source.name);
     outcome.figures["bytes"] = static_cast<qint64>(problem ? 0 : bytes);
+    addEstimates(invocation.host, *dataset, outcome);
     addRemarks(*dataset, outcome);
     return outcome;
 }
@@ -175,7 +201,8 @@ Syntax infoSyntax(PluginHost& host)
             "Of a model: its domain, how it was made, and the size of the mesh at each level of "
             "detail. The sizes are looked up, not counted, so this is quick for models of any size; of curvilinear "
             "grids the inverted tetrahedra are counted, some ten million a second. "
-            "Of a dataset: its size, its type and its range of values.\n\nDatasets that can be read, also packed "
+            "Of a dataset: its size, its type, its range of values, and what each builder would take for a model of "
+            "it.\n\nDatasets that can be read, also packed "
             "by gzip (*.gz): " +
             readable + ".",
         .positionals = {{"FILE", "A model, or a dataset that one of the readers knows."}},

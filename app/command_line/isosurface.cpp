@@ -5,6 +5,8 @@
 #include "app/command_line/option_values.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
+#include "core/base/byte_text.h"
+#include "core/base/memory.h"
 #include "core/base/number_text.h"
 #include "core/graphics/palette.h"
 #include "core/mesh/files/surface_file.h"
@@ -12,6 +14,7 @@
 
 #include <QFile>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <limits>
@@ -41,6 +44,36 @@ Status checkInRange(const std::vector<double>& isovalues, const ValueRange& rang
                                                     ": they lie between " + formatNumber(range.minimum) + " and " +
                                                     formatNumber(range.maximum) + "."};
     return {};
+}
+
+/// How often a tetrahedron is crossed by a surface, which makes one triangle there or two.
+std::uint64_t crossingsOf(const TetrahedralMesh& mesh, std::vector<double> isovalues)
+{
+    std::ranges::sort(isovalues);
+    const auto below = [&](float value) { return std::ranges::upper_bound(isovalues, value) - isovalues.begin(); };
+    std::uint64_t crossings = 0;
+    for (const auto& corners : mesh.tetrahedra) {
+        const auto [least, most] = std::minmax(
+            {mesh.values[corners[0]], mesh.values[corners[1]], mesh.values[corners[2]], mesh.values[corners[3]]});
+        if (least < most)
+            crossings += static_cast<std::uint64_t>(below(most) - below(least));
+    }
+    return crossings;
+}
+
+/// All surfaces are in memory until they are written. A long list of values is easily made by a script, and a system
+/// without memory ends whichever program it likes.
+Status checkMemoryForSurfaces(const TetrahedralMesh& mesh, const std::vector<double>& isovalues)
+{
+    constexpr std::uint64_t bytesPerCrossing = 32; // four thirds of a triangle, two thirds of a vertex
+    const std::uint64_t bytes = crossingsOf(mesh, isovalues) * bytesPerCrossing;
+    const std::uint64_t usable = usableBytes();
+    if (usable == 0 || bytes <= usable / 2)
+        return {};
+    return Error{ErrorKind::OutOfResource,
+                 "These isosurfaces, " + std::to_string(isovalues.size()) + " of them, would take about " +
+                     neededBytesText(bytes) +
+                     " of memory, more than half of what there is. Ask for fewer values, or a larger error."};
 }
 
 /// The surface where the field has one value.
@@ -133,6 +166,10 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
         return shown.error();
     if (const Status inRange = checkInRange(*isovalues, shown->model->description().range); !inRange)
         return inRange.error();
+    if (const Status safe = checkMeshOutput(output, *shown->model); !safe)
+        return safe.error();
+    if (const Status fits = checkMemoryForSurfaces(*shown->mesh, *isovalues); !fits)
+        return fits.error();
     const auto surfaces = extractAll(*shown->mesh, *isovalues, invocation.progress.part(0.3, 0.8));
     if (!surfaces)
         return surfaces.error();

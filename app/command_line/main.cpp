@@ -2,6 +2,7 @@
 #include "app/command_line/command_line.h"
 #include "app/command_line/interruption.h"
 #include "app/command_line/window.h"
+#include "core/base/file_writer.h"
 
 #include <QGuiApplication>
 #include <QLocale>
@@ -11,6 +12,7 @@
 #include <iostream>
 #include <memory>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace {
@@ -23,6 +25,15 @@ std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv, const 
     qputenv("QT_QPA_PLATFORM", "offscreen");
     QLocale::setDefault(QLocale::c()); // what is drawn is as what is printed
     return std::make_unique<QGuiApplication>(argc, argv);
+}
+
+/// A program may be started without its standard streams (2>&-). The first files that it opens would take their
+/// places, and what it tells would be written into them.
+void occupyStandardDescriptors()
+{
+    for (int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(descriptor, F_GETFD) < 0) // open() takes the smallest that is free; it is of no use to anyone
+            (void)open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
 int run(int argc, char** argv)
@@ -47,6 +58,8 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+    occupyStandardDescriptors();
+    tetra::reportFailedWrites();
     try {
         return run(argc, argv);
     } catch (const std::exception& problem) {

@@ -89,7 +89,7 @@ Result<ParameterValue> readTransferFunction(const std::string& path)
     constexpr qint64 largestFile = 16 << 20;
     QFile file{std::filesystem::path(path)};
     if (!file.open(QIODevice::ReadOnly))
-        return Error{ErrorKind::BadInput,
+        return Error{file.error() == QFileDevice::ResourceError ? ErrorKind::OutOfResource : ErrorKind::BadInput,
                      "The transfer function '" + path + "' cannot be read: " + file.errorString().toStdString() + "."};
     if (file.size() > largestFile)
         return Error{ErrorKind::BadInput, "'" + path + "' is too large for a transfer function."};

@@ -35,6 +35,8 @@ QJsonObject figuresOf(const Model& model, const MeshQuery& query, const Extracte
             {"warping", warps ? kept.warping : 0},
             {"scale", mesh.scale},
             {"method", QString::fromStdString(std::string(methodName(mesh.method)))},
+            {"kept_sites", static_cast<qint64>(mesh.keptSites)},
+            {"kept_tetrahedra", static_cast<qint64>(mesh.keptTetrahedra)},
             {"whole_sites", static_cast<qint64>(mesh.wholeSites)},
             {"whole_tetrahedra", static_cast<qint64>(mesh.wholeTetrahedra)}};
 }

@@ -10,16 +10,19 @@
 #include "app/command_line/render_request.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
-#include "core/model/queries/mesh_extractor.h"
 #include "core/model/queries/two_resolutions.h"
-#include "plugins/host/field_extent.h"
-#include "ui/annotations/field_name.h"
+#include "plugins/host/output_check.h"
+#include "ui/session/field_extent.h"
+#include "ui/session/picture_texts.h"
+#include "ui/session/text_file.h"
+#include "ui/session/view_picture.h"
 
 #include <QFile>
 
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 
 namespace tetra {
@@ -50,124 +53,174 @@ std::vector<Parameter> rendererParameters(PluginHost& host)
     return all;
 }
 
+/// A model and how it is to be seen, by the options or by a session.
+struct ModelView {
+    std::shared_ptr<const Model> model{};
+    Provided<Renderer> renderer{};
+    SceneRequest scene{};
+    ViewPicture picture{}; ///< all but the scene
+    bool isOfSession = false;
+};
+
 /// What is drawn, and what there is to tell of how it was made.
 struct PreparedScene {
-    std::shared_ptr<const Scene> scene;
-    Camera camera;
-    AnnotationContent annotations;
+    ViewPicture picture;
     QJsonObject figures;
     std::size_t tetrahedra = 0;
 };
 
-Result<Camera> cameraOf(const Arguments& arguments, const Eigen::AlignedBox3d& bounds, const PictureOptions& picture)
+Result<Camera> cameraOf(const Arguments& arguments, const std::optional<Camera>& ofSession,
+                        const Eigen::AlignedBox3d& bounds, const PictureOptions& picture)
 {
     const double aspectRatio = static_cast<double>(picture.width) / picture.height;
-    const auto given = arguments.value("camera");
-    return given ? cameraFor(*given, bounds, aspectRatio) : Result<Camera>(fitted(Camera(), bounds, aspectRatio));
+    if (const auto given = arguments.value("camera"))
+        return cameraFor(*given, bounds, aspectRatio);
+    return ofSession ? *ofSession : fitted(Camera(), bounds, aspectRatio);
 }
 
-/// With the defaults that fit the model where the arguments say nothing: the window's, whatever mesh is drawn.
-ParameterValues completed(ParameterValues values, const Renderer& renderer, const Model& model)
+/// The values by which the renderer makes its scene: what the options leave open is as the window shows it at first.
+ParameterValues completed(const ParameterValues& given, const std::vector<Parameter>& parameters,
+                          const SessionDocument& start)
 {
-    for (const Parameter& parameter : renderer.parameters(extentOf(model)))
-        values.try_emplace(parameter.id, parameter.defaultValue);
+    ParameterValues values = rendererValues(parameters, {start.look.mode, start.look.transfer, {}}, start.isovalues);
+    for (const auto& [id, value] : given)
+        values[id] = value;
     return values;
 }
 
-/// What is written over the picture: of the values that it is drawn with.
-AnnotationContent annotationsFor(const Arguments& arguments, const ModelDescription& data,
-                                 const std::vector<Parameter>& parameters, const ParameterValues& values,
-                                 const Camera& camera)
+AnnotationContent contentOf(const Model& model, const std::vector<Parameter>& parameters, const ParameterValues& values,
+                            const ShownMesh& mesh)
 {
-    AnnotationContent content = annotationsOf(arguments);
-    content.range = data.range;
-    content.field = fieldName(data);
-    content.camera = camera;
-    for (const Parameter& parameter : parameters) {
-        if (!matters(parameter, parameters, values))
-            continue;
-        const ParameterValue& value = values.at(parameter.id);
-        if (const auto* transfer = std::get_if<TransferFunction>(&value))
-            content.transfer = *transfer;
-        if (const auto* isovalues = std::get_if<std::vector<Isovalue>>(&value))
-            content.isovalues = *isovalues;
+    TransferFunction transfer;
+    std::vector<Isovalue> isovalues;
+    for (const auto& [id, value] : values) {
+        if (const auto* function = std::get_if<TransferFunction>(&value))
+            transfer = *function;
+        if (const auto* list = std::get_if<std::vector<Isovalue>>(&value))
+            isovalues = *list;
     }
-    return content;
+    return annotationContent(model, matteringParameters(parameters, values), transfer, isovalues, &mesh);
 }
 
-/// The mesh that was asked for, and with a renderer that blends a focus (R24) the one inside it.
-struct ShownMeshes {
-    std::shared_ptr<const ExtractedMesh> mesh;
-    std::optional<FocusMesh> focus;
-
-    std::size_t tetrahedra() const
-    {
-        return mesh->mesh.tetrahedra.size() + (focus ? focus->mesh->tetrahedra.size() : 0);
-    }
-};
-
-Result<ShownMeshes> extractMeshes(const std::shared_ptr<const Model>& model, const MeshQuery& query, bool blendsFocus,
-                                  const Progress& progress)
+Result<ModelView> viewByOptions(const Invocation& invocation, const RenderRequest& request,
+                                const Provided<Renderer>& renderer)
 {
-    MeshExtractor extractor(model);
-    const auto two = blendsFocus ? twoResolutions(query) : std::nullopt;
-    if (blendsFocus && !two)
-        return Error{ErrorKind::WrongUsage, "This mode draws one mesh inside a focus and another outside: give "
-                                            "'--focus', '--focus-error' and '--error', and no '--budget'."};
-    const auto mesh = extractor.extract(two ? two->outside : query, progress.part(0, two ? 0.5 : 1));
-    if (!mesh)
-        return mesh.error();
-    ShownMeshes shown{*mesh, {}};
-    if (two) {
-        const auto fine = extractor.extract(two->inside, progress.part(0.5, 1));
-        if (!fine)
-            return fine.error();
-        shown.focus = FocusMesh{{*fine, &(*fine)->mesh}, two->region, two->border};
-    }
-    return shown;
-}
-
-Result<PreparedScene> prepareScene(const Invocation& invocation, const RenderRequest& request,
-                                   const Provided<Renderer>& renderer)
-{
-    const auto start = Clock::now();
+    ModelView view{.renderer = renderer};
     const auto model = Model::open(request.input);
     if (!model)
         return model.error();
-    const ModelDescription& data = (*model)->description();
+    view.model = *model;
+    const ModelDescription& data = view.model->description();
     // What does not fit is told before the work begins.
-    const auto values = pluginValues(invocation.arguments, renderer.plugin->parameters({data.range, data.bounds}));
+    const auto values = pluginValues(invocation.arguments, renderer.plugin->parameters(roughExtentOf(*view.model)));
     if (!values)
         return values.error();
-    const auto camera = cameraOf(invocation.arguments, data.bounds, request.picture);
+    if (renderer.plugin->blendsFocus() && !twoResolutions(request.query))
+        return Error{ErrorKind::WrongUsage, "This mode draws one mesh inside a focus and another outside: give "
+                                            "'--focus', '--focus-error' and '--error', and no '--budget'."};
+    const auto camera = cameraOf(invocation.arguments, std::nullopt, data.bounds, request.picture);
     if (!camera)
         return camera.error();
-    const auto shown = confirmed(
-        **model, extractMeshes(*model, request.query, renderer.plugin->blendsFocus(), invocation.progress.part(0, 0.3)),
-        invocation.progress);
-    if (!shown)
-        return shown.error();
-    const ExtractedMesh& found = *shown->mesh;
-    if (const Status some = checkNotEmpty(invocation.arguments, **model, found.mesh); !some)
-        return some.error();
-    QJsonObject figures = figuresOf(**model, request.query, found);
-    figures["extraction_seconds"] = secondsSince(start);
+    const FieldExtent field = extentOf(*view.model);
+    const SessionDocument start = startingView(renderingModes(invocation.host), *view.model, field);
+    view.scene = {view.model, renderer.plugin, request.query,
+                  completed(*values, renderer.plugin->parameters(field), start), *camera};
+    view.picture.annotations = annotationsOf(invocation.arguments);
+    view.picture.annotations.camera = *camera;
+    view.picture.annotations.background = request.picture.background;
+    return view;
+}
 
-    const auto sceneStart = Clock::now();
-    const std::shared_ptr<const TetrahedralMesh> mesh(shown->mesh, &found.mesh);
-    const auto session = shown->focus ? renderer.plugin->openWithFocus(mesh, *shown->focus, data.bounds)
-                                      : renderer.plugin->open(mesh, data.bounds);
-    const ParameterValues look = completed(*values, *renderer.plugin, **model);
-    const auto scene = session->prepare(look, *camera, invocation.progress.part(0.3, 0.6));
-    if (!scene)
-        return scene.error();
-    figures["scene_seconds"] = secondsSince(sceneStart);
-    figures["tetrahedra"] = static_cast<qint64>(shown->tetrahedra());
-    if (shown->focus)
-        figures["focus_tetrahedra"] = static_cast<qint64>(shown->focus->mesh->tetrahedra.size());
-    return PreparedScene{*scene, *camera,
-                         annotationsFor(invocation.arguments, data, renderer.plugin->parameters({}), look, *camera),
-                         figures, shown->tetrahedra()};
+Result<SessionDocument> readSession(const std::filesystem::path& path)
+{
+    const auto text = isPictureFile(path) ? Result<std::string>(sessionInPicture(path)) : readTextFile(path);
+    if (!text)
+        return text.error();
+    if (text->empty())
+        return Error{ErrorKind::BadInput,
+                     "The picture '" + path.string() + "' does not say how it was made. Give a model or a session."};
+    auto document = sessionFromText(*text, std::filesystem::absolute(path).parent_path());
+    if (!document)
+        return Error{document.error().kind, path.string() + ": " + document.error().text};
+    return document;
+}
+
+/// All else is what a session says.
+Status checkBesideSession(const Arguments& arguments, const std::filesystem::path& session)
+{
+    constexpr std::array<std::string_view, 9> ofPictures{"camera",  "size",  "samples", "background", "backend",
+                                                         "threads", "depth", "output",  "json"};
+    for (const auto& [name, value] : arguments.options)
+        if (std::ranges::find(ofPictures, name) == ofPictures.end())
+            return Error{ErrorKind::WrongUsage, "'--" + name + "' does not go with '" + session.string() +
+                                                    "', which says how its model is seen. Leave it out, or give the "
+                                                    "model in place of the session."};
+    return {};
+}
+
+/// As the window shows it when it opens the session.
+Result<ModelView> viewBySession(const Invocation& invocation, const RenderRequest& request)
+{
+    ModelView view{.isOfSession = true};
+    const auto document = readSession(request.input);
+    if (!document)
+        return document.error();
+    if (const Status safe = checkOutput(request.output, std::array{document->model}); !safe)
+        return safe.error();
+    const auto model = Model::open(document->model);
+    if (!model)
+        return Error{model.error().kind, "The model of the session cannot be opened. " + model.error().text};
+    view.model = *model;
+    const auto modes = renderingModes(invocation.host);
+    const FieldExtent field = extentOf(*view.model);
+    const SessionDocument seen = restoredView(*document, modes, *view.model, field);
+    const auto renderer = invocation.host.renderer(seen.look.mode);
+    if (!renderer)
+        return renderer.error();
+    view.renderer = *renderer;
+    const auto camera = cameraOf(invocation.arguments, seen.camera, view.model->description().bounds, request.picture);
+    if (!camera)
+        return camera.error();
+    view.scene = sceneOf(view.model, renderer->plugin, renderer->plugin->parameters(field), seen.query, seen.look,
+                         seen.isovalues);
+    AnnotationContent& content = view.picture.annotations;
+    content.state = seen.annotations;
+    content.camera = *camera;
+    content.background = invocation.arguments.has("background") ? request.picture.background
+                                                                : seen.background.value_or(usualBackground(false));
+    if (seen.viewSize[0] > 0)
+        view.picture.viewSize = {seen.viewSize[0], seen.viewSize[1]};
+    return view;
+}
+
+/// With the scene, and with what can be said of it.
+Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view)
+{
+    SceneMaker maker;
+    const auto built =
+        confirmed(*view.model, maker.make(view.scene, invocation.progress.part(0, 0.6)), invocation.progress);
+    if (!built)
+        return built.error();
+    const ExtractedMesh& mesh = *maker.mesh();
+    if (const Status some = checkNotEmpty(invocation.arguments, *view.model, mesh.mesh); !some && !view.isOfSession)
+        return some.error();
+    QJsonObject figures = figuresOf(*view.model, view.scene.query, mesh);
+    figures["extraction_seconds"] = built->extractionSeconds;
+    figures["scene_seconds"] = built->sceneSeconds;
+    figures["tetrahedra"] = static_cast<qint64>(built->mesh.tetrahedra);
+    if (built->mesh.isBlended)
+        figures["focus_tetrahedra"] = static_cast<qint64>(built->mesh.tetrahedra - mesh.mesh.tetrahedra.size());
+    AnnotationContent& asked = view.picture.annotations;
+    AnnotationContent content =
+        contentOf(*view.model, view.renderer.plugin->parameters({}), view.scene.values, built->mesh);
+    content.state = asked.state;
+    content.camera = asked.camera;
+    content.background = asked.background;
+    if (!view.isOfSession)
+        content.title = asked.title;
+    asked = content;
+    view.picture.scene = built->scene;
+    return PreparedScene{view.picture, figures, built->mesh.tetrahedra};
 }
 
 std::size_t triangleCount(const Scene& scene)
@@ -204,8 +257,7 @@ std::string contentText(const Scene& scene, std::size_t tetrahedra)
     return (scene.surfaces.empty() ? "" : triangles + " and ") + std::string("a volume of ") + cells;
 }
 
-Status writeFiles(const RenderRequest& request, const Picture& picture, AnnotationContent annotations,
-                  QJsonObject& figures)
+Status writeFiles(const RenderRequest& request, const PictureOrder& order, const Picture& picture, QJsonObject& figures)
 {
     if (request.depth) {
         const auto scale = writeDepth(*request.depth, picture);
@@ -215,8 +267,20 @@ Status writeFiles(const RenderRequest& request, const Picture& picture, Annotati
         figures["nearest"] = scale->nearest;
         figures["farthest"] = scale->farthest;
     }
-    annotations.background = request.picture.background;
-    return writePng(request.output, annotated(picture, annotations));
+    return writePng(request.output, finishedPicture(order, picture));
+}
+
+PictureOrder orderOf(const RenderRequest& request, const PreparedScene& prepared, bool isOfSession,
+                     const Arguments& arguments)
+{
+    ViewPicture picture = prepared.picture;
+    picture.size = {request.picture.width, request.picture.height};
+    picture.transparent = request.picture.transparentBackground;
+    PictureOrder order = pictureOrder(picture);
+    order.threads = request.picture.threads;
+    if (!isOfSession || arguments.has("samples"))
+        order.samplesPerAxis = request.picture.samplesPerAxis;
+    return order;
 }
 
 } // namespace
@@ -229,7 +293,9 @@ Syntax renderSyntax(PluginHost& host)
             "Works without a display, with the processor alone or with OpenGL. What is drawn is a mesh as "
             "'tan extract' takes it from the model: of one accuracy, with a focus, of so many tetrahedra, or "
             "a part of it.",
-        .positionals = {{"MODEL", "The model."}},
+        .positionals = {{"MODEL",
+                         "The model; or a session that the window has saved, or a picture that holds one: that "
+                         "is drawn as the window would, and what it says cannot be said by options."}},
         .options = {{.name = "mode",
                      .placeholder = idChoices(host.renderers()),
                      .explanation = "What to show.",
@@ -248,7 +314,8 @@ Syntax renderSyntax(PluginHost& host)
              "A volume that is fine inside a ball and coarse outside, blended over a length of 10."},
             {"tan render engine.tan --mode volume --colour-bar --axes --title Engine -o engine.png",
              "With what the colours mean, the directions of the axes and a title."},
-            {"tan render engine.tan --camera top --size 1920x1080 --background black -o engine.png", "From above."}}};
+            {"tan render engine.tan --camera top --size 1920x1080 --background black -o engine.png", "From above."},
+            {"tan render engine.tansession --size 1920x1080 -o engine.png", "As the window shows it."}}};
     addPluginOptions(syntax, rendererParameters(host));
     for (auto options : {pictureOptions(), annotationOptions(), fieldOptions(), partOptions()})
         std::ranges::move(options, std::back_inserter(syntax.options));
@@ -262,9 +329,12 @@ Result<Outcome> runRender(const Invocation& invocation)
     const auto request = renderRequestOf(arguments);
     if (!request)
         return request.error();
+    const bool isOfSession = isSessionFile(request->input) || isPictureFile(request->input);
     const auto renderer = invocation.host.renderer(arguments.value("mode").value_or(std::string(defaultMode)));
     if (!renderer)
         return renderer.error();
+    if (const Status beside = isOfSession ? checkBesideSession(arguments, request->input) : Status(); !beside)
+        return beside.error();
     if (const Status known = checkPluginOptions(arguments, rendererParameters(invocation.host),
                                                 renderer->plugin->parameters({}), "mode '" + renderer->id + "'");
         !known)
@@ -276,33 +346,36 @@ Result<Outcome> runRender(const Invocation& invocation)
     if (request->picture.threads > 0)
         limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(request->picture.threads));
 
-    const auto prepared = prepareScene(invocation, *request, *renderer);
+    auto view = isOfSession ? viewBySession(invocation, *request) : viewByOptions(invocation, *request, *renderer);
+    if (!view)
+        return view.error();
+    const std::string mode = view->renderer.id;
+    const auto prepared = prepareScene(invocation, *std::move(view));
     if (!prepared)
         return prepared.error();
+    const PictureOrder order = orderOf(*request, *prepared, isOfSession, arguments);
     const auto pictureStart = Clock::now();
-    const auto picture =
-        (*backend)->render(*prepared->scene, prepared->camera, request->picture, invocation.progress.part(0.6, 1));
+    const auto picture = drawScene(order, **backend, request->picture.depth, invocation.progress.part(0.6, 1));
     if (!picture)
         return picture.error();
     QJsonObject figures = prepared->figures;
     figures["picture_seconds"] = secondsSince(pictureStart);
     addStatistics(figures, **backend);
-    if (const Status written = writeFiles(*request, *picture, prepared->annotations, figures); !written)
+    if (const Status written = writeFiles(*request, order, *picture, figures); !written)
         return written.error();
 
     const double seconds = secondsSince(start);
     figures["file"] = QFile::decodeName(request->output.c_str());
-    figures["mode"] = QString::fromStdString(renderer->id);
+    figures["mode"] = QString::fromStdString(mode);
     figures["width"] = picture->width;
     figures["height"] = picture->height;
-    figures["triangles"] = static_cast<qint64>(triangleCount(*prepared->scene));
+    figures["triangles"] = static_cast<qint64>(triangleCount(*order.scene));
     figures["backend"] = QString::fromStdString(request->backend);
     figures["seconds"] = seconds;
     return Outcome{.figures = figures,
                    .text = request->output.string() + ": " + std::to_string(picture->width) + " x " +
                            std::to_string(picture->height) + " pixels, " +
-                           contentText(*prepared->scene, prepared->tetrahedra) + ", in " + rounded(seconds, 3) +
-                           " s\n"};
+                           contentText(*order.scene, prepared->tetrahedra) + ", in " + rounded(seconds, 3) + " s\n"};
 }
 
 } // namespace tetra

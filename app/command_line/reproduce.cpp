@@ -3,12 +3,12 @@
 
 #include "app/command_line/option_values.h"
 #include "app/command_line/subcommands.h"
-#include "app/command_line/whole_file.h"
 #include "app/reproduction/builder_comparison.h"
 #include "app/reproduction/comparison_report.h"
 #include "app/reproduction/figures.h"
 #include "app/reproduction/report.h"
 #include "app/reproduction/report_text.h"
+#include "core/base/file_writer.h"
 
 #include <QFile>
 #include <QJsonArray>

@@ -2,15 +2,17 @@
 /// tan-write-documents FOLDER: writes the manual page of `tan` and its completions for the shells.
 #include "app/documents/completions.h"
 #include "app/documents/manual_page.h"
+#include "core/base/file_writer.h"
 
 #include <QCoreApplication>
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
+#include <span>
 
 int main(int argc, char** argv)
 {
+    tetra::reportFailedWrites();
     const QCoreApplication application(argc, argv);
     if (argc != 2) {
         std::cerr << "tan-write-documents FOLDER\n";
@@ -27,13 +29,10 @@ int main(int argc, char** argv)
                                                          {"tan.bash", tetra::bashCompletion(subcommands)},
                                                          {"_tan", tetra::zshCompletion(subcommands)},
                                                          {"tan.fish", tetra::fishCompletion(subcommands)}};
-    for (const auto& [name, text] : files) {
-        std::ofstream file(folder / name, std::ios::binary);
-        file << text << std::flush;
-        if (!file) {
-            std::cerr << "tan-write-documents: " << folder / name << " cannot be written\n";
+    for (const auto& [name, text] : files)
+        if (const auto written = tetra::writeWholeFile(folder / name, std::as_bytes(std::span(text))); !written) {
+            std::cerr << "tan-write-documents: " << written.error().text << '\n';
             return 4;
         }
-    }
     return 0;
 }

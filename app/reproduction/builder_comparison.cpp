@@ -77,8 +77,9 @@ Result<ComparedBuild> build(PluginHost& host, const Dataset& dataset, const std:
         return result;
     }
     // As a whole, as decimation is.
-    const ParameterValues values =
-        builder == "refinement" ? ParameterValues{{"block", std::string("none")}} : ParameterValues{};
+    ParameterValues values;
+    if (builder == "refinement" && isOnLattice(dataset.domain))
+        values["block"] = std::string("none");
     const bool forgot = forgetPeakResidentBytes();
     const std::uint64_t before = residentBytes();
     const auto built = buildModel(host, dataset, builder, values, path, progress);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reproduction/drawing_file.h"
 
-#include "app/command_line/whole_file.h"
+#include "core/base/file_writer.h"
 
 #include <QBuffer>
 #include <QImage>

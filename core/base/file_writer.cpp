@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/file_writer.h"
 
+#include "core/base/file_lock.h"
 #include "core/base/system_error.h"
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
+#include <csignal>
 #include <random>
 #include <string>
 #include <system_error>
@@ -18,6 +19,11 @@ namespace tetra {
 
 namespace {
 
+/// Between the name of the target and the rest of a temporary name stand so many random hexadecimal digits.
+constexpr std::size_t randomDigits = 8;
+constexpr std::string_view hexadecimalDigits = "0123456789abcdef";
+constexpr std::string_view temporaryEnding = ".partial";
+
 std::string remedy(int systemError, const std::filesystem::path& folder)
 {
     switch (systemError) {
@@ -28,10 +34,10 @@ std::string remedy(int systemError, const std::filesystem::path& folder)
     case EPERM: return "Choose another folder, or change the permissions of this one.";
     case EROFS: return "Choose a folder on a disk that can be written.";
     case ENOSPC:
-    case EDQUOT: return "Free some space or choose another disk.";
-    case EFBIG: return "Choose a disk that allows larger files, or raise the limit (ulimit -f).";
+    case EDQUOT:
+    case EFBIG: return diskRemedy(systemError);
     case ENAMETOOLONG: return "Choose a shorter name.";
-    default: return "Choose another folder or disk.";
+    default: return isLackOfResources(systemError) ? std::string(resourceRemedy) : "Choose another folder or disk.";
     }
 }
 
@@ -43,7 +49,10 @@ Error cannotWrite(const std::filesystem::path& target, const std::string& reason
 Error cannotWrite(const std::filesystem::path& target, int systemError)
 {
     const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
-    return cannotWrite(target, systemErrorText(systemError), remedy(systemError, folder));
+    Error error = cannotWrite(target, systemErrorText(systemError), remedy(systemError, folder));
+    if (isLackOfResources(systemError))
+        error.kind = ErrorKind::OutOfResource;
+    return error;
 }
 
 /// Calls a system function again for as long as a signal interrupts it.
@@ -79,11 +88,23 @@ std::filesystem::path temporaryName(const std::filesystem::path& target, const s
 {
     constexpr std::size_t longestKept = 200; // leaves room for the rest within the usual limit of 255
     std::random_device random;
-    char digits[8];
-    const auto end = std::to_chars(digits, digits + sizeof digits, random(), 16).ptr;
-    const std::string name = target.filename().string().substr(0, longestKept);
-    return (workFolder.empty() ? target.parent_path() : workFolder) /
-           ("." + name + "." + std::string(digits, end) + ".partial");
+    std::string digits;
+    for (std::uint32_t bits = random(); digits.size() < randomDigits; bits /= 16)
+        digits += hexadecimalDigits[bits % 16];
+    std::string name = ".";
+    name.append(target.filename().string(), 0, longestKept).append(".").append(digits).append(temporaryEnding);
+    return (workFolder.empty() ? target.parent_path() : workFolder) / name;
+}
+
+/// Whether temporaryName() could have made it, for any target.
+bool isTemporaryName(std::string_view name)
+{
+    constexpr std::size_t rest = 1 + randomDigits + temporaryEnding.size(); // with the dot before the digits
+    if (name.size() < rest + 2 || name.front() != '.' || !name.ends_with(temporaryEnding) ||
+        name[name.size() - rest] != '.')
+        return false;
+    const std::string_view digits = name.substr(name.size() - rest + 1, randomDigits);
+    return digits.find_first_not_of(hexadecimalDigits) == std::string_view::npos;
 }
 
 /// Makes the rename survive a power failure. File systems that cannot sync a folder say so and are believed.
@@ -103,32 +124,49 @@ Result<FileWriter> FileWriter::create(const std::filesystem::path& target, std::
                                       const std::filesystem::path& workFolder)
 {
     FileWriter writer;
-    std::error_code ignored;
-    const bool isLink = std::filesystem::is_symlink(target, ignored);
-    writer.target_ = isLink ? std::filesystem::weakly_canonical(target, ignored) : target;
+    writer.target_ = behindLinks(target);
     if (writer.target_.empty() || !writer.target_.has_filename())
         return cannotWrite(target, "it does not name a file", "Name a file.");
     std::optional<mode_t> mode;
     if (const Status possible = checkTarget(writer.target_, mode); !possible)
         return possible.error();
-    do {
-        writer.temporary_ = temporaryName(writer.target_, workFolder);
-        writer.descriptor_ = uninterrupted(
-            [&] { return ::open(writer.temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666); });
-    } while (writer.descriptor_ < 0 && errno == EEXIST);
-    if (writer.descriptor_ < 0) {
-        writer.temporary_.clear();
-        return cannotWrite(writer.target_, errno);
-    }
+    if (workFolder.empty())
+        removeLeftFiles(writer.target_.parent_path(), isTemporaryName);
+    if (const Status made = writer.makeTemporary(workFolder); !made)
+        return made.error();
     // Some file systems have no permissions to keep: then what they give is all there is.
     if (mode && ::fchmod(writer.descriptor_, *mode) != 0 && errno != EPERM && errno != ENOTSUP)
         return cannotWrite(writer.target_, errno);
     try {
         writer.buffer_.reserve(std::max<std::size_t>(bufferBytes, 1));
     } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource, "Not enough memory to write '" + target.string() + "'."};
+        return Error{ErrorKind::OutOfResource,
+                     "Not enough memory to write '" + target.string() + "'. Close other programs."};
     }
     return writer;
+}
+
+/// The lock says for as long as it is held that this process lives: others leave the file alone.
+Status FileWriter::makeTemporary(const std::filesystem::path& workFolder)
+{
+    for (;;) {
+        temporary_ = temporaryName(target_, workFolder);
+        descriptor_ =
+            uninterrupted([&] { return ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666); });
+        if (descriptor_ < 0) {
+            const int systemError = errno;
+            temporary_.clear();
+            if (systemError == EEXIST)
+                continue;
+            return cannotWrite(target_, systemError);
+        }
+        const FileLock lock = lockFile(descriptor_, temporary_);
+        if (lock == FileLock::Taken || lock == FileLock::Impossible)
+            return {};
+        // Another process has found it before it was locked, takes it for left behind and removes it.
+        temporary_.clear();
+        close();
+    }
 }
 
 FileWriter::~FileWriter()
@@ -201,12 +239,16 @@ Status FileWriter::commit(Durability durability)
     const bool sync = durability == Durability::Power;
     if (sync && uninterrupted([&] { return ::fsync(descriptor_); }) != 0)
         return fail(errno);
-    // Network file systems may report a full disk only here.
-    if (::close(std::exchange(descriptor_, -1)) != 0 && errno != EINTR)
+    // Network file systems may report a full disk only when a file is closed. Its lock goes with the last descriptor,
+    // and without the lock it would be taken for left behind.
+    const int locked = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
+    if (locked < 0)
         return fail(errno);
-    if (::rename(temporary_.c_str(), target_.c_str()) != 0)
+    const bool closed = ::close(std::exchange(descriptor_, locked)) == 0 || errno == EINTR;
+    if (!closed || ::rename(temporary_.c_str(), target_.c_str()) != 0)
         return fail(errno);
     temporary_.clear();
+    close();
     if (const int systemError = sync ? syncFolder(target_.parent_path()) : 0; systemError != 0)
         return fail(systemError);
     return {};
@@ -252,10 +294,42 @@ void FileWriter::close() noexcept
 
 void FileWriter::discard() noexcept
 {
-    close();
     if (!temporary_.empty())
         ::unlink(temporary_.c_str());
     temporary_.clear();
+    close();
+}
+
+Status writeWholeFile(const std::filesystem::path& target, std::span<const std::byte> content)
+{
+    Result<FileWriter> file = FileWriter::create(target);
+    if (!file)
+        return file.error();
+    if (const Status written = file->write(content); !written)
+        return written;
+    return file->commit();
+}
+
+std::filesystem::path behindLinks(const std::filesystem::path& path)
+{
+    constexpr int mostLinks = 40; // as the system's own
+    std::filesystem::path found = path;
+    std::error_code problem;
+    for (int link = 0; std::filesystem::is_symlink(found, problem); ++link) {
+        if (link == mostLinks)
+            return path;
+        const std::filesystem::path leadsTo = std::filesystem::read_symlink(found, problem);
+        if (problem)
+            return path;
+        found = found.parent_path() / leadsTo; // leadsTo alone if it is absolute
+    }
+    return found;
+}
+
+void reportFailedWrites() noexcept
+{
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 } // namespace tetra

@@ -14,18 +14,21 @@ namespace tetra {
 
 /// A file that appears whole or not at all: written beside its target under a temporary name, synced, and renamed over
 /// the target by commit(). An existing target keeps its content until then, and its permissions beyond. A writer that
-/// is destroyed before commit() removes what it wrote. One thread at a time.
+/// is destroyed before commit() removes what it wrote; what a killed process could not remove, the next writer in that
+/// folder does. One thread at a time.
 ///
-/// Every failure is an ErrorKind::CannotWrite that names the target, the system's reason and a remedy. After the first
-/// one every further call gives it again, and commit() changes nothing.
+/// Every failure is an ErrorKind::CannotWrite that names the target, the system's reason and a remedy, or an
+/// OutOfResource if that reason is a lack of memory or descriptors. After the first one every further call gives it
+/// again, and commit() changes nothing. A limit of the file size (ulimit -f) is such a failure only in
+/// programs that call reportFailedWrites(); it ends others.
 class FileWriter {
 public:
     /// What a committed file survives: the end of this program, or a power failure, too.
     enum class Durability { Process, Power };
 
     /// Refuses a target that is a folder, a device or a read-only file, and a folder that cannot be written in. A
-    /// target that is a symbolic link is followed. The file grows in `workFolder`, which must be on the target's disk;
-    /// without one beside the target.
+    /// target that is a symbolic link is followed, to a file that is yet to be made, too. The file grows in
+    /// `workFolder`, which must be on the target's disk and which its owner clears; without one beside the target.
     static Result<FileWriter> create(const std::filesystem::path& target, std::size_t bufferBytes = 1 << 20,
                                      const std::filesystem::path& workFolder = {});
     ~FileWriter();
@@ -54,6 +57,8 @@ private:
     void close() noexcept;
     void discard() noexcept;
 
+    Status makeTemporary(const std::filesystem::path& workFolder);
+
     std::filesystem::path target_;
     std::filesystem::path temporary_; ///< empty once renamed or moved from
     int descriptor_ = -1;
@@ -61,5 +66,17 @@ private:
     Buffer<std::byte> buffer_; ///< appended, not yet on its way; ends at size_
     std::optional<Error> failure_;
 };
+
+/// Writes a file that is in memory already.
+Status writeWholeFile(const std::filesystem::path& target, std::span<const std::byte> content);
+
+/// The file that writing to `path` would make or replace: what its symbolic links lead to, whether that exists or not;
+/// `path` itself if it is no link, or if its links go round in a circle.
+std::filesystem::path behindLinks(const std::filesystem::path& path);
+
+/// Lets writes into a pipe that nobody reads any more, and beyond a limit of the file size, fail with an error. By
+/// default the system ends the process for them (SIGPIPE, SIGXFSZ), and unfinished files stay behind. Process-wide:
+/// programs call it first of all.
+void reportFailedWrites() noexcept;
 
 } // namespace tetra

@@ -294,18 +294,24 @@ std::string jsonString(std::string_view text)
 {
     constexpr std::string_view digits = "0123456789abcdef";
     std::string quoted = "\"";
-    for (const char character : text) {
-        const auto byte = static_cast<unsigned char>(character);
-        if (character == '"' || character == '\\') {
-            quoted += {'\\', character};
-        } else if (byte < 0x20) {
-            quoted += "\\u00";
-            quoted += {digits[byte / 16], digits[byte % 16]};
-        } else {
-            quoted.push_back(character);
+    while (true) {
+        const std::size_t good = utf8Bytes(text);
+        for (const char character : text.substr(0, good)) {
+            const auto byte = static_cast<unsigned char>(character);
+            if (character == '"' || character == '\\') {
+                quoted += {'\\', character};
+            } else if (byte < 0x20) {
+                quoted += "\\u00";
+                quoted += {digits[byte / 16], digits[byte % 16]};
+            } else {
+                quoted.push_back(character);
+            }
         }
+        if (good == text.size())
+            return quoted + '"';
+        quoted += "\xef\xbf\xbd"; // U+FFFD
+        text.remove_prefix(good + 1);
     }
-    return quoted + '"';
 }
 
 } // namespace tetra

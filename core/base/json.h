@@ -47,7 +47,7 @@ struct JsonValue {
 /// most 64 levels. O(bytes). The error says where.
 Result<JsonValue> parseJson(std::string_view text);
 
-/// `text` as a JSON string, with its quotes.
+/// `text` as a JSON string, with its quotes; what is no UTF-8 in it, such as an old file name, as U+FFFD.
 std::string jsonString(std::string_view text);
 
 } // namespace tetra

@@ -21,13 +21,15 @@ Error cannotRead(const std::filesystem::path& path, const std::string& reason)
     return {ErrorKind::BadInput, "Cannot read '" + path.string() + "': " + reason};
 }
 
-std::string reasonAndRemedy(int systemError)
+Error cannotRead(const std::filesystem::path& path, int systemError)
 {
-    const std::string reason = systemErrorText(systemError);
+    const std::string reason = systemErrorText(systemError) + ".";
+    if (isLackOfResources(systemError))
+        return {ErrorKind::OutOfResource, cannotRead(path, reason + " " + std::string(resourceRemedy)).text};
     switch (systemError) {
-    case ENOENT: return reason + ". Check its name and folder.";
-    case EACCES: return reason + ". Ask its owner for the right to read it.";
-    default: return reason + ".";
+    case ENOENT: return cannotRead(path, reason + " Check its name and folder.");
+    case EACCES: return cannotRead(path, reason + " Ask its owner for the right to read it.");
+    default: return cannotRead(path, reason);
     }
 }
 
@@ -45,10 +47,10 @@ Result<std::shared_ptr<const MappedFile>> MappedFile::open(const std::filesystem
     // Without O_NONBLOCK a pipe would make open() wait for a writer.
     file->descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (file->descriptor_ < 0)
-        return cannotRead(path, reasonAndRemedy(errno));
+        return cannotRead(path, errno);
     struct stat status {};
     if (::fstat(file->descriptor_, &status) != 0)
-        return cannotRead(path, reasonAndRemedy(errno));
+        return cannotRead(path, errno);
     if (S_ISDIR(status.st_mode))
         return cannotRead(path, "it is a folder. Name a file in it.");
     if (!S_ISREG(status.st_mode))
@@ -59,7 +61,7 @@ Result<std::shared_ptr<const MappedFile>> MappedFile::open(const std::filesystem
         return std::shared_ptr<const MappedFile>(file);
     void* const start = ::mmap(nullptr, size, PROT_READ, MAP_SHARED, file->descriptor_, 0);
     if (start == MAP_FAILED)
-        return cannotRead(path, reasonAndRemedy(errno));
+        return cannotRead(path, errno);
     file->bytes_ = {static_cast<const std::byte*>(start), size};
     file->guard_ = guardMapping(file->bytes_);
     if (file->guard_ < 0)

@@ -16,10 +16,9 @@ namespace {
 
 Error refused(const std::filesystem::path& folder, int systemError)
 {
-    const ErrorKind kind = systemError == ENOMEM ? ErrorKind::OutOfResource : ErrorKind::CannotWrite;
-    return {kind, "Cannot make a temporary file in '" + folder.string() + "': " + systemErrorText(systemError) +
-                      (systemError == ENOMEM ? ". Raise the limit of the address space (ulimit -v)."
-                                             : ". Free some space or choose another disk.")};
+    return {isLackOfResources(systemError) ? ErrorKind::OutOfResource : ErrorKind::CannotWrite,
+            "Cannot make a temporary file in '" + folder.string() + "': " + systemErrorText(systemError) + ". " +
+                diskRemedy(systemError)};
 }
 
 } // namespace

@@ -20,8 +20,9 @@ SpoolFile::~SpoolFile()
 
 Error SpoolFile::failed(int systemError) const
 {
-    return {ErrorKind::CannotWrite, "A temporary file in '" + folder_.string() + "' cannot be used: " +
-                                        systemErrorText(systemError) + ". Free some space or choose another disk."};
+    return {isLackOfResources(systemError) ? ErrorKind::OutOfResource : ErrorKind::CannotWrite,
+            "A temporary file in '" + folder_.string() + "' cannot be used: " + systemErrorText(systemError) + ". " +
+                diskRemedy(systemError)};
 }
 
 Status SpoolFile::open()

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/result.h"
+
+#include <exception>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace tetra {
 
@@ -9,5 +14,21 @@ namespace tetra {
 /// C library's own texts would come in the user's language, in the middle of an English sentence that nobody could
 /// translate any more.
 std::string systemErrorText(int error);
+
+/// Whether a number of errno says that this process or machine has no more memory, descriptors, threads or processes:
+/// then it says nothing of the file, and another file or folder would not help.
+bool isLackOfResources(int error) noexcept;
+/// The same of a text that a library or the system's loader gives in place of a number.
+bool namesLackOfResources(std::string_view text) noexcept;
+
+/// What to do about a lack of resources, a sentence.
+inline constexpr std::string_view resourceRemedy = "Close other programs, or raise the limit (ulimit).";
+
+/// What to do about a file that cannot be made or grow on its disk, a sentence.
+std::string diskRemedy(int error);
+
+/// An ErrorKind::OutOfResource for an exception that says no more than that the machine has no more memory, threads or
+/// descriptors; nothing for others.
+std::optional<Error> lackOfResources(const std::exception& problem);
 
 } // namespace tetra

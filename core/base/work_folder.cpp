@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/work_folder.h"
 
+#include "core/base/file_lock.h"
 #include "core/base/system_error.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -25,12 +27,21 @@ Error cannotUse(const std::filesystem::path& path, const std::string& reason, co
     return {ErrorKind::CannotWrite, "Cannot work in '" + path.string() + "': " + reason + ". " + whatToDo};
 }
 
+/// All but the lock.
+std::vector<std::filesystem::path> workContentOf(const std::filesystem::path& folder, std::error_code& problem)
+{
+    std::vector<std::filesystem::path> content;
+    for (std::filesystem::directory_iterator at(folder, problem), end; !problem && at != end; at.increment(problem))
+        if (at->path().filename() != lockName)
+            content.push_back(at->path());
+    return content;
+}
+
 void removeContent(const std::filesystem::path& folder)
 {
     std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
-        if (entry.path().filename() != lockName)
-            std::filesystem::remove_all(entry.path(), ignored);
+    for (const std::filesystem::path& path : workContentOf(folder, ignored))
+        std::filesystem::remove_all(path, ignored);
 }
 
 void removeFolder(const std::filesystem::path& folder)
@@ -43,33 +54,37 @@ void removeFolder(const std::filesystem::path& folder)
 
 /// Whether the folder has content and no lock, so that it is none of these. Who works in one removes its content before
 /// its lock.
-bool holdsSomethingElse(const std::filesystem::path& folder)
+bool holdsSomethingElse(const std::filesystem::path& folder, std::error_code& problem)
 {
     std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
-        if (entry.path().filename() != lockName && !std::filesystem::exists(folder / lockName, ignored) &&
-            std::filesystem::exists(std::filesystem::symlink_status(entry.path(), ignored)))
-            return true;
-    return false;
+    return std::ranges::any_of(workContentOf(folder, problem), [&](const std::filesystem::path& path) {
+        return !std::filesystem::exists(folder / lockName, ignored) &&
+               std::filesystem::exists(std::filesystem::symlink_status(path, ignored));
+    });
 }
 
-/// Whether an open file is the one of that name. If it is not, who had it locked before has removed it, and a lock on
-/// it keeps nobody out.
-bool isNamed(int descriptor, const std::filesystem::path& path)
+Error cannotBeUsedForWork(const std::filesystem::path& path, int systemError)
 {
-    struct stat open = {};
-    struct stat named = {};
-    return ::fstat(descriptor, &open) == 0 && ::stat(path.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
-           open.st_ino == named.st_ino;
+    const auto remedy = [&]() -> std::string {
+        switch (systemError) {
+        case ENAMETOOLONG: return "Choose a shorter name.";
+        case ENOSPC:
+        case EDQUOT: return diskRemedy(systemError);
+        default:
+            return isLackOfResources(systemError) ? std::string(resourceRemedy)
+                                                  : "Choose another folder for the model.";
+        }
+    };
+    Error error = cannotUse(path, systemErrorText(systemError), remedy());
+    if (isLackOfResources(systemError))
+        error.kind = ErrorKind::OutOfResource;
+    return error;
 }
 
 } // namespace
 
 Result<WorkFolder> WorkFolder::open(const std::filesystem::path& path, Leftovers leftovers)
 {
-    const auto cannotBeUsed = [&](int systemError) {
-        return cannotUse(path, systemErrorText(systemError), "Choose another folder for the model.");
-    };
     const Error inUse =
         cannotUse(path, "another program is building this model", "Wait for it, or give the model another name.");
     const Error foreign =
@@ -80,21 +95,25 @@ Result<WorkFolder> WorkFolder::open(const std::filesystem::path& path, Leftovers
         std::error_code problem;
         std::filesystem::create_directory(path, problem);
         if (problem && problem != std::errc::file_exists)
-            return cannotBeUsed(problem.value());
-        if (holdsSomethingElse(path)) {
-            refusal = foreign;
+            return cannotBeUsedForWork(path, problem.value());
+        if (std::filesystem::is_symlink(path, problem))
+            return cannotUse(path, "it is a link", "Give the model another name, or move that link away.");
+        const bool isForeign = holdsSomethingElse(path, problem);
+        if (isForeign || problem) { // what cannot be looked at may be anything
+            refusal = isForeign ? foreign : cannotBeUsedForWork(path, problem.value());
             continue;
         }
         WorkFolder folder;
         folder.lock_ = ::open((path / lockName).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
         if (folder.lock_ < 0) {
-            refusal = cannotBeUsed(errno);
+            refusal = cannotBeUsedForWork(path, errno);
             continue;
         }
         // File systems that cannot lock are believed to have one user.
-        if (::flock(folder.lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        const FileLock lock = lockFile(folder.lock_, path / lockName);
+        if (lock == FileLock::Busy)
             return inUse;
-        if (!isNamed(folder.lock_, path / lockName)) {
+        if (lock == FileLock::Gone) {
             refusal = inUse;
             continue;
         }
@@ -104,6 +123,19 @@ Result<WorkFolder> WorkFolder::open(const std::filesystem::path& path, Leftovers
         return folder;
     }
     return refusal;
+}
+
+void WorkFolder::removeLeft(const std::filesystem::path& parent, std::string_view start)
+{
+    std::error_code problem;
+    for (const std::filesystem::path& path : workContentOf(parent, problem)) {
+        struct stat status {};
+        std::error_code ignored;
+        if (path.filename().native().starts_with(start) && ::lstat(path.c_str(), &status) == 0 &&
+            S_ISDIR(status.st_mode) && status.st_uid == ::geteuid() &&
+            std::filesystem::exists(path / lockName, ignored))
+            (void)open(path, Leftovers::Remove); // and goes with this
+    }
 }
 
 WorkFolder::~WorkFolder()

@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 
 #include <filesystem>
+#include <string_view>
 
 namespace tetra {
 
@@ -15,8 +16,12 @@ public:
     enum class Leftovers { Remove, Keep };
 
     /// Makes the folder or takes over the one that a killed program left. Errors (CannotWrite): another program works
-    /// in it; it is a folder of something else; it cannot be made.
+    /// in it; it is a folder of something else, or a link; it cannot be made.
     static Result<WorkFolder> open(const std::filesystem::path& path, Leftovers leftovers);
+
+    /// Removes the work folders in `parent` whose names begin with `start` and that killed programs of this user left.
+    /// For those whose names are random, so that nobody ever opens them again.
+    static void removeLeft(const std::filesystem::path& parent, std::string_view start);
 
     ~WorkFolder();
     WorkFolder(WorkFolder&& other) noexcept;

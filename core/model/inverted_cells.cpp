@@ -46,6 +46,10 @@ Result<std::vector<std::uint64_t>> countInverted(const Model& model, std::span<c
     const Counts none(sites.size(), 0);
     if (model.description().domain != DomainClass::Curvilinear)
         return none;
+    if (const Status right = model.checkPrefix(model.siteCount(), Model::Stars); !right)
+        return right.error();
+    if (!model.check(model.floatPositions()) || !model.check(model.doublePositions()))
+        return model.checkIntact().error();
     if (!std::ranges::is_sorted(model.starOffsets()) || model.starOffsets().back() != model.tetrahedronCount())
         return inconsistentModel(model, "its tetrahedra are not in the order of their sites");
     return tbb::parallel_reduce(

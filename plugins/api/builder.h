@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +31,33 @@ struct BuildReport {
     std::uint64_t tetrahedra = 0; ///< all that ever lived; a model leaves out those that no query can give
     std::uint64_t inverted = 0;   ///< cells of the finest mesh that are inverted, as the dataset itself is there (S5)
     std::uint64_t degenerate = 0; ///< cells without volume (S6)
+};
+
+/// What the needs of a build follow from.
+struct BuildSize {
+    DomainClass domain = DomainClass::RegularLattice;
+    std::uint64_t points = 0;
+    std::uint64_t tetrahedra = 0; ///< of irregular data
+    SampleType type = SampleType::Float32;
+    /// The share of the points that become sites when everything is kept. 1 is the worst case: noise.
+    double siteShare = 1;
+};
+
+/// What building a model down to an error of 0 takes. For its share of sites within a factor of two of what was
+/// measured (docs/performance.md), the time on a processor of 2021.
+struct BuildEstimate {
+    std::uint64_t memoryBytes = 0; ///< at its peak, with the program and what it holds of the data
+    std::uint64_t diskBytes = 0;   ///< at its peak, work files and model together
+    std::uint64_t modelBytes = 0;
+    double seconds = 0;
+    bool endsCoarse = false; ///< begins with all that the data have and ends with the coarsest mesh
+};
+
+/// What a build can do beside building.
+struct BuildAbilities {
+    bool usesThreads = false; ///< more than one
+    bool resumes = false;     ///< goes on with what an interrupted build left (BuildTarget::resume)
+    bool keeps = true;        ///< hands over its history while it runs, so that what is finished can become a model
 };
 
 /// Opens the model for a builder that knows it beforehand. `parameters` replace or join those that the model keeps as
@@ -57,6 +85,15 @@ public:
     virtual ~Builder() = default;
     virtual Acceptance accepts(const Dataset& dataset) const = 0;
     virtual std::vector<Parameter> parameters() const = 0;
+    /// Of a build of this dataset with these values. Quick.
+    virtual BuildAbilities abilities(const Dataset& /*dataset*/, const ParameterValues& /*values*/) const { return {}; }
+    /// Nothing if that is not known, or if it does not take data of this domain. `threads`: that the build may use,
+    /// positive. Quick.
+    virtual std::optional<BuildEstimate> estimate(const BuildSize& /*size*/, const ParameterValues& /*values*/,
+                                                  unsigned /*threads*/) const
+    {
+        return std::nullopt;
+    }
     /// Hands the history to `target`, coarse first, and ends with its finish(). Stops within a second when cancelled.
     virtual Result<BuildReport> build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
                                       const Progress& progress) const = 0;

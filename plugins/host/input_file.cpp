@@ -11,11 +11,6 @@
 
 namespace tetra {
 
-bool isLackOfResources(int systemError) noexcept
-{
-    return systemError == ENOMEM || systemError == EAGAIN || systemError == EMFILE || systemError == ENFILE;
-}
-
 Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
 {
     const auto bad = [&](const std::string& what) {
@@ -32,8 +27,8 @@ Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
 
     std::ifstream file(path, std::ios::binary);
     if (!file.is_open() && isLackOfResources(errno))
-        return Error{ErrorKind::OutOfResource, "'" + path.string() + "' cannot be read: " + std::strerror(errno) +
-                                                   ". Close other programs, or raise the limit (ulimit)."};
+        return Error{ErrorKind::OutOfResource, "'" + path.string() + "' cannot be read: " + systemErrorText(errno) +
+                                                   ". " + std::string(resourceRemedy)};
     Buffer<std::byte> bytes(shownToReaders);
     file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(shownToReaders));
     if (file.gcount() == 0)
@@ -43,13 +38,18 @@ Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
     return bytes;
 }
 
+bool beginsLikeModel(std::span<const std::byte> firstBytes) noexcept
+{
+    return firstBytes.size() >= format::magic.size() &&
+           std::ranges::equal(std::as_bytes(std::span(format::magic)), firstBytes.first(format::magic.size()));
+}
+
 bool isModelFile(const std::filesystem::path& path)
 {
     if (path.extension() == ".tan")
         return true;
     const auto bytes = firstBytesOf(path);
-    return bytes && bytes->size() >= format::magic.size() &&
-           std::ranges::equal(std::as_bytes(std::span(format::magic)), std::span(*bytes).first(format::magic.size()));
+    return bytes && beginsLikeModel(*bytes);
 }
 
 } // namespace tetra

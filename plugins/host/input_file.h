@@ -6,19 +6,19 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
 
 namespace tetra {
 
 /// How many bytes of a file readers want to see for their score, at most.
 inline constexpr std::size_t shownToReaders = 4096;
 
-/// Whether an error of the system says that this machine or process has no more memory, descriptors or processes: then
-/// it says nothing of the file.
-bool isLackOfResources(int systemError) noexcept;
-
 /// The first bytes of a file, shownToReaders or all. The error says what is wrong with the file: missing, a folder, not
 /// readable, empty; or that too many files are open.
 Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path);
+
+/// Whether a file of these first bytes is a TAn model, whole or damaged.
+bool beginsLikeModel(std::span<const std::byte> firstBytes) noexcept;
 
 /// Whether a file is meant to be a TAn model: it ends in ".tan" or begins like one. False if it cannot be read.
 bool isModelFile(const std::filesystem::path& path);

@@ -31,10 +31,12 @@ Result<Provided<Builder>> named(PluginHost& host, const Dataset& dataset, const 
 
 /// The values that the builder works with, as the model's provenance keeps them.
 std::vector<std::pair<std::string, std::string>> provenance(const std::vector<Parameter>& parameters,
-                                                            const ParameterValues& values)
+                                                            const ParameterValues& values, DomainClass domain)
 {
     std::vector<std::pair<std::string, std::string>> texts;
     for (const Parameter& parameter : parameters) {
+        if (!matters(parameter, parameters, withDomain(values, domain)))
+            continue;
         const auto given = values.find(parameter.id);
         texts.emplace_back(parameter.id, parameterText(given != values.end() ? given->second : parameter.defaultValue));
     }
@@ -91,7 +93,7 @@ Result<EndedBuild> buildInto(const Builder& builder, const std::string& id, cons
 {
     ModelDescription description;
     description.builder = id;
-    description.parameters = provenance(builder.parameters(), values);
+    description.parameters = provenance(builder.parameters(), values, dataset.domain);
     std::ranges::move(importTexts(control.imported), std::back_inserter(description.parameters));
     auto folder = openWorkFolder(output, control.resume);
     if (!folder)
@@ -146,7 +148,7 @@ Result<Provided<Builder>> chooseBuilder(PluginHost& host, const Dataset& dataset
 
 std::filesystem::path workFolderOf(const std::filesystem::path& output)
 {
-    std::filesystem::path folder = output;
+    std::filesystem::path folder = behindLinks(output); // so that they are on one disk
     folder += ".work";
     return folder;
 }
@@ -162,6 +164,8 @@ Result<ModelBuild> buildModel(PluginHost& host, const Dataset& dataset, const st
             checkParameterValues("builder '" + builder->id + "'", builder->plugin->parameters(), values);
         !known)
         return known.error();
+    if (const Status used = checkOfUse(builder->plugin->parameters(), values, dataset); !used)
+        return used.error();
     if (const Status safe = checkOutput(output, std::array{dataset.source.path}); !safe)
         return safe.error();
     if (const Status safe = checkModelOutput(output); !safe)

@@ -39,7 +39,7 @@ struct BuildControl {
     ImportOptions imported{};
 };
 
-/// The folder beside a model that holds the files of its build until it is done.
+/// The folder beside a model (beside what a link leads to) that holds the files of its build until it is done.
 std::filesystem::path workFolderOf(const std::filesystem::path& output);
 
 /// Builds a model of `dataset` into `output`, which appears whole or not at all. `builderId` as in chooseBuilder();

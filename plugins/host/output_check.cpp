@@ -18,12 +18,32 @@ Status checkOutput(const std::filesystem::path& output, std::span<const std::fil
 
 Status checkModelOutput(const std::filesystem::path& output)
 {
+    std::error_code problem;
+    if (!std::filesystem::is_regular_file(output, problem) || std::filesystem::file_size(output, problem) == 0)
+        return {}; // nothing to lose: missing, empty, or no file at all, which writing tells
     const auto bytes = firstBytesOf(output);
-    if (!bytes || isModelFile(output))
-        return {}; // nothing to lose: missing, empty or a model; what cannot be written is told by writing
+    if (!bytes)
+        return bytes.error(); // what cannot be looked at may be anything
+    if (beginsLikeModel(*bytes))
+        return {};
     return Error{ErrorKind::WrongUsage, "'" + output.string() +
                                             "' exists and is no TAn model, so it is not overwritten. Give the model "
                                             "another name, or remove that file first."};
+}
+
+Status checkMeshOutput(const std::filesystem::path& output, const Model& model)
+{
+    std::error_code problem;
+    const std::string& source = model.description().sourceName; // "part.vtu", or "part.vtu, temperature"
+    const std::string name = output.filename().string();
+    const bool isCalledLikeIt =
+        source.starts_with(name) && (source.size() == name.size() || source[name.size()] == ',');
+    if (!isCalledLikeIt || !std::filesystem::exists(output, problem))
+        return {};
+    return Error{ErrorKind::WrongUsage, "'" + output.string() +
+                                            "' exists and is called like the dataset that the model was built from, so "
+                                            "it is not overwritten. Give the output another name, or remove that file "
+                                            "first."};
 }
 
 } // namespace tetra

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/model/model.h"
 
 #include <filesystem>
 #include <span>
@@ -12,8 +13,13 @@ namespace tetra {
 /// never replace what they are made from.
 Status checkOutput(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs);
 
-/// An error (WrongUsage) if there is a file `output` that is no TAn model: a model replaces only models. Guards the
-/// samples that a header names, which no input list shows.
+/// An error (WrongUsage) if there is a file `output` that does not begin like a TAn model, whatever its name is: a
+/// model replaces only models and empty files. Guards the samples that a header names, which no input list shows, and
+/// notes that somebody called .tan. Also an error if that file cannot be read.
 Status checkModelOutput(const std::filesystem::path& output);
+
+/// An error (WrongUsage) if a mesh made of `model` would replace a file that is called like the model's dataset: after
+/// "part.vtu" became "part.tan", "part.vtu" is the first name for a mesh of it that comes to mind.
+Status checkMeshOutput(const std::filesystem::path& output, const Model& model);
 
 } // namespace tetra

@@ -2,6 +2,8 @@
 #include "plugins/host/packed_file.h"
 
 #include "core/base/byte_text.h"
+#include "core/base/system_error.h"
+#include "core/base/work_folder.h"
 #include "plugins/host/input_file.h"
 
 #include <zlib.h>
@@ -46,8 +48,10 @@ public:
             }
         if (descriptor >= 0)
             ::close(descriptor);
-        return cannotUnpack(path, isLackOfResources(problem) ? ErrorKind::OutOfResource : ErrorKind::BadInput,
-                            std::generic_category().message(problem) + ".");
+        const std::string reason = systemErrorText(problem) + ".";
+        if (isLackOfResources(problem))
+            return cannotUnpack(path, ErrorKind::OutOfResource, reason + " " + std::string(resourceRemedy));
+        return cannotUnpack(path, ErrorKind::BadInput, reason);
     }
 
     /// How many bytes came, less than the room there is only at the end.
@@ -91,9 +95,8 @@ int writeBytes(int descriptor, std::span<const std::byte> bytes)
 Error noRoom(const fs::path& path, const fs::path& folder, int systemError)
 {
     return cannotUnpack(
-        path, ErrorKind::CannotWrite,
-        "it is packed by gzip, and cannot be unpacked into '" + folder.string() +
-            "': " + std::generic_category().message(systemError) +
+        path, isLackOfResources(systemError) ? ErrorKind::OutOfResource : ErrorKind::CannotWrite,
+        "it is packed by gzip, and cannot be unpacked into '" + folder.string() + "': " + systemErrorText(systemError) +
             ". Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).");
 }
 
@@ -155,15 +158,19 @@ Result<UnpackedFile> UnpackedFile::unpack(const fs::path& path, const Progress& 
     const fs::path temporary = fs::temp_directory_path(problem);
     if (problem)
         return noRoom(path, "TMPDIR", problem.value());
-    std::string folder = (temporary / "tan-unpacked-XXXXXX").string();
-    if (::mkdtemp(folder.data()) == nullptr)
+    constexpr const char* start = "tan-unpacked-";
+    WorkFolder::removeLeft(temporary, start);
+    std::string name = (temporary / start).string() + "XXXXXX";
+    if (::mkdtemp(name.data()) == nullptr)
         return noRoom(path, temporary, errno);
+    auto folder = WorkFolder::open(name, WorkFolder::Leftovers::Remove);
+    if (!folder) {
+        ::rmdir(name.c_str());
+        return cannotUnpack(path, folder.error().kind, folder.error().text);
+    }
     UnpackedFile unpacked;
-    unpacked.folder_ = std::shared_ptr<const void>(nullptr, [folder](const void*) {
-        std::error_code ignored;
-        fs::remove_all(folder, ignored);
-    });
-    unpacked.path_ = fs::path(folder) / unpackedName(path).filename();
+    unpacked.path_ = folder->path() / unpackedName(path).filename();
+    unpacked.folder_ = std::make_shared<WorkFolder>(*std::move(folder));
     const int target = ::open(unpacked.path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
     if (target < 0)
         return noRoom(path, temporary, errno);

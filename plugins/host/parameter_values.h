@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/data/dataset.h"
 #include "plugins/api/parameter.h"
 
 #include <string>
@@ -13,5 +14,14 @@ namespace tetra {
 /// `owner` is whose parameters they are: "reader 'lattice'".
 Status checkParameterValues(const std::string& owner, const std::vector<Parameter>& parameters,
                             const ParameterValues& values);
+
+/// The values, with what conditions of parameters may ask of a dataset (domainId).
+ParameterValues withDomain(ParameterValues values, DomainClass domain);
+
+/// An error (WrongUsage) if `values` holds something that makes no difference to this dataset beside the others: what
+/// is asked for in vain is not asked for by somebody who knows that. `prefix` stands before the names of parameters:
+/// "--" where they are options.
+Status checkOfUse(const std::vector<Parameter>& parameters, const ParameterValues& values, const Dataset& dataset,
+                  const std::string& prefix = {});
 
 } // namespace tetra

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/base/system_error.h"
 
 #include <exception>
 #include <new>
 #include <string>
-#include <system_error>
 
 namespace tetra {
 
@@ -20,12 +20,8 @@ inline Error outOfMemoryInPlugin(const std::string& id)
 /// plugin's fault.
 inline Error thrownByPlugin(const std::string& id, const std::exception& problem)
 {
-    const auto* const system = dynamic_cast<const std::system_error*>(&problem);
-    if (system != nullptr && system->code() == std::errc::resource_unavailable_try_again)
-        return {ErrorKind::OutOfResource, "This machine can start no more threads for '" + id +
-                                              "' now. Close other programs, or use fewer threads."};
-    if (system != nullptr && system->code() == std::errc::not_enough_memory)
-        return outOfMemoryInPlugin(id);
+    if (auto lack = lackOfResources(problem))
+        return *std::move(lack);
     return {ErrorKind::BadInput, "The plugin '" + id + "' failed: " + problem.what() +
                                      ". This is a mistake in the plugin; tell its author."};
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/plugin_host.h"
 
+#include "core/base/mapped_file.h"
+#include "core/base/system_error.h"
 #include "plugins/host/dependency_order.h"
 #include "plugins/host/load_error.h"
 #include "plugins/host/plugin_folders.h"
@@ -41,10 +43,9 @@ QString toQString(const fs::path& path)
 }
 
 /// The shared libraries directly in `folder`, by name; none if it cannot be read.
-std::vector<fs::path> librariesIn(const fs::path& folder)
+std::vector<fs::path> librariesIn(const fs::path& folder, std::error_code& problem)
 {
     std::vector<fs::path> paths;
-    std::error_code problem;
     for (fs::directory_iterator at(folder, problem), end; !problem && at != end; at.increment(problem)) {
         std::error_code ignored;
         if (!at->is_directory(ignored) && QLibrary::isLibrary(toQString(at->path())))
@@ -148,14 +149,37 @@ void PluginHost::whenRefused(std::function<void(const PluginStatus&)> tell)
 void PluginHost::find()
 {
     std::set<fs::path> seen; // one file is one plugin, by however many links and folders it is reached
-    for (const fs::path& folder : options_.folders)
-        for (const fs::path& path : librariesIn(folder)) {
+    for (const fs::path& folder : options_.folders) {
+        std::error_code problem;
+        for (const fs::path& path : librariesIn(folder, problem)) {
             std::error_code ignored;
             if (!seen.insert(fs::weakly_canonical(path, ignored)).second)
                 continue;
+            PluginStatus status = inspect(path, options_.build);
+            if (!status.hasMetadata) // Qt does not say whether it could look at the file at all
+                if (const auto file = MappedFile::open(path); !file && file.error().kind == ErrorKind::OutOfResource)
+                    complete_ = file.error();
             entries_.push_back(std::make_unique<Entry>());
-            entries_.back()->status = inspect(path, options_.build);
+            entries_.back()->status = std::move(status);
         }
+        if (isLackOfResources(problem.value()))
+            lacking(systemErrorText(problem.value()) + ".");
+    }
+}
+
+Status PluginHost::complete() const
+{
+    const std::lock_guard lock(mutex_);
+    return complete_;
+}
+
+/// Notes it for complete().
+Error PluginHost::lacking(const std::string& reason)
+{
+    Error error{ErrorKind::OutOfResource, "Not all plugins can be loaded now: " + reason +
+                                              (reason.ends_with('.') ? " " : ". ") + std::string(resourceRemedy)};
+    complete_ = error;
+    return error;
 }
 
 void PluginHost::disable()
@@ -244,6 +268,8 @@ Status PluginHost::loadRequired(const Entry& entry)
     for (const std::string& id : entry.status.metadata.requiredIds) {
         Entry* required = usable(id);
         const Status loaded = required != nullptr ? load(*required) : Error{ErrorKind::BadInput, whyNotUsed(id)};
+        if (!loaded && loaded.error().kind == ErrorKind::OutOfResource)
+            return loaded;
         if (!loaded)
             return Error{ErrorKind::BadInput,
                          "It needs the plugin \"" + id + "\", which cannot be used: " + loaded.error().text};
@@ -251,21 +277,27 @@ Status PluginHost::loadRequired(const Entry& entry)
     return {};
 }
 
-/// Loads what it requires first; there are no circles, they were refused before. Whatever fails, the entry is refused.
+/// Loads what it requires first; there are no circles, they were refused before. Whatever fails, the entry is refused,
+/// but if it is only for a lack of resources.
 Status PluginHost::load(Entry& entry)
 {
     if (entry.object != nullptr)
         return {};
-    const auto refuse = [&](std::string text) {
-        entry.refuse(std::move(text));
-        if (tellRefused_)
-            tellRefused_(entry.status);
-        return Error{ErrorKind::BadInput,
-                     "The plugin \"" + entry.status.metadata.id + "\" cannot be used. " + entry.status.error};
-    };
-    if (const Status required = loadRequired(entry); !required)
-        return refuse(required.error().text);
+    Status loaded = loadRequired(entry);
+    if (loaded)
+        loaded = open(entry);
+    if (loaded || loaded.error().kind == ErrorKind::OutOfResource)
+        return loaded;
+    entry.refuse(loaded.error().text);
+    if (tellRefused_)
+        tellRefused_(entry.status);
+    return Error{ErrorKind::BadInput,
+                 "The plugin \"" + entry.status.metadata.id + "\" cannot be used. " + entry.status.error};
+}
 
+Status PluginHost::open(Entry& entry)
+{
+    const auto bad = [](std::string text) { return Error{ErrorKind::BadInput, std::move(text)}; };
     entry.loader = std::make_unique<QPluginLoader>(toQString(fs::absolute(entry.status.path)));
     // Every symbol is looked up now, so that a missing one is an error here and not a crash later.
     entry.loader->setLoadHints(QLibrary::PreventUnloadHint | QLibrary::ResolveAllSymbolsHint);
@@ -273,14 +305,20 @@ Status PluginHost::load(Entry& entry)
     try {
         object = entry.loader->instance();
     } catch (const std::exception& problem) {
-        return refuse(std::string("It failed when it was started: ") + problem.what() + ". Install it again.");
+        if (const auto lack = lackOfResources(problem))
+            return *lack;
+        return bad(std::string("It failed when it was started: ") + problem.what() + ". Install it again.");
     }
-    if (object == nullptr)
-        return refuse(explainLoadError(entry.loader->errorString().toStdString(), entry.status.metadata.remedy));
+    if (object == nullptr) {
+        const std::string reason = entry.loader->errorString().toStdString();
+        if (namesLackOfResources(reason))
+            return lacking(reason);
+        return bad(explainLoadError(reason, entry.status.metadata.remedy));
+    }
     const std::string interface(pluginInterface(entry.status.metadata.kind));
     if (object->qt_metacast(interface.c_str()) == nullptr)
-        return refuse("Its metadata call it a " + std::string(pluginKindName(entry.status.metadata.kind)) +
-                      ", but it does not implement " + interface + ". Ask the plugin's author for a mended one.");
+        return bad("Its metadata call it a " + std::string(pluginKindName(entry.status.metadata.kind)) +
+                   ", but it does not implement " + interface + ". Ask the plugin's author for a mended one.");
     entry.object = object;
     entry.status.state = PluginState::Loaded;
     return {};

@@ -89,6 +89,10 @@ public:
     /// Why plugins of this kind are missing, a line each; empty if none is.
     std::string explainMissing(PluginKind kind) const;
 
+    /// An error (OutOfResource) if there were not enough memory or open files to find or load all plugins: then what
+    /// seems to be missing, a renderer or an option, may only be missing now.
+    Status complete() const;
+
 private:
     struct Entry;
     struct Loaded {
@@ -105,6 +109,8 @@ private:
     std::vector<std::string> usableIds(PluginKind kind) const;
     Result<Loaded> instance(PluginKind kind, const std::string& id);
     Status load(Entry& entry);
+    Status open(Entry& entry);
+    Error lacking(const std::string& reason);
     Status loadRequired(const Entry& entry);
 
     template <class Interface> Result<Provided<Interface>> one(PluginKind kind, const std::string& id)
@@ -124,8 +130,9 @@ private:
     }
 
     PluginHostOptions options_;
-    mutable std::mutex mutex_; ///< guards the next two after construction
+    mutable std::mutex mutex_; ///< guards the next three after construction
     std::vector<std::unique_ptr<Entry>> entries_;
+    Status complete_;
     std::function<void(const PluginStatus&)> tellRefused_;
 };
 

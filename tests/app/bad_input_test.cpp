@@ -50,6 +50,10 @@ private slots:
         later[majorVersionOffset] = static_cast<char>(later[majorVersionOffset] + 1);
         QVERIFY(writeFile(path("later.tan"), later));
 
+        QVERIFY(tan({"sample", "part", "--size", "6", "-o", "part.vtu"}).exitCode == 0);
+        const Run part = tan({"build", "part.vtu", "-o", "part.tan"});
+        QVERIFY2(part.exitCode == 0, part.messages);
+
         QVERIFY(writeFile(path("empty.nrrd"), {}));
         QVERIFY(writeFile(path("truncated.nrrd"), nrrd("uint8", "6 6 6", bytes(100))));
         QVERIFY(writeFile(path("cut_in_header.nrrd"), nrrd("uint8", "6 6 6", {}).first(30)));
@@ -81,7 +85,7 @@ private slots:
         QTest::newRow("1xNxM lattice") << build("flat.nrrd") << 3 << "1 x 5 x 5";
         QTest::newRow("unknown NRRD type") << build("unknown_type.nrrd") << 3 << "quaternion";
         QTest::newRow("larger than any memory") << build("huge.nrrd") << 3 << "huge.nrrd";
-        QTest::newRow("no known format") << build("letter.txt") << 3 << "NRRD";
+        QTest::newRow("no known format") << build("letter.txt") << 3 << "unknown format";
         QTest::newRow("samples missing") << build("detached.nhdr") << 3 << "nowhere.raw";
         QTest::newRow("a folder") << build(".") << 3 << "folder";
         QTest::newRow("a model instead of a dataset") << build("good.tan") << 3 << "is a TAn model";
@@ -137,6 +141,14 @@ private slots:
             << QStringList{"build", "good.nrrd", "-o", "./good.nrrd"} << 2 << "is the input";
         QTest::newRow("output is no model")
             << QStringList{"build", "good.nrrd", "-o", "letter.txt"} << 2 << "no TAn model";
+        QTest::newRow("output is only called a model")
+            << QStringList{"build", "good.nrrd", "-o", "text.tan"} << 2 << "no TAn model";
+        QTest::newRow("output whose work folder has too long a name")
+            << QStringList{"build", "good.nrrd", "-o", QString(249, 'm') + ".tan"} << 4 << "shorter name";
+        QTest::newRow("mesh called like the dataset")
+            << QStringList{"extract", "part.tan", "-o", "part.vtu"} << 2 << "like the dataset";
+        QTest::newRow("surface called like the dataset")
+            << QStringList{"isosurface", "part.tan", "--value", "0.5", "-o", "part.vtu"} << 2 << "like the dataset";
         QTest::newRow("output in a missing folder")
             << QStringList{"build", "good.nrrd", "-o", "no/where.tan"} << 4 << "no";
         QTest::newRow("output is a folder")
@@ -149,13 +161,13 @@ private slots:
         QFETCH(QString, part);
         QDir(folder_.path()).mkdir("folder.png");
         const QStringList before = QDir(folder_.path()).entryList(QDir::AllEntries | QDir::Hidden);
-        const QByteArray letter = contentOf(path("letter.txt"));
+        const QByteArray letter = contentOf(path("letter.txt")) + contentOf(path("text.tan"));
         const Run run = tan(words);
         QVERIFY2(run.exitCode == exitCode, QByteArray::number(run.exitCode) + ": " + run.messages);
         QVERIFY2(run.output.isEmpty(), run.output);
         QVERIFY2(run.messages.startsWith("tan: ") && QString::fromUtf8(run.messages).contains(part), run.messages);
         QCOMPARE(QDir(folder_.path()).entryList(QDir::AllEntries | QDir::Hidden), before);
-        QCOMPARE(contentOf(path("letter.txt")), letter);
+        QCOMPARE(contentOf(path("letter.txt")) + contentOf(path("text.tan")), letter);
     }
 
     void aReadOnlyTargetIsSpared()

@@ -178,6 +178,28 @@ private slots:
         QVERIFY(tetrahedra(focused) <= 2000 && focused["scale"].toDouble() > 1);
     }
 
+    /// Pieces are more than what they were cut from, which is never more than the whole.
+    void piecesAreNotTetrahedraOfTheModel()
+    {
+        const QStringList cut = {"--error",  "10",     "--window", "0.75,0.75,0.75,14.25,14.25,14.25",
+                                 "--border", "clipped"};
+        const QJsonObject figures = extracted(cut);
+        QVERIFY(tetrahedra(figures) > figures["whole_tetrahedra"].toInteger());
+        const qint64 kept = figures["kept_tetrahedra"].toInteger();
+        QVERIFY(kept > 0 && kept <= figures["whole_tetrahedra"].toInteger());
+        QVERIFY(figures["kept_sites"].toInteger(-1) >= 0);
+        QVERIFY(figures["kept_sites"].toInteger() <= figures["whole_sites"].toInteger());
+        const Run run = tan(QStringList{"extract", "c60.tan", "-o", "cut.vtu"} + cut);
+        QVERIFY2(run.output.contains(QString("pieces of %1 of the %2 of the whole mesh")
+                                         .arg(kept)
+                                         .arg(figures["whole_tetrahedra"].toInteger())
+                                         .toUtf8()),
+                 run.output);
+        const QJsonObject all = extracted({"--error", "10"});
+        QCOMPARE(all["kept_tetrahedra"].toInteger(), all["whole_tetrahedra"].toInteger());
+        QCOMPARE(all["kept_sites"].toInteger(), all["whole_sites"].toInteger());
+    }
+
     void aWindowChooses()
     {
         const QStringList window = {"--error", "2", "--window", "3.5,0,0,9.5,15,15"};

@@ -127,8 +127,7 @@ bool asksForLocalText(const std::string& path, const std::string& line)
     return !liesIn(path, "tests") && path != "core/base/system_error.cpp" && std::regex_search(line, call);
 }
 
-void readFile(const fs::path& root, const std::string& path, const std::set<std::string>& longFiles,
-              std::vector<std::string>& breaches)
+void readFile(const fs::path& root, const std::string& path, std::vector<std::string>& breaches)
 {
     const auto report = [&](const std::string& what) { breaches.push_back(path + ": " + what); };
     if (roomOf(path) == nullptr)
@@ -136,10 +135,10 @@ void readFile(const fs::path& root, const std::string& path, const std::set<std:
 
     std::ifstream file(root / path);
     std::string line;
-    std::size_t lines = 0;
+    bool isFirst = true;
     bool hasPragma = false;
     while (std::getline(file, line)) {
-        if (++lines == 1 && line != licenceLine)
+        if (std::exchange(isFirst, false) && line != licenceLine)
             report("the first line is not \"" + std::string(licenceLine) + "\"");
         hasPragma |= line == "#pragma once";
         const auto include = includeOf(line);
@@ -151,10 +150,6 @@ void readFile(const fs::path& root, const std::string& path, const std::set<std:
     }
     if (path.ends_with(".h") && !hasPragma)
         report("a header without #pragma once");
-    if (lines > lineLimit && !longFiles.contains(path))
-        report(std::to_string(lines) + " lines; split it, or list it with its reason");
-    if (lines <= lineLimit && longFiles.contains(path))
-        report("is listed as a long file and is none");
 }
 
 std::vector<std::string> sourcesUnder(const fs::path& root)
@@ -175,15 +170,11 @@ std::vector<std::string> sourcesUnder(const fs::path& root)
 
 } // namespace
 
-std::vector<std::string> houseBreaches(const fs::path& root, const std::set<std::string>& longFiles)
+std::vector<std::string> houseBreaches(const fs::path& root)
 {
     std::vector<std::string> breaches;
-    const auto paths = sourcesUnder(root);
-    for (const auto& path : paths)
-        readFile(root, path, longFiles, breaches);
-    for (const auto& path : longFiles)
-        if (!std::ranges::binary_search(paths, path))
-            breaches.push_back(path + ": is listed as a long file and does not exist");
+    for (const auto& path : sourcesUnder(root))
+        readFile(root, path, breaches);
     return breaches;
 }
 

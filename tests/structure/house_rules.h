@@ -2,14 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
 #include <string>
 #include <vector>
 
 namespace tetra {
-
-/// The longest file that needs no entry in the list of exceptions, in lines.
-inline constexpr std::size_t lineLimit = 400;
 
 /// Reads every .h and .cpp under app, core, plugins, tests and ui of `root` and says, one sentence a breach and in the
 /// order of the paths, where they break the rules of the house:
@@ -19,10 +15,7 @@ inline constexpr std::size_t lineLimit = 400;
 /// - own headers are included by their path from the root and exist;
 /// - core includes no Qt, and its headers neither OpenGL nor CGAL;
 /// - what the system says of an error comes from systemErrorText(), which is English in every locale;
-/// - the first line is the licence's SPDX line, and headers have `#pragma once`;
-/// - no file is longer than `lineLimit`, unless it stands in `longFiles` (paths from the root). An entry that is not
-/// needed
-///   is a breach too, so that the list cannot rot.
-std::vector<std::string> houseBreaches(const std::filesystem::path& root, const std::set<std::string>& longFiles = {});
+/// - the first line is the licence's SPDX line, and headers have `#pragma once`.
+std::vector<std::string> houseBreaches(const std::filesystem::path& root);
 
 } // namespace tetra

@@ -119,9 +119,16 @@ namespace {
 
 const std::filesystem::path modelPath = "allocations.tan";
 
+ModelDescription builtBy(const char* builder)
+{
+    ModelDescription description;
+    description.builder = builder;
+    return description;
+}
+
 Status buildLatticeModel(const Dataset& dataset)
 {
-    auto writer = ModelWriter::create(modelPath, dataset, {.builder = "refinement"});
+    auto writer = ModelWriter::create(modelPath, dataset, builtBy("refinement"));
     if (!writer)
         return writer.error();
     LatticeRefinementOptions options;
@@ -134,7 +141,7 @@ Status buildLatticeModel(const Dataset& dataset)
 
 Status buildCurvilinearModel(const Dataset& dataset)
 {
-    auto writer = ModelWriter::create(modelPath, dataset, {.builder = "refinement"});
+    auto writer = ModelWriter::create(modelPath, dataset, builtBy("refinement"));
     if (!writer)
         return writer.error();
     CurvilinearRefinementOptions options;
@@ -147,7 +154,7 @@ Status buildCurvilinearModel(const Dataset& dataset)
 
 Status buildDecimatedModel(const Dataset& dataset)
 {
-    auto writer = ModelWriter::create(modelPath, dataset, {.builder = "decimation"});
+    auto writer = ModelWriter::create(modelPath, dataset, builtBy("decimation"));
     if (!writer)
         return writer.error();
     std::vector<double> values(dataset.pointCount());
@@ -257,6 +264,8 @@ int main(int argumentCount, char** arguments)
     if (!asked.writes && !buildLatticeModel(asked.dataset))
         return 1;
     allocationsOf(asked);
+    if (asked.writes)
+        std::filesystem::remove(modelPath);
     for (long number = std::atol(arguments[3]); number < std::atol(arguments[4]); ++number) {
         long before = livingAfter(asked, number);
         int grown = 0;

@@ -74,11 +74,11 @@ void DamagedModelWindowTest::nothingIsSavedOfAnOldFile()
     QSignalSpy failed(&workbench, &Workbench::failed);
     open(damagedSample(true, SectionId::OwnErrors));
     QTRY_VERIFY(!failed.isEmpty());
-    failed.clear();
+    QSignalSpy saveFailed(&workbench, &Workbench::saveFailed);
     const auto isRefused = [&](const char* name, const std::function<void(const std::filesystem::path&)>& save) {
         save(path(name));
-        return QTest::qWaitFor([&] { return !failed.isEmpty(); }) &&
-               failed.takeFirst().first().toString() == damageMessage("own errors") &&
+        return QTest::qWaitFor([&] { return !saveFailed.isEmpty(); }) &&
+               saveFailed.takeFirst().first().toString() == damageMessage("own errors") &&
                !std::filesystem::exists(path(name));
     };
     QVERIFY(isRefused("levels.csv", [&](const auto& target) { workbench.saveStatistics(target); }));

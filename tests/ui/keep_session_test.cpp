@@ -76,7 +76,7 @@ void KeepSessionTest::initTestCase()
 void KeepSessionTest::init()
 {
     QDir(pathText(viewFolder())).removeRecursively();
-    window_ = std::make_unique<WindowFixture>();
+    window_ = std::make_unique<WindowFixture>(BackendChoice::Cpu, hostOfThisBuild(), viewFolder());
     window_->window.show();
 }
 
@@ -204,7 +204,7 @@ void KeepSessionTest::whatAProgramLeftBehindIsOffered()
     window_.reset();
     const std::filesystem::path left = leave(*document);
 
-    window_ = std::make_unique<WindowFixture>();
+    window_ = std::make_unique<WindowFixture>(BackendChoice::Cpu, hostOfThisBuild(), viewFolder());
     window_->window.show();
     QCOMPARE(window_->messages(), QStringList());
     auto& restore = window_->find<QPushButton>("lost.restore");
@@ -223,7 +223,7 @@ void KeepSessionTest::theStartPageSaysWhatAndWhen()
 {
     window_.reset();
     leave(ofModel(model_));
-    window_ = std::make_unique<WindowFixture>();
+    window_ = std::make_unique<WindowFixture>(BackendChoice::Cpu, hostOfThisBuild(), viewFolder());
     window_->window.show();
     const QString text = window_->find<QLabel>("lost.text").text();
     QVERIFY2(text.contains("c60.tan"), qPrintable(text));
@@ -242,7 +242,7 @@ void KeepSessionTest::whatIsDeclinedIsNotOfferedAgain()
 {
     window_.reset();
     leave(ofModel(model_));
-    window_ = std::make_unique<WindowFixture>();
+    window_ = std::make_unique<WindowFixture>(BackendChoice::Cpu, hostOfThisBuild(), viewFolder());
     window_->window.show();
     QVERIFY(window_->find<QWidget>("lost").isVisible());
     window_->find<QPushButton>("lost.discard").click();
@@ -255,20 +255,20 @@ void KeepSessionTest::whatIsIgnoredIsOfferedInTheBarAndStays()
 {
     window_.reset();
     const std::filesystem::path left = leave(ofModel(model_));
-    window_ = std::make_unique<WindowFixture>();
+    window_ = std::make_unique<WindowFixture>(BackendChoice::Cpu, hostOfThisBuild(), viewFolder());
     window_->window.show();
     open(model_);
     QTRY_COMPARE(window_->messages().size(), 1);
     QVERIFY(!window_->find<QWidget>("lost").isVisible());
     QVERIFY(std::filesystem::exists(left));
-    window_ = std::make_unique<WindowFixture>(); // ignored again
+    window_ = std::make_unique<WindowFixture>(BackendChoice::Cpu, hostOfThisBuild(), viewFolder()); // ignored again
     QVERIFY(std::filesystem::exists(left));
     window_->window.show();
     open(model_);
     QTRY_COMPARE(window_->messages().size(), 1);
     window_->find<QPushButton>("message.answer").click();
     QTRY_VERIFY_WITH_TIMEOUT(!std::filesystem::exists(left), 30'000);
-    window_ = std::make_unique<WindowFixture>();
+    window_ = std::make_unique<WindowFixture>(BackendChoice::Cpu, hostOfThisBuild(), viewFolder());
     QVERIFY(KeptViews(viewFolder()).lost().empty());
 }
 
@@ -276,7 +276,7 @@ void KeepSessionTest::whatCannotBeRestoredStays()
 {
     window_.reset();
     const std::filesystem::path left = leave(ofModel("/nowhere/gone.tan"));
-    window_ = std::make_unique<WindowFixture>();
+    window_ = std::make_unique<WindowFixture>(BackendChoice::Cpu, hostOfThisBuild(), viewFolder());
     window_->window.show();
     window_->find<QPushButton>("lost.restore").click();
     QTRY_COMPARE(window_->messages().size(), 1);
@@ -307,7 +307,7 @@ void KeepSessionTest::aKilledProgramLosesAtMostTenSeconds()
     QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(view + ".lock") && QFileInfo(view).lastModified() > before, 60'000);
     program.kill();
     QVERIFY(program.waitForFinished());
-    window_ = std::make_unique<WindowFixture>();
+    window_ = std::make_unique<WindowFixture>(BackendChoice::Cpu, hostOfThisBuild(), viewFolder());
     window_->window.show();
     QVERIFY(window_->find<QWidget>("lost").isVisible());
     open(model_);
@@ -331,7 +331,7 @@ void KeepSessionTest::aKilledSessionIsModified()
     document->file = file;
     document->query.error = 3.5;
     leave(*document);
-    auto next = std::make_unique<WindowFixture>();
+    auto next = std::make_unique<WindowFixture>(BackendChoice::Cpu, hostOfThisBuild(), viewFolder());
     next->window.show();
     QVERIFY2(next->find<QLabel>("lost.text").text().contains("work.tansession"),
              qPrintable(next->find<QLabel>("lost.text").text()));
@@ -345,7 +345,7 @@ void KeepSessionTest::aKilledSessionIsModified()
 void KeepSessionTest::startAnew()
 {
     QVERIFY(window_->window.close());
-    window_ = std::make_unique<WindowFixture>();
+    window_ = std::make_unique<WindowFixture>(BackendChoice::Cpu, hostOfThisBuild(), viewFolder());
     window_->window.show();
 }
 

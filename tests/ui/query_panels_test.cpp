@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
+#include "ui/session/accuracy_scale.h"
 
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
@@ -9,6 +11,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QThread>
@@ -31,6 +34,9 @@ private slots:
     void aBudgetKeepsTheCount();
     void theLineOfTheBudgetIsDragged();
     void aWindowCutsTheMesh();
+    void cutCellsDoNotExceedTheirWhole();
+    void twoBlendedMeshesAreNoShareOfOne();
+    void aFocusIsNotCoarserThanItsSurroundings();
     void valuesChooseTetrahedra();
     void theMeshIsSaved();
     void theSurfacesAreSaved();
@@ -190,6 +196,82 @@ void QueryPanelsTest::aWindowCutsTheMesh()
     QTest::mouseClick(&window_->find<QPushButton>("region.reset"), Qt::LeftButton);
     QTRY_VERIFY(upToDate());
     QCOMPARE(session().shown()->tetrahedra, session().shown()->wholeTetrahedra);
+}
+
+/// B13 of the window's review: a coarse mesh whose cells are nearly all cut into several pieces each.
+void QueryPanelsTest::cutCellsDoNotExceedTheirWhole()
+{
+    session().setError(10);
+    trigger("action.window");
+    for (const char* axis : {"x", "y", "z"}) {
+        window_->find<QDoubleSpinBox>(QString("region.from.") + axis).setValue(0.75);
+        window_->find<QDoubleSpinBox>(QString("region.to.") + axis).setValue(22.25);
+    }
+    QTRY_VERIFY(upToDate());
+    const auto whole = meshSizeAt(*session().model(), bothWithin(10));
+    QVERIFY(mesh()->mesh.tetrahedra.size() > whole.tetrahedra); // pieces
+    static const QRegularExpression sentence("([\\d,]+) of its ([\\d,]+) tetrahedra are shown");
+    const QString outcome = window_->find<QLabel>("accuracy.outcome").text();
+    const auto told = sentence.match(outcome);
+    QVERIFY2(told.hasMatch(), qPrintable(outcome));
+    const QLocale c = QLocale::c();
+    QCOMPARE(c.toULongLong(told.captured(2)), qulonglong(whole.tetrahedra));
+    QVERIFY2(c.toULongLong(told.captured(1)) <= whole.tetrahedra, qPrintable(outcome));
+    const auto number = [&](const char* label) { return c.toULongLong(window_->find<QLabel>(label).text()); };
+    QCOMPARE(number("accuracy.tetrahedra"), c.toULongLong(told.captured(1)));
+    QVERIFY2(number("accuracy.sites") > 0 && number("accuracy.sites") <= whole.sites,
+             qPrintable(window_->find<QLabel>("accuracy.sites").text()));
+    const auto first = [&](const char* label) {
+        return c.toULongLong(window_->find<QLabel>(label).text().section(' ', 0, 0));
+    };
+    QCOMPARE(first("status.tetrahedra"), number("accuracy.tetrahedra"));
+    QCOMPARE(first("status.sites"), number("accuracy.sites"));
+    QVERIFY(window_->find<QLabel>("status.tetrahedra").toolTip().contains("pieces"));
+    window_->find<QPushButton>("statistics.copy").click();
+    const QString facts = QGuiApplication::clipboard()->text();
+    QVERIFY2(facts.contains("tetrahedra in " + c.toString(qulonglong(mesh()->mesh.tetrahedra.size())) + " pieces"),
+             qPrintable(facts));
+}
+
+/// Both are of the whole domain, so their sum may be more than all of the finest one.
+void QueryPanelsTest::twoBlendedMeshesAreNoShareOfOne()
+{
+    session().setError(0.1);
+    trigger("action.focusSphere");
+    window_->find<QDoubleSpinBox>("focus.error.box").setValue(0);
+    trigger("action.mode.focus");
+    QTRY_VERIFY(upToDate());
+    QVERIFY(window_->find<QLabel>("accuracy.tetrahedronShare").text().isEmpty());
+    QVERIFY(!window_->find<QLabel>("accuracy.outcome").text().contains("of its"));
+    trigger("action.mode.volume");
+    QTRY_VERIFY(upToDate());
+    QVERIFY(window_->find<QLabel>("accuracy.tetrahedronShare").text().contains("of all"));
+}
+
+/// B15 of the window's review. What was chosen comes back when the surroundings are coarser again.
+void QueryPanelsTest::aFocusIsNotCoarserThanItsSurroundings()
+{
+    trigger("action.focusSphere");
+    session().setError(1);
+    window_->find<QDoubleSpinBox>("focus.error.box").setValue(0.2);
+    const auto& word = window_->find<QLabel>("focus.clamped");
+    QVERIFY(!word.isVisibleTo(word.parentWidget()));
+    session().setError(0.05);
+    QTRY_VERIFY(upToDate());
+    QVERIFY2(word.isVisibleTo(word.parentWidget()) && word.text().contains("0.05 %"), qPrintable(word.text()));
+    const SpaceRamp* ramp = session().shown()->query.error.asSpaceRamp();
+    QVERIFY(ramp == nullptr || ramp->inner <= ramp->outer);
+    const QString errors = window_->find<QLabel>("status.errors").text();
+    QVERIFY2(errors.contains("0.05 % in the focus, 0.05 % outside"), qPrintable(errors));
+    session().setBudget(3000);
+    QTRY_VERIFY(upToDate());
+    ramp = session().shown()->query.error.asSpaceRamp();
+    QVERIFY(ramp == nullptr || ramp->inner <= ramp->outer);
+    QVERIFY(word.isVisibleTo(word.parentWidget()));
+    session().setError(1);
+    QTRY_VERIFY(upToDate());
+    QVERIFY(!word.isVisibleTo(word.parentWidget()));
+    QVERIFY(window_->find<QLabel>("status.errors").text().contains("0.2 % in the focus, 1 % outside"));
 }
 
 void QueryPanelsTest::valuesChooseTetrahedra()

@@ -258,9 +258,15 @@ void QueryTest::theMeshIsToldInWords()
     mesh.scale = 1;
     mesh.query.budget.reset();
     mesh.query.values = {{1, 2}};
-    mesh.tetrahedra = 30;
+    mesh.tetrahedra = mesh.keptTetrahedra = 30;
     QCOMPARE(meshText(mesh, *model_),
              QString("Shown: error 0.5 % in the focus, 4 % outside. 30 of its 2000 tetrahedra are shown."));
+    QVERIFY(piecesText(mesh).isEmpty());
+    mesh.tetrahedra = 2300; // pieces
+    QVERIFY(meshText(mesh, *model_).endsWith("30 of its 2000 tetrahedra are shown."));
+    QCOMPARE(piecesText(mesh), QString("30 tetrahedra in 2300 pieces, as the window cuts them"));
+    mesh.isBlended = true;
+    QCOMPARE(meshText(mesh, *model_), QString("Shown: error 0.5 % in the focus, 4 % outside."));
 }
 
 void QueryTest::aShownMeshBelongsToItsQuery()

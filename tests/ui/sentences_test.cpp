@@ -104,6 +104,10 @@ void SentencesTest::whatIsMadeOfIt_data()
         << "Cannot write '/a/b.png': No space left on device. Free some space or choose another disk."
         << "„/a/b.png“ kann nicht geschrieben werden: Kein Platz mehr auf dem Datenträger. Schaffen Sie Platz, oder "
            "wählen Sie einen anderen Datenträger.";
+    QTest::newRow("a lack of open files")
+        << "Cannot read '/a/b.tan': Too many open files. Close other programs, or raise the limit (ulimit)."
+        << "„/a/b.tan“ kann nicht gelesen werden: Zu viele offene Dateien. Schließen Sie andere Programme, oder heben "
+           "Sie die Begrenzung an (ulimit).";
     QTest::newRow("names stay, whatever they say") << "'Error' is a folder. Give a file in it."
                                                    << "„Error“ ist ein Ordner. Wählen Sie eine Datei darin.";
     QTest::newRow("a name that looks like a placeholder")

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/graphics/volume/volume_mesh.h"
 #include "core/model/extraction.h"
+#include "core/transfer/default_transfer_functions.h"
 #include "tests/ui/sample_window.h"
 #include "ui/session/accuracy_scale.h"
 #include "ui/session/model_statistics.h"
@@ -23,6 +25,7 @@ private slots:
     void theTableFollowsTheSession();
     void allOfItIsCopied();
     void theTableIsSaved();
+    void cyclesOfTheOrderAreCounted();
     void withoutAModelThereIsNothing();
 
 private:
@@ -112,6 +115,61 @@ void StatisticsTest::theTableIsSaved()
     emit dialog.fileSelected(path);
     dialog.reject();
     QTRY_VERIFY(QFile::exists(path));
+}
+
+namespace {
+
+/// Three sticks, each with one end before the next: seen from the front none of them comes first.
+std::shared_ptr<const Scene> cyclicScene()
+{
+    const auto mesh = std::make_shared<TetrahedralMesh>();
+    const auto corner = [](int number) {
+        const double angle = number * 2.0943951023931953;
+        return Eigen::Vector3d(std::cos(angle), 0, std::sin(angle));
+    };
+    for (int stick = 0; stick < 3; ++stick) {
+        const Eigen::Vector3d along = corner(stick + 1) - corner(stick);
+        const Eigen::Vector3d back = corner(stick) - 0.3 * along + Eigen::Vector3d(0, 0.3, 0);
+        const Eigen::Vector3d front = corner(stick + 1) + 0.3 * along - Eigen::Vector3d(0, 0.3, 0);
+        const Eigen::Vector3d across = 0.1 * along.cross(Eigen::Vector3d::UnitY()).normalized();
+        const Eigen::Vector3d deep(0, 0.1, 0);
+        const auto first = static_cast<std::uint32_t>(mesh->positions.size());
+        for (const Eigen::Vector3d& place : {Eigen::Vector3d(back - across), Eigen::Vector3d(back + across),
+                                             Eigen::Vector3d(front - deep), Eigen::Vector3d(front + deep)})
+            mesh->positions.push_back(place.cast<float>());
+        const Eigen::Vector3d edge = 2 * across;
+        const bool isPositive = edge.dot((front - deep - back + across).cross(front + deep - back + across)) > 0;
+        mesh->tetrahedra.push_back({first, first + 1, first + (isPositive ? 2 : 3), first + (isPositive ? 3 : 2)});
+    }
+    mesh->values.assign(mesh->positions.size(), 0.5F);
+    const auto volume = makeVolumeMesh(mesh);
+    const auto transfer = makeVolumeTransfer(*mesh, sequentialTransferFunction(0, 1, 1));
+    auto scene = std::make_shared<Scene>();
+    scene->bounds = volume->bounds;
+    scene->volume =
+        Volume{std::make_shared<const VolumeMesh>(*volume), std::make_shared<const VolumeTransfer>(*transfer), false};
+    return scene;
+}
+
+} // namespace
+
+/// S14: where no order is right, which is so of few pictures, it is said.
+void StatisticsTest::cyclesOfTheOrderAreCounted()
+{
+    const auto facts = [this] {
+        window_->find<QPushButton>("statistics.copy").click();
+        return QGuiApplication::clipboard()->text();
+    };
+    QVERIFY(!facts().contains("Visibility cycles")); // surfaces have none
+    session().setMode("volume");
+    QTRY_VERIFY(window_->settled());
+    QTRY_VERIFY2(facts().contains("Visibility cycles\t0"), qPrintable(facts()));
+    const std::shared_ptr<const Scene> scene = cyclicScene();
+    Camera camera = fitted({}, scene->bounds);
+    camera.azimuth = camera.elevation = 0;
+    window_->viewport().setCamera(camera);
+    window_->viewport().setScene(scene, 3);
+    QTRY_VERIFY2(facts().contains("Visibility cycles\t1, "), qPrintable(facts()));
 }
 
 void StatisticsTest::withoutAModelThereIsNothing()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/ui/sample_files.h"
+#include "ui/session/target_path.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/window/main_window.h"
@@ -12,12 +13,15 @@
 
 namespace tetra {
 
-/// A window with everything behind it, fresh settings, and a folder for its files. Widgets are found by object name.
+/// A window with everything behind it, fresh settings, and a folder for its files. It remembers no views but those that
+/// are kept in `views`, if that is told. Widgets are found by object name.
 class WindowFixture {
 public:
     explicit WindowFixture(BackendChoice backend = BackendChoice::Cpu,
-                           std::unique_ptr<PluginHost> plugins = hostOfThisBuild())
-        : host(std::move(plugins)), workbench(*host), window(workbench, backend)
+                           std::unique_ptr<PluginHost> plugins = hostOfThisBuild(),
+                           const std::filesystem::path& views = {})
+        : host(std::move(plugins)), workbench(*host, views.empty() ? filePath(folder.filePath("views")) : views),
+          window(workbench, backend)
     {
     }
 

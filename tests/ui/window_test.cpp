@@ -16,6 +16,7 @@
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QSet>
 #include <QSignalSpy>
 #include <QToolButton>
 
@@ -52,6 +53,9 @@ private slots:
     void closingTheModelLeavesTheInvitation();
     void closingLeadsToTheStartPage();
     void aDatasetBesideAModelStaysWhenThatIsClosed();
+    void thePictureGoesWithItsTitle();
+    void aDatasetThatIsNotBuiltIsSaid();
+    void aPictureOfAnotherStateIsMarked();
     void theViewportFollowsThePalette();
     void theLayoutIsKept();
     void thePluginsAreListed();
@@ -443,6 +447,73 @@ void WindowTest::aDatasetBesideAModelStaysWhenThatIsClosed()
     window_->find<QAction>("action.close").trigger();
     QVERIFY(window_->find<QWidget>("empty.open").isVisible());
     QVERIFY(!window_->find<QWidget>("dock.build").isVisible());
+}
+
+/// B11 of the window's review: from the moment that the title names another model, nothing of the old one is seen.
+void WindowTest::thePictureGoesWithItsTitle()
+{
+    openSample();
+    Dataset other = sampleDataset(8);
+    other.source.name = "other";
+    std::filesystem::create_directory(window_->folderPath() + "/other");
+    const auto path = buildSampleModel(*window_->host, other, window_->folderPath() + "/other");
+    std::filesystem::rename(path, window_->folderPath() + "/other.tan");
+    const QImage before = window_->viewport().picture();
+    const auto colours = [](const QImage& image) {
+        QSet<QRgb> found;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                found.insert(image.pixel(x, y));
+        return found.size();
+    };
+    QVERIFY(colours(before) > 10);
+    bool isEmpty = false;
+    bool isQuiet = false;
+    // After the window has heard of it, and before a scene of the new model can be there.
+    const auto changed = connect(&window_->workbench.session(), &Session::modelChanged, this, [&] {
+        QVERIFY(window_->window.windowTitle().startsWith("other"));
+        isEmpty = colours(window_->viewport().picture()) <= 1;
+        isQuiet =
+            !window_->find<QLabel>("status.sites").isVisible() && !window_->find<QLabel>("status.frame").isVisible();
+    });
+    window_->window.open(QString::fromStdString(window_->folderPath() + "/other.tan"));
+    QTRY_VERIFY(window_->window.windowTitle().startsWith("other"));
+    QTRY_VERIFY(window_->settled());
+    QVERIFY(isEmpty);
+    QVERIFY(isQuiet);
+    disconnect(changed);
+}
+
+/// The model that is open stays, and it is said that it is not that of the dataset.
+void WindowTest::aDatasetThatIsNotBuiltIsSaid()
+{
+    const auto& notice = window_->find<QWidget>("viewport.notice");
+    openSample();
+    QVERIFY(!notice.isVisible());
+    Dataset dataset = sampleDataset(8);
+    const std::filesystem::path file = writeNrrd(dataset, window_->folderPath());
+    std::filesystem::rename(file, window_->folderPath() + "/another.nrrd");
+    window_->window.open(window_->folder.filePath("another.nrrd"));
+    QTRY_VERIFY(notice.isVisible());
+    const QString text = notice.accessibleName();
+    QVERIFY2(text.contains("another.nrrd is not built yet") && text.contains("c60.tan"), qPrintable(text));
+    window_->find<QPushButton>("build.start").click();
+    QTRY_VERIFY(window_->workbench.session().model() && !window_->workbench.building().running());
+    QTRY_VERIFY(window_->window.windowTitle().startsWith("another.tan"));
+    QVERIFY(!notice.isVisible());
+}
+
+/// A picture that stays because the next one could not be made does not pass for that.
+void WindowTest::aPictureOfAnotherStateIsMarked()
+{
+    openSample();
+    const auto& notice = window_->find<QWidget>("viewport.notice");
+    emit window_->workbench.sceneBuilder().failed({ErrorKind::OutOfResource, "There is not enough memory."});
+    QTRY_VERIFY(notice.isVisible());
+    QVERIFY2(notice.accessibleName().contains("not of the present settings"), qPrintable(notice.accessibleName()));
+    window_->workbench.session().setError(5);
+    QTRY_VERIFY(window_->settled() && window_->workbench.session().showsQuery());
+    QVERIFY(!notice.isVisible());
 }
 
 void WindowTest::theViewportFollowsThePalette()

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/annotations/annotation_content.h"
 
+#include "core/model/model.h"
 #include "ui/annotations/field_name.h"
+#include "ui/session/look.h"
 #include "ui/session/mesh_text.h"
 #include "ui/session/target_path.h"
-#include "ui/session/workbench.h"
 
 #include <QFileInfo>
 #include <QGuiApplication>
@@ -26,32 +27,22 @@ QString accuracyText(const ShownMesh& mesh)
 
 } // namespace
 
-AnnotationContent annotationContent(Workbench& workbench, const Camera& camera, const Colour& background)
+AnnotationContent annotationContent(const Model& model, const std::vector<Parameter>& parameters,
+                                    const TransferFunction& transfer, const std::vector<Isovalue>& isovalues,
+                                    const ShownMesh* mesh)
 {
     AnnotationContent content;
-    const Session& session = workbench.session();
-    content.state = session.view().annotations();
-    content.camera = camera;
-    content.background = background;
-    content.font = QGuiApplication::font();
-    if (!session.model())
-        return content;
-    content.range = session.range();
-    const auto parameters = workbench.matteringParameters();
+    if (qobject_cast<QGuiApplication*>(QCoreApplication::instance()) != nullptr) // else no text will be painted
+        content.font = QGuiApplication::font();
+    content.range = model.description().range;
     if (hasParameter<TransferFunction>(parameters))
-        content.transfer = session.view().look().transfer;
+        content.transfer = transfer;
     if (hasParameter<std::vector<Isovalue>>(parameters))
-        content.isovalues = seenOnes(session.view().isovalues());
-    if (const auto& preview = workbench.previewedFrame()) {
-        if (content.transfer)
-            content.transfer = preview->transfer;
-        if (content.isovalues)
-            content.isovalues = seenOnes(preview->isovalues);
-    }
-    content.field = fieldName(session.model()->description());
-    content.title = QFileInfo(pathText(session.model()->path())).completeBaseName();
-    if (session.shown())
-        content.accuracy = accuracyText(*session.shown());
+        content.isovalues = seenOnes(isovalues);
+    content.field = fieldName(model.description());
+    content.title = QFileInfo(pathText(model.path())).completeBaseName();
+    if (mesh != nullptr)
+        content.accuracy = accuracyText(*mesh);
     return content;
 }
 

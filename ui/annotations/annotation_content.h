@@ -17,7 +17,8 @@
 
 namespace tetra {
 
-class Workbench;
+struct Parameter;
+class Model;
 struct ShownMesh;
 
 /// What the annotations of a picture say: a value, painted in any thread.
@@ -34,8 +35,11 @@ struct AnnotationContent {
     QFont font;        ///< the window's
 };
 
-/// Of what the workbench shows, seen by `camera` before `background`. From the GUI thread.
-AnnotationContent annotationContent(Workbench& workbench, const Camera& camera, const Colour& background);
+/// Of a picture of a model. `parameters`: those of its renderer that matter as they are set. `mesh`: that is shown;
+/// none if that is not known yet.
+AnnotationContent annotationContent(const Model& model, const std::vector<Parameter>& parameters,
+                                    const TransferFunction& transfer, const std::vector<Isovalue>& isovalues,
+                                    const ShownMesh* mesh);
 
 /// The same picture's at a frame of a film; the accuracy is that of `mesh`.
 AnnotationContent atFrame(AnnotationContent content, const FilmFrame& frame, const ShownMesh& mesh);

@@ -46,7 +46,7 @@ void AnnotationOverlay::paintEvent(QPaintEvent* event)
     if (!workbench_.session().model())
         return;
     QPainter painter(this);
-    paintAnnotations(painter, annotationContent(workbench_, viewport_.shownCamera(), viewport_.background()), size());
+    paintAnnotations(painter, workbench_.annotations(viewport_.shownCamera(), viewport_.background()), size());
 }
 
 } // namespace tetra

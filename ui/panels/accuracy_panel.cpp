@@ -238,13 +238,15 @@ void AccuracyPanel::showSize()
     const MeshSize planned = session_.meshSize();
     const bool isPlanned = !session_.showsQuery() && query.isUniform();
     if (isPlanned || shown) {
-        const std::uint64_t sites = isPlanned ? planned.sites : shown->vertices;
-        const std::uint64_t tetrahedra = isPlanned ? planned.tetrahedra : shown->tetrahedra;
+        const std::uint64_t sites = isPlanned ? planned.sites : shown->keptSites;
+        const std::uint64_t tetrahedra = isPlanned ? planned.tetrahedra : shown->keptTetrahedra;
         sites_->setText(countText(sites));
-        siteShare_->setText(shareText(static_cast<double>(sites), model->siteCount()));
         tetrahedra_->setText(countText(tetrahedra));
-        tetrahedronShare_->setText(shareText(static_cast<double>(tetrahedra),
-                                             static_cast<double>(meshSizeAt(*model, bothWithin(0)).tetrahedra)));
+        if (isPlanned || !shown->isBlended) {
+            siteShare_->setText(shareText(static_cast<double>(sites), model->siteCount()));
+            tetrahedronShare_->setText(shareText(static_cast<double>(tetrahedra),
+                                                 static_cast<double>(meshSizeAt(*model, bothWithin(0)).tetrahedra)));
+        }
     }
     const bool usesPlanned = isPlanned || !shown;
     curve_->setMarked({error.value_or(query.error), usesPlanned ? planned.sites : shown->wholeSites,

@@ -144,6 +144,7 @@ QWidget* BuildPanel::makeBuildPage()
     layout->addWidget(makeProgress());
     layout->addStretch();
     connect(builder_, &QComboBox::currentIndexChanged, this, &BuildPanel::showBuilder);
+    connect(options_, &ParameterForm::edited, this, &BuildPanel::showEstimate);
     connect(build_, &QPushButton::clicked, this, &BuildPanel::build);
     return page;
 }
@@ -218,7 +219,6 @@ void BuildPanel::showDataset()
         facts << translatedSentence(remark);
     facts_->setText(facts.join('\n'));
     differently_->setVisible(!dataset.source.path.empty());
-    estimate_->setText(estimateText(workbench_.buildSize()));
     const QSignalBlocker blocker(builder_);
     builder_->clear();
     double best = 0;
@@ -245,6 +245,17 @@ void BuildPanel::showBuilder()
     if (const auto& dataset = workbench_.dataset())
         options_->setSurroundings({{domainId, std::string(domainClassName(dataset->domain))}});
     build_->setEnabled(builder.ok());
+    showEstimate();
+}
+
+/// Of the builder that is chosen, as it is told to build.
+void BuildPanel::showEstimate()
+{
+    const auto builder = workbench_.host().builder(builder_->currentData().toString().toStdString());
+    const BuildSize& size = workbench_.buildSize();
+    const auto estimate =
+        builder ? builder->plugin->estimate(size, options_->matteringValues(), usableThreads()) : std::nullopt;
+    estimate_->setText(estimate ? estimateText(size, *estimate) : QString());
 }
 
 void BuildPanel::showTarget()
@@ -302,7 +313,8 @@ void BuildPanel::showStopping(bool keep)
 
 void BuildPanel::build()
 {
-    workbench_.build({builder_->currentData().toString().toStdString(), options_->values(), filePath(target_->text())});
+    workbench_.build(
+        {builder_->currentData().toString().toStdString(), options_->matteringValues(), filePath(target_->text())});
 }
 
 } // namespace tetra

@@ -31,6 +31,7 @@ private:
 
     void showDataset();
     void showBuilder();
+    void showEstimate();
     void showTarget();
     void showRunning(bool running);
     void showProgress(const TaskProgress& progress);

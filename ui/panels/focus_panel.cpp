@@ -49,8 +49,8 @@ void addRow(QGridLayout& grid, int row, QLabel* label, QWidget* input)
 FocusPanel::FocusPanel(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), settings_(new QWidget), radiusLabel_(new QLabel(tr("Rad&ius"))),
       radius_(new ValueSlider("focus.radius", session)), error_(new AccuracySlider), errorBox_(new AccuracyBox),
-      falloff_(new ValueSlider("focus.falloff", session)), outside_(dimLabel("focus.outside")),
-      expectation_(dimLabel("focus.expectation")), hint_(dimLabel("focus.hint"))
+      falloff_(new ValueSlider("focus.falloff", session)), clamped_(dimLabel("focus.clamped")),
+      outside_(dimLabel("focus.outside")), expectation_(dimLabel("focus.expectation")), hint_(dimLabel("focus.hint"))
 {
     setObjectName("focus");
     hint_->setText(tr("A part of the domain with an error of its own. Choose a shape, then drag its handles in the "
@@ -58,6 +58,7 @@ FocusPanel::FocusPanel(Session& session, QWidget* parent)
     auto* settings = new QVBoxLayout(settings_);
     settings->setContentsMargins({});
     settings->addLayout(makeInputs());
+    settings->addWidget(clamped_);
     settings->addWidget(outside_);
     settings->addWidget(expectation_);
     settings->addLayout(makeButtons());
@@ -241,15 +242,20 @@ void FocusPanel::showExpectation()
     expectation_->clear();
     const auto& model = session_.model();
     const QueryState& query = session_.view().query();
+    const double inner = focusErrorOf(query);
+    clamped_->setVisible(query.focus.isOn() && inner < query.focus.error);
     if (!model || !query.focus.isOn())
         return;
+    clamped_->setText(
+        query.byBudget ? tr("A focus is not coarser than what is around it, so it gets the same error.")
+                       : tr("A focus is not coarser than what is around it, so it gets %1.").arg(percentText(inner)));
     if (query.byBudget) {
         outside_->setText(tr("With the budget the error outside is %1 times this one.")
-                              .arg(QLocale().toString(query.error / std::max(query.focus.error, 1e-3), 'g', 3)));
+                              .arg(QLocale().toString(query.error / std::max(inner, 1e-3), 'g', 3)));
         return;
     }
     outside_->setText(tr("Outside %1, as chosen under Accuracy.").arg(percentText(query.error)));
-    const std::uint64_t inside = meshSizeAt(*model, bothWithin(query.focus.error)).tetrahedra;
+    const std::uint64_t inside = meshSizeAt(*model, bothWithin(inner)).tetrahedra;
     const std::uint64_t outside = meshSizeAt(*model, bothWithin(query.error)).tetrahedra;
     expectation_->setText(tr("Between %1 and %2 tetrahedra.")
                               .arg(countText(std::min(inside, outside)), countText(std::max(inside, outside))));

@@ -52,6 +52,7 @@ private:
     AccuracySlider* error_;
     AccuracyBox* errorBox_;
     ValueSlider* falloff_;
+    QLabel* clamped_;
     QLabel* outside_;
     QLabel* expectation_;
     QLabel* hint_;

@@ -196,10 +196,9 @@ void ParameterForm::setSurroundings(const ParameterValues& surroundings)
 
 void ParameterForm::showMattering()
 {
-    ParameterValues known = values();
-    known.insert(surroundings_.begin(), surroundings_.end());
+    const ParameterValues mattering = matteringValues();
     for (const Field& field : fields_)
-        layout_->setRowVisible(field.widget, matters(field.parameter, {}, known));
+        layout_->setRowVisible(field.widget, mattering.contains(field.parameter.id));
 }
 
 void ParameterForm::add(const Parameter& parameter, const std::vector<ParameterChoice>& choices)
@@ -292,6 +291,17 @@ ParameterValues ParameterForm::values() const
     ParameterValues result;
     for (const Field& field : fields_)
         result[field.parameter.id] = field.value();
+    return result;
+}
+
+ParameterValues ParameterForm::matteringValues() const
+{
+    ParameterValues result = values();
+    ParameterValues known = result;
+    known.insert(surroundings_.begin(), surroundings_.end());
+    for (const Field& field : fields_)
+        if (!matters(field.parameter, {}, known))
+            result.erase(field.parameter.id);
     return result;
 }
 

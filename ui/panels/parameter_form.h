@@ -32,6 +32,8 @@ public:
     /// What the conditions of parameters may ask for beside the parameters. Those that do not matter are not shown.
     void setSurroundings(const ParameterValues& surroundings);
     ParameterValues values() const;
+    /// Those of them that are shown.
+    ParameterValues matteringValues() const;
     /// Shown in a line as long as it is empty: how its text is written.
     void setExample(const std::string& id, const QString& example);
     /// Of one; false if there is none.

@@ -101,9 +101,11 @@ void StatisticsPanel::connectSources(Viewport& viewport)
     connect(&session_.view(), &ViewState::queryChanged, this, &StatisticsPanel::showQuery);
     connect(&scenes_, &SceneBuilder::sceneReady, this, &StatisticsPanel::showScene);
     connect(&viewport, &Viewport::framePainted, this, [this](const FrameReport& report) {
-        if (report.moving || report.seconds == frameSeconds_)
+        const auto cycles = report.cells > 0 ? std::optional(report.brokenCycles) : std::nullopt;
+        if (report.moving || (report.seconds == frameSeconds_ && cycles == brokenCycles_))
             return;
         frameSeconds_ = report.seconds;
+        brokenCycles_ = cycles;
         showFacts();
     });
 }
@@ -113,6 +115,7 @@ void StatisticsPanel::showModel()
     setEnabled(session_.model() != nullptr);
     scene_.reset();
     frameSeconds_ = 0;
+    brokenCycles_.reset();
     histogram_->setHistogram(nullptr);
     showLevels();
     showFacts();
@@ -174,7 +177,7 @@ void StatisticsPanel::showFacts()
     }
     facts_ = session_.model() ? modelFacts(*session_.model()) : std::vector<StatisticsFact>();
     if (scene_)
-        for (const StatisticsFact& fact : sceneFacts(*scene_, frameSeconds_))
+        for (const StatisticsFact& fact : sceneFacts(*scene_, frameSeconds_, brokenCycles_))
             facts_.push_back(fact);
     int row = 0;
     for (const auto& [name, value] : facts_) {

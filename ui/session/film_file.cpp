@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/film_file.h"
 
+#include "core/base/file_writer.h"
 #include "core/base/system_error.h"
 #include "core/base/work_folder.h"
 #include "ui/session/target_path.h"
@@ -132,7 +133,7 @@ Status encode(const FilmOrder& order, const std::filesystem::path& folder, const
     progress.report(0, {});
     if (const Status encoded = encodeVideo(order.encoder, arguments, folder, progress); !encoded)
         return encoded;
-    return moveTo(folder / film, order.target);
+    return moveTo(folder / film, behindLinks(order.target));
 }
 
 } // namespace
@@ -179,7 +180,7 @@ Status writeFilm(const FilmOrder& order, const Progress& progress)
 {
     if (frameCount(order.animation) == 0)
         return Error{ErrorKind::WrongUsage, "A film needs two key frames at least. Add another view."};
-    std::filesystem::path beside = order.target;
+    std::filesystem::path beside = behindLinks(order.target);
     beside += ".frames";
     const auto folder = WorkFolder::open(beside, WorkFolder::Leftovers::Remove);
     if (!folder)

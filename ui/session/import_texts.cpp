@@ -129,10 +129,9 @@ ImportCheck countPart(const Lattice& lattice, const DatasetPart& part)
 
 namespace {
 
-/// Irregular meshes are decimated, from an error of 0 down.
-QString needsText(const BuildSize& size)
+QString needsText(const BuildSize& size, const BuildEstimate& estimate)
 {
-    if (size.domain == DomainClass::Irregular)
+    if (estimate.endsCoarse)
         return ImportTexts::tr("Decimating to the coarsest mesh takes up to %1 of memory, %2 of disk and %3.");
     return size.siteShare < 1
                ? ImportTexts::tr("Building to an error of 0 takes about %1 of memory, %2 of disk and %3.")
@@ -141,11 +140,16 @@ QString needsText(const BuildSize& size)
 
 } // namespace
 
-QString estimateText(const BuildSize& size)
+unsigned usableThreads()
 {
-    const BuildEstimate estimate = estimateBuild(size, std::max(1u, std::thread::hardware_concurrency()));
-    const QString needs = needsText(size).arg(roughBytesText(estimate.memoryBytes), roughBytesText(estimate.diskBytes),
-                                              roughDurationText(estimate.seconds));
+    return std::max(1U, std::thread::hardware_concurrency());
+}
+
+QString estimateText(const BuildSize& size, const BuildEstimate& estimate)
+{
+    const QString needs = needsText(size, estimate)
+                              .arg(roughBytesText(estimate.memoryBytes), roughBytesText(estimate.diskBytes),
+                                   roughDurationText(estimate.seconds));
     const std::uint64_t usable = usableBytes();
     if (usable != 0 && estimate.memoryBytes > usable)
         return needs + " " + ImportTexts::tr("This machine has %1 of memory.").arg(bytesText(usable));

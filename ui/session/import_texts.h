@@ -32,7 +32,10 @@ QString suggestionText(const ParameterValues& suggestion);
 /// How many points of the grid the part takes, or what is wrong with it.
 ImportCheck countPart(const Lattice& lattice, const DatasetPart& part);
 
+/// Those of the machine.
+unsigned usableThreads();
+
 /// "Up to 1.3 GiB of memory ..." if every point may be needed, else "About ...".
-QString estimateText(const BuildSize& size);
+QString estimateText(const BuildSize& size, const BuildEstimate& estimate);
 
 } // namespace tetra

@@ -12,6 +12,8 @@ namespace tetra {
 namespace {
 
 constexpr std::array<std::string_view, 4> firstModes{"isosurface", "volume", "hybrid", "focus"};
+/// Opacities below this cannot be seen, and a surface that cannot be seen is hidden, not transparent.
+constexpr float leastOpacity = 0.01F;
 constexpr double unitDistances = 40; ///< in the diagonal, where no renderer says otherwise
 
 auto rank(const Provided<Renderer>& mode)
@@ -74,6 +76,13 @@ std::vector<Isovalue> startingIsovalues(const std::vector<Provided<Renderer>>& m
     const auto parameters = parametersOf(modes, field);
     const auto* isovalues = firstDefault<std::vector<Isovalue>>(parameters);
     return isovalues != nullptr ? *isovalues : std::vector<Isovalue>{};
+}
+
+Isovalue corrected(Isovalue isovalue, const ValueRange& range)
+{
+    isovalue.value = std::clamp(isovalue.value, range.minimum, range.maximum);
+    isovalue.opacity = std::clamp(isovalue.opacity, leastOpacity, 1.0F);
+    return isovalue;
 }
 
 ParameterValues rendererValues(const std::vector<Parameter>& parameters, const Look& look,

@@ -29,6 +29,9 @@ Look startingLook(const std::vector<Provided<Renderer>>& modes, const FieldExten
 /// The isovalues to start with: those of the first mode that has some.
 std::vector<Isovalue> startingIsovalues(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field);
 
+/// Within the range, and to be seen.
+Isovalue corrected(Isovalue isovalue, const ValueRange& range);
+
 /// What a renderer with these parameters is given: each by what it holds. A setting that does not fit, of another type
 /// or no choice here, is left to its default.
 ParameterValues rendererValues(const std::vector<Parameter>& parameters, const Look& look,

@@ -36,10 +36,10 @@ QString limitText(const ShownMesh& mesh)
 
 QString partText(const ShownMesh& mesh)
 {
-    if (!mesh.query.window && mesh.query.values.empty())
+    if (mesh.isBlended || (!mesh.query.window && mesh.query.values.empty()))
         return {};
     return MeshText::tr("%1 of its %2 tetrahedra are shown.")
-        .arg(countText(mesh.tetrahedra), countText(mesh.wholeTetrahedra));
+        .arg(countText(mesh.keptTetrahedra), countText(mesh.wholeTetrahedra));
 }
 
 } // namespace
@@ -50,6 +50,14 @@ QString errorText(const ShownMesh& mesh)
         return MeshText::tr("error %1 in the focus, %2 outside")
             .arg(keptText(ramp->inner, mesh.scale), keptText(ramp->outer, mesh.scale));
     return MeshText::tr("error %1").arg(keptText(mesh.query.error.bounds().maximum, mesh.scale));
+}
+
+QString piecesText(const ShownMesh& mesh)
+{
+    if (mesh.tetrahedra == mesh.keptTetrahedra)
+        return {};
+    return MeshText::tr("%1 tetrahedra in %2 pieces, as the window cuts them")
+        .arg(countText(mesh.keptTetrahedra), countText(mesh.tetrahedra));
 }
 
 QString meshText(const ShownMesh& mesh, const Model& model)

@@ -82,12 +82,15 @@ std::vector<StatisticsFact> modelFacts(const Model& model)
             {Statistics::tr("File"), bytesText(model.fileBytes().size())}};
 }
 
-std::vector<StatisticsFact> sceneFacts(const BuiltScene& scene, double frameSeconds)
+std::vector<StatisticsFact> sceneFacts(const BuiltScene& scene, double frameSeconds,
+                                       std::optional<std::size_t> brokenCycles)
 {
     std::vector<StatisticsFact> facts{
         {Statistics::tr("Shown"), Statistics::tr("%1 sites, %2 tetrahedra")
-                                      .arg(countText(scene.mesh.vertices), countText(scene.mesh.tetrahedra))},
+                                      .arg(countText(scene.mesh.keptSites), countText(scene.mesh.keptTetrahedra))},
         {Statistics::tr("Kept"), errorText(scene.mesh)}};
+    if (const QString pieces = piecesText(scene.mesh); !pieces.isEmpty())
+        facts.push_back({Statistics::tr("Cut"), pieces});
     if (scene.triangles > 0)
         facts.push_back({Statistics::tr("Triangles"), countText(scene.triangles)});
     if (scene.extractionSeconds > 0)
@@ -95,6 +98,12 @@ std::vector<StatisticsFact> sceneFacts(const BuiltScene& scene, double frameSeco
     facts.push_back({Statistics::tr("Preparation"), durationText(scene.sceneSeconds)});
     if (frameSeconds > 0)
         facts.push_back({Statistics::tr("A frame"), durationText(frameSeconds)});
+    if (brokenCycles)
+        facts.push_back(
+            {Statistics::tr("Visibility cycles"),
+             *brokenCycles == 0
+                 ? countText(0)
+                 : Statistics::tr("%1, in which cells are drawn by their distance").arg(countText(*brokenCycles))});
     return facts;
 }
 

@@ -40,7 +40,9 @@ struct StatisticsFact {
 
 /// Of the model, and of what is shown of it.
 std::vector<StatisticsFact> modelFacts(const Model& model);
-std::vector<StatisticsFact> sceneFacts(const BuiltScene& scene, double frameSeconds);
+/// `brokenCycles`: of the visibility order of the last picture; none if it has no volume.
+std::vector<StatisticsFact> sceneFacts(const BuiltScene& scene, double frameSeconds,
+                                       std::optional<std::size_t> brokenCycles);
 
 /// All of it as lines of text with tabs between the columns, for a clipboard.
 QString statisticsText(const std::vector<StatisticsFact>& facts, const std::vector<LevelStatistics>& levels);

@@ -2,7 +2,6 @@
 #include "ui/session/picture_file.h"
 
 #include "core/base/file_writer.h"
-#include "core/graphics/render_backend.h"
 #include "ui/session/picture_image.h"
 
 #include <QBuffer>
@@ -12,8 +11,6 @@
 namespace tetra {
 namespace {
 
-/// As smooth as the viewport at rest: a picture to keep may take its time.
-constexpr int samplesPerAxis = 4;
 constexpr double inchesPerMetre = 1 / 0.0254;
 
 Scene withLines(Scene scene, double scale)
@@ -25,19 +22,23 @@ Scene withLines(Scene scene, double scale)
 
 } // namespace
 
-Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress)
+Result<Picture> drawScene(const PictureOrder& order, RenderBackend& backend, bool withDepth, const Progress& progress)
 {
     PictureOptions options;
     options.width = order.width;
     options.height = order.height;
     options.background = order.background;
     options.transparentBackground = order.transparent;
-    options.samplesPerAxis = samplesPerAxis;
+    options.samplesPerAxis = order.samplesPerAxis;
+    options.threads = order.threads;
+    options.depth = withDepth;
     const Scene scene = withLines(order.scene ? *order.scene : Scene(), order.lineScale);
-    const auto picture = makeCpuBackend()->render(scene, order.camera, options, progress);
-    if (!picture)
-        return picture.error();
-    QImage image = imageOf(*picture);
+    return backend.render(scene, order.camera, options, progress);
+}
+
+QImage finishedPicture(const PictureOrder& order, const Picture& picture)
+{
+    QImage image = imageOf(picture);
     if (order.finish)
         order.finish(image);
     if (!order.transparent)
@@ -51,20 +52,21 @@ Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress)
     return image;
 }
 
+Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress)
+{
+    const auto picture = drawScene(order, *makeCpuBackend(), false, progress);
+    if (!picture)
+        return picture.error();
+    return finishedPicture(order, *picture);
+}
+
 Status writePicture(const QImage& picture, const std::filesystem::path& target)
 {
     QBuffer buffer;
     if (!picture.save(&buffer, "PNG"))
         return Error{ErrorKind::OutOfResource, "There is not enough memory for a picture of this size."};
     const QByteArray& bytes = buffer.data();
-    auto file = FileWriter::create(target);
-    if (!file)
-        return file.error();
-    if (Status written =
-            file->write(std::as_bytes(std::span(bytes.constData(), static_cast<std::size_t>(bytes.size()))));
-        !written)
-        return written;
-    return file->commit();
+    return writeWholeFile(target, std::as_bytes(std::span(bytes.constData(), static_cast<std::size_t>(bytes.size()))));
 }
 
 } // namespace tetra

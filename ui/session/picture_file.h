@@ -4,6 +4,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/graphics/camera.h"
+#include "core/graphics/render_backend.h"
 #include "core/graphics/scene.h"
 
 #include <QImage>
@@ -22,15 +23,23 @@ struct PictureOrder {
     Colour background;
     int width = 0;
     int height = 0;
-    std::filesystem::path target{};                ///< empty: the picture goes to the clipboard
-    bool transparent = false;                      ///< without the background
-    double lineScale = 1;                          ///< of the widths of lines
-    int dotsPerInch = 0;                           ///< for printing; 0 says nothing
+    std::filesystem::path target{}; ///< empty: the picture goes to the clipboard
+    bool transparent = false;       ///< without the background
+    int samplesPerAxis = 4; ///< of a pixel: as many as the viewport takes at rest
+    int threads = 0;        ///< the most to use; 0: all
+    double lineScale = 1;   ///< of the widths of lines
+    int dotsPerInch = 0;    ///< for printing; 0 says nothing
     std::map<QString, QString> texts{};            ///< what the file says of itself, by PNG keywords
     std::function<void(QImage& picture)> finish{}; ///< paints over it; called in the worker
 };
 
-/// Draws with the CPU back end, finely.
+/// The picture as `backend` draws it, with its depths if they are wanted, but nothing painted over it.
+Result<Picture> drawScene(const PictureOrder& order, RenderBackend& backend, bool withDepth, const Progress& progress);
+
+/// That picture with all else that was ordered.
+QImage finishedPicture(const PictureOrder& order, const Picture& picture);
+
+/// Both, with the CPU back end.
 Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress);
 
 /// Writes a PNG file, whole or not at all.

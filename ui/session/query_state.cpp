@@ -154,9 +154,14 @@ QueryState corrected(QueryState query, const QueryState& before, const Model& mo
     return query;
 }
 
+double focusErrorOf(const QueryState& query)
+{
+    return std::min(query.focus.error, query.error);
+}
+
 MeshQuery meshQuery(const QueryState& query, const Model& model)
 {
-    double inner = query.focus.error;
+    double inner = focusErrorOf(query);
     double outer = query.error;
     MeshQuery result;
     if (query.byBudget) {

@@ -17,7 +17,7 @@ namespace tetra {
 /// A region that can be moved about in the picture.
 using MovableRegion = std::variant<Box, Sphere>;
 
-/// Where the mesh is to be more (or less) accurate than elsewhere (R25). Both shapes keep their size while the other
+/// Where the mesh is to be more accurate than elsewhere (R25). Both shapes keep their size while the other
 /// one is in use.
 struct FocusState {
     enum class Shape { None, Box, Sphere };
@@ -25,7 +25,7 @@ struct FocusState {
     Eigen::Vector3d centre{0, 0, 0};
     Eigen::Vector3d size{0, 0, 0}; ///< lengths of the box's edges
     double radius = 0;             ///< of the sphere
-    double error = 0.5;            ///< inside, %
+    double error = 0.5;            ///< inside, %; see focusErrorOf()
     double falloff = 0;            ///< the length over which the error grows to that outside
     bool operator==(const FocusState&) const = default;
 
@@ -81,6 +81,10 @@ QueryState startingQuery(const Model& model, double error);
 /// Finite, within the domain and the range of the values, with sizes that can be seen; what is not a number is as it
 /// was `before`.
 QueryState corrected(QueryState query, const QueryState& before, const Model& model);
+
+/// The error inside the focus: as chosen, but never more than outside, so that a focus is not coarser than what is
+/// around it.
+double focusErrorOf(const QueryState& query);
 
 /// What to ask the model for. By budget the errors keep their proportion, but are smaller than the budget can allow, so
 /// that it makes them larger and is used up.

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
-#include "core/graphics/scene.h"
-#include "core/model/model.h"
-#include "plugins/api/renderer.h"
-#include "ui/session/shown_mesh.h"
+#include "ui/session/scene_maker.h"
 #include "ui/work/latest_job.h"
 
 #include <QObject>
@@ -15,28 +11,8 @@
 
 namespace tetra {
 
-/// What is to be seen: what a model answers to a query, looked at in a renderer's way. The renderer outlives the
-/// builder.
-struct SceneRequest {
-    std::shared_ptr<const Model> model;
-    const Renderer* renderer = nullptr;
-    MeshQuery query;
-    ParameterValues values;
-    Camera camera;
-};
-
-/// What was made of a request.
-struct BuiltScene {
-    std::shared_ptr<const Model> model;
-    std::shared_ptr<const Scene> scene;
-    ShownMesh mesh;
-    std::uint64_t triangles = 0;
-    double extractionSeconds = 0; ///< of the mesh; zero if the last one was used again
-    double sceneSeconds = 0;      ///< of the renderer
-};
-
-/// Makes scenes in a worker: extracts the mesh from what the last extraction left, or uses the last one again, and lets
-/// the renderer prepare it. The newest request wins. Used from the thread that it lives in, where it emits its signals.
+/// Makes scenes in a worker. The newest request wins. Used from the thread that it lives in, where it emits its
+/// signals.
 class SceneBuilder : public QObject {
     Q_OBJECT
 public:
@@ -57,7 +33,6 @@ signals:
     void busyChanged(bool busy);
 
 private:
-    struct Workshop;
     void arrived(quint64 number, const Result<BuiltScene>& result);
     void setBusy(bool busy);
 
@@ -65,7 +40,7 @@ private:
     quint64 cleared_ = 0; ///< requests up to this number are dropped
     bool busy_ = false;
     std::chrono::milliseconds patience_;
-    std::shared_ptr<Workshop> workshop_;
+    std::shared_ptr<SceneMaker> maker_;
     LatestJob job_;
 };
 

@@ -10,9 +10,6 @@
 namespace tetra {
 namespace {
 
-/// Opacities below this cannot be seen, and a surface that cannot be seen is hidden, not transparent.
-constexpr float leastOpacity = 0.01F;
-
 /// Of a step, or of one that it consists of.
 bool isTrueOfStep(const QUndoCommand& step, const std::function<bool(const QUndoCommand& step)>& what)
 {
@@ -67,10 +64,8 @@ void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> iso
     followsModel_ = false;
     undoStack_.clear();
     shown_.reset();
-    for (Isovalue& isovalue : isovalues) {
-        isovalue.value = std::clamp(isovalue.value, range().minimum, range().maximum);
-        isovalue.opacity = std::clamp(isovalue.opacity, leastOpacity, 1.0F);
-    }
+    for (Isovalue& isovalue : isovalues)
+        isovalue = tetra::corrected(isovalue, range());
     view_.reset(corrected(query, startingQuery(*model_, startingError(*model_)), *model_), std::move(isovalues),
                 std::move(look));
     emit modelChanged();
@@ -277,8 +272,7 @@ void Session::setIsovalue(int index, Isovalue isovalue)
     const Isovalue& before = view_.isovalues()[static_cast<std::size_t>(index)];
     isovalue.value = std::isfinite(isovalue.value) ? isovalue.value : before.value;
     isovalue.opacity = std::isfinite(isovalue.opacity) ? isovalue.opacity : before.opacity;
-    isovalue.value = std::clamp(isovalue.value, range().minimum, range().maximum);
-    isovalue.opacity = std::clamp(isovalue.opacity, leastOpacity, 1.0F);
+    isovalue = tetra::corrected(isovalue, range());
     if (isovalue != before)
         undoStack_.push(new ChangeIsovalue(view_, index, isovalue, gesture_));
 }

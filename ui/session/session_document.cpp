@@ -98,7 +98,7 @@ std::string sessionToText(const SessionDocument& document, const std::filesystem
                         {"annotations", toJson(document.annotations)},
                         {"animation", toJson(document.animation)}};
     QJsonObject found = document.found;
-    for (const char* ofOthers : {"background", "camera", "file"})
+    for (const char* ofOthers : {"background", "camera", "file", "viewSize"})
         found.remove(ofOthers);
     // Settings and functions are whole values: what was in the old ones must not come back.
     QJsonObject look = found.value("look").toObject();
@@ -107,6 +107,8 @@ std::string sessionToText(const SessionDocument& document, const std::filesystem
     found.insert("look", look);
     if (document.camera)
         ours["camera"] = toJson(*document.camera);
+    if (document.viewSize[0] > 0 && document.viewSize[1] > 0)
+        ours["viewSize"] = QJsonArray{document.viewSize[0], document.viewSize[1]};
     if (!document.file.empty())
         ours["file"] = pathText(document.file);
     if (const auto& background = document.background)
@@ -135,6 +137,9 @@ Result<SessionDocument> sessionFromText(std::string_view text, const std::filesy
         document.bounds.extend(Eigen::Vector3d(corner[0].toDouble(), corner[1].toDouble(), corner[2].toDouble()));
     if (range.size() == 2)
         document.range = ValueRange{range[0].toDouble(), range[1].toDouble()};
+    const QJsonArray viewSize = root->value("viewSize").toArray();
+    if (viewSize.size() == 2 && viewSize[0].toInt() > 0 && viewSize[1].toInt() > 0)
+        document.viewSize = {viewSize[0].toInt(), viewSize[1].toInt()};
     std::string file;
     fields.read("file", file);
     document.file = filePath(QString::fromStdString(file));

@@ -13,6 +13,7 @@
 
 #include <QJsonObject>
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -32,6 +33,9 @@ struct SessionDocument {
     std::vector<Isovalue> isovalues;
     std::optional<Camera> camera;
     std::optional<Colour> background; ///< none: the one that fits the desktop's colours
+    /// Of the view, width and height in pixels: lines and texts take as much of a picture as they do of that. Zeros if
+    /// the file does not say.
+    std::array<int, 2> viewSize{};
     AnnotationState annotations{};
     Animation animation{};
     std::filesystem::path file{}; ///< of a session that was kept before it was saved: where it belongs; else empty

@@ -18,7 +18,7 @@ Result<std::string> readTextFile(const std::filesystem::path& path)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
-        return Error{ErrorKind::BadInput,
+        return Error{file.error() == QFileDevice::ResourceError ? ErrorKind::OutOfResource : ErrorKind::BadInput,
                      "The file '" + path.string() + "' cannot be read: " + file.errorString().toStdString() + "."};
     const QByteArray bytes = file.read(largestFile + 1);
     if (bytes.size() > largestFile)
@@ -29,12 +29,7 @@ Result<std::string> readTextFile(const std::filesystem::path& path)
 
 Status writeTextFile(const std::filesystem::path& path, std::string_view text)
 {
-    auto file = FileWriter::create(path);
-    if (!file)
-        return file.error();
-    if (Status written = file->write(std::as_bytes(std::span(text))); !written)
-        return written;
-    return file->commit();
+    return writeWholeFile(path, std::as_bytes(std::span(text)));
 }
 
 } // namespace tetra

@@ -2,15 +2,16 @@
 #include "ui/session/workbench.h"
 
 #include "plugins/host/dataset_opening.h"
-#include "plugins/host/field_extent.h"
 #include "plugins/host/input_file.h"
 #include "plugins/host/model_building.h"
+#include "ui/session/field_extent.h"
 #include "ui/session/import_memory.h"
 #include "ui/session/picture_texts.h"
 #include "ui/session/plugin_texts.h"
 #include "ui/session/recent_files.h"
 #include "ui/session/sentences.h"
 #include "ui/session/target_path.h"
+#include "ui/session/view_picture.h"
 
 #include <QFileInfo>
 #include <QRegularExpression>
@@ -288,7 +289,7 @@ void Workbench::showLook(const Result<std::shared_ptr<const Model>>& look, const
 void Workbench::growTo(const std::shared_ptr<const Model>& model, const FieldExtent& field)
 {
     field_ = field;
-    const SessionDocument start = startingView(*model);
+    const SessionDocument start = tetra::startingView(modes_, *model, field_);
     session_.grow(model, start.isovalues, start.look);
 }
 
@@ -359,8 +360,7 @@ void Workbench::setSessionFile(const std::filesystem::path& file)
 
 const Renderer* Workbench::renderer() const
 {
-    const auto found = std::ranges::find(modes_, session_.view().look().mode, &Provided<Renderer>::id);
-    return found != modes_.end() ? found->plugin : nullptr;
+    return rendererOf(modes_, session_.view().look().mode);
 }
 
 std::vector<Parameter> Workbench::renderingParameters() const
@@ -379,11 +379,7 @@ SceneRequest Workbench::sceneRequest() const
     const ViewState& view = session_.view();
     if (preview_)
         return sceneOf(filmOrder(preview_->camera), *preview_);
-    return {session_.model(),
-            renderer(),
-            meshQuery(view.query(), *session_.model()),
-            rendererValues(renderingParameters(), view.look(), view.isovalues()),
-            {}};
+    return sceneOf(session_.model(), renderer(), renderingParameters(), view.query(), view.look(), view.isovalues());
 }
 
 void Workbench::requestScene()

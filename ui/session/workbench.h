@@ -5,6 +5,7 @@
 #include "plugins/host/build_estimate.h"
 #include "plugins/host/live_build.h"
 #include "plugins/host/plugin_host.h"
+#include "ui/annotations/annotation_content.h"
 #include "ui/session/draft_builder.h"
 #include "ui/session/film_file.h"
 #include "ui/session/import_question.h"
@@ -88,7 +89,7 @@ public:
     /// How models are seen that are not part of a session.
     KeptViews& views() noexcept { return views_; }
     /// How the model would be seen if nobody had ever looked at it; but for the camera. There must be one.
-    SessionDocument startingView() const { return startingView(*session_.model()); }
+    SessionDocument startingView() const;
     /// Asks by choicesNeeded() how a dataset is to be read, whether it must be known or not.
     void openWithOptions(const QString& path);
     /// Makes the sample of that name (sampleKinds()) unless it is there from before, and opens its model.
@@ -126,6 +127,8 @@ public:
     /// Saves a picture, or copies it, once those that were ordered before are done.
     void savePicture(const PictureOrder& order);
     LongTask& savingPicture() noexcept { return savingPicture_; }
+    /// What the annotations of a picture of what is shown say, seen by `camera` before `background`.
+    AnnotationContent annotations(const Camera& camera, const Colour& background) const;
     /// Of the present view, which `camera` belongs to.
     FilmFrame presentFrame(const Camera& camera) const;
     /// A film of the session's animation: what it takes of the model. There must be one, and a way to show it.
@@ -215,7 +218,6 @@ private:
     void closeDataset();
     void showModel(const OpenedModel& opened);
     bool prepareToShow(const OpenedModel& opened);
-    SessionDocument startingView(const Model& model) const;
     void showSession(const SessionDocument& document, const OpenedModel& opened);
     void setSessionFile(const std::filesystem::path& file);
 

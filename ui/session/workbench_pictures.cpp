@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is seen as pictures and films, and pictures that say how they were made.
 #include "ui/session/target_path.h"
+#include "ui/session/view_picture.h"
 #include "ui/session/workbench.h"
 
 namespace tetra {
@@ -23,6 +24,26 @@ void Workbench::savePicture(const PictureOrder& order)
                 emit pictureSaved(pathText(order.target));
         };
     });
+}
+
+AnnotationContent Workbench::annotations(const Camera& camera, const Colour& background) const
+{
+    AnnotationContent content;
+    if (const auto& model = session_.model()) {
+        const ViewState& view = session_.view();
+        const auto& shown = session_.shown();
+        content = annotationContent(*model, matteringParameters(), preview_ ? preview_->transfer : view.look().transfer,
+                                    preview_ ? preview_->isovalues : view.isovalues(), shown ? &*shown : nullptr);
+    }
+    content.state = session_.view().annotations();
+    content.camera = camera;
+    content.background = background;
+    return content;
+}
+
+SessionDocument Workbench::startingView() const
+{
+    return tetra::startingView(modes_, *session_.model(), field_);
 }
 
 FilmFrame Workbench::presentFrame(const Camera& camera) const

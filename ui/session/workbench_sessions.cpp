@@ -1,47 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How a model is seen: at first, as somebody left it, and as a session's file says.
-#include "plugins/api/scene_parameters.h"
-#include "plugins/host/field_extent.h"
-#include "ui/session/accuracy_scale.h"
+#include "ui/session/field_extent.h"
 #include "ui/session/picture_texts.h"
 #include "ui/session/recent_files.h"
 #include "ui/session/sentences.h"
 #include "ui/session/target_path.h"
 #include "ui/session/text_file.h"
+#include "ui/session/view_picture.h"
 #include "ui/session/workbench.h"
 
-#include <algorithm>
-
 namespace tetra {
-namespace {
-
-/// The look of the session, where it says one that is known here; else how the model is looked at first. What settings
-/// the session does not have are the renderers' own defaults: how it was seen when it was saved.
-Look lookOf(const SessionDocument& document, const std::vector<Provided<Renderer>>& modes, Look look)
-{
-    if (std::ranges::find(modes, document.look.mode, &Provided<Renderer>::id) != modes.end())
-        look.mode = document.look.mode;
-    if (!document.look.transfer.points.empty())
-        look.transfer = document.look.transfer;
-    look.settings = document.look.settings;
-    return look;
-}
-
-/// Of a view that was kept of another field: what is not a place in it nor a value of it.
-void leaveWhatFits(SessionDocument& view, const SessionDocument& start)
-{
-    view.query.focus = start.query.focus;
-    view.query.window = start.query.window;
-    view.query.values = start.query.values;
-    view.look.transfer = {};
-    view.look.settings.erase(clipId);
-    view.isovalues = start.isovalues;
-    view.camera.reset();
-    view.animation = {};
-}
-
-} // namespace
-
 void Workbench::openSession(const std::filesystem::path& path, SessionSource source)
 {
     read([this, path, source](const Progress&) -> std::function<void()> {
@@ -72,13 +40,12 @@ void Workbench::showModel(const OpenedModel& opened)
 {
     if (!prepareToShow(opened))
         return;
-    const SessionDocument start = startingView(*opened.model);
-    if (!opened.view)
+    if (!opened.view) {
+        const SessionDocument start = tetra::startingView(modes_, *opened.model, field_);
         return session_.open(opened.model, start.isovalues, start.look);
-    SessionDocument view = *opened.view;
-    if (!isOfSameField(view, *opened.model))
-        leaveWhatFits(view, start);
-    session_.open(opened.model, view.isovalues, lookOf(view, modes_, start.look), view.query);
+    }
+    const SessionDocument view = restoredView(*opened.view, modes_, *opened.model, field_);
+    session_.open(opened.model, view.isovalues, view.look, view.query);
     session_.restore(view.annotations, view.animation);
     if (!opened.from.empty())
         showSession(view, opened);
@@ -120,15 +87,6 @@ bool Workbench::prepareToShow(const OpenedModel& opened)
     draftBuilder_.clear();
     setSessionFile({});
     return true;
-}
-
-SessionDocument Workbench::startingView(const Model& model) const
-{
-    SessionDocument view;
-    view.query = startingQuery(model, startingError(model));
-    view.look = startingLook(modes_, field_, model.description().domain);
-    view.isovalues = startingIsovalues(modes_, field_);
-    return view;
 }
 
 std::optional<SessionDocument> Workbench::sessionDocument() const

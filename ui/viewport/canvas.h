@@ -37,6 +37,8 @@ struct FrameReport {
     double framesPerSecond = 0; ///< while moving; 0 if there were too few to tell
     double reduction = 1;       ///< of width and height
     std::uint64_t tetrahedra = 0;
+    std::size_t cells = 0;        ///< of volumes that were drawn
+    std::size_t brokenCycles = 0; ///< of their visibility order (S14)
 };
 
 /// The part of the viewport that draws with one back end. It takes no input: that goes on to the viewport around it.

@@ -46,6 +46,12 @@ void CpuCanvas::show(const View& view)
     pacer_.setLevels(frameLevels(view));
     if (!view_.moving)
         clock_.stop();
+    if (view_.levels.empty() && !before.levels.empty()) {
+        // What was seen is gone, and is not to be taken for what comes.
+        shown_ = {};
+        emptied_ = newest_;
+        update();
+    }
     if (newest_ == 0 || !(haveSameStill(before, view_) || bringsNothing(before)))
         render();
 }
@@ -139,7 +145,7 @@ CpuCanvas::Drawn CpuCanvas::draw(RenderBackend& backend, const Order& order, con
 
 void CpuCanvas::arrived(const Order& order, const Drawn& drawn)
 {
-    if (drawn.cancelled)
+    if (drawn.cancelled || order.view <= emptied_)
         return;
     const bool isNewest = order.view == newest_;
     if (drawn.image.isNull()) {
@@ -155,8 +161,8 @@ void CpuCanvas::arrived(const Order& order, const Drawn& drawn)
     shown_ = drawn.image;
     settled_ = isNewest && order.isLast;
     update();
-    framePainted(
-        {drawn.seconds, order.moving, order.moving ? clock_.tick() : 0, order.reduction, order.level.tetrahedra});
+    framePainted({drawn.seconds, order.moving, order.moving ? clock_.tick() : 0, order.reduction,
+                  order.level.tetrahedra, drawn.statistics.cells, drawn.statistics.brokenCycles});
     if (isNewest && !order.moving && !order.isLast)
         refine(order.step + 1);
 }

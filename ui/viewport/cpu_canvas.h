@@ -64,7 +64,8 @@ private:
     View view_;
     QImage shown_;
     bool settled_ = false;
-    quint64 newest_ = 0; ///< the number of the last view
+    quint64 newest_ = 0;  ///< the number of the last view
+    quint64 emptied_ = 0; ///< pictures of views up to this number are not shown any more
     FramePacer pacer_;
     std::vector<RefinementStep> steps_; ///< of the view, while it rests
     FrameClock clock_;

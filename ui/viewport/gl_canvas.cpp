@@ -154,7 +154,9 @@ void GlCanvas::paintGL()
         smoothing_ = true;
         update();
     }
-    framePainted({seconds, view_.moving, view_.moving ? clock_.tick() : 0, plan.reduction, level.tetrahedra});
+    const RenderStatistics statistics = painter_->statistics();
+    framePainted({seconds, view_.moving, view_.moving ? clock_.tick() : 0, plan.reduction, level.tetrahedra,
+                  statistics.cells, statistics.brokenCycles});
 }
 
 /// Along each axis of a pixel.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/viewport.h"
 
+#include "ui/session/view_picture.h"
 #include "ui/viewport/make_canvas.h"
 #include "ui/widgets/motion.h"
 
@@ -27,9 +28,6 @@ constexpr auto restAfter = std::chrono::milliseconds(150);
 /// Wheel turns and keys that follow each other within this are one series.
 constexpr auto seriesPause = std::chrono::milliseconds(700);
 constexpr int glideTime = 220; // milliseconds
-
-constexpr Colour lightBackground{0.957F, 0.961F, 0.969F};
-constexpr Colour darkBackground{0.118F, 0.125F, 0.137F};
 
 /// Two fingers on a trackpad move the picture; with Ctrl, or on a wheel, they zoom.
 bool isPan(const QWheelEvent& event)
@@ -391,7 +389,7 @@ void Viewport::resizeEvent(QResizeEvent* event)
 void Viewport::followPalette()
 {
     const bool dark = palette().color(QPalette::Window).lightness() < 128;
-    view_.background = background_.value_or(dark ? darkBackground : lightBackground);
+    view_.background = background_.value_or(usualBackground(dark));
     canvas_->show(view_);
     emit backgroundChanged();
 }

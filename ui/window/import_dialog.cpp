@@ -338,10 +338,12 @@ void ImportDialog::showPart()
         return;
     constexpr double tetrahedraAPoint = 5.5; // of meshes whose cells are not known
     const auto expected = static_cast<std::uint64_t>(tetrahedraAPoint * static_cast<double>(points));
-    estimate_->setText(estimateText({.domain = contents_.domain.value_or(DomainClass::RegularLattice),
-                                     .points = points,
-                                     .tetrahedra = std::max(contents_.cells, expected),
-                                     .type = contents_.type.value_or(SampleType::Float32)}));
+    const BuildSize size{.domain = contents_.domain.value_or(DomainClass::RegularLattice),
+                         .points = points,
+                         .tetrahedra = std::max(contents_.cells, expected),
+                         .type = contents_.type.value_or(SampleType::Float32)};
+    const auto estimate = quickestEstimate(workbench_.host(), size, usableThreads());
+    estimate_->setText(estimate ? estimateText(size, *estimate) : QString());
 }
 
 void ImportDialog::showReason(bool fits, const QString& reason)

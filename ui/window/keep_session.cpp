@@ -78,6 +78,7 @@ std::optional<SessionDocument> KeepSession::document() const
     if (document) {
         document->camera = viewport_.camera();
         document->background = viewport_.chosenBackground();
+        document->viewSize = {viewport_.width(), viewport_.height()};
     }
     return document;
 }

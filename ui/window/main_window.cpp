@@ -8,6 +8,7 @@
 #include "ui/panels/statistics_panel.h"
 #include "ui/session/recent_files.h"
 #include "ui/session/target_path.h"
+#include "ui/viewport/picture_notice.h"
 #include "ui/viewport/region_tools.h"
 #include "ui/viewport/transfer_drag.h"
 #include "ui/viewport/value_pick.h"
@@ -108,6 +109,7 @@ QWidget* MainWindow::makeCentre()
     pick_ = new ValuePick(workbench_, *viewport_);
     new TransferDrag(workbench_, *viewport_);
     new RegionTools(workbench_.session(), *viewport_); // the last one comes first: its handles go before
+    notice_ = new PictureNotice(*viewport_);
     new ViewHistory(*viewport_, workbench_.session().undoStack(), this);
     pages_->setObjectName("pages");
     pages_->addWidget(empty_);
@@ -274,6 +276,10 @@ void MainWindow::connectWorkbench()
     });
     SceneBuilder& scenes = workbench_.sceneBuilder();
     connect(&scenes, &SceneBuilder::sceneReady, this, &MainWindow::showScene);
+    connect(&scenes, &SceneBuilder::failed, this, [this] {
+        isOutdated_ = viewport_->scene() != nullptr;
+        showNotice();
+    });
     connect(&scenes, &SceneBuilder::busyChanged, status_, &StatusLine::setBusy);
     connect(&workbench_.draftBuilder(), &DraftBuilder::draftsReady, this, &MainWindow::showDrafts);
     connect(viewport_, &Viewport::framePainted, this, [this](const FrameReport& report) {
@@ -374,6 +380,8 @@ void MainWindow::offerBuilt(const QString& path, bool isShown)
 {
     if (isShown && workbench_.datasetIsBuilt())
         docks_.build->hide();
+    isBesideDataset_ = isBesideDataset_ && !workbench_.datasetIsBuilt();
+    showNotice();
     if (!isShown)
         messages_->ask(
             tr("The model %1 is built.").arg(QFileInfo(path).fileName()), tr("&Open"), [this, path] { open(path); },
@@ -409,6 +417,10 @@ void MainWindow::showModel()
              actions_.namedViews)
         action->setEnabled(model != nullptr);
     viewport_->setScene(nullptr);
+    status_->clearScene();
+    isOutdated_ = false;
+    isBesideDataset_ = false;
+    showNotice();
     if (model) {
         pages_->setCurrentWidget(viewport_);
         viewport_->startFitted(upright(viewport_->camera(), UpAxis::Z), model->description().bounds);
@@ -423,6 +435,22 @@ void MainWindow::showScene(const BuiltScene& scene)
 {
     viewport_->setScene(scene.scene, scene.mesh.tetrahedra);
     status_->setScene(scene);
+    isOutdated_ = false;
+    showNotice();
+}
+
+/// Says what the picture is not.
+void MainWindow::showNotice()
+{
+    const auto& model = workbench_.session().model();
+    const auto& dataset = workbench_.dataset();
+    if (model && dataset && isBesideDataset_)
+        notice_->tell(
+            tr("%1 is not built yet. The picture still shows %2.")
+                .arg(QString::fromStdString(dataset->source.name), QFileInfo(pathText(model->path())).fileName()));
+    else
+        notice_->tell(isOutdated_ ? tr("The picture is not of the present settings, which could not be shown.")
+                                  : QString());
 }
 
 void MainWindow::showDrafts(const std::vector<DraftScene>& drafts)
@@ -452,6 +480,8 @@ void MainWindow::connectFollowing()
 
 void MainWindow::showDataset()
 {
+    isBesideDataset_ = workbench_.dataset() != nullptr && !workbench_.datasetIsBuilt();
+    showNotice();
     docks_.build->setVisible(workbench_.dataset() != nullptr);
     if (workbench_.dataset()) {
         docks_.build->raise();

@@ -22,6 +22,7 @@ class PictureDialog;
 class RegionActions;
 class StatusLine;
 class ValuePick;
+class PictureNotice;
 class Viewport;
 
 /// The program's window: puts panels, viewport and menus around the workbench.
@@ -64,6 +65,7 @@ private:
     void showWhatCanBeClosed();
     void showModel();
     void showScene(const BuiltScene& scene);
+    void showNotice();
     void showDrafts(const std::vector<DraftScene>& drafts);
     void connectFollowing();
     void showDataset();
@@ -75,6 +77,9 @@ private:
     MessageBar* messages_;
     EmptyPage* empty_;
     Viewport* viewport_;
+    PictureNotice* notice_ = nullptr;
+    bool isBesideDataset_ = false; ///< the model was open when the dataset was opened
+    bool isOutdated_ = false;      ///< the picture is that of earlier settings
     ValuePick* pick_ = nullptr;
     QStackedWidget* pages_;
     ImportDialog* import_ = nullptr;   ///< once a file needed it

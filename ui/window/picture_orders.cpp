@@ -2,28 +2,21 @@
 #include "ui/window/picture_orders.h"
 
 #include "ui/annotations/annotation_painter.h"
+#include "ui/session/view_picture.h"
 #include "ui/viewport/viewport.h"
 
 namespace tetra {
 namespace {
 
-AnnotationContent contentOf(Workbench& workbench, const Viewport& viewport, const PictureSettings& settings)
+ViewPicture pictureOf(const Workbench& workbench, const Viewport& viewport, const PictureSettings& settings)
 {
-    AnnotationContent content = annotationContent(workbench, viewport.camera(), viewport.background());
-    content.state = settings.annotations;
-    return content;
-}
-
-PictureOrder orderOf(const Viewport& viewport, const PictureSettings& settings)
-{
-    PictureOrder order;
-    order.background = viewport.background();
-    order.width = settings.size.width();
-    order.height = settings.size.height();
-    order.transparent = settings.transparent;
-    order.dotsPerInch = settings.dotsPerInch;
-    order.lineScale = std::max(1.0, annotationScale(settings.size, viewport.size()));
-    return order;
+    ViewPicture picture{.annotations = workbench.annotations(viewport.camera(), viewport.background()),
+                        .size = settings.size,
+                        .viewSize = viewport.size(),
+                        .transparent = settings.transparent,
+                        .dotsPerInch = settings.dotsPerInch};
+    picture.annotations.state = settings.annotations;
+    return picture;
 }
 
 } // namespace
@@ -33,25 +26,20 @@ QSize pixelsOf(const Viewport& viewport)
     return viewport.size() * viewport.devicePixelRatioF();
 }
 
-PictureOrder pictureOrder(Workbench& workbench, const Viewport& viewport, const PictureSettings& settings)
+PictureOrder pictureOrder(const Workbench& workbench, const Viewport& viewport, const PictureSettings& settings)
 {
-    PictureOrder order = orderOf(viewport, settings);
-    order.scene = viewport.scene();
-    order.camera = viewport.camera();
-    order.finish = [content = contentOf(workbench, viewport, settings),
-                    scale = annotationScale(settings.size, viewport.size())](QImage& image) {
-        paintAnnotations(image, content, scale);
-    };
-    return order;
+    ViewPicture picture = pictureOf(workbench, viewport, settings);
+    picture.scene = viewport.scene();
+    return pictureOrder(picture);
 }
 
-FilmOrder filmOrder(Workbench& workbench, const Viewport& viewport, const PictureSettings& settings)
+FilmOrder filmOrder(const Workbench& workbench, const Viewport& viewport, const PictureSettings& settings)
 {
+    const ViewPicture picture = pictureOf(workbench, viewport, settings);
     FilmOrder order = workbench.filmOrder(viewport.camera());
-    order.picture = orderOf(viewport, settings);
-    order.finish = [content = contentOf(workbench, viewport, settings),
-                    scale = annotationScale(settings.size, viewport.size())](QImage& image, const FilmFrame& frame,
-                                                                             const ShownMesh& mesh) {
+    order.picture = pictureOrder(picture);
+    order.finish = [content = picture.annotations, scale = annotationScale(picture.size, picture.viewSize)](
+                       QImage& image, const FilmFrame& frame, const ShownMesh& mesh) {
         paintAnnotations(image, atFrame(content, frame, mesh), scale);
     };
     return order;

@@ -12,9 +12,9 @@ class Viewport;
 QSize pixelsOf(const Viewport& viewport);
 
 /// What is seen, as a picture without a target.
-PictureOrder pictureOrder(Workbench& workbench, const Viewport& viewport, const PictureSettings& settings);
+PictureOrder pictureOrder(const Workbench& workbench, const Viewport& viewport, const PictureSettings& settings);
 
 /// The session's film, without a target.
-FilmOrder filmOrder(Workbench& workbench, const Viewport& viewport, const PictureSettings& settings);
+FilmOrder filmOrder(const Workbench& workbench, const Viewport& viewport, const PictureSettings& settings);
 
 } // namespace tetra

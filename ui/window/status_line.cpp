@@ -37,7 +37,7 @@ StatusLine::StatusLine(QStatusBar* bar) : QObject(bar), bar_(bar), file_(new QLa
                                       "Click elsewhere to pick another one, Esc takes the mark away."));
     errors_ = add("status.errors", {});
     sites_ = add("status.sites", tr("Data points in the mesh that is shown"));
-    tetrahedra_ = add("status.tetrahedra", tr("Tetrahedra in the mesh that is shown"));
+    tetrahedra_ = add("status.tetrahedra", {});
     triangles_ = add("status.triangles", tr("Triangles of all surfaces that are shown"));
     extraction_ = add("status.extraction", tr("Time for taking the mesh out of the model"));
     frame_ =
@@ -70,17 +70,22 @@ void StatusLine::setFile(const QString& name, const QString& path)
 {
     file_->setText(name);
     file_->setToolTip(path);
-    if (name.isEmpty())
-        for (QLabel* label : {errors_, sites_, tetrahedra_, triangles_, extraction_, frame_})
-            label->hide();
+}
+
+void StatusLine::clearScene()
+{
+    for (QLabel* label : {errors_, sites_, tetrahedra_, triangles_, extraction_, frame_})
+        label->hide();
 }
 
 void StatusLine::setScene(const BuiltScene& scene)
 {
     errors_->setText(errorText(scene.mesh));
     errors_->setToolTip(meshText(scene.mesh, *scene.model));
-    sites_->setText(tr("%1 sites").arg(countText(scene.mesh.vertices)));
-    tetrahedra_->setText(tr("%1 tetrahedra").arg(countText(scene.mesh.tetrahedra)));
+    sites_->setText(tr("%1 sites").arg(countText(scene.mesh.keptSites)));
+    tetrahedra_->setText(tr("%1 tetrahedra").arg(countText(scene.mesh.keptTetrahedra)));
+    const QString pieces = piecesText(scene.mesh);
+    tetrahedra_->setToolTip(pieces.isEmpty() ? tr("Tetrahedra in the mesh that is shown") : pieces);
     triangles_->setText(tr("%1 triangles").arg(countText(scene.triangles)));
     if (scene.extractionSeconds > 0)
         extraction_->setText(tr("extracted in %1").arg(durationText(scene.extractionSeconds)));

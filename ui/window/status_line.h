@@ -19,8 +19,10 @@ class StatusLine : public QObject {
 public:
     explicit StatusLine(QStatusBar* bar);
 
-    /// An empty name: nothing is open, and all figures go.
+    /// An empty name: nothing is open.
     void setFile(const QString& name, const QString& path);
+    /// Nothing is said of a scene any more: what is open is another one.
+    void clearScene();
     void setScene(const BuiltScene& scene);
     void setFrame(const FrameReport& report);
     /// `note`: what there is to say of it, for the tool tip.

@@ -100,7 +100,7 @@ Status BlockRunRecorder::write(const std::filesystem::path& path, std::uint64_t 
     checksum.add(records);
     header.checksum = checksum.value();
 
-    Result<FileWriter> file = FileWriter::create(path, 1);
+    Result<FileWriter> file = FileWriter::create(path, 1, path.parent_path());
     if (!file)
         return file.error();
     for (const std::span<const std::byte> part : {std::as_bytes(std::span(&header, 1)), words, records})

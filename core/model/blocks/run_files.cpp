@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -17,8 +18,14 @@ namespace tetra {
 
 namespace {
 
-/// More runs than that are opened for each look into them: a process may have 1024 files open as a rule.
-constexpr std::uint32_t mostOpenFiles = 512;
+/// Whether the runs of so many blocks may stay open, or are opened for each look into them: of the files that a process
+/// may have open, 1024 as a rule, half are left to others.
+bool canStayOpen(std::uint64_t blocks)
+{
+    struct rlimit limit {};
+    return ::getrlimit(RLIMIT_NOFILE, &limit) == 0 && blocks <= limit.rlim_cur / 2;
+}
+
 constexpr std::size_t checkedAtOnce = 1 << 18;
 
 /// Reads all of `to`, or gives the system's error, or ENODATA if the file is too short.
@@ -136,22 +143,23 @@ Result<BlockRunHeader> RunFiles::readHeader(const OpenFile& file, std::uint32_t 
 {
     BlockRunHeader header;
     if (file.descriptor() < 0)
-        return unreadable(block, systemErrorText(errno));
+        return unreadable(block, errno);
     if (readAll(file.descriptor(), 0, std::as_writable_bytes(std::span(&header, 1))) != 0 ||
         !belongs(header, fingerprint_, block, fileSize(file.descriptor())))
-        return unreadable(block, "it is not what was written");
+        return damaged(block);
     return header;
 }
 
 Status RunFiles::open()
 {
+    const bool staysOpen = canStayOpen(blockCount());
     for (std::uint32_t block = 0; block < blockCount(); ++block) {
         OpenFile file(path(block));
         const Result<BlockRunHeader> header = readHeader(file, block);
         if (!header)
             return header.error();
         headers_[block] = *header;
-        if (blockCount() <= mostOpenFiles)
+        if (staysOpen)
             descriptors_.push_back(file.release());
     }
     return {};
@@ -160,7 +168,7 @@ Status RunFiles::open()
 Status RunFiles::readWords(std::uint32_t block, std::uint64_t first, std::span<std::uint32_t> words) const
 {
     if (first + words.size() > headers_[block].wordCount)
-        return unreadable(block, "it is not what was written");
+        return damaged(block);
     return read(block, sizeof(BlockRunHeader) + first * sizeof(std::uint32_t), std::as_writable_bytes(words));
 }
 
@@ -169,7 +177,7 @@ Status RunFiles::readTetrahedra(std::uint32_t block, std::uint64_t first, std::u
 {
     const BlockRunHeader& header = headers_[block];
     if (first + count > header.tetrahedronCount)
-        return unreadable(block, "it is not what was written");
+        return damaged(block);
     return read(block, sizeof(BlockRunHeader) + header.wordCount * sizeof(std::uint32_t) + first * header.recordBytes,
                 to);
 }
@@ -184,14 +192,26 @@ Status RunFiles::read(std::uint32_t block, std::uint64_t offset, std::span<std::
         problem = file.descriptor() < 0 ? errno : readAll(file.descriptor(), offset, to);
     }
     if (problem != 0)
-        return unreadable(block, systemErrorText(problem));
+        return unreadable(block, problem);
     return {};
+}
+
+Error RunFiles::unreadable(std::uint32_t block, int systemError) const
+{
+    return unreadable(block,
+                      systemErrorText(systemError) + ". " +
+                          (isLackOfResources(systemError) ? std::string(resourceRemedy) : "Start the build again."));
+}
+
+Error RunFiles::damaged(std::uint32_t block) const
+{
+    return unreadable(block, "it is not what was written. Start the build again.");
 }
 
 Error RunFiles::unreadable(std::uint32_t block, const std::string& why) const
 {
-    return {ErrorKind::OutOfResource, "Cannot read '" + path(block).string() +
-                                          "', which this build had written: " + why + ". Start the build again."};
+    return {ErrorKind::OutOfResource,
+            "Cannot read '" + path(block).string() + "', which this build had written: " + why};
 }
 
 } // namespace tetra

@@ -107,15 +107,22 @@ Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::Work::extract(const 
         prefix_.forget();
         return found.error();
     }
+    ExtractedMesh& whole = whole_->content;
+    whole.keptSites = static_cast<std::uint32_t>(whole.mesh.positions.size());
+    whole.keptTetrahedra = whole.wholeTetrahedra;
     if (!filters)
         return lend(whole_);
     auto part = std::make_shared<ExtractedMesh>(whole_->content);
     if (!query.values.empty())
         if (const Status kept = keepValues(part->mesh, query.values, progress.part(0.7, 0.8)); !kept)
             return kept.error();
-    if (query.window)
-        if (const Status kept = keepWindow(part->mesh, *query.window, progress.part(0.8, 1)); !kept)
+    part->keptTetrahedra = part->mesh.tetrahedra.size();
+    if (query.window) {
+        const auto kept = keepWindow(part->mesh, *query.window, progress.part(0.8, 1));
+        if (!kept)
             return kept.error();
+        part->keptTetrahedra = *kept;
+    }
     dropUnusedVertices(*part);
     return std::shared_ptr<const ExtractedMesh>(std::move(part));
 }

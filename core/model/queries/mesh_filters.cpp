@@ -36,15 +36,18 @@ template <class Test> Status keepIf(Buffer<Tetrahedron>& tetrahedra, const Progr
     return {};
 }
 
-Status keepWindowUnguarded(TetrahedralMesh& mesh, const Window& window, const Progress& progress)
+Result<std::uint64_t> keepWindowUnguarded(TetrahedralMesh& mesh, const Window& window, const Progress& progress)
 {
     if (window.border == WindowBorder::Clipped)
         return cutAtWindow(mesh, window.box, progress);
     const BoxSides sides(window.box, mesh.positions);
-    if (window.border == WindowBorder::Contained)
-        return keepIf(mesh.tetrahedra, progress,
-                      [&sides](const Tetrahedron& t) { return sides.placeOf(t) == BoxSides::Place::Inside; });
-    return keepIf(mesh.tetrahedra, progress, [&sides](const Tetrahedron& t) { return sides.meets(t); });
+    const bool whole = window.border == WindowBorder::Contained;
+    const Status kept = keepIf(mesh.tetrahedra, progress, [&sides, whole](const Tetrahedron& t) {
+        return whole ? sides.placeOf(t) == BoxSides::Place::Inside : sides.meets(t);
+    });
+    if (!kept)
+        return kept.error();
+    return std::uint64_t(mesh.tetrahedra.size());
 }
 
 } // namespace
@@ -59,7 +62,7 @@ Status keepValues(TetrahedralMesh& mesh, std::span<const ValueRange> ranges, con
     });
 }
 
-Status keepWindow(TetrahedralMesh& mesh, const Window& window, const Progress& progress)
+Result<std::uint64_t> keepWindow(TetrahedralMesh& mesh, const Window& window, const Progress& progress)
 {
     try {
         return keepWindowUnguarded(mesh, window, progress);
@@ -75,6 +78,7 @@ void dropUnusedVertices(ExtractedMesh& extracted)
     constexpr std::uint32_t unused = 0xffffffff;
     TetrahedralMesh& mesh = extracted.mesh;
     const std::size_t count = mesh.positions.size();
+    const std::size_t beforeCutting = extracted.sites.size();
     const auto fillUp = [count](Buffer<std::uint32_t>& numbers) {
         const std::size_t known = std::min(numbers.size(), count);
         numbers.resize(count);
@@ -88,9 +92,11 @@ void dropUnusedVertices(ExtractedMesh& extracted)
         for (const std::uint32_t vertex : tetrahedron)
             numbers[vertex] = 0;
     std::uint32_t kept = 0;
+    extracted.keptSites = 0;
     for (std::size_t vertex = 0; vertex < count; ++vertex) {
         if (numbers[vertex] == unused)
             continue;
+        extracted.keptSites += vertex < beforeCutting ? 1 : 0;
         mesh.positions[kept] = mesh.positions[vertex];
         mesh.values[kept] = mesh.values[vertex];
         extracted.sites[kept] = extracted.sites[vertex];

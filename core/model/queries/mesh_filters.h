@@ -17,11 +17,12 @@ Status keepValues(TetrahedralMesh& mesh, std::span<const ValueRange> ranges, con
 /// are cut at the same place, and the quadrilaterals of neighbours get the same diagonal, so the result conforms. It
 /// adds vertices behind the others, with values interpolated along their edges, and never makes a tetrahedron without
 /// volume from one with volume, but for rounding: a window that cuts is rounded to floats. A window whose least corner
-/// is not the least is empty. Errors: cancelled, out of memory; what is left of the mesh is then good for nothing.
-Status keepWindow(TetrahedralMesh& mesh, const Window& window, const Progress& progress = {});
+/// is not the least is empty. Gives how many of the mesh's tetrahedra are kept, whole or in part. Errors: cancelled,
+/// out of memory; what is left of the mesh is then good for nothing.
+Result<std::uint64_t> keepWindow(TetrahedralMesh& mesh, const Window& window, const Progress& progress = {});
 
 /// Removes vertices that no tetrahedron uses, keeping the order of the others, and renumbers. Vertices behind the last
-/// one of `sites`, which cutting made, get ExtractedMesh::noSite.
+/// one of `sites`, which cutting made, get ExtractedMesh::noSite; the others are counted as `keptSites`.
 void dropUnusedVertices(ExtractedMesh& mesh);
 
 } // namespace tetra

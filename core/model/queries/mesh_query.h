@@ -73,6 +73,10 @@ struct ExtractedMesh {
     /// What was chosen before values and window.
     std::uint32_t wholeSites = 0;
     std::uint64_t wholeTetrahedra = 0;
+    /// What of that is in the mesh, whole or in part: a tetrahedron that a window has cut into pieces counts once, and
+    /// the vertices that cutting made do not.
+    std::uint32_t keptSites = 0;
+    std::uint64_t keptTetrahedra = 0;
     /// The mesh is known to keep keptPercent(asked, scale) everywhere: 1, or more if the budget did not allow it or the
     /// model has nothing finer.
     double scale = 1;

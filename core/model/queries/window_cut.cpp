@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <limits>
 #include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace tetra {
 
@@ -116,9 +119,14 @@ private:
     EdgeVertices vertices_;
 };
 
+/// Tetrahedra, and for each the number of the one that it is a piece of; pieces of the same follow each other.
+struct Pieces {
+    Buffer<Tetrahedron> tetrahedra;
+    Buffer<std::uint32_t> origins;
+};
+
 /// Leaves those that lie in the box, in order, and takes those out that lie across its border.
-Status takeOutThoseAcross(TetrahedralMesh& mesh, const BoxSides& sides, Buffer<Tetrahedron>& across,
-                          const Progress& progress)
+Status takeOutThoseAcross(TetrahedralMesh& mesh, const BoxSides& sides, Pieces& across, const Progress& progress)
 {
     std::size_t kept = 0;
     for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
@@ -126,8 +134,10 @@ Status takeOutThoseAcross(TetrahedralMesh& mesh, const BoxSides& sides, Buffer<T
             return cancelledError(cuttingAtWindow);
         const Tetrahedron tetrahedron = mesh.tetrahedra[t];
         const CutPlace place = sides.placeOf(tetrahedron);
-        if (place == CutPlace::Across)
-            across.push_back(tetrahedron);
+        if (place == CutPlace::Across) {
+            across.tetrahedra.push_back(tetrahedron);
+            across.origins.push_back(static_cast<std::uint32_t>(t));
+        }
         mesh.tetrahedra[kept] = tetrahedron;
         kept += place == CutPlace::Inside ? 1 : 0;
     }
@@ -135,11 +145,13 @@ Status takeOutThoseAcross(TetrahedralMesh& mesh, const BoxSides& sides, Buffer<T
     return {};
 }
 
-Status cutAt(const Plane& plane, TetrahedralMesh& mesh, Buffer<Tetrahedron>& tetrahedra, const Progress& progress)
+Status cutAt(const Plane& plane, TetrahedralMesh& mesh, Pieces& pieces, const Progress& progress)
 {
     PlaneCut cutter(plane, mesh);
-    Buffer<Tetrahedron> kept;
-    kept.reserve(tetrahedra.size());
+    const Buffer<Tetrahedron>& tetrahedra = pieces.tetrahedra;
+    Pieces kept;
+    kept.tetrahedra.reserve(tetrahedra.size());
+    kept.origins.reserve(tetrahedra.size());
     for (std::size_t first = 0; first < tetrahedra.size(); first += cutAtOnce) {
         const std::size_t end = std::min(first + cutAtOnce, tetrahedra.size());
         if (progress.cancelled())
@@ -148,21 +160,45 @@ Status cutAt(const Plane& plane, TetrahedralMesh& mesh, Buffer<Tetrahedron>& tet
             return Error{ErrorKind::OutOfResource, "The mesh that is cut at the window has more vertices than fit: "
                                                    "choose a larger error or a smaller window."};
         progress.report(static_cast<double>(first) / static_cast<double>(tetrahedra.size()), cuttingAtWindow);
-        for (std::size_t t = first; t < end; ++t)
-            cutter.cut(tetrahedra[t], kept);
+        for (std::size_t t = first; t < end; ++t) {
+            cutter.cut(tetrahedra[t], kept.tetrahedra);
+            kept.origins.resize(kept.tetrahedra.size(), pieces.origins[t]);
+        }
     }
-    std::swap(tetrahedra, kept);
+    std::swap(pieces, kept);
     return {};
+}
+
+std::uint64_t countOrigins(const Pieces& pieces)
+{
+    std::uint64_t count = 0;
+    for (std::size_t i = 0; i < pieces.origins.size(); ++i)
+        count += i == 0 || pieces.origins[i] != pieces.origins[i - 1] ? 1 : 0;
+    return count;
+}
+
+/// What is made of them, diagonals and numbers of vertices, is then the same in whatever order the mesh has them, which
+/// depends on the meshes that were extracted before.
+void putInOrder(Pieces& pieces)
+{
+    std::vector<std::pair<Tetrahedron, std::uint32_t>> ordered;
+    ordered.reserve(pieces.tetrahedra.size());
+    for (std::size_t i = 0; i < pieces.tetrahedra.size(); ++i)
+        ordered.emplace_back(pieces.tetrahedra[i], pieces.origins[i]);
+    std::ranges::sort(ordered);
+    for (std::size_t i = 0; i < ordered.size(); ++i)
+        std::tie(pieces.tetrahedra[i], pieces.origins[i]) = ordered[i];
 }
 
 } // namespace
 
-Status cutAtWindow(TetrahedralMesh& mesh, const Box& box, const Progress& progress)
+Result<std::uint64_t> cutAtWindow(TetrahedralMesh& mesh, const Box& box, const Progress& progress)
 {
     const Box window = roundedToFloats(box);
-    Buffer<Tetrahedron> across;
+    Pieces across;
     if (const Status taken = takeOutThoseAcross(mesh, BoxSides(window, mesh.positions), across, progress); !taken)
-        return taken;
+        return taken.error();
+    putInOrder(across);
     for (int face = 0; face < 6; ++face) {
         const int axis = face / 2;
         const bool isLower = face % 2 == 0;
@@ -170,10 +206,11 @@ Status cutAtWindow(TetrahedralMesh& mesh, const Box& box, const Progress& progre
         const Status cut =
             cutAt({axis, isLower ? 1 : -1, coordinate}, mesh, across, progress.part(face / 6.0, (face + 1) / 6.0));
         if (!cut)
-            return cut;
+            return cut.error();
     }
-    mesh.tetrahedra.insert(mesh.tetrahedra.end(), across.begin(), across.end());
-    return {};
+    const std::uint64_t left = mesh.tetrahedra.size() + countOrigins(across);
+    mesh.tetrahedra.insert(mesh.tetrahedra.end(), across.tetrahedra.begin(), across.tetrahedra.end());
+    return left;
 }
 
 } // namespace tetra

@@ -5,6 +5,7 @@
 #include "core/base/memory.h"
 #include "core/data/weighting.h"
 #include "core/mesh/decimation/decimation.h"
+#include "plugins/api/threshold_parameters.h"
 #include "plugins/api/weights_parameter.h"
 #include "plugins/builders/decimation/decimation_input.h"
 #include "plugins/builders/decimation/decimation_need.h"
@@ -16,19 +17,6 @@ namespace tetra {
 namespace {
 
 constexpr std::string_view exact = "exact", paper = "paper", rounds = "rounds";
-
-Parameter percentParameter(std::string id, std::string label, std::string explanation, std::string unit)
-{
-    Parameter parameter;
-    parameter.id = std::move(id);
-    parameter.label = std::move(label);
-    parameter.explanation = std::move(explanation);
-    parameter.unit = std::move(unit);
-    parameter.defaultValue = 0.0;
-    parameter.minimum = 0;
-    parameter.maximum = 100;
-    return parameter;
-}
 
 Parameter orderParameter()
 {
@@ -51,24 +39,14 @@ DecimationOrder orderOf(const std::string& name)
     return name == rounds ? DecimationOrder::IndependentRounds : DecimationOrder::ExactError;
 }
 
-/// A constant field has no range and coinciding points have no diagonal; any unit will do for what is 0 anyway.
-double unitOf(double extent)
+/// Without thresholds to the coarsest mesh.
+DecimationOptions optionsFor(const Dataset& dataset, const BuildThresholds& thresholds)
 {
-    return extent > 0 ? extent : 1;
-}
-
-/// `error` and `warping`: where to stop, in percent (R7); 0 is no threshold. The ratio of both says what a warping is
-/// worth in errors; a percent is worth a percent if there is but one of them.
-DecimationOptions optionsFor(const Dataset& dataset, double error, double warping)
-{
-    const double valueUnit = unitOf(dataset.values.range().extent()) / 100;
-    const double lengthUnit = unitOf(dataset.bounds().diagonal().norm()) / 100;
+    const ThresholdKey key = thresholdKey(thresholds, dataset);
     DecimationOptions options;
-    options.warpingWeight = valueUnit / lengthUnit;
-    if (error > 0 && warping > 0)
-        options.warpingWeight *= error / warping;
-    if (error > 0 || warping > 0)
-        options.stopKey = (error > 0 ? error : warping) * valueUnit;
+    options.warpingWeight = key.warpingWeight;
+    if (key.stopKey)
+        options.stopKey = *key.stopKey;
     return options;
 }
 
@@ -107,18 +85,22 @@ Acceptance DecimationBuilder::accepts(const Dataset& dataset) const
 
 std::vector<Parameter> DecimationBuilder::parameters() const
 {
-    Parameter warping =
-        percentParameter("warping", "Warping",
-                         "For curvilinear and irregular data: the warping at which to stop. Its ratio to the error "
-                         "says how much the shape counts against the values, 1 : 1 if either is 0, and then the "
-                         "other holds for both; two of 0 go on to the coarsest mesh.",
-                         "% of the diagonal");
-    for (const DomainClass domain : {DomainClass::Curvilinear, DomainClass::Irregular})
-        warping.onlyWith.values.emplace_back(std::string(domainClassName(domain)));
-    warping.onlyWith.id = domainId;
-    return {percentParameter("error", "Error", "The error at which to stop; 0 goes on to the coarsest mesh.",
-                             "% of the value range"),
-            warping, orderParameter(), weightsParameter()};
+    return {errorThresholdParameter("The error at which to stop; 0 goes on to the coarsest mesh."),
+            warpingThresholdParameter({DomainClass::Curvilinear, DomainClass::Irregular}), orderParameter(),
+            weightsParameter()};
+}
+
+/// The history runs from the last collapse back, so there is none before the end.
+BuildAbilities DecimationBuilder::abilities(const Dataset&, const ParameterValues&) const
+{
+    return {.usesThreads = false, .resumes = false, .keeps = false};
+}
+
+std::optional<BuildEstimate> DecimationBuilder::estimate(const BuildSize& size, const ParameterValues&, unsigned) const
+{
+    if (size.domain == DomainClass::Scattered)
+        return std::nullopt;
+    return estimateDecimation(size);
 }
 
 Result<BuildReport> DecimationBuilder::build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
@@ -133,8 +115,7 @@ Result<BuildReport> DecimationBuilder::build(const Dataset& dataset, const Param
     const auto input = DecimationInput::make(dataset, *weighting, progress.part(0, 0.02));
     if (!input)
         return input.error();
-    DecimationOptions options = optionsFor(dataset, parameterValue<double>(known, values, "error"),
-                                           parameterValue<double>(known, values, "warping"));
+    DecimationOptions options = optionsFor(dataset, buildThresholds(known, values));
     options.order = orderOf(parameterValue<std::string>(known, values, "order"));
     const DecimationMesh mesh = input->mesh();
     const auto result = decimate(mesh, options, target.history, progress.part(0.02, 1));

@@ -12,6 +12,9 @@ public:
     /// Its reason says how much memory the build takes; a score of 0 where this machine has not so much.
     Acceptance accepts(const Dataset& dataset) const override;
     std::vector<Parameter> parameters() const override;
+    BuildAbilities abilities(const Dataset& dataset, const ParameterValues& values) const override;
+    std::optional<BuildEstimate> estimate(const BuildSize& size, const ParameterValues& values,
+                                          unsigned threads) const override;
     Result<BuildReport> build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
                               const Progress& progress) const override;
 };

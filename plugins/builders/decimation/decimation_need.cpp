@@ -30,6 +30,39 @@ std::uint64_t decimationNeed(const DecimationSize& size)
            size.tetrahedra * inputBytesATetrahedron;
 }
 
+namespace {
+
+/// Of a grid as many as if it had a cell for each point.
+double tetrahedraOf(const BuildSize& size)
+{
+    if (size.domain == DomainClass::Irregular)
+        return static_cast<double>(size.tetrahedra);
+    return static_cast<double>(size.points) * (gridCut(size.domain) == LatticeCut::Five ? 5 : 6);
+}
+
+} // namespace
+
+BuildEstimate estimateDecimation(const BuildSize& size)
+{
+    // Of all that ever lived, with their sites; and how many these are for each one of the dataset.
+    const bool isGrid = isOnLattice(size.domain);
+    const double modelTetrahedronBytes = isGrid ? 21 : 26;
+    const double livedOverKept = isGrid ? 2.7 : 3.5;
+    constexpr double collapseSeconds = 12e-6;
+    constexpr double fixedBytes = 30e6; // of memory: the program, and as decimationBytes()
+    constexpr double pointBytes = 700;
+    constexpr double tetrahedronBytes = 100;
+    BuildEstimate estimate{.endsCoarse = true};
+    const double tetrahedra = tetrahedraOf(size);
+    estimate.modelBytes = static_cast<std::uint64_t>(tetrahedra * livedOverKept * modelTetrahedronBytes);
+    estimate.diskBytes = estimate.modelBytes;
+    estimate.memoryBytes =
+        estimate.modelBytes + static_cast<std::uint64_t>(fixedBytes + static_cast<double>(size.points) * pointBytes +
+                                                         tetrahedra * tetrahedronBytes);
+    estimate.seconds = static_cast<double>(size.points) * collapseSeconds;
+    return estimate;
+}
+
 Status checkDecimationNeed(const DecimationSize& size, std::uint64_t usableBytes)
 {
     constexpr std::uint64_t mostPoints = 0xfffffffe, mostTetrahedra = (1ull << 30) - 1;

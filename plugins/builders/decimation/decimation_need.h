@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 #include "core/data/dataset.h"
 #include "core/mesh/decimation/lattice_tetrahedra.h"
+#include "plugins/api/builder.h"
 
 #include <cstdint>
 
@@ -27,6 +28,9 @@ DecimationSize decimationSize(const Dataset& dataset);
 /// About the most memory that its decimation into a model takes, besides the dataset: the mesh, the decimation, and
 /// what the model's writer keeps.
 std::uint64_t decimationNeed(const DecimationSize& size);
+
+/// What decimating data of this size to the coarsest mesh takes; not of scattered points.
+BuildEstimate estimateDecimation(const BuildSize& size);
 
 /// An error (OutOfResource) that says what is needed and what there is, unless that much memory can be used, or the
 /// mesh has more points or tetrahedra than can be numbered. `usableBytes`: 0 if unknown.

@@ -2,6 +2,7 @@
 #include "plugins/builders/refinement/block_choice.h"
 
 #include "core/base/number_text.h"
+#include "core/data/domain_class.h"
 #include "core/mesh/lattice_metric.h"
 
 namespace tetra {
@@ -23,10 +24,14 @@ Error wrongBlock(const std::string& text)
             "The block size '" + text + "' is neither \"automatic\" nor \"none\" nor a number of cells of at least 1."};
 }
 
+bool isLarge(std::uint64_t points, std::uint64_t usableBytes)
+{
+    return points > mostPointsAsWhole || (usableBytes > 0 && points * bytesAPoint > usableBytes / 2);
+}
+
 bool fitsAsWhole(const Lattice& lattice, std::uint64_t usableBytes)
 {
-    return lattice.pointCount() <= mostPointsAsWhole && latticeMetric(lattice.size, lattice.spacing).ok() &&
-           (usableBytes == 0 || lattice.pointCount() * bytesAPoint <= usableBytes / 2);
+    return !isLarge(lattice.pointCount(), usableBytes) && latticeMetric(lattice.size, lattice.spacing).ok();
 }
 
 std::uint64_t blockCount(const Lattice& lattice, std::uint32_t cells)
@@ -46,11 +51,21 @@ Parameter blockParameter()
     block.label = "Block";
     block.explanation =
         "The cells along an edge of the blocks that are refined independently, in memory for a few of them; 'none' "
-        "refines the dataset as a whole; 'automatic' takes blocks where the dataset is large.";
+        "refines the dataset as a whole; 'automatic' takes blocks where a lattice is large. The blocks of a "
+        "curvilinear "
+        "grid are refined together, all in memory.";
     block.unit = "cells";
     block.defaultValue = std::string("automatic");
     block.words = {"automatic", "none"};
+    block.onlyWith.id = domainId;
+    for (const DomainClass domain : {DomainClass::RegularLattice, DomainClass::Curvilinear})
+        block.onlyWith.values.emplace_back(std::string(domainClassName(domain)));
     return block;
+}
+
+bool takesBlocks(const std::string& text, std::uint64_t points, std::uint64_t usableBytes)
+{
+    return text == "automatic" ? isLarge(points, usableBytes) : text != "none";
 }
 
 Result<std::optional<std::uint32_t>> givenBlocks(const std::string& text)

@@ -14,6 +14,9 @@ namespace tetra {
 /// The builder's parameter "block": "automatic", "none", or the cells along an edge of a block.
 Parameter blockParameter();
 
+/// Whether a lattice of so many points is refined in blocks, as far as that can be known of their number.
+bool takesBlocks(const std::string& text, std::uint64_t points, std::uint64_t usableBytes);
+
 /// The number of cells that `text` names, or none for "automatic" and "none". A WrongUsage error if it is none of the
 /// parameter's values.
 Result<std::optional<std::uint32_t>> givenBlocks(const std::string& text);

@@ -6,16 +6,6 @@
 
 namespace tetra {
 
-namespace {
-
-/// A constant field has no range and coinciding points have no diagonal; any unit will do for what is 0 anyway.
-double unitOf(double extent)
-{
-    return extent > 0 ? extent : 1;
-}
-
-} // namespace
-
 Acceptance acceptCurvilinear(const Dataset& dataset)
 {
     if (const auto metric = latticeMetric(dataset.lattice.size, {1, 1, 1}); !metric)
@@ -30,13 +20,11 @@ Result<BuildReport> buildCurvilinear(const Dataset& dataset, const CurvilinearBu
     if (!weights)
         return weights.error();
     CurvilinearRefinementOptions options;
-    options.valueExtent = unitOf(dataset.values.range().extent());
-    options.positionExtent = unitOf(dataset.bounds().diagonal().norm());
-    options.warpingWeight = options.valueExtent / options.positionExtent;
-    if (request.error > 0 && request.warping > 0) {
-        options.warpingWeight *= request.error / request.warping;
-        options.stopKey = request.error / 100 * options.valueExtent;
-    }
+    const ThresholdKey key = thresholdKey(request.thresholds, dataset);
+    options.valueExtent = key.valueExtent;
+    options.positionExtent = key.positionExtent;
+    options.warpingWeight = key.warpingWeight;
+    options.stopKey = key.stopKey.value_or(0);
     options.selection = request.selection;
     options.blockEdge = request.blockEdge;
     const Result<CurvilinearRefinementResult> result =

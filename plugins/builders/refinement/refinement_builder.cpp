@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/builders/refinement/refinement_builder.h"
 
+#include "core/base/memory.h"
 #include "core/data/weighting.h"
+#include "plugins/api/threshold_parameters.h"
 #include "plugins/api/weights_parameter.h"
 #include "plugins/builders/refinement/block_choice.h"
 #include "plugins/builders/refinement/curvilinear_build.h"
 #include "plugins/builders/refinement/lattice_build.h"
+#include "plugins/builders/refinement/refinement_estimate.h"
 #include "plugins/builders/refinement/scattered_build.h"
 
 #include <optional>
@@ -20,42 +23,8 @@ std::string notYet(const Dataset& dataset)
     return "Refinement does not take " + std::string(domainClassName(dataset.domain)) + " data.";
 }
 
-Parameter errorParameter()
-{
-    Parameter error;
-    error.id = "error";
-    error.label = "Error";
-    error.explanation = "The error at which to stop; 0 keeps everything, so that any accuracy can be looked at later.";
-    error.unit = "% of the value range";
-    error.defaultValue = 0.0;
-    error.minimum = 0;
-    error.maximum = 100;
-    return error;
-}
-
 constexpr std::string_view normalised = "normalised";
 constexpr std::string_view paper = "paper";
-
-ParameterCondition forCurvilinear()
-{
-    return {domainId, {std::string(domainClassName(DomainClass::Curvilinear))}};
-}
-
-Parameter warpingParameter()
-{
-    Parameter warping;
-    warping.id = "warping";
-    warping.label = "Warping";
-    warping.explanation =
-        "For curvilinear data: the warping at which to stop. Its ratio to the error says how much the "
-        "shape counts against the values, 1 : 1 if either is 0; 0 keeps everything.";
-    warping.unit = "% of the diagonal";
-    warping.defaultValue = 0.0;
-    warping.minimum = 0;
-    warping.maximum = 100;
-    warping.onlyWith = forCurvilinear();
-    return warping;
-}
 
 Parameter selectionParameter()
 {
@@ -67,7 +36,7 @@ Parameter selectionParameter()
                             "compare with it. Both keep cells from turning over.";
     selection.defaultValue = std::string(normalised);
     selection.choices = {std::string(normalised), std::string(paper)};
-    selection.onlyWith = forCurvilinear();
+    selection.onlyWith = {domainId, {std::string(domainClassName(DomainClass::Curvilinear))}};
     return selection;
 }
 
@@ -77,8 +46,7 @@ CurvilinearBuildRequest curvilinearRequest(const std::vector<Parameter>& paramet
     CurvilinearBuildRequest request;
     request.weighting = weighting;
     request.blockEdge = cells.value_or(0);
-    request.error = parameterValue<double>(parameters, values, "error");
-    request.warping = parameterValue<double>(parameters, values, "warping");
+    request.thresholds = buildThresholds(parameters, values);
     if (parameterValue<std::string>(parameters, values, "selection") == paper)
         request.selection = CurvilinearSelection::Paper;
     return request;
@@ -99,7 +67,30 @@ Acceptance RefinementBuilder::accepts(const Dataset& dataset) const
 
 std::vector<Parameter> RefinementBuilder::parameters() const
 {
-    return {errorParameter(), warpingParameter(), blockParameter(), selectionParameter(), weightsParameter()};
+    return {errorThresholdParameter(
+                "The error at which to stop; 0 keeps everything, so that any accuracy can be looked at later."),
+            warpingThresholdParameter({DomainClass::Curvilinear}), blockParameter(), selectionParameter(),
+            weightsParameter()};
+}
+
+/// Only blocks of a regular lattice are independent of each other, each with a file of its own.
+BuildAbilities RefinementBuilder::abilities(const Dataset& dataset, const ParameterValues& values) const
+{
+    if (dataset.domain != DomainClass::RegularLattice)
+        return {};
+    const auto cells =
+        chooseBlocks(parameterValue<std::string>(parameters(), values, "block"), dataset.lattice, usableBytes());
+    const bool inBlocks = cells && *cells;
+    return {.usesThreads = inBlocks, .resumes = inBlocks, .keeps = !inBlocks};
+}
+
+std::optional<BuildEstimate> RefinementBuilder::estimate(const BuildSize& size, const ParameterValues& values,
+                                                         unsigned threads) const
+{
+    if (size.domain == DomainClass::Irregular)
+        return std::nullopt;
+    const auto block = parameterValue<std::string>(parameters(), values, "block");
+    return estimateRefinement(size, takesBlocks(block, size.points, usableBytes()), threads);
 }
 
 Result<BuildReport> RefinementBuilder::build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,

@@ -11,6 +11,9 @@ class RefinementBuilder : public Builder {
 public:
     Acceptance accepts(const Dataset& dataset) const override;
     std::vector<Parameter> parameters() const override;
+    BuildAbilities abilities(const Dataset& dataset, const ParameterValues& values) const override;
+    std::optional<BuildEstimate> estimate(const BuildSize& size, const ParameterValues& values,
+                                          unsigned threads) const override;
     Result<BuildReport> build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
                               const Progress& progress) const override;
 };

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/editors/transferfunction/own_presets.h"
 
+#include "core/base/file_writer.h"
 #include "core/transfer/transfer_text.h"
 
 #include <QDir>
-#include <QSaveFile>
 #include <QStandardPaths>
 #include <QUrl>
 
 #include <cmath>
+#include <span>
 
 namespace tetra {
 namespace {
@@ -73,11 +74,8 @@ Status saveOwnPreset(const QString& name, const TransferFunction& preset)
 {
     const QString path = fileOf(name);
     folder().mkpath(".");
-    QSaveFile file(path);
-    const QByteArray text = QByteArray::fromStdString(transferFunctionToText(preset));
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
-        return failed(path, file.errorString());
-    return {};
+    const std::string text = transferFunctionToText(preset);
+    return writeWholeFile(QFile::encodeName(path).toStdString(), std::as_bytes(std::span(text)));
 }
 
 Status deleteOwnPreset(const QString& name)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper_process.h"
 
+#include "core/base/system_error.h"
 #include "plugins/readers/vtk/process_limits.h"
 #include "plugins/readers/vtk/vtk_exchange.h"
 
@@ -10,7 +11,6 @@
 #include <csignal>
 #include <ctime>
 #include <optional>
-#include <system_error>
 #include <thread>
 
 #include <dlfcn.h>
@@ -35,18 +35,18 @@ Error cannotRead(const std::string& file, ErrorKind kind, const std::string& rea
     return {kind, "Cannot read '" + file + "': " + reason};
 }
 
-bool isLackOfResources(int systemError)
+Error notEnoughToStart(const std::string& reason)
 {
-    return systemError == ENOMEM || systemError == EAGAIN || systemError == EMFILE || systemError == ENFILE;
+    return {ErrorKind::OutOfResource,
+            "There are not enough memory, processes or open files to start the VTK readers (" + reason + "). " +
+                std::string(resourceRemedy)};
 }
 
 Error notStarted(const fs::path& helper, int systemError)
 {
-    const std::string reason = std::generic_category().message(systemError);
+    const std::string reason = systemErrorText(systemError);
     if (isLackOfResources(systemError))
-        return {ErrorKind::OutOfResource,
-                "There are not enough memory, processes or open files to start the VTK readers (" + reason +
-                    "). Close other programs, or raise the limit (ulimit)."};
+        return notEnoughToStart(reason);
     std::error_code ignored;
     if (!fs::exists(helper, ignored))
         return {ErrorKind::BadInput,
@@ -74,20 +74,34 @@ private:
     int number_;
 };
 
-/// A file of no name, in memory: what a process is to read needs no one to write it meanwhile, and what it writes to
-/// its standard error no one to read it.
-Descriptor memoryFile(const std::string& content = {})
-{
-    Descriptor file(::memfd_create("tan-read-vtk", MFD_CLOEXEC));
-    for (std::size_t place = 0; file.number() >= 0 && place < content.size();) {
-        const ssize_t written = ::write(file.number(), content.data() + place, content.size() - place);
-        if (written <= 0)
-            return Descriptor();
-        place += static_cast<std::size_t>(written);
+/// The two ends of a pipe; none if there is none to be had.
+struct Pipe {
+    Descriptor reading;
+    Descriptor writing;
+
+    static Pipe make()
+    {
+        constexpr int bytes = 1 << 20; // by default a sixteenth of that, which costs turns
+        std::array<int, 2> ends{-1, -1};
+        if (::pipe2(ends.data(), O_CLOEXEC) == 0)
+            ::fcntl(ends[1], F_SETPIPE_SZ, bytes);
+        return {Descriptor(ends[0]), Descriptor(ends[1])};
     }
-    if (file.number() >= 0)
-        ::lseek(file.number(), 0, SEEK_SET);
-    return file;
+};
+
+/// A pipe that holds `content` and ends there: what a process is to read needs no one to write it meanwhile. No file in
+/// memory, which a limit of the file size would count.
+Descriptor filledPipe(const std::string& content)
+{
+    Pipe pipe = Pipe::make();
+    if (pipe.reading.number() < 0)
+        return Descriptor();
+    ::fcntl(pipe.writing.number(), F_SETFL, O_NONBLOCK);
+    const ssize_t written = ::write(pipe.writing.number(), content.data(), content.size());
+    if (written == static_cast<ssize_t>(content.size()))
+        return std::move(pipe.reading);
+    errno = ENOMEM; // a request has some kilobytes, so it is the system that gives smaller pipes
+    return Descriptor();
 }
 
 /// A program that runs: its input was given before, its output is read from a pipe.
@@ -96,25 +110,26 @@ public:
     /// The error is the system's.
     static std::variant<HelperProcess, int> start(const fs::path& program, const std::string& input, char** environment)
     {
-        Descriptor request = memoryFile(input);
-        Descriptor errors = memoryFile();
-        std::array<int, 2> ends{-1, -1};
-        if (request.number() < 0 || errors.number() < 0 || ::pipe2(ends.data(), O_CLOEXEC) != 0)
+        const Descriptor request = filledPipe(input);
+        if (request.number() < 0)
             return errno;
-        Descriptor output(ends[0]);
-        const Descriptor writing(ends[1]);
-        constexpr int pipeBytes = 1 << 20;
-        ::fcntl(output.number(), F_SETPIPE_SZ, pipeBytes); // fewer turns; without it as well
+        Descriptor errors(::memfd_create("tan-read-vtk", MFD_CLOEXEC)); // needs no one to read it meanwhile
+        if (errors.number() < 0)
+            return errno;
+        Pipe output = Pipe::make();
+        if (output.reading.number() < 0)
+            return errno;
 
         posix_spawn_file_actions_t files;
         posix_spawn_file_actions_init(&files);
         posix_spawn_file_actions_adddup2(&files, request.number(), STDIN_FILENO);
-        posix_spawn_file_actions_adddup2(&files, writing.number(), STDOUT_FILENO);
+        posix_spawn_file_actions_adddup2(&files, output.writing.number(), STDOUT_FILENO);
         posix_spawn_file_actions_adddup2(&files, errors.number(), STDERR_FILENO);
         posix_spawnattr_t attributes;
         posix_spawnattr_init(&attributes);
         sigset_t every;
-        sigfillset(&every); // whatever this program ignores or blocks
+        sigfillset(&every); // whatever this program ignores or blocks, but for limits of the file size
+        sigdelset(&every, SIGXFSZ);
         posix_spawnattr_setsigdefault(&attributes, &every);
         sigemptyset(&every);
         posix_spawnattr_setsigmask(&attributes, &every);
@@ -127,7 +142,7 @@ public:
         posix_spawn_file_actions_destroy(&files);
         if (failure != 0)
             return failure;
-        return HelperProcess(process, std::move(output), std::move(errors));
+        return HelperProcess(process, std::move(output.reading), std::move(errors));
     }
 
     HelperProcess(HelperProcess&& other) noexcept
@@ -259,12 +274,8 @@ std::optional<Error> loaderError(std::string_view said)
     if (place == std::string_view::npos)
         return std::nullopt;
     const std::string reason = firstLine(said.substr(place + start.size()));
-    for (const std::string_view lack :
-         {"annot allocate memory", "failed to map segment", "annot create", "oo many open files"})
-        if (reason.find(lack) != std::string::npos)
-            return Error{ErrorKind::OutOfResource,
-                         "There are not enough memory, processes or open files to start the VTK readers (" + reason +
-                             "). Close other programs, or raise the limit (ulimit)."};
+    if (namesLackOfResources(reason))
+        return notEnoughToStart(reason);
     const bool missing = reason.find("cannot open shared object") != std::string::npos;
     return Error{ErrorKind::BadInput, std::string(missing ? "The VTK readers are not installed: "
                                                           : "The VTK readers are installed badly: ") +

@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <array>
 #include <fstream>
 #include <iterator>
 
@@ -14,6 +15,7 @@
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 using namespace tetra;
@@ -40,6 +42,21 @@ std::vector<std::byte> contentOf(const std::filesystem::path& path)
 std::ptrdiff_t entries(const std::filesystem::path& folder)
 {
     return std::distance(std::filesystem::directory_iterator(folder), {});
+}
+
+/// Another process, which does `work` and ends by its result; a killed one leaves what it has not tidied up.
+template <class Work> pid_t inChildProcess(Work&& work)
+{
+    const pid_t child = ::fork();
+    if (child == 0)
+        ::_exit(work() ? 0 : 1);
+    return child;
+}
+
+bool endedWell(pid_t child)
+{
+    int status = 0;
+    return ::waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
 /// Writes `bytes` and commits; the first error, if any.
@@ -137,6 +154,101 @@ private slots:
         QVERIFY(writeWhole(link, someBytes(5)).ok());
         QVERIFY(std::filesystem::is_symlink(link));
         QVERIFY(contentOf(target()) == someBytes(5));
+    }
+
+    void followsALinkToAFileThatIsYetToBeMade()
+    {
+        const std::filesystem::path folder = target().parent_path();
+        std::filesystem::create_directory(folder / "later");
+        std::filesystem::create_symlink("second", folder / "first");
+        std::filesystem::create_symlink("later/file", folder / "second");
+        QVERIFY(writeWhole(folder / "first", someBytes(5)).ok());
+        QVERIFY(std::filesystem::is_symlink(folder / "first") && std::filesystem::is_symlink(folder / "second"));
+        QVERIFY(contentOf(folder / "later" / "file") == someBytes(5));
+        QCOMPARE(entries(folder), 3);
+        QCOMPARE(entries(folder / "later"), 1);
+    }
+
+    void refusesLinksThatLeadNowhere()
+    {
+        const std::filesystem::path folder = target().parent_path();
+        std::filesystem::create_symlink("back", folder / "forth");
+        std::filesystem::create_symlink("forth", folder / "back");
+        std::filesystem::create_symlink("missing/file", folder / "lost");
+        for (const auto& [name, says] : {std::pair("forth", "symbolic links"), {"lost", "missing' does not exist"}}) {
+            const Status written = writeWhole(folder / name, someBytes(5));
+            QVERIFY(!written.ok());
+            QVERIFY2(QString::fromStdString(written.error().text).contains(says), written.error().text.c_str());
+            QVERIFY(std::filesystem::is_symlink(folder / name));
+        }
+        QCOMPARE(entries(folder), 3);
+    }
+
+    void removesWhatAKilledProcessLeft()
+    {
+        const pid_t killed = inChildProcess([&] {
+            Result<FileWriter> writer = FileWriter::create(target(), 1);
+            return writer && writer->write(someBytes(1000)) && ::raise(SIGKILL) == 0;
+        });
+        QVERIFY(!endedWell(killed));
+        QCOMPARE(entries(target().parent_path()), 1); // or there is nothing to remove
+        QVERIFY(writeWhole(target().parent_path() / "other", someBytes(5)).ok());
+        QCOMPARE(entries(target().parent_path()), 1);
+    }
+
+    void leavesWhatAnotherProcessIsWriting()
+    {
+        std::array<int, 2> written{}, goOn{};
+        QCOMPARE(::pipe(written.data()), 0);
+        QCOMPARE(::pipe(goOn.data()), 0);
+        char byte = 0;
+        const pid_t other = inChildProcess([&] {
+            Result<FileWriter> writer = FileWriter::create(target(), 1);
+            return writer && writer->write(someBytes(1000)) && ::write(written[1], &byte, 1) == 1 &&
+                   ::read(goOn[0], &byte, 1) == 1 && writer->commit();
+        });
+        QCOMPARE(::read(written[0], &byte, 1), ssize_t(1));
+        const Status beside = writeWhole(target(), someBytes(5));
+        const std::ptrdiff_t files = entries(target().parent_path());
+        QCOMPARE(::write(goOn[1], &byte, 1), ssize_t(1));
+        QVERIFY(endedWell(other));
+        for (const int descriptor : {written[0], written[1], goOn[0], goOn[1]})
+            ::close(descriptor);
+        QVERIFY(beside.ok());
+        QCOMPARE(files, 2);
+        QVERIFY(contentOf(target()) == someBytes(1000));
+        QCOMPARE(entries(target().parent_path()), 1);
+    }
+
+    /// Each finds the files of the others again and again, just made, just about to be renamed.
+    void manyProcessesInOneFolderDoNotDisturbEachOther()
+    {
+        std::vector<pid_t> processes;
+        for (int number = 0; number < 4; ++number)
+            processes.push_back(inChildProcess([&] {
+                bool all = true;
+                for (int round = 0; round < 300 && all; ++round) {
+                    Result<FileWriter> writer = FileWriter::create(target());
+                    all = writer && writer->write(someBytes(10)) && writer->commit(FileWriter::Durability::Process);
+                }
+                return all;
+            }));
+        for (const pid_t process : processes)
+            QVERIFY(endedWell(process));
+        QCOMPARE(entries(target().parent_path()), 1);
+    }
+
+    void leavesWhatIsOfOthers()
+    {
+        const std::filesystem::path folder = target().parent_path();
+        const std::array names = {"a.12345678.partial", ".a.1234567.partial",   ".a.1234567g.partial",
+                                  ".12345678.partial",  ".a.12345678.partials", ".a-12345678.partial"};
+        for (const char* name : names)
+            std::ofstream(folder / name) << "mine";
+        std::filesystem::create_symlink(names[0], folder / ".link.12345678.partial");
+        std::filesystem::create_directory(folder / ".folder.12345678.partial");
+        QVERIFY(writeWhole(target(), someBytes(5)).ok());
+        QCOMPARE(entries(folder), std::ptrdiff_t(names.size()) + 3);
     }
 
     void refusesATargetThatCannotBe_data()

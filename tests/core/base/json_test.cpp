@@ -51,6 +51,25 @@ private slots:
         QVERIFY2(large < 8 * small, qPrintable(QString("%1 s and %2 s").arg(large).arg(small)));
     }
 
+    void whatIsWrittenIsUtf8_data()
+    {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addColumn<QByteArray>("read");
+        QTest::newRow("text") << QByteArray("k\xc3\xa4se \"1\"\n") << QByteArray("k\xc3\xa4se \"1\"\n");
+        QTest::newRow("an old name") << QByteArray("non\xff.tan") << QByteArray("non\xef\xbf\xbd.tan");
+        QTest::newRow("cut short") << QByteArray("ca\xc3") << QByteArray("ca\xef\xbf\xbd");
+        QTest::newRow("all wrong") << QByteArray("\xff\xfe") << QByteArray("\xef\xbf\xbd\xef\xbf\xbd");
+    }
+    void whatIsWrittenIsUtf8()
+    {
+        QFETCH(QByteArray, bytes);
+        QFETCH(QByteArray, read);
+        const auto value = parseJson(jsonString(bytes.toStdString()));
+        QVERIFY2(value, value ? "" : value.error().text.c_str());
+        QVERIFY(value->string() != nullptr);
+        QCOMPARE(QByteArray::fromStdString(*value->string()), read);
+    }
+
     void aMemberTwiceIsAnError_data()
     {
         QTest::addColumn<int>("members");

@@ -57,6 +57,28 @@ private slots:
         QVERIFY(!std::filesystem::exists(path / ".tan-work"));
     }
 
+    void aLinkIsRefused()
+    {
+        const QTemporaryDir home;
+        const std::filesystem::path path = pathIn(home);
+        const std::filesystem::path mine = path.parent_path() / "mine";
+        std::filesystem::create_directory(mine);
+        std::filesystem::create_directory_symlink(mine, path);
+        const auto folder = WorkFolder::open(path, WorkFolder::Leftovers::Remove);
+        QVERIFY(!folder.ok());
+        QVERIFY2(folder.error().text.find("it is a link") != std::string::npos, folder.error().text.c_str());
+        QVERIFY(std::filesystem::is_symlink(path) && std::filesystem::is_empty(mine));
+    }
+
+    void aNameThatIsTooLongIsToBeShorter()
+    {
+        const QTemporaryDir home;
+        const auto folder =
+            WorkFolder::open(pathIn(home).parent_path() / std::string(256, 'm'), WorkFolder::Leftovers::Remove);
+        QVERIFY(!folder.ok());
+        QVERIFY2(folder.error().text.ends_with("Choose a shorter name."), folder.error().text.c_str());
+    }
+
     /// Many come while others leave: whoever was let in has the folder to himself, with its lock in it, to the end.
     void nobodyGetsAFolderThatIsBeingRemoved()
     {

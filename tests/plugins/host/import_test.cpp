@@ -154,7 +154,7 @@ private slots:
         const Dataset dataset = sample(qPrintable(name), static_cast<std::uint32_t>(size));
         const auto built = buildModel(*host_, dataset, {}, {}, path("estimated.tan"));
         QVERIFY(built);
-        const BuildEstimate estimate = estimateBuild(buildSizeOf(dataset), 1);
+        const BuildEstimate estimate = *host_->builder(built->builder)->plugin->estimate(buildSizeOf(dataset), {}, 1);
         const double ratio = static_cast<double>(estimate.modelBytes) / static_cast<double>(built->fileBytes);
         qInfo("%s: model %.2f, seconds %.2f of what it took; %.1f us a site, share %.2f of %.2f, %.0f bytes a site",
               qPrintable(name), ratio, estimate.seconds / built->seconds,
@@ -171,11 +171,27 @@ private slots:
             BuildEstimate before;
             for (std::uint64_t points = 1000; points < 1'000'000'000; points *= 4) {
                 const BuildEstimate now =
-                    estimateBuild({.domain = domain, .points = points, .tetrahedra = 5 * points}, 2);
+                    *quickestEstimate(*host_, {.domain = domain, .points = points, .tetrahedra = 5 * points}, 2);
                 QVERIFY(now.diskBytes > before.diskBytes && now.seconds > 0 && now.diskBytes >= now.modelBytes);
                 before = now;
             }
         }
+    }
+
+    /// A builder knows of its own work only, and in blocks other than as a whole.
+    void theEstimateIsOfTheBuilder()
+    {
+        const auto estimate = [this](const char* builder, const BuildSize& size, const ParameterValues& values = {}) {
+            return host_->builder(builder)->plugin->estimate(size, values, 2);
+        };
+        const BuildSize lattice{.domain = DomainClass::RegularLattice, .points = 1'000'000};
+        QVERIFY(!estimate("decimation", {.domain = DomainClass::Scattered, .points = 1000}));
+        QVERIFY(!estimate("refinement", {.domain = DomainClass::Irregular, .points = 1000, .tetrahedra = 5000}));
+        QVERIFY(estimate("decimation", lattice)->memoryBytes > estimate("refinement", lattice)->memoryBytes);
+        QVERIFY(estimate("refinement", lattice, {{"block", std::string("32")}})->memoryBytes <
+                estimate("refinement", lattice, {{"block", std::string("none")}})->memoryBytes / 2);
+        QVERIFY(estimate("refinement", lattice, {{"block", std::string("32")}})->diskBytes >
+                estimate("refinement", lattice)->diskBytes);
     }
 };
 

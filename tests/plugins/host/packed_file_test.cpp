@@ -13,7 +13,11 @@
 
 #include <zlib.h>
 
+#include <csignal>
+
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 using namespace tetra;
 
@@ -78,6 +82,28 @@ private slots:
         host_ = PluginHost::standard();
     }
     void cleanup() { QCOMPARE(left(), 0); }
+
+    void whatAKilledProgramUnpackedIsRemoved()
+    {
+        const fs::path packed = write("killed.csv.gz", gzipped(pointTable));
+        const pid_t killed = fork();
+        if (killed == 0) {
+            const auto unpacked = UnpackedFile::unpack(packed, {});
+            raise(SIGKILL);
+        }
+        QCOMPARE(waitpid(killed, nullptr, 0), killed);
+        QCOMPARE(left(), 1); // or there is nothing to remove
+        const fs::path mine = fs::temp_directory_path() / "tan-unpacked-letter";
+        fs::create_directory(mine);
+        {
+            const auto first = UnpackedFile::unpack(packed, {});
+            QVERIFY(first);
+            const auto second = UnpackedFile::unpack(packed, {});
+            QVERIFY(second && fs::exists(first->path()));
+            QCOMPARE(left(), 3);
+        }
+        QVERIFY(fs::remove(mine));
+    }
 
     void whatIsInItIsRead_data()
     {

@@ -8,6 +8,7 @@
 #include "plugins/host/model_building.h"
 #include "plugins/host/output_check.h"
 #include "plugins/host/plugin_call.h"
+#include "tests/core/base/small_disk.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -144,6 +145,37 @@ private slots:
         QCOMPARE(fs::file_size(path("input.raw")), std::uintmax_t(7));
     }
 
+    void modelsReplaceOnlyModels()
+    {
+        std::ofstream(path("notes.tan")) << "my notes";
+        std::ofstream(path("begun.tan")) << "TAN";
+        std::ofstream(path("empty.tan"));
+        fs::create_symlink("notes.tan", path("linked.tan"));
+        for (const char* name : {"notes.tan", "begun.tan", "linked.tan"}) {
+            const auto built = buildModel(*host_, smallSample(), std::nullopt, {}, path(name));
+            QVERIFY2(!built, name);
+            QCOMPARE(built.error().kind, ErrorKind::WrongUsage);
+            QVERIFY2(built.error().text.find("is no TAn model") != std::string::npos, built.error().text.c_str());
+        }
+        QCOMPARE(fs::file_size(path("notes.tan")), std::uintmax_t(8));
+        QVERIFY(buildModel(*host_, smallSample(), std::nullopt, {}, path("empty.tan")));
+        fs::resize_file(path("empty.tan"), 100); // damaged, and one of ours all the same
+        QVERIFY(buildModel(*host_, smallSample(), std::nullopt, {}, path("empty.tan")));
+    }
+
+    void aModelBehindALinkIsBuiltOnItsDisk()
+    {
+        const SmallDisk disk(std::size_t(16) << 20);
+        if (!disk.ok())
+            QSKIP("skipped: a small disk needs the right to mount");
+        fs::create_symlink(disk.folder() / "there.tan", path("here.tan"));
+        const auto built = buildModel(*host_, smallSample(), std::nullopt, {}, path("here.tan"));
+        QVERIFY2(built, built ? "" : built.error().text.c_str());
+        QVERIFY(fs::is_symlink(path("here.tan")));
+        QVERIFY(Model::open(disk.folder() / "there.tan"));
+        QCOMPARE(std::distance(fs::directory_iterator(disk.folder()), {}), std::ptrdiff_t(1));
+    }
+
     void modelsAreRecognised()
     {
         QVERIFY(buildModel(*host_, smallSample(), std::nullopt, {}, path("real.tan")));
@@ -174,6 +206,11 @@ private slots:
             QCOMPARE(failed.error().kind, ErrorKind::OutOfResource);
             QVERIFY(failed.error().text.find("mistake") == std::string::npos);
         }
+        const Status ofTbb = callPlugin("good", []() -> Status {
+            throw std::runtime_error("pthread_create has failed: Resource temporarily unavailable");
+        });
+        QCOMPARE(ofTbb.error().kind, ErrorKind::OutOfResource);
+        QVERIFY2(ofTbb.error().text.find("no more threads") != std::string::npos, ofTbb.error().text.c_str());
         const Status other = callPlugin(
             "bad", []() -> Status { throw std::system_error(std::make_error_code(std::errc::bad_address)); });
         QCOMPARE(other.error().kind, ErrorKind::BadInput);

@@ -252,6 +252,32 @@ private slots:
         }
     }
 
+    /// However many pieces there are, what is told is how many of the tetrahedra are left: each by itself says whether.
+    void cutTetrahedraCountOnce()
+    {
+        std::mt19937 random(8);
+        for (const auto& [name, isBox, mesh] : meshes_) {
+            if (mesh.tetrahedra.size() > 1000)
+                continue;
+            const Box box = randomWindow(mesh, random);
+            for (const WindowBorder border :
+                 {WindowBorder::Intersecting, WindowBorder::Contained, WindowBorder::Clipped}) {
+                std::uint64_t expected = 0;
+                for (const Tetrahedron& tetrahedron : mesh.tetrahedra) {
+                    TetrahedralMesh alone = mesh;
+                    alone.tetrahedra.assign(1, tetrahedron);
+                    QVERIFY(keepWindow(alone, {box, border}).ok());
+                    expected += alone.tetrahedra.empty() ? 0 : 1;
+                }
+                TetrahedralMesh kept = mesh;
+                const auto count = keepWindow(kept, {box, border});
+                QVERIFY(count.ok());
+                QCOMPARE(*count, expected);
+                QVERIFY(*count <= kept.tetrahedra.size() && *count <= mesh.tetrahedra.size());
+            }
+        }
+    }
+
     /// What is linear in space stays that on the new vertices.
     void valuesAreInterpolated()
     {
@@ -322,6 +348,8 @@ private slots:
             extracted.points = sites;
             dropUnusedVertices(extracted);
             QVERIFY(extracted.points == sites);
+            QCOMPARE(extracted.keptSites,
+                     std::uint32_t(std::ranges::count_if(sites, [](auto s) { return s != ExtractedMesh::noSite; })));
             QCOMPARE(kept.tetrahedra.size(), before.tetrahedra.size());
             QCOMPARE(sites.size(), kept.positions.size());
             std::vector<bool> used(kept.positions.size());
@@ -348,7 +376,7 @@ private slots:
         for (const WindowBorder border : {WindowBorder::Intersecting, WindowBorder::Contained, WindowBorder::Clipped}) {
             TetrahedralMesh mesh = meshes_[3].mesh;
             const Box box{{-2, 11, 1}, {-1, 14, 3}};
-            const Status kept = keepWindow(mesh, {box, border}, Progress(stop.get_token(), {}));
+            const auto kept = keepWindow(mesh, {box, border}, Progress(stop.get_token(), {}));
             QVERIFY(!kept.ok());
             QCOMPARE(kept.error().kind, ErrorKind::Cancelled);
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/model/queries/questions.h"
 
+#include "core/model/inverted_cells.h"
 #include "core/model/level_text.h"
 #include "core/model/queries/history_part.h"
 #include "core/model/queries/mesh_extractor.h"
@@ -115,6 +116,16 @@ std::map<std::string, Question> questionsAbout(const ModelDescription& model)
              const std::string text = levelsAsCsv(*asked, std::vector<Accuracy>{{50}, {10}, {2}, {0}});
              const Status intact = asked->checkIntact();
              return intact ? Result<std::string>(text) : Result<std::string>(intact.error());
+         }},
+        {"inverted tetrahedra",
+         [](const ModelPointer& asked) -> Result<std::string> {
+             const std::array sites{asked->siteCount() / 2, asked->siteCount()};
+             const auto counted = countInverted(*asked, sites);
+             if (!counted)
+                 return counted.error();
+             std::string text;
+             appendArray(text, *counted);
+             return text;
          }},
         {"coarse prefix", [](const ModelPointer& asked) { return answerOfPrefix(asked, 25); }},
         {"all sites", [](const ModelPointer& asked) { return answerOfPrefix(asked, 0); }},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plugins/host/field_extent.h"
+#include "ui/session/field_extent.h"
 
 #include "core/graphics/surface_value.h"
 #include "core/graphics/volume/volume_histogram.h"
@@ -15,11 +15,6 @@ constexpr std::uint64_t largestMesh = 100'000; // tetrahedra
 constexpr int histogramParts = 256;
 constexpr double anyError = 1e9; ///< %
 
-FieldExtent boxAndRange(const Model& model)
-{
-    return {model.description().range, model.description().bounds};
-}
-
 /// The finest that is small, or the coarsest if that is not.
 std::uint32_t sitesOfCoarseMesh(const Model& model)
 {
@@ -29,16 +24,21 @@ std::uint32_t sitesOfCoarseMesh(const Model& model)
 
 } // namespace
 
+FieldExtent roughExtentOf(const Model& model)
+{
+    return {model.description().range, model.description().bounds};
+}
+
 FieldExtent extentOf(const Model& model)
 try {
-    FieldExtent field = boxAndRange(model);
+    FieldExtent field = roughExtentOf(model);
     if (const auto mesh = extractPrefix(model, sitesOfCoarseMesh(model))) {
         field.volumes = volumeHistogram(*mesh, field.range.minimum, field.range.maximum, histogramParts);
         field.surface = surfaceValue(*mesh, field.range.minimum, field.range.maximum);
     }
     return field;
 } catch (const std::bad_alloc&) {
-    return boxAndRange(model);
+    return roughExtentOf(model);
 }
 
 } // namespace tetra

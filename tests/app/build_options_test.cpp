@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// `tan build`: an option is used, refused with what to do instead, or its limits are told; none is taken and ignored
+/// (R10, R12, B6).
+#include "tests/app/program.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace tetra {
+
+class BuildOptionsTest : public QObject {
+    Q_OBJECT
+
+private:
+    Run tan(const QStringList& words) const { return runTan(words, folder_.path()); }
+
+    QTemporaryDir folder_;
+
+private slots:
+    void initTestCase()
+    {
+        QCOMPARE(tan({"sample", "c60", "--size", "12", "-o", "lattice.nrrd"}).exitCode, 0);
+        QCOMPARE(tan({"sample", "blunt-body", "--size", "10", "-o", "grid.xyz"}).exitCode, 0);
+        QCOMPARE(tan({"sample", "scattered", "--size", "6", "-o", "points.csv"}).exitCode, 0);
+        QCOMPARE(tan({"sample", "part", "--size", "6", "-o", "mesh.vtu"}).exitCode, 0);
+    }
+
+    void whatIsOfNoUseIsRefused_data()
+    {
+        QTest::addColumn<QString>("input");
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<QString>("part");
+        const QStringList decimate = {"--builder", "decimation"};
+        const auto row = [](const char* name, const char* input, const QStringList& options, const char* part) {
+            QTest::newRow(name) << QString(input) << options << QString(part);
+        };
+        const char* const warping = "'--warping' is of curvilinear data only";
+        row("lattice, warping", "lattice.nrrd", {"--warping", "2"}, warping);
+        row("lattice, a warping that is the default", "lattice.nrrd", {"--warping", "0"}, warping);
+        row("lattice, selection", "lattice.nrrd", {"--selection", "paper"}, "'--selection' is of curvilinear data");
+        row("lattice as a whole, resume", "lattice.nrrd", {"--resume"}, "build in blocks with '--block 32'");
+        row("lattice as a whole by choice, resume", "lattice.nrrd", {"--resume", "--block", "none"}, "'--block 32'");
+        row("lattice decimated, resume", "lattice.nrrd", decimate + QStringList{"--resume"}, "Leave '--resume' out");
+        row("lattice decimated, keep", "lattice.nrrd", decimate + QStringList{"--keep"}, "Leave '--keep' out");
+        row("lattice in blocks, keep", "lattice.nrrd", {"--keep", "--block", "6"}, "'--resume'");
+        row("lattice decimated, block", "lattice.nrrd", decimate + QStringList{"--block", "6"},
+            "'--builder refinement'");
+        row("lattice decimated, warping", "lattice.nrrd", decimate + QStringList{"--warping", "2"},
+            "'--warping' is of curvilinear or irregular data only");
+        row("lattice, order", "lattice.nrrd", {"--order", "paper"}, "'--builder decimation'");
+        row("grid, resume", "grid.xyz", {"--resume"}, "Leave '--resume' out");
+        row("grid in blocks, resume", "grid.xyz", {"--resume", "--block", "4"}, "Leave '--resume' out");
+        row("points, block", "points.csv", {"--block", "4"}, "'--block' is of regular or curvilinear data");
+        row("points, no block", "points.csv", {"--block", "none"}, "'--block' is of regular or curvilinear");
+        row("points, warping", "points.csv", {"--warping", "2"}, warping);
+        row("points, selection", "points.csv", {"--selection", "paper"}, "'--selection' is of curvilinear data");
+        row("points, resume", "points.csv", {"--resume"}, "Leave '--resume' out");
+        row("mesh, resume", "mesh.vtu", {"--resume"}, "Leave '--resume' out");
+        row("mesh, block", "mesh.vtu", {"--block", "4"}, "Leave it out");
+    }
+    void whatIsOfNoUseIsRefused()
+    {
+        QFETCH(QString, input);
+        QFETCH(QStringList, options);
+        QFETCH(QString, part);
+        const Run run = tan(QStringList{"build", input, "-o", "refused.tan"} + options);
+        QVERIFY2(run.exitCode == 2, QByteArray::number(run.exitCode) + ": " + run.output + run.messages);
+        QVERIFY2(QString::fromUtf8(run.messages).contains(part), run.messages);
+        QVERIFY(!QFile::exists(folder_.filePath("refused.tan")));
+        QVERIFY(!QFile::exists(folder_.filePath("refused.tan.work")));
+    }
+
+    void whatIsOfUseIsTaken_data()
+    {
+        QTest::addColumn<QString>("input");
+        QTest::addColumn<QStringList>("options");
+        const auto row = [](const char* name, const char* input, const QStringList& options) {
+            QTest::newRow(name) << QString(input) << options;
+        };
+        row("blocks are resumed", "lattice.nrrd", {"--block", "6", "--resume"});
+        row("a whole is kept", "lattice.nrrd", {"--keep"});
+        row("a grid warps", "grid.xyz", {"--warping", "2", "--selection", "paper", "--block", "4"});
+        row("a decimated grid warps", "grid.xyz", {"--builder", "decimation", "--warping", "2"});
+        row("a mesh warps", "mesh.vtu", {"--warping", "2"});
+    }
+    void whatIsOfUseIsTaken()
+    {
+        QFETCH(QString, input);
+        QFETCH(QStringList, options);
+        const Run run = tan(QStringList{"build", input, "-o", "taken.tan"} + options);
+        QVERIFY2(run.exitCode == 0, run.messages);
+    }
+
+    /// What was not used does not stand in the model as if it had been.
+    void theModelTellsWhatWasUsed()
+    {
+        QCOMPARE(tan({"build", "lattice.nrrd", "-o", "used.tan"}).exitCode, 0);
+        const QJsonObject parameters = tan({"info", "used.tan", "--json"}).json()["parameters"].toObject();
+        QVERIFY(parameters.contains("error") && parameters.contains("block"));
+        QVERIFY(!parameters.contains("warping") && !parameters.contains("selection"));
+    }
+
+    /// A limit of threads is kept by whoever uses one; that more were asked for in vain is told.
+    void threadsThatAreNotUsedAreTold_data()
+    {
+        QTest::addColumn<QString>("input");
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<int>("threads");
+        const auto row = [](const char* name, const char* input, const QStringList& options, int threads) {
+            QTest::newRow(name) << QString(input) << options << threads;
+        };
+        row("blocks", "lattice.nrrd", {"--block", "6"}, 2);
+        row("whole", "lattice.nrrd", {}, 1);
+        row("decimation", "lattice.nrrd", {"--builder", "decimation"}, 1);
+        row("grid", "grid.xyz", {}, 1);
+        row("points", "points.csv", {}, 1);
+        row("mesh", "mesh.vtu", {}, 1);
+    }
+    void threadsThatAreNotUsedAreTold()
+    {
+        QFETCH(QString, input);
+        QFETCH(QStringList, options);
+        QFETCH(int, threads);
+        const QStringList words = QStringList{"build", input, "--threads", "2", "-o", "threads.tan"} + options;
+        const Run json = tan(words + QStringList{"--json"});
+        QVERIFY2(json.exitCode == 0, json.messages);
+        QCOMPARE(json.json()["threads"].toInt(), threads);
+        const Run text = tan(words);
+        QCOMPARE(text.output.contains("One thread was used"), threads == 1);
+        QCOMPARE(text.output.contains("'--block 32'"), threads == 1 && input == "lattice.nrrd" && options.isEmpty());
+        QVERIFY(!tan(QStringList{"build", input, "-o", "threads.tan"} + options).output.contains("One thread"));
+    }
+
+    /// R12: one threshold alone holds for error and warping, whoever builds.
+    void oneThresholdAloneIsBoth_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::addRow("refinement") << QStringList{"--builder", "refinement"};
+        QTest::addRow("decimation") << QStringList{"--builder", "decimation"};
+    }
+    void oneThresholdAloneIsBoth()
+    {
+        QFETCH(QStringList, options);
+        const auto built = [&](const QStringList& thresholds) {
+            const Run run = tan(QStringList{"build", "grid.xyz", "-o", "model.tan", "--json"} + options + thresholds);
+            const QJsonObject figures = run.json();
+            return std::pair(figures["sites"].toInt(), figures["tetrahedra"].toInt());
+        };
+        const auto both = built({"--error", "4", "--warping", "4"});
+        QVERIFY(both.first > 0 && both != built({}));
+        QCOMPARE(built({"--error", "4"}), both);
+        QCOMPARE(built({"--warping", "4"}), both);
+    }
+
+    /// What a build takes is asked of each builder that would do it.
+    void theEstimateIsOfTheBuilder()
+    {
+        const auto estimates = [this](const char* input) {
+            QMap<QString, QJsonObject> found;
+            for (const QJsonValue& value : tan({"info", input, "--json"}).json()["estimates"].toArray())
+                found[value["builder"].toString()] = value.toObject();
+            return found;
+        };
+        const auto lattice = estimates("lattice.nrrd");
+        QCOMPARE(lattice.keys(), QStringList({"decimation", "refinement"}));
+        for (const QString key : {"memory_bytes", "disk_bytes", "model_bytes", "seconds"})
+            QVERIFY2(lattice["refinement"][key].toDouble() > 0 && lattice["decimation"][key].toDouble() > 0,
+                     qPrintable(key));
+        QVERIFY(lattice["decimation"]["seconds"].toDouble() > lattice["refinement"]["seconds"].toDouble());
+        QVERIFY(lattice["decimation"]["memory_bytes"].toDouble() > lattice["refinement"]["memory_bytes"].toDouble());
+        QCOMPARE(estimates("points.csv").keys(), QStringList({"refinement"}));
+        QCOMPARE(estimates("mesh.vtu").keys(), QStringList({"decimation"}));
+        const Run text = tan({"info", "lattice.nrrd"});
+        QVERIFY2(text.output.contains("decimation: about "), text.output);
+    }
+};
+
+} // namespace tetra
+
+QTEST_GUILESS_MAIN(tetra::BuildOptionsTest)
+#include "build_options_test.moc"

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Little memory, few open files and threads, small files, readers that went away, closed streams: each is told as what
+/// it is, with exit code 4, and leaves nothing.
+#include "tests/app/program.h"
+#include "tests/app/sample_files.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <csignal>
+#include <functional>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace tetra {
+namespace {
+
+constexpr rlim_t noLimit = RLIM_INFINITY;
+constexpr uid_t nobody = 54321; ///< a user who runs nothing else, so that his threads can be counted
+
+/// Runs `tan` in `folder`, after `prepare` in its process.
+Run runPrepared(const QStringList& words, const QString& folder, const std::function<void()>& prepare)
+{
+    constexpr int patience = 120'000;
+    QProcess process;
+    process.setWorkingDirectory(folder);
+    process.setChildProcessModifier(prepare);
+    process.start(tanProgram(), words);
+    process.waitForFinished(patience);
+    return collect(process);
+}
+
+std::function<void()> limited(int resource, rlim_t most)
+{
+    return [resource, most] {
+        const rlimit limit{most, most};
+        setrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
+    };
+}
+
+/// Standard output, or it and standard error, becomes a pipe whose reader has gone.
+void loseReader(bool errorsToo)
+{
+    int ends[2] = {-1, -1};
+    if (pipe(ends) != 0)
+        _exit(99);
+    dup2(ends[1], STDOUT_FILENO);
+    if (errorsToo)
+        dup2(ends[1], STDERR_FILENO);
+    close(ends[0]);
+    close(ends[1]);
+    signal(SIGPIPE, SIG_DFL); // as a shell starts it
+}
+
+constexpr bool isInstrumented()
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    return true;
+#else
+    return false;
+#endif
+}
+
+} // namespace
+
+class LimitsTest : public QObject {
+    Q_OBJECT
+
+private:
+    QStringList files() const { return QDir(folder_.path()).entryList(QDir::AllEntries | QDir::Hidden); }
+    void addCommands(const std::function<void(const char* name, const QStringList& words)>& add) const;
+    void addAllCommands() const
+    {
+        QTest::addColumn<QStringList>("words");
+        addCommands([](const char* name, const QStringList& words) { QTest::newRow(name) << words; });
+    }
+    bool isRefused(const QStringList& words, const std::function<void()>& prepare, const QByteArrayList& reasons,
+                   rlim_t limit);
+
+    QTemporaryDir folder_;
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(runTan({"sample", "noise", "--size", "24", "-o", "noise.nrrd"}, folder_.path()).exitCode == 0);
+        const Run build = runTan({"build", "noise.nrrd", "-o", "noise.tan"}, folder_.path());
+        QVERIFY2(build.exitCode == 0, build.messages);
+        QVERIFY(writeFile(folder_.filePath("view.json"), "{}"));
+    }
+
+    void aLimitOfTheFileSize_data()
+    {
+        QTest::addColumn<QStringList>("words");
+        addCommands([](const char* name, const QStringList& words) {
+            if (words.contains("-o"))
+                QTest::newRow(name) << words;
+        });
+    }
+    void aLimitOfTheFileSize()
+    {
+        QFETCH(QStringList, words);
+        for (const rlim_t most : {rlim_t(0), rlim_t(100)})
+            QVERIFY(isRefused(words, limited(RLIMIT_FSIZE, most), {"File too large"}, most));
+    }
+
+    void aReaderThatWentAway_data()
+    {
+        QTest::addColumn<bool>("errorsToo");
+        QTest::newRow("of the figures") << false;
+        QTest::newRow("of everything") << true;
+    }
+    void aReaderThatWentAway()
+    {
+        QFETCH(bool, errorsToo);
+        const QStringList before = files();
+        const auto prepare = [errorsToo] { loseReader(errorsToo); };
+        const Run info = runPrepared({"info", "noise.tan"}, folder_.path(), prepare);
+        QCOMPARE(info.exitCode, 4);
+        QCOMPARE(info.messages, QByteArray());
+        const Run wrong = runPrepared({"info", "nowhere.tan"}, folder_.path(), prepare);
+        QCOMPARE(wrong.exitCode, 3);
+        const Run build =
+            runPrepared({"build", "noise.nrrd", "--error", "1", "-o", "new.tan"}, folder_.path(), prepare);
+        QCOMPARE(build.exitCode, 4);
+        QCOMPARE(runTan({"info", "new.tan"}, folder_.path()).exitCode, 0); // the work was done all the same
+        QVERIFY(QFile::remove(folder_.filePath("new.tan")));
+        QCOMPARE(files(), before);
+    }
+
+    void fewOpenFiles_data() { addAllCommands(); }
+    void fewOpenFiles()
+    {
+        QFETCH(QStringList, words);
+        int refused = 0;
+        for (rlim_t most = 4; most < 12; ++most)
+            refused += isRefused(words, limited(RLIMIT_NOFILE, most), {"oo many open files"}, most);
+        QVERIFY(refused > 0 || QTest::currentTestFailed());
+    }
+
+    /// More blocks than there may be open files.
+    void manyBlocksNeedFewOpenFiles()
+    {
+        const Run run = runPrepared({"build", "noise.nrrd", "--block", "4", "--threads", "2", "-o", "blocks.tan"},
+                                    folder_.path(), limited(RLIMIT_NOFILE, 24));
+        QVERIFY2(run.exitCode == 0, run.messages);
+        QVERIFY(QFile::remove(folder_.filePath("blocks.tan")));
+    }
+
+    void littleMemory_data() { addAllCommands(); }
+    void littleMemory()
+    {
+        if (isInstrumented())
+            QSKIP("skipped: a sanitizer needs more address space than any limit");
+        QFETCH(QStringList, words);
+        for (rlim_t mebibytes = 70; mebibytes <= 160; mebibytes += 5)
+            isRefused(words, limited(RLIMIT_AS, mebibytes << 20), {"emory", "threads", "unavailable"}, mebibytes);
+    }
+
+    void fewThreads_data() { addAllCommands(); }
+    void fewThreads()
+    {
+        if (geteuid() != 0)
+            QSKIP("skipped: only root can become a user whose threads are known");
+        QFETCH(QStringList, words);
+        QVERIFY(QFile(folder_.path()).setPermissions(QFile::Permissions(0x7777)));
+        const auto asNobody = [](rlim_t most) {
+            return [most] {
+                limited(RLIMIT_NPROC, most)();
+                if (setgid(nobody) != 0 || setuid(nobody) != 0)
+                    _exit(99);
+            };
+        };
+        if (runPrepared({"--version"}, folder_.path(), asNobody(noLimit)).exitCode != 0)
+            QSKIP("skipped: other users may not start the program here");
+        for (rlim_t most = 1; most <= 3; ++most) // the first thread, the one for signals, one for the work
+            isRefused(words, asNobody(most), {"threads", "unavailable"}, most);
+    }
+
+    /// A file that took the place of standard error would get the messages.
+    void closedStreamsAreNotTakenForFiles()
+    {
+        const QStringList before = files();
+        QVERIFY(runTan({"sample", "noise", "--size", "96", "-o", "large.nrrd"}, folder_.path()).exitCode == 0);
+        QProcess process;
+        process.setWorkingDirectory(folder_.path());
+        process.setChildProcessModifier([] {
+            for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+                close(descriptor);
+        });
+        process.start(tanProgram(), {"build", "large.nrrd", "-o", "large.tan"});
+        QVERIFY(process.waitForStarted());
+        const QDir work(folder_.filePath("large.tan.work"));
+        QTRY_VERIFY_WITH_TIMEOUT(!work.entryList({"*.partial"}, QDir::Files | QDir::Hidden).isEmpty(), 60'000);
+        for (const char* descriptor : {"0", "1", "2"})
+            QCOMPARE(QFile::symLinkTarget(QString("/proc/%1/fd/%2").arg(process.processId()).arg(descriptor)),
+                     QString("/dev/null"));
+        process.terminate();
+        QVERIFY(process.waitForFinished(60'000));
+        QVERIFY(QFile::remove(folder_.filePath("large.nrrd")));
+        QCOMPARE(files(), before);
+    }
+
+    /// A long list of values, as a script makes it.
+    void surfacesThatDoNotFitIntoMemory()
+    {
+        if (isInstrumented())
+            QSKIP("skipped: a sanitizer needs more address space than any limit");
+        QStringList values;
+        for (int value = 0; value < 10'000; ++value)
+            values.append(QString::number(100 + value / 1000.));
+        const Run run = runPrepared({"isosurface", "noise.tan", "--value", values.join(','), "-o", "many.ply"},
+                                    folder_.path(), limited(RLIMIT_AS, rlim_t(512) << 20));
+        QVERIFY2(run.exitCode == 4, run.messages);
+        QVERIFY2(run.messages.contains("10000 of them") && run.messages.contains("fewer values"), run.messages);
+        QVERIFY(!QFile::exists(folder_.filePath("many.ply")));
+    }
+};
+
+/// Runs a command under a limit: it is done, or it fails with exit code 4 for one of these reasons, says what to do,
+/// and leaves nothing. False if it was done.
+bool LimitsTest::isRefused(const QStringList& words, const std::function<void()>& prepare,
+                           const QByteArrayList& reasons, rlim_t limit)
+{
+    const QStringList before = files();
+    const Run run = runPrepared(words, folder_.path(), prepare);
+    QStringList made = files();
+    made.removeIf([&](const QString& name) { return before.contains(name); });
+    for (const QString& name : made)
+        if (!QDir(folder_.path()).rmdir(name))
+            QFile::remove(folder_.filePath(name));
+    const bool isDone = run.exitCode == 0;
+    const bool isNotLoaded = run.exitCode == 127 && run.messages.contains("shared librar"); // the system's own words
+    const auto isSaid = [&](const QByteArray& reason) { return run.messages.contains(reason); };
+    const bool isTold =
+        run.exitCode == 4 && run.messages.contains("tan: ") && std::ranges::any_of(reasons, isSaid) &&
+        (run.messages.contains("ulimit") || run.messages.contains("Close other programs") ||
+         run.messages.contains("Choose a") || run.messages.contains("Ask for") || run.messages.contains("Show fewer"));
+    const bool isTidy = isDone || made.isEmpty();
+    const QString said = QString("under %1: exit code %2, %3 left, %4");
+    if (!isTidy || (!isDone && !isNotLoaded && !isTold))
+        QTest::qFail(qPrintable(said.arg(limit).arg(run.exitCode).arg(made.join(' '), run.messages)), __FILE__,
+                     __LINE__);
+    return !isDone;
+}
+
+void LimitsTest::addCommands(const std::function<void(const char* name, const QStringList& words)>& add) const
+{
+    add("info of a dataset", {"info", "noise.nrrd"});
+    add("info of a model", {"info", "noise.tan"});
+    add("info into a file", {"info", "noise.tan", "-o", "levels.csv"});
+    add("sample", {"sample", "noise", "--size", "16", "-o", "small.nrrd"});
+    add("build", {"build", "noise.nrrd", "--block", "none", "-o", "out.tan"});
+    add("build in blocks", {"build", "noise.nrrd", "--block", "8", "-o", "out.tan"});
+    add("build by decimation", {"build", "noise.nrrd", "--builder", "decimation", "--error", "5", "-o", "out.tan"});
+    add("verify", {"verify", "noise.tan", "--against", "noise.nrrd", "--lod", "5"});
+    add("extract", {"extract", "noise.tan", "-o", "mesh.vtu"});
+    add("isosurface", {"isosurface", "noise.tan", "--value", "128", "-o", "surface.ply"});
+    add("render", {"render", "noise.tan", "--size", "99x99", "-o", "picture.png"});
+    add("render a volume", {"render", "noise.tan", "--mode", "volume", "--size", "99x99", "-o", "picture.png"});
+}
+
+} // namespace tetra
+
+QTEST_GUILESS_MAIN(tetra::LimitsTest)
+#include "limits_test.moc"

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window and `tan render` draw the same picture of the same state, pixel for pixel.
+#include "core/graphics/palette.h"
+#include "tests/app/program.h"
+#include "tests/ui/sample_window.h"
+#include "ui/window/picture_orders.h"
+
+#include <QFileDialog>
+#include <QSignalSpy>
+
+using namespace tetra;
+
+class RenderedSessionTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init() { window_ = windowOnSample(); }
+    void cleanup() { window_.reset(); }
+    void asTheWindowDrawsIt_data();
+    void asTheWindowDrawsIt();
+    void aModelIsSeenAsAtFirst_data();
+    void aModelIsSeenAsAtFirst();
+    void aPictureHoldsItsSession();
+    void whatDoesNotGoTogether_data();
+    void whatDoesNotGoTogether();
+
+private:
+    Session& session() const { return window_->workbench.session(); }
+    QString path(const QString& name) const { return window_->folder.filePath(name); }
+    Run tan(const QStringList& words) const { return runTan(words, window_->folder.path()); }
+    bool upToDate() const { return window_->settled() && session().showsQuery(); }
+    void saveSession(const QString& name) const;
+    QImage savedPicture(const PictureSettings& settings) const;
+
+    std::unique_ptr<WindowFixture> window_;
+};
+
+namespace {
+
+constexpr QSize sizeOfPictures(333, 241); // neither that of the view nor of its shape
+
+QByteArray differenceOf(const QImage& one, const QImage& other)
+{
+    if (one.size() != other.size())
+        return "sizes differ";
+    int count = 0;
+    for (int y = 0; y < one.height(); ++y)
+        for (int x = 0; x < one.width(); ++x)
+            count += one.pixel(x, y) != other.pixel(x, y) ? 1 : 0;
+    return count == 0 ? QByteArray() : QByteArray::number(count) + " pixels differ";
+}
+
+AnnotationState allAnnotations()
+{
+    AnnotationState state;
+    for (AnnotationPlace& place : state.places)
+        place.shown = true;
+    return state;
+}
+
+} // namespace
+
+void RenderedSessionTest::initTestCase()
+{
+    QCoreApplication::setOrganizationName("TAn");
+    QCoreApplication::setApplicationName("rendered session");
+    QLocale::setDefault(QLocale::c());
+}
+
+void RenderedSessionTest::saveSession(const QString& name) const
+{
+    QSignalSpy saved(&window_->workbench, &Workbench::textSaved);
+    window_->find<QAction>("action.saveSessionAs").trigger();
+    auto& dialog = window_->find<QFileDialog>("sessionDialog");
+    emit dialog.fileSelected(path(name));
+    dialog.reject();
+    QTRY_COMPARE(saved.count(), 1);
+}
+
+QImage RenderedSessionTest::savedPicture(const PictureSettings& settings) const
+{
+    QSignalSpy saved(&window_->workbench, &Workbench::pictureSaved);
+    PictureOrder order = pictureOrder(window_->workbench, window_->viewport(), settings);
+    order.target = path("window.png").toStdString();
+    window_->workbench.savePicture(order);
+    return QTest::qWaitFor([&] { return saved.count() == 1; }) ? QImage(path("window.png")) : QImage();
+}
+
+void RenderedSessionTest::asTheWindowDrawsIt_data()
+{
+    QTest::addColumn<QString>("mode");
+    QTest::addColumn<bool>("changed"); // from how it is seen at first
+    QTest::addColumn<QString>("region");
+    for (const char* mode : {"isosurface", "volume", "hybrid", "focus"}) {
+        QTest::addRow("%s at first", mode) << QString(mode) << false << QString();
+        QTest::addRow("%s", mode) << QString(mode) << true << QString();
+        QTest::addRow("%s, focus", mode) << QString(mode) << true << QString("focus");
+        QTest::addRow("%s, window", mode) << QString(mode) << true << QString("window");
+    }
+}
+
+void RenderedSessionTest::asTheWindowDrawsIt()
+{
+    QFETCH(QString, mode);
+    QFETCH(bool, changed);
+    QFETCH(QString, region);
+    window_->find<QAction>("action.mode." + mode).trigger();
+    if (changed) {
+        session().setError(3);
+        session().addIsovalue();
+        TransferFunction transfer = session().view().look().transfer;
+        transfer.points.back().opacity = 0.5F;
+        session().setTransfer(transfer);
+        session().setSetting("shaded", true);
+        session().setAnnotations(allAnnotations());
+        Camera camera = window_->viewport().camera();
+        camera.azimuth = 77;
+        camera.distance *= 0.7;
+        window_->viewport().setCamera(camera);
+        window_->viewport().setBackground(Colour{0.1F, 0.2F, 0.4F});
+    }
+    if (region == "focus") {
+        FocusState focus = session().view().query().focus;
+        focus.shape = FocusState::Shape::Sphere;
+        focus.falloff = 1;
+        session().setFocus(focus);
+    } else if (region == "window") {
+        WindowState part = session().view().query().window;
+        part.enabled = true;
+        session().setWindow(part);
+    }
+    QTRY_VERIFY(upToDate());
+    saveSession("state.tansession");
+    const QImage drawn =
+        savedPicture({sizeOfPictures, 0, false, session().view().annotations()}).convertToFormat(QImage::Format_ARGB32);
+    const Run run = tan({"render", "state.tansession", "--size", "333x241", "-o", "program.png"});
+    QVERIFY2(run.exitCode == 0, run.messages);
+    const QByteArray difference =
+        differenceOf(drawn, QImage(path("program.png")).convertToFormat(QImage::Format_ARGB32));
+    QVERIFY2(difference.isEmpty(), difference);
+    QVERIFY(differenceOf(drawn, QImage(path("program.png")).mirrored()) != QByteArray()); // there is something
+}
+
+void RenderedSessionTest::aModelIsSeenAsAtFirst_data()
+{
+    QTest::addColumn<QString>("mode");
+    for (const char* mode : {"isosurface", "volume", "hybrid"})
+        QTest::addRow("%s", mode) << QString(mode);
+}
+
+/// The isovalue and the transfer function that nobody has chosen are the window's.
+void RenderedSessionTest::aModelIsSeenAsAtFirst()
+{
+    QFETCH(QString, mode);
+    window_->find<QAction>("action.mode." + mode).trigger();
+    session().setError(4);
+    window_->viewport().setBackground(Colour{1, 1, 1});
+    window_->viewport().setCamera(fitted(Camera(), session().model()->description().bounds,
+                                         double(sizeOfPictures.width()) / sizeOfPictures.height()));
+    QTRY_VERIFY(upToDate());
+    AnnotationState none;
+    for (AnnotationPlace& place : none.places)
+        place.shown = false;
+    const QImage drawn = savedPicture({sizeOfPictures, 0, false, none}).convertToFormat(QImage::Format_ARGB32);
+    const Run run = tan({"render", "c60.tan", "--mode", mode, "--error", "4", "--size", "333x241", "--samples", "4",
+                         "-o", "program.png"});
+    QVERIFY2(run.exitCode == 0, run.messages);
+    const QByteArray difference =
+        differenceOf(drawn, QImage(path("program.png")).convertToFormat(QImage::Format_ARGB32));
+    QVERIFY2(difference.isEmpty(), difference);
+}
+
+/// A picture that the window has saved is made again, by the session that it holds.
+void RenderedSessionTest::aPictureHoldsItsSession()
+{
+    session().setMode("volume");
+    QTRY_VERIFY(upToDate());
+    window_->find<QAction>("action.savePicture").trigger();
+    window_->find<QAbstractButton>("picture.save").click();
+    QSignalSpy saved(&window_->workbench, &Workbench::pictureSaved);
+    auto& dialog = window_->find<QFileDialog>("pictureDialog");
+    emit dialog.fileSelected(path("shown.png"));
+    dialog.reject();
+    QTRY_COMPARE(saved.count(), 1);
+    const QImage shown(path("shown.png"));
+    const Run run = tan(
+        {"render", "shown.png", "--size", QString("%1x%2").arg(shown.width()).arg(shown.height()), "-o", "again.png"});
+    QVERIFY2(run.exitCode == 0, run.messages);
+    const QByteArray difference = differenceOf(shown.convertToFormat(QImage::Format_ARGB32),
+                                               QImage(path("again.png")).convertToFormat(QImage::Format_ARGB32));
+    QVERIFY2(difference.isEmpty(), difference);
+}
+
+void RenderedSessionTest::whatDoesNotGoTogether_data()
+{
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<int>("exitCode");
+    QTest::addColumn<QString>("part");
+    QTest::newRow("mode") << QStringList{"--mode", "volume"} << 2 << "'--mode'";
+    QTest::newRow("error") << QStringList{"--error", "1"} << 2 << "'--error'";
+    QTest::newRow("isovalue") << QStringList{"--isovalue", "1"} << 2 << "'--isovalue'";
+    QTest::newRow("title") << QStringList{"--title", "X"} << 2 << "'--title'";
+    QTest::newRow("its own") << QStringList{"--camera", "top", "--background", "black", "--samples", "1"} << 0 << "";
+}
+
+/// What a session says cannot be said otherwise beside it, but for camera and background.
+void RenderedSessionTest::whatDoesNotGoTogether()
+{
+    QFETCH(QStringList, options);
+    QFETCH(int, exitCode);
+    QFETCH(QString, part);
+    saveSession("state.tansession");
+    const Run run = tan(QStringList{"render", "state.tansession", "--size", "40x30", "-o", "program.png"} + options);
+    QVERIFY2(run.exitCode == exitCode, run.messages);
+    QVERIFY2(QString::fromUtf8(run.messages).contains(part), run.messages);
+    QCOMPARE(QFile::exists(path("program.png")), exitCode == 0);
+}
+
+QTEST_MAIN(RenderedSessionTest)
+#include "rendered_session_test.moc"
