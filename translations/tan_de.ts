@@ -1846,6 +1846,10 @@
         <translation>Sie endet in ihrem Kopf. Sie ist abgeschnitten: Kopieren Sie sie neu von dort, woher sie kam.</translation>
     </message>
     <message>
+        <source>it ends within its appended data. It is cut short: copy it again from where it came from.</source>
+        <translation>Sie endet in ihren angehängten Daten. Sie ist abgeschnitten: Kopieren Sie sie neu von dort, woher sie kam.</translation>
+    </message>
+    <message>
         <source>it is a list of files, one for each time step or part. Open one of its files, such as &apos;%1&apos;.</source>
         <translation>Sie ist eine Liste von Dateien, eine für jeden Zeitschritt oder Teil. Öffnen Sie eine davon, etwa „%1“.</translation>
     </message>

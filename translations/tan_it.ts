@@ -1846,6 +1846,10 @@
         <translation>finisce dentro la sua intestazione. È troncato: copiarlo di nuovo da dove proviene.</translation>
     </message>
     <message>
+        <source>it ends within its appended data. It is cut short: copy it again from where it came from.</source>
+        <translation>finisce dentro i dati in coda. È troncato: copiarlo di nuovo da dove proviene.</translation>
+    </message>
+    <message>
         <source>it is a list of files, one for each time step or part. Open one of its files, such as &apos;%1&apos;.</source>
         <translation>è un elenco di file, uno per ogni passo temporale o parte. Aprirne uno, per esempio «%1».</translation>
     </message>

@@ -57,6 +57,7 @@ constexpr std::array sentences{
     QT_TRANSLATE_NOOP("Sentence", "it has %1 bytes, and its variable '%2' reaches to byte %3. It is cut short, or was not written to its end: copy or write it again."),
     QT_TRANSLATE_NOOP("Sentence", "page %1 lies behind its end, at %2 bytes. It is cut short: copy it again from where it came from."),
     QT_TRANSLATE_NOOP("Sentence", "it ends within its header. It is cut short: copy it again from where it came from."),
+    QT_TRANSLATE_NOOP("Sentence", "it ends within its appended data. It is cut short: copy it again from where it came from."),
     QT_TRANSLATE_NOOP("Sentence", "it is a list of files, one for each time step or part. Open one of its files, such as '%1'."),
     QT_TRANSLATE_NOOP("Sentence", "it is a binary UCD file, and only text is read. Write it as text, or as .vtu, for instance with ParaView."),
     QT_TRANSLATE_NOOP("Sentence", "VTK needs more than %1 of memory for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti)."),

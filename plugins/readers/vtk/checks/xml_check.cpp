@@ -146,8 +146,13 @@ public:
         const std::string_view text(reinterpret_cast<const char*>((*file)->bytes().data()), (*file)->bytes().size());
         XmlTagList tags(text);
         while (const auto tag = tags.next()) {
-            if (isNamed(*tag, "AppendedData"))
+            if (isNamed(*tag, "AppendedData")) {
+                // VTK stops here with what it takes for text, and fills arrays that are cut with zeros.
+                if (!text.substr(0, text.find_last_not_of(xmlBlanks) + 1).ends_with("</VTKFile>"))
+                    return Error{ErrorKind::BadInput, "it ends within its appended data. It is cut short: copy it "
+                                                      "again from where it came from."};
                 break;
+            }
             if (const Status fine = look(*tag); !fine)
                 return fine.error();
         }
