@@ -32,6 +32,23 @@ for error in 0 1 4; do
     draw "${view[@]}" --mode volume --transfer "$pictures/bluntfin-transfer.json" -o "$pictures/bluntfin-volume-$error.png"
 done
 
+# What is seen first of real data, by the defaults, in two modes.
+first()
+{
+    local mode
+    build "first-$1" "$2" "$3"
+    for mode in isosurface volume; do
+        draw "$models/first-$1.tan" --mode "$mode" --error 1 --size 480x360 --backend cpu -o "$pictures/first-$1-$mode.png"
+    done
+}
+first headsq regular/headsq_64x64x93_int16.nrrd 0
+first engine regular/engine_256x256x128_uint8.nrrd 0.5
+first neghip regular/neghip_64x64x64_uint8.nhdr 0
+first c60 buckyball/c60large_128x128x128_uint8.nhdr 0.1
+first bluntfin bluntfin/bluntfin.vts 0
+first spx irregular/spx.vtu 0
+first bracket irregular/bracket_57k.vtu 0
+
 # Figure 15: the buckyball at 0.6 %, surfaces in a volume, in the exact order and in that of the paper; and cut open.
 build buckyball buckyball/c60large_128x128x128_uint8.nhdr 0.6
 view=("$models/buckyball.tan" --error 0.6 --mode hybrid --camera "$pictures/buckyball-camera.json" --size 260x260
