@@ -18,6 +18,10 @@ public:
         [&] { QTRY_VERIFY(session().model() && settled()); }();
         session().setTransfer(
             sequentialTransferFunction(session().range().minimum, session().range().maximum, function().unitDistance));
+        // In the plot the isovalue stands where no test drags anything.
+        Isovalue isovalue = session().view().isovalues().front();
+        isovalue.value = (session().range().minimum + session().range().maximum) / 2;
+        session().setIsovalue(0, isovalue);
         find<QAction>("action.mode.volume").trigger();
         [&] { QTRY_VERIFY(settled() && viewport().scene()->volume); }();
     }
