@@ -78,6 +78,7 @@ PresetPopup::PresetPopup(EditorState& state, QWidget* parent)
     connect(delete_, &QPushButton::clicked, this, &PresetPopup::remove);
     addActions();
     fill();
+    files_.setMaxThreadCount(1);
     readOwn([] { return Status(); });
 }
 
@@ -96,7 +97,7 @@ void PresetPopup::readOwn(const std::function<Status()>& change)
         fill();
     });
     watcher->setFuture(promise->future());
-    QThreadPool::globalInstance()->start([promise, change] {
+    files_.start([promise, change] {
         promise->start();
         Status changed = change();
         promise->addResult(OwnPresets{std::move(changed), ownPresets()});

@@ -7,6 +7,7 @@
 #include "core/base/result.h"
 
 #include <QFrame>
+#include <QThreadPool>
 
 #include <functional>
 
@@ -49,6 +50,7 @@ private:
     EditorState& state_;
     std::vector<Preset> own_;     ///< as they were read last
     quint64 newest_ = 0;          ///< of the numbers of what is read
+    QThreadPool files_;           ///< one thread: who reads the folder sees what was saved before
     std::vector<Preset> presets_; ///< those and the supplied ones
     QLineEdit* search_;
     QComboBox* part_;
