@@ -10,8 +10,9 @@
 #endif
 
 /// The tests of a folder are linked into one program, because a program of its own for each of two hundred costs more
-/// time than compiling it. Each test is written as Qt describes it and ends with one of Qt's QTEST_...MAIN macros, which
-/// here enter the test into its program's list. PROGRAM NAME [ARGUMENT...] runs one of them, with Qt's usual arguments.
+/// time than compiling it. Each test is written as Qt describes it and ends with one of Qt's QTEST_...MAIN macros,
+/// which here enter the test into its program's list. PROGRAM NAME [ARGUMENT...] runs one of them, with Qt's usual
+/// arguments.
 namespace tetra {
 
 using TestMain = int (*)(int argc, char** argv);

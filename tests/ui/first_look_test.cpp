@@ -256,7 +256,8 @@ void FirstLookTest::edgesAreSmoothAtRest()
     options.samplesPerAxis = 4;
     const auto saved = makeCpuBackend()->render(*viewport.scene(), viewport.camera(), options);
     QVERIFY(saved.ok());
-    QVERIFY(viewport.picture().convertToFormat(QImage::Format_RGB32) == imageOf(*saved).convertToFormat(QImage::Format_RGB32));
+    QVERIFY(viewport.picture().convertToFormat(QImage::Format_RGB32) ==
+            imageOf(*saved).convertToFormat(QImage::Format_RGB32));
     window_->window.resize(window_->window.size() * 0.9);
     QTest::keyClick(&window_->viewport(), Qt::Key_Left);
     QVERIFY(!viewport.settled());
@@ -269,7 +270,8 @@ void FirstLookTest::theHeadIsTurnedUpright()
     open(sampleDataset(10), 0);
     const Camera before = window_->viewport().camera();
     trigger("action.up.minusZ");
-    const Eigen::Vector3d seen = viewMatrix(window_->viewport().camera()).topLeftCorner<3, 3>() * -Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d seen =
+        viewMatrix(window_->viewport().camera()).topLeftCorner<3, 3>() * -Eigen::Vector3d::UnitZ();
     QVERIFY2(seen.y() > 0.9 && std::abs(seen.x()) < 1e-9, "z points down in the picture");
     QCOMPARE(session().undoStack().count(), 1);
     trigger("action.undo");
