@@ -85,8 +85,8 @@ def kill(bench, folder, chance, number):
     failures = []
     if found not in ((old, whole) if overwrites else (None, whole)):
         failures.append("after the kill %s holds neither the old nor the new" % target)
-    again = bench.run(arguments + (("--resume",) if query is None and chance.random() < 0.3 else ())
-                      if isinstance(arguments, tuple) else arguments, folder)
+    resumes = query is None and "--block" in arguments and chance.random() < 0.5
+    again = bench.run([*arguments, "--resume"] if resumes else arguments, folder)
     failures += unexpected(again, (DONE,))
     if not failures and (folder / target).read_bytes() != whole:
         failures.append("%s after the kill is not what it is without one" % target)
