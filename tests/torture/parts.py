@@ -2,7 +2,6 @@
 """The parts of the torture bench. Each is a function of one attempt: it gets a folder of its own and a source of chance, and gives
 what came of it in two or three words and what went wrong, in sentences."""
 import os
-import pathlib
 import re
 import resource
 import shutil
@@ -11,7 +10,7 @@ import time
 from dataclasses import dataclass
 from typing import Callable
 
-from bench import (BAD_INPUT, CANCELLED, CRASHES, DONE, KINDS, NO, OUT_OF_RESOURCE, QUERIES, USAGE, content)
+from bench import BAD_INPUT, CANCELLED, DONE, KINDS, OUT_OF_RESOURCE, QUERIES, USAGE, content
 
 
 @dataclass(frozen=True)

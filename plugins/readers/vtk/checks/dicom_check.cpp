@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The format: DICOM PS3.5 (data structures and encoding) and PS3.10 (files).
-#include "plugins/readers/vtk/checks/dicom_check.h"
+#include "plugins/readers/vtk/checks/format_checks.h"
 
 #include "core/base/mapped_file.h"
 #include "plugins/readers/vtk/checks/slice_names.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The format: EnSight User Manual, chapter 11. Where VTK 9.1 reads something else than the manual says, what VTK reads
 // is counted (vtkEnSightGoldReader.cxx, vtkEnSight6Reader.cxx).
-#include "plugins/readers/vtk/checks/ensight_check.h"
+#include "plugins/readers/vtk/checks/format_checks.h"
 
 #include "core/base/mapped_file.h"
 #include "core/base/number_text.h"
@@ -826,6 +826,27 @@ private:
         return some;
     }
 
+    /// Those of a part, kind by kind in any order; `read` goes through the values of so many elements.
+    template <class Read> void valuesOfElements(const EnSightPart& part, const Read& read)
+    {
+        auto missing = part.elements;
+        while (more_ && !atPart() && !atStepEnd()) {
+            const std::string_view name = elementName(lines_.line());
+            const auto found = part.elements.find(name);
+            if (found == part.elements.end())
+                lines_.refuse("has values of '" + shownText(lines_.line()) +
+                              "', which the part does not have. It is damaged, or does not belong to the geometry.");
+            read(found->second);
+            missing.erase(name);
+            more_ = lines_.nextData();
+        }
+        // VTK leaves what was in memory in the place of those.
+        for (const auto& [name, count] : missing)
+            if (count > 0)
+                lines_.refuse("has no values of the elements '" + std::string(name) +
+                              "' of a part. It is cut short, or incomplete: write it anew.");
+    }
+
     void goldValues(const EnSightVariable& variable, const EnSightPart& part, std::uint64_t components)
     {
         more_ = lines_.nextData();
@@ -839,24 +860,9 @@ private:
             more_ = lines_.nextData();
             return;
         }
-        auto missing = part.elements;
-        while (more_ && !atPart() && !atStepEnd()) {
-            const std::string_view name = elementName(lines_.line());
-            const auto found = part.elements.find(name);
-            if (found == part.elements.end())
-                lines_.refuse("has values of '" + shownText(lines_.line()) +
-                              "', which the part does not have. It is "
-                              "damaged, or does not belong to the geometry.");
-            lines_.values(boundedProduct(valuesBehindKeyword(found->second), components), 1, "value");
-            missing.erase(name);
-            more_ = lines_.nextData();
-        }
-        // VTK leaves what was in memory in the place of those.
-        for (const auto& [name, count] : missing)
-            if (count > 0)
-                lines_.refuse("has no values of the elements '" + std::string(name) +
-                              "' of a part. It is cut short, or "
-                              "incomplete: write it anew.");
+        valuesOfElements(part, [&](std::uint64_t all) {
+            lines_.values(boundedProduct(valuesBehindKeyword(all), components), 1, "value");
+        });
     }
 
     void oldValues(const EnSightVariable& variable, const EnSightPart& part, std::uint64_t components)
@@ -871,24 +877,8 @@ private:
             more_ = lines_.nextData();
             return;
         }
-        auto missing = part.elements;
         more_ = true;
-        while (more_ && !atPart() && !atStepEnd()) {
-            const std::string_view name = elementName(lines_.line());
-            const auto found = part.elements.find(name);
-            if (found == part.elements.end())
-                lines_.refuse("has values of '" + shownText(lines_.line()) +
-                              "', which the part does not have. It is "
-                              "damaged, or does not belong to the geometry.");
-            lines_.values(boundedProduct(found->second, components), 6, "value");
-            missing.erase(name);
-            more_ = lines_.nextData();
-        }
-        for (const auto& [name, count] : missing)
-            if (count > 0)
-                lines_.refuse("has no values of the elements '" + std::string(name) +
-                              "' of a part. It is cut short, or "
-                              "incomplete: write it anew.");
+        valuesOfElements(part, [&](std::uint64_t all) { lines_.values(boundedProduct(all, components), 6, "value"); });
     }
 
     EnSightLines& lines_;

@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/checks/file_check.h"
 
-#include "plugins/readers/vtk/checks/dicom_check.h"
-#include "plugins/readers/vtk/checks/ensight_check.h"
-#include "plugins/readers/vtk/checks/fluent_check.h"
-#include "plugins/readers/vtk/checks/hdf_check.h"
-#include "plugins/readers/vtk/checks/legacy_check.h"
-#include "plugins/readers/vtk/checks/metaimage_check.h"
-#include "plugins/readers/vtk/checks/mrc_check.h"
-#include "plugins/readers/vtk/checks/netcdf_check.h"
+#include "plugins/readers/vtk/checks/format_checks.h"
 #include "plugins/readers/vtk/checks/slice_names.h"
-#include "plugins/readers/vtk/checks/tiff_check.h"
-#include "plugins/readers/vtk/checks/xml_check.h"
 
 namespace tetra {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The format: https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html#vtkhdf-file-format
-#include "plugins/readers/vtk/checks/hdf_check.h"
+#include "plugins/readers/vtk/checks/format_checks.h"
 
 #include "core/base/mapped_file.h"
 

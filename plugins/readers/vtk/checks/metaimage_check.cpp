@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The format: https://itk.org/Wiki/ITK/MetaIO/Documentation; where its library goes other ways, as the library does.
-#include "plugins/readers/vtk/checks/metaimage_check.h"
+#include "plugins/readers/vtk/checks/format_checks.h"
 
 #include "core/base/mapped_file.h"
 #include "core/base/number_text.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The format: https://www.ccpem.ac.uk/mrc_format/mrc2014.php
-#include "plugins/readers/vtk/checks/mrc_check.h"
+#include "plugins/readers/vtk/checks/format_checks.h"
 
 #include "core/base/mapped_file.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The format: https://docs.unidata.ucar.edu/netcdf-c/current/file_format_specifications.html
-#include "plugins/readers/vtk/checks/netcdf_check.h"
+#include "plugins/readers/vtk/checks/format_checks.h"
 
 #include "core/base/mapped_file.h"
 

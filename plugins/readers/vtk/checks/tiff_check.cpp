@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The format: TIFF Revision 6.0, Adobe 1992; BigTIFF: http://www.awaresystems.be/imaging/tiff/bigtiff.html
-#include "plugins/readers/vtk/checks/tiff_check.h"
+#include "plugins/readers/vtk/checks/format_checks.h"
 
 #include "core/base/mapped_file.h"
 

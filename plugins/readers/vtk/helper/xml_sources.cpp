@@ -2,7 +2,7 @@
 #include "plugins/readers/vtk/helper/xml_sources.h"
 
 #include "core/base/shown_text.h"
-#include "plugins/readers/vtk/checks/xml_check.h"
+#include "plugins/readers/vtk/checks/format_checks.h"
 
 #include <vtkDataArraySelection.h>
 #include <vtkXMLImageDataReader.h>

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugins/readers/vtk/checks/checked_file.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tetra {
+
+// What each format is held against before VTK reads it; each check is told whole in the source of its name. Errors are
+// of bad input, and say what is missing. Any thread.
+
+/// What VTK does not look at in a file of its XML formats before it works on it: elements nested or with attributes
+/// without end, numbers of components that no array has, files that are missing, appended data that are cut; and of
+/// grids (ImageData, RectilinearGrid, StructuredGrid) pieces that leave out part of the whole, and a spacing or an
+/// origin that are not three numbers, in place of which it takes zeros. Reads the file up to its appended data, and
+/// those that it names.
+Result<CheckedFile> checkXml(const std::filesystem::path& path);
+
+/// What stands in the attribute "type" of the element VTKFile; empty without one in the first bytes of the file.
+std::string xmlType(const std::filesystem::path& path);
+
+/// Tells of a legacy VTK file what VTK's own message does not: that it holds tables, trees or graphs and nothing to
+/// show. Remarks a text that ends within its last number, or right behind it. Reads the first lines and the last byte.
+Result<CheckedFile> checkLegacy(const std::filesystem::path& path);
+
+/// Holds a MetaImage (.mha, or .mhd with its data in other files) against its header: all samples that its sizes, type
+/// and channels ask for must be there, in the file itself, in one file, a list or a numbered series; packed ones are
+/// unpacked to count them, texts are gone through. What VTK would read wrongly is refused, too. Errors name the file
+/// that is missing or short.
+Result<CheckedFile> checkMetaImage(const std::filesystem::path& path);
+
+/// Holds the header of a NetCDF file in one of the classic formats (CDF-1, 64-bit offset, CDF-5; Exodus too) against
+/// the size of the file: its lists must lie in it, and so must the end of every variable, over all records. The library
+/// of NetCDF gives zeros for what lies behind the end, and memory for any number that a header names. Other files
+/// (NetCDF-4 is HDF5, whose library looks by itself) are only measured. Linear in the header; the data are not read.
+Result<CheckedFile> checkNetCdf(const std::filesystem::path& path);
+
+/// Walks the chain of pages of TIFF files (BigTIFF too), one volume of one or more pages each: every page and all of
+/// its strips or tiles must lie in the file, and all pages be of one size and type. Where the chain breaks, VTK takes
+/// what came before as the whole volume. Reads the directories only.
+Result<CheckedFile> checkTiff(const std::vector<std::filesystem::path>& paths);
+
+/// Goes through the text files of an EnSight case (6 and Gold) that VTK would read for a time step (from 1): geometry,
+/// measured points, variables. Every number that sizes and parts ask for must be there, and every file. VTK's reader
+/// takes the last line again and again where a file ends too early, and reads for ever where a keyword is unknown to
+/// it. Binary files are only measured: VTK counts those by itself. Linear in the files; keeps sizes of parts, no
+/// numbers.
+Result<CheckedFile> checkEnSight(const std::filesystem::path& path, std::int64_t timeStep);
+
+/// Looks whether each section of a Fluent case (.cas), and of its data (.dat) beside it, ends. VTK leaves out a text
+/// section that does not, and reads for ever in a binary one. Linear.
+Result<CheckedFile> checkFluent(const std::filesystem::path& path);
+
+/// Tells which HDF files are none of VTK's, or of a kind that VTK 9.1 does not know, by the names of groups and types
+/// that stand in them; VTK's own messages say only what it looked for first. Whether a file is whole, the library of
+/// HDF5 sees. Reads up to the name that decides, at most the first megabytes.
+Result<CheckedFile> checkVtkHdf(const std::filesystem::path& path);
+
+/// Holds an MRC or CCP4 map against its header of 1,024 bytes: all samples of its size and type must lie behind it and
+/// its extension. Refuses those with the bytes of numbers in the other order, of which VTK 9.1 turns the first line
+/// alone. Reads the header only.
+Result<CheckedFile> checkMrc(const std::filesystem::path& path);
+
+/// Looks at all DICOM files of the folder that the file lies in, which VTK takes for one volume: each must have all its
+/// elements and pixels, unpacked, of 8 or 16 bits, and all be of one size. VTK passes over files that it cannot begin
+/// to read, and takes the pixels of another file where there are none. Reads the elements before the pixels only.
+Result<CheckedFile> checkDicom(const std::filesystem::path& path);
+
+} // namespace tetra
