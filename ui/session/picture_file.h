@@ -23,12 +23,12 @@ struct PictureOrder {
     Colour background;
     int width = 0;
     int height = 0;
-    std::filesystem::path target{}; ///< empty: the picture goes to the clipboard
-    bool transparent = false;       ///< without the background
-    int samplesPerAxis = 4; ///< of a pixel: as many as the viewport takes at rest
-    int threads = 0;        ///< the most to use; 0: all
-    double lineScale = 1;   ///< of the widths of lines
-    int dotsPerInch = 0;    ///< for printing; 0 says nothing
+    std::filesystem::path target{};                ///< empty: the picture goes to the clipboard
+    bool transparent = false;                      ///< without the background
+    int samplesPerAxis = 4;                        ///< of a pixel: as many as the viewport takes at rest
+    int threads = 0;                               ///< the most to use; 0: all
+    double lineScale = 1;                          ///< of the widths of lines
+    int dotsPerInch = 0;                           ///< for printing; 0 says nothing
     std::map<QString, QString> texts{};            ///< what the file says of itself, by PNG keywords
     std::function<void(QImage& picture)> finish{}; ///< paints over it; called in the worker
 };
