@@ -28,8 +28,8 @@
         <translation>&amp;Bild speichern …</translation>
     </message>
     <message>
-        <source>Save what is seen as a PNG picture</source>
-        <translation>Speichert, was zu sehen ist, als PNG-Bild</translation>
+        <source>Save the view as a PNG picture</source>
+        <translation>Speichert die Ansicht als PNG-Bild</translation>
     </message>
     <message>
         <source>&amp;Close</source>
@@ -40,8 +40,8 @@
         <translation>B&amp;eenden</translation>
     </message>
     <message>
-        <source>Leave the program</source>
-        <translation>Beendet das Programm</translation>
+        <source>Quit TAn</source>
+        <translation>Beendet TAn</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -128,8 +128,8 @@
         <translation>&amp;Anordnung zurücksetzen</translation>
     </message>
     <message>
-        <source>Put all panels back to where they were at first</source>
-        <translation>Setzt alle Felder dahin zurück, wo sie anfangs waren</translation>
+        <source>Restore the default layout</source>
+        <translation>Stellt die ursprüngliche Anordnung wieder her</translation>
     </message>
     <message>
         <source>F&amp;ull Screen</source>
@@ -168,16 +168,16 @@
         <translation>&amp;Netz speichern …</translation>
     </message>
     <message>
-        <source>Save the mesh that is seen, for VTK, ParaView and others</source>
-        <translation>Das gezeigte Netz speichern, für VTK, ParaView und andere</translation>
+        <source>Save the mesh shown, for VTK, ParaView and others</source>
+        <translation>Speichert das gezeigte Netz, für VTK, ParaView und andere</translation>
     </message>
     <message>
-        <source>Save the isosurfaces that are seen, for 3D printers, Blender, ParaView and others</source>
-        <translation>Die gezeigten Isoflächen speichern, für 3D-Drucker, Blender, ParaView und andere</translation>
+        <source>Save the isosurfaces shown, for 3D printers, Blender, ParaView and others</source>
+        <translation>Speichert die gezeigten Isoflächen, für 3D-Drucker, Blender, ParaView und andere</translation>
     </message>
     <message>
-        <source>Save how large the mesh of each accuracy is, as a table</source>
-        <translation>Als Tabelle speichern, wie groß das Netz jeder Genauigkeit ist</translation>
+        <source>Save the mesh size at each accuracy as a table</source>
+        <translation>Speichert die Netzgröße jeder Genauigkeit als Tabelle</translation>
     </message>
     <message>
         <source>&amp;Region</source>
@@ -192,8 +192,8 @@
         <translation>&amp;Sitzung speichern</translation>
     </message>
     <message>
-        <source>Save what is open and how it is seen, to go on with later</source>
-        <translation>Speichern, was offen ist und wie es zu sehen ist, um später weiterzumachen</translation>
+        <source>Save what is open and its view, to continue later</source>
+        <translation>Speichert, was offen ist, mit seiner Ansicht, um später weiterzuarbeiten</translation>
     </message>
     <message>
         <source>Save Session &amp;As…</source>
@@ -208,16 +208,16 @@
         <translation>Mit &amp;Optionen importieren …</translation>
     </message>
     <message>
-        <source>Open a part of a dataset, or say how its file is to be read</source>
-        <translation>Einen Teil eines Datensatzes öffnen oder sagen, wie seine Datei zu lesen ist</translation>
+        <source>Open a part of a dataset, or choose how its file is read</source>
+        <translation>Öffnet einen Teil eines Datensatzes oder legt fest, wie seine Datei gelesen wird</translation>
     </message>
     <message>
         <source>&amp;Manual</source>
         <translation>Ha&amp;ndbuch</translation>
     </message>
     <message>
-        <source>Read how everything works, in the web browser</source>
-        <translation>Im Webbrowser nachlesen, wie alles geht</translation>
+        <source>Open the manual in the browser</source>
+        <translation>Öffnet das Handbuch im Webbrowser</translation>
     </message>
     <message>
         <source>Save S&amp;urfaces…</source>
@@ -232,16 +232,16 @@
         <translation>Be&amp;fehl suchen …</translation>
     </message>
     <message>
-        <source>Find whatever the program can do by a few letters of its name</source>
-        <translation>Findet alles, was das Programm kann, an ein paar Buchstaben seines Namens</translation>
+        <source>Search all commands</source>
+        <translation>Durchsucht alle Befehle</translation>
     </message>
     <message>
         <source>Reduced &amp;Motion</source>
         <translation>&amp;Weniger Bewegung</translation>
     </message>
     <message>
-        <source>Change the view at once instead of gliding to it</source>
-        <translation>Wechselt die Ansicht sofort, statt zu ihr zu gleiten</translation>
+        <source>Disable camera animation</source>
+        <translation>Schaltet Kamerafahrten zwischen Ansichten aus</translation>
     </message>
     <message>
         <source>Lan&amp;guage</source>
@@ -252,8 +252,8 @@
         <translation>&amp;Hilfe zu diesem Feld</translation>
     </message>
     <message>
-        <source>Say what the control does that has the keys</source>
-        <translation>Sagt, was das Bedienfeld tut, das die Tasten hat</translation>
+        <source>Explain the focused control</source>
+        <translation>Erklärt das Bedienelement, das den Fokus hat</translation>
     </message>
     <message>
         <source>&amp;What Is This?</source>
@@ -288,8 +288,8 @@
         <translation>Bild &amp;kopieren</translation>
     </message>
     <message>
-        <source>Put what is seen on the clipboard, in the size that it is seen in</source>
-        <translation>Was zu sehen ist, in dieser Größe in die Zwischenablage legen</translation>
+        <source>Copy the view to the clipboard</source>
+        <translation>Kopiert die Ansicht in die Zwischenablage</translation>
     </message>
     <message>
         <source>&amp;Annotations</source>
@@ -314,6 +314,10 @@
     <message>
         <source>There is nothing to close</source>
         <translation>Es ist nichts zu schließen</translation>
+    </message>
+    <message>
+        <source>Open Samp&amp;le</source>
+        <translation>&amp;Beispiel öffnen</translation>
     </message>
     <message>
         <source>&amp;Orientation</source>
@@ -459,8 +463,8 @@
         <translation>Änderung des Hintergrunds</translation>
     </message>
     <message>
-        <source>change of view</source>
-        <translation>Änderung der Ansicht</translation>
+        <source>Move Camera</source>
+        <translation>Kamera bewegen</translation>
     </message>
 </context>
 <context>
@@ -525,8 +529,8 @@
         <translation>Wie weit das Netz von den Daten abweichen darf, in Prozent des Wertebereichs, oder wie viele Tetraeder es haben darf. Die Kurve zeigt, was jeder Fehler kostet.</translation>
     </message>
     <message>
-        <source>In which way the mesh is drawn: surfaces, volume or both, and how finely.</source>
-        <translation>Auf welche Art das Netz gezeichnet wird: Flächen, Volumen oder beides, und wie fein.</translation>
+        <source>Rendering mode and its settings: surfaces, volume or both.</source>
+        <translation>Darstellungsart und ihre Einstellungen: Flächen, Volumen oder beides.</translation>
     </message>
     <message>
         <source>From where the model is seen, in numbers. In the picture: drag to turn, Shift and drag to move, the wheel zooms.</source>
@@ -537,8 +541,8 @@
         <translation>Statistik</translation>
     </message>
     <message>
-        <source>What each accuracy costs in sites, tetrahedra, time and memory, and what is shown now in numbers.</source>
-        <translation>Was jede Genauigkeit an Punkten, Tetraedern, Zeit und Speicher kostet, und was gerade gezeigt wird, in Zahlen.</translation>
+        <source>What each accuracy costs in vertices, tetrahedra, time and memory, and the mesh shown now in numbers.</source>
+        <translation>Was jede Genauigkeit an Knoten, Tetraedern, Zeit und Speicher kostet, und das gezeigte Netz in Zahlen.</translation>
     </message>
     <message>
         <source>Surfaces on which the field has one value each, in the units of the data.</source>
@@ -662,8 +666,8 @@
 <context>
     <name>HelpActions</name>
     <message>
-        <source>The language changes when TAn starts the next time.</source>
-        <translation>Die Sprache wechselt, wenn TAn das nächste Mal startet.</translation>
+        <source>Restart TAn to change the language.</source>
+        <translation>Starten Sie TAn neu, um die Sprache zu wechseln.</translation>
     </message>
     <message>
         <source>&amp;As the System</source>
@@ -700,14 +704,6 @@
         <translation>%1 = %2 Bytes: genau so viele hat die Datei.</translation>
     </message>
     <message>
-        <source>%1 = %2 bytes; the file has %3, %4 too few.</source>
-        <translation>%1 = %2 Bytes; die Datei hat %3, %4 zu wenig.</translation>
-    </message>
-    <message>
-        <source>%1 = %2 bytes; the file has %3, %4 too many.</source>
-        <translation>%1 = %2 Bytes; die Datei hat %3, %4 zu viel.</translation>
-    </message>
-    <message>
         <source>All %1 = %2 points.</source>
         <translation>Alle %1 = %2 Punkte.</translation>
     </message>
@@ -716,16 +712,12 @@
         <translation>%1 = %2 von %3 Punkten.</translation>
     </message>
     <message>
-        <source>Building to an error of 0 takes about %1 of memory, %2 of disk and %3.</source>
-        <translation>Der Bau bis zum Fehler 0 braucht etwa %1 Arbeitsspeicher, %2 Plattenplatz und %3.</translation>
+        <source>The build takes about %1 of memory, %2 of disk and %3.</source>
+        <translation>Der Bau braucht etwa %1 Arbeitsspeicher, %2 Plattenplatz und %3.</translation>
     </message>
     <message>
-        <source>Decimating to the coarsest mesh takes up to %1 of memory, %2 of disk and %3.</source>
-        <translation>Die Vergröberung bis zum gröbsten Netz braucht bis zu %1 Arbeitsspeicher, %2 Plattenplatz und %3.</translation>
-    </message>
-    <message>
-        <source>Building to an error of 0 takes up to %1 of memory, %2 of disk and %3.</source>
-        <translation>Der Bau bis zum Fehler 0 braucht bis zu %1 Arbeitsspeicher, %2 Plattenplatz und %3.</translation>
+        <source>The build takes up to %1 of memory, %2 of disk and %3.</source>
+        <translation>Der Bau braucht bis zu %1 Arbeitsspeicher, %2 Plattenplatz und %3.</translation>
     </message>
     <message>
         <source>This machine has %1 of memory.</source>
@@ -743,6 +735,18 @@
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 = %2 bytes; the file has %3: %4 bytes missing.</source>
+        <translation>%1 = %2 Bytes; die Datei hat %3: %4 Bytes fehlen.</translation>
+    </message>
+    <message>
+        <source>%1 = %2 bytes; the file has %3: %4 bytes unused.</source>
+        <translation>%1 = %2 Bytes; die Datei hat %3: %4 Bytes unbenutzt.</translation>
+    </message>
 </context>
 <context>
     <name>Manual</name>
@@ -758,24 +762,20 @@
 <context>
     <name>MeshText</name>
     <message>
-        <source>More would take more than %1 tetrahedra.</source>
-        <translation>Genauer brauchte es mehr als %1 Tetraeder.</translation>
+        <source>Limited by the budget of %1 tetrahedra.</source>
+        <translation>Durch das Budget von %1 Tetraedern begrenzt.</translation>
     </message>
     <message>
-        <source>This is all that the model has.</source>
-        <translation>Mehr hat das Modell nicht.</translation>
+        <source>Full resolution of the model.</source>
+        <translation>Volle Auflösung des Modells.</translation>
     </message>
     <message>
-        <source>The model has nothing finer.</source>
-        <translation>Feiner ist das Modell nicht.</translation>
+        <source>The model contains no finer level.</source>
+        <translation>Das Modell enthält keine feinere Stufe.</translation>
     </message>
     <message>
         <source>%1 of its %2 tetrahedra are shown.</source>
         <translation>%1 seiner %2 Tetraeder werden gezeigt.</translation>
-    </message>
-    <message>
-        <source>%1 tetrahedra in %2 pieces, as the window cuts them</source>
-        <translation>%1 Tetraeder in %2 Stücken, wie das Fenster sie schneidet</translation>
     </message>
     <message>
         <source>error %1 in the focus, %2 outside</source>
@@ -786,12 +786,16 @@
         <translation>Fehler %1</translation>
     </message>
     <message>
-        <source>Shown: %1; the warping likewise.</source>
-        <translation>Gezeigt: %1; die Verwerfung ebenso.</translation>
+        <source>Shown: error and warping both %1.</source>
+        <translation>Gezeigt: Fehler und Verwerfung je %1.</translation>
     </message>
     <message>
         <source>Shown: %1.</source>
         <translation>Gezeigt: %1.</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra in %2 pieces, as the window cuts them</source>
+        <translation>%1 Tetraeder in %2 Stücken, wie das Fenster sie schneidet</translation>
     </message>
 </context>
 <context>
@@ -1026,20 +1030,12 @@
         <translation>Block</translation>
     </message>
     <message>
-        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice is large. The blocks of a curvilinear grid are refined together, all in memory.</source>
-        <translation>Die Zellen entlang einer Kante der Blöcke, die unabhängig verfeinert werden, mit Speicher für einige davon; „keine“ verfeinert den Datensatz als Ganzes; „automatisch“ nimmt Blöcke, wo ein Gitter groß ist. Die Blöcke krummliniger Gitter werden gemeinsam verfeinert, alle im Speicher.</translation>
-    </message>
-    <message>
         <source>cells</source>
         <translation>Zellen</translation>
     </message>
     <message>
         <source>Warping</source>
         <translation>Verwerfung</translation>
-    </message>
-    <message>
-        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
-        <translation>Für krummlinige und unregelmäßige Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt. Ist eines der beiden 0, gilt dafür die Zahl des anderen.</translation>
     </message>
     <message>
         <source>% of the diagonal</source>
@@ -1090,8 +1086,8 @@
         <translation>Die Werte, deren Flächen gezeigt werden, jeder mit Farbe und Deckkraft.</translation>
     </message>
     <message>
-        <source>Outline</source>
-        <translation>Umriss</translation>
+        <source>Bounding box</source>
+        <translation>Begrenzungsquader</translation>
     </message>
     <message>
         <source>Shows the edges of the box that the data fill.</source>
@@ -1522,8 +1518,8 @@
         <translation>Runden</translation>
     </message>
     <message>
-        <source>Judging the vertices</source>
-        <translation>Die Knoten werden beurteilt</translation>
+        <source>Evaluating vertices</source>
+        <translation>Die Knoten werden bewertet</translation>
     </message>
     <message>
         <source>Collapsing</source>
@@ -1618,12 +1614,28 @@
         <translation>Die Deckkraft einer durchscheinenden Berandung; 1 verdeckt, was dahinter liegt.</translation>
     </message>
     <message>
-        <source>Hide what faces the eye</source>
-        <translation>Verbergen, was zum Auge zeigt</translation>
+        <source>Back faces only</source>
+        <translation>Nur Rückseiten</translation>
     </message>
     <message>
-        <source>Shows of the boundary only the walls on the far side, from within, and leaves out those that face the eye.</source>
-        <translation>Zeigt von der Berandung nur die Wände auf der abgewandten Seite, von innen, und lässt weg, was zum Auge zeigt.</translation>
+        <source>Shows only the far walls of the boundary, seen from within, and leaves out those that face the camera.</source>
+        <translation>Zeigt nur die hinteren Wände des Randes, von innen, und lässt die der Kamera zugewandten weg.</translation>
+    </message>
+    <message>
+        <source>Finest error</source>
+        <translation>Feinster Fehler</translation>
+    </message>
+    <message>
+        <source>Leaves meshes of smaller errors out of the model, so that it is smaller; 0 keeps everything.</source>
+        <translation>Lässt Netze mit kleineren Fehlern aus dem Modell weg, sodass es kleiner wird; 0 behält alles.</translation>
+    </message>
+    <message>
+        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice is large. The blocks of a curvilinear grid are refined together, all in memory.</source>
+        <translation>Die Zellen entlang einer Kante der Blöcke, die unabhängig verfeinert werden, mit Speicher für einige davon; „keine“ verfeinert den Datensatz als Ganzes; „automatisch“ nimmt Blöcke, wo ein Gitter groß ist. Die Blöcke krummliniger Gitter werden gemeinsam verfeinert, alle im Speicher.</translation>
+    </message>
+    <message>
+        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
+        <translation>Für krummlinige und unregelmäßige Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt. Ist eines der beiden 0, gilt dafür die Zahl des anderen.</translation>
     </message>
 </context>
 <context>
@@ -1655,8 +1667,99 @@
 <context>
     <name>RemoveIsovalue</name>
     <message>
-        <source>removal of isovalue</source>
-        <translation>Entfernen des Isowerts</translation>
+        <source>Remove Isovalue</source>
+        <translation>Isowert entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>Samples</name>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>%1 × %1 × %1 points</source>
+        <translation>%1 × %1 × %1 Punkte</translation>
+    </message>
+    <message>
+        <source>Buckyball</source>
+        <translation>Fußballmolekül</translation>
+    </message>
+    <message>
+        <source>Electron density of a C60 molecule; regular grid, %1, computed by TAn. Look at the cage of atoms as an isosurface, and at how few tetrahedra an error of 1 % takes.</source>
+        <translation>Elektronendichte eines C60-Moleküls; regelmäßiges Gitter, %1, von TAn berechnet. Sehenswert: der Käfig der Atome als Isofläche, und wie wenige Tetraeder ein Fehler von 1 % braucht.</translation>
+    </message>
+    <message>
+        <source>Hydrogen atom</source>
+        <translation>Wasserstoffatom</translation>
+    </message>
+    <message>
+        <source>Probability density of the 3d electron; regular grid, %1, computed by TAn. Look at the two lobes and the ring, as a volume or as isosurfaces.</source>
+        <translation>Aufenthaltswahrscheinlichkeit des 3d-Elektrons; regelmäßiges Gitter, %1, von TAn berechnet. Sehenswert: die beiden Keulen und der Ring, als Volumen oder als Isoflächen.</translation>
+    </message>
+    <message>
+        <source>Supersonic flow</source>
+        <translation>Überschallströmung</translation>
+    </message>
+    <message>
+        <source>Density in front of a half sphere; curvilinear grid, %1, computed by TAn. Look at the bow shock, and at the grid that follows the body.</source>
+        <translation>Dichte vor einer Halbkugel; krummliniges Gitter, %1, von TAn berechnet. Sehenswert: die Bugstoßwelle, und das Gitter, das dem Körper folgt.</translation>
+    </message>
+    <message>
+        <source>Flow around a cylinder</source>
+        <translation>Zylinderumströmung</translation>
+    </message>
+    <message>
+        <source>Pressure of the flow; curvilinear grid that closes on itself, %1, computed by TAn. Look at the front, where the flow is stopped, and at the sides, where it is fastest.</source>
+        <translation>Druck der Strömung; in sich geschlossenes krummliniges Gitter, %1, von TAn berechnet. Sehenswert: die Vorderseite, wo die Strömung gestaut wird, und die Seiten, wo sie am schnellsten ist.</translation>
+    </message>
+    <message>
+        <source>Flow in a duct</source>
+        <translation>Kanalströmung</translation>
+    </message>
+    <message>
+        <source>Speed in a bent duct; curvilinear grid, %1, computed by TAn. Look at how the flow keeps to the outer wall of the bend.</source>
+        <translation>Geschwindigkeit in einem gebogenen Kanal; krummliniges Gitter, %1, von TAn berechnet. Sehenswert: wie sich die Strömung an die Außenwand der Biegung hält.</translation>
+    </message>
+    <message>
+        <source>Plate with holes</source>
+        <translation>Platte mit Löchern</translation>
+    </message>
+    <message>
+        <source>Stress in a plate with five holes and a closed cavity; irregular mesh, computed by TAn. Look at the boundary, which keeps its holes at every accuracy.</source>
+        <translation>Spannung in einer Platte mit fünf Löchern und einem Hohlraum; unregelmäßiges Netz, von TAn berechnet. Sehenswert: der Rand, der seine Löcher in jeder Genauigkeit behält.</translation>
+    </message>
+    <message>
+        <source>Scattered points</source>
+        <translation>Verstreute Punkte</translation>
+    </message>
+    <message>
+        <source>Waves that grow finer outwards, known at random places in a ball; %1, computed by TAn. Look at a volume that comes without any grid.</source>
+        <translation>Wellen, die nach außen feiner werden, an zufälligen Orten einer Kugel; %1, von TAn berechnet. Sehenswert: ein Volumen, das ohne jedes Gitter auskommt.</translation>
+    </message>
+    <message>
+        <source>Ripples</source>
+        <translation>Wellen</translation>
+    </message>
+    <message>
+        <source>The test signal of Marschner and Lobb; regular grid, %1, computed by TAn. Look at the fine ripples, which vanish first when the error grows.</source>
+        <translation>Das Testsignal von Marschner und Lobb; regelmäßiges Gitter, %1, von TAn berechnet. Sehenswert: die feinen Wellen, die bei wachsendem Fehler zuerst verschwinden.</translation>
+    </message>
+    <message>
+        <source>Boundary layer</source>
+        <translation>Grenzschicht</translation>
+    </message>
+    <message>
+        <source>A layer at a wall; rectilinear grid with growing spacing, %1, computed by TAn. Look at how the tetrahedra crowd at the wall.</source>
+        <translation>Eine Schicht an einer Wand; rechtwinkliges Gitter mit wachsenden Abständen, %1, von TAn berechnet. Sehenswert: wie sich die Tetraeder an der Wand drängen.</translation>
+    </message>
+    <message>
+        <source>White noise</source>
+        <translation>Weißes Rauschen</translation>
+    </message>
+    <message>
+        <source>Random values, the worst case for any method; regular grid, %1, computed by TAn. Look at the statistics: even a large error takes nearly all points.</source>
+        <translation>Zufallswerte, der schlimmste Fall für jedes Verfahren; regelmäßiges Gitter, %1, von TAn berechnet. Sehenswert: die Statistik, denn auch ein großer Fehler braucht fast alle Punkte.</translation>
     </message>
 </context>
 <context>
@@ -1666,7 +1769,7 @@
         <translation>„%1“ gibt es nicht, oder der Ordner ist nicht zugänglich. Prüfen Sie den Namen.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is a folder. Give a file in it.</source>
+        <source>&apos;%1&apos; is a folder. Choose a file inside it.</source>
         <translation>„%1“ ist ein Ordner. Wählen Sie eine Datei darin.</translation>
     </message>
     <message>
@@ -1674,8 +1777,8 @@
         <translation>„%1“ ist ein Gerät oder eine Pipe. Wählen Sie eine Datei.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is empty. Copy it again from where it came from.</source>
-        <translation>„%1“ ist leer. Kopieren Sie die Datei noch einmal von dort, woher sie kam.</translation>
+        <source>&apos;%1&apos; is empty. The copy may be incomplete: copy the file again.</source>
+        <translation>„%1“ ist leer. Vielleicht ist die Kopie unvollständig: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; cannot be read: %2.</source>
@@ -1692,10 +1795,6 @@
     <message>
         <source>%1. Ask its owner for the right to read it.</source>
         <translation>%1. Bitten Sie den Eigentümer um das Recht, sie zu lesen.</translation>
-    </message>
-    <message>
-        <source>%1. Close other programs, or raise the limit (ulimit).</source>
-        <translation>%1. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
     </message>
     <message>
         <source>it is a folder. Name a file in it.</source>
@@ -1798,8 +1897,8 @@
         <translation>„%1“ kann nicht gelesen werden: %2 (Die Datei wurde für sich allein entpackt. Wenn sie andere nennt, entpacken Sie sie neben diesen: gunzip.)</translation>
     </message>
     <message>
-        <source>it is packed by gzip, and damaged or cut short. Copy it again from where it came from.</source>
-        <translation>Sie ist mit gzip gepackt und beschädigt oder abgeschnitten. Kopieren Sie sie neu von dort, woher sie kam.</translation>
+        <source>it is compressed by gzip, and damaged or cut short. The copy may be incomplete: copy the file again.</source>
+        <translation>Sie ist mit gzip komprimiert und beschädigt oder abgeschnitten. Vielleicht ist die Kopie unvollständig: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
         <source>it is packed by gzip, and cannot be unpacked into &apos;%1&apos;: %2. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
@@ -1810,15 +1909,15 @@
         <translation>Sie ist mit gzip gepackt und entpackt größer als %1, die Hälfte des Platzes in „%2“. Schaffen Sie dort Platz, setzen Sie TMPDIR auf einen Ordner mit mehr, oder entpacken Sie sie selbst (gunzip).</translation>
     </message>
     <message>
-        <source>VTK says: %1 The file is damaged, incomplete, or of a kind that VTK does not know: copy or write it anew.</source>
-        <translation>VTK meldet: %1 Die Datei ist beschädigt, unvollständig oder von einer Art, die VTK nicht kennt: Kopieren oder schreiben Sie sie neu.</translation>
+        <source>VTK says: %1 The file is damaged, incomplete, or of a kind that VTK does not know: copy or export it again.</source>
+        <translation>VTK meldet: %1 Die Datei ist beschädigt, unvollständig oder von einer Art, die VTK nicht kennt: Kopieren oder exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>it has %1 bytes, and its header asks for %2. It is cut short: copy it again from where it came from.</source>
+        <source>it has %1 bytes, and its header asks for %2. It is cut short: copy the file again.</source>
         <translation>Sie hat %1 Byte, und ihr Kopf verlangt %2. Sie ist abgeschnitten: Kopieren Sie sie neu von dort, woher sie kam.</translation>
     </message>
     <message>
-        <source>its data file &apos;%1&apos; has %2 bytes, and its header asks for %3. It is cut short: copy it again from where it came from.</source>
+        <source>its data file &apos;%1&apos; has %2 bytes, and its header asks for %3. It is cut short: copy the file again.</source>
         <translation>Ihre Datendatei „%1“ hat %2 Byte, und der Kopf verlangt %3. Sie ist abgeschnitten: Kopieren Sie sie neu von dort, woher sie kam.</translation>
     </message>
     <message>
@@ -1830,7 +1929,7 @@
         <translation>Ihre Datei „%1“ fehlt. Kopieren Sie sie in den Ordner dieser Datei: Sie gehören zusammen.</translation>
     </message>
     <message>
-        <source>its file &apos;%1&apos; ends in line %2, before the last %3. It is cut short: copy it again from where it came from.</source>
+        <source>its file &apos;%1&apos; ends in line %2, before the last %3. It is cut short: copy the file again.</source>
         <translation>Ihre Datei „%1“ endet in Zeile %2, zu früh für alle Angaben (%3). Sie ist abgeschnitten: Kopieren Sie sie neu von dort, woher sie kam.</translation>
     </message>
     <message>
@@ -1838,15 +1937,15 @@
         <translation>Sie hat %1 Byte, und ihre Variable „%2“ reicht bis Byte %3. Sie ist abgeschnitten oder wurde nicht zu Ende geschrieben: Kopieren oder schreiben Sie sie neu.</translation>
     </message>
     <message>
-        <source>page %1 lies behind its end, at %2 bytes. It is cut short: copy it again from where it came from.</source>
+        <source>page %1 lies behind its end, at %2 bytes. It is cut short: copy the file again.</source>
         <translation>Seite %1 liegt hinter ihrem Ende bei %2 Byte. Sie ist abgeschnitten: Kopieren Sie sie neu von dort, woher sie kam.</translation>
     </message>
     <message>
-        <source>it ends within its header. It is cut short: copy it again from where it came from.</source>
+        <source>it ends within its header. It is cut short: copy the file again.</source>
         <translation>Sie endet in ihrem Kopf. Sie ist abgeschnitten: Kopieren Sie sie neu von dort, woher sie kam.</translation>
     </message>
     <message>
-        <source>it ends within its appended data. It is cut short: copy it again from where it came from.</source>
+        <source>it ends within its appended data. It is cut short: copy the file again.</source>
         <translation>Sie endet in ihren angehängten Daten. Sie ist abgeschnitten: Kopieren Sie sie neu von dort, woher sie kam.</translation>
     </message>
     <message>
@@ -1898,15 +1997,15 @@
         <translation>%1 Zellen heißen linear und haben die Ecken von quadratischen: Sie wurden als solche genommen.</translation>
     </message>
     <message>
-        <source>VTK broke down over it. The file is damaged, larger than memory, or of a kind that VTK reads badly. Write it anew, or as another format (.vtu, .vti).</source>
-        <translation>VTK ist daran gescheitert. Die Datei ist beschädigt, größer als der Arbeitsspeicher oder von einer Art, die VTK schlecht liest. Schreiben Sie sie neu oder in einem anderen Format (.vtu, .vti).</translation>
+        <source>VTK&apos;s reader crashed. The file is damaged, larger than memory, or of a kind that VTK reads badly. Export it again, or in another format (.vtu, .vti).</source>
+        <translation>Der Leser von VTK ist abgestürzt. Die Datei ist beschädigt, größer als der Arbeitsspeicher oder von einer Art, die VTK schlecht liest. Exportieren Sie sie neu oder in einem anderen Format (.vtu, .vti).</translation>
     </message>
     <message>
         <source>The VTK readers are not installed. Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
         <translation>Die VTK-Leser sind nicht installiert. Installieren Sie das Paket tan-vtk-readers, das mit TAn kommt: „apt install ./tan-vtk-readers_*.deb“ dort, wo die Datei liegt (bei einem eigenen Bau: nach „apt install libvtk9-dev“ neu bauen), oder wandeln Sie die Datei in NRRD oder CSV um.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is damaged: %2. Copy it again from where it came from, or build it again.</source>
+        <source>&apos;%1&apos; is damaged: %2. Copy the file again, or build it again.</source>
         <translation>„%1“ ist beschädigt: %2. Kopieren Sie es noch einmal von dort, woher es kam, oder bauen Sie es neu.</translation>
     </message>
     <message>
@@ -1934,7 +2033,7 @@
         <translation>Der Abschnitt „%1“ fehlt</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is cut short: it has %2 bytes and should have %3. Copy it again from where it came from, or build it again.</source>
+        <source>&apos;%1&apos; is cut short: it has %2 bytes and should have %3. Copy the file again, or build it again.</source>
         <translation>„%1“ ist abgeschnitten: Es hat %2 Bytes und sollte %3 haben. Kopieren Sie es noch einmal von dort, woher es kam, oder bauen Sie es neu.</translation>
     </message>
     <message>
@@ -1954,7 +2053,7 @@
         <translation>„%1“ hat die Formatversion %2; dieses Programm liest bis Version %3. Installieren Sie eine spätere Version von TAn.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; was cut short or changed while it was open. Open it again; if that fails, copy it again from where it came from, or build it again.</source>
+        <source>&apos;%1&apos; was cut short or changed while it was open. Open it again; if that fails, copy the file again, or build it again.</source>
         <translation>„%1“ wurde abgeschnitten oder geändert, während es offen war. Öffnen Sie es noch einmal; gelingt das nicht, kopieren Sie es noch einmal von dort, woher es kam, oder bauen Sie es neu.</translation>
     </message>
     <message>
@@ -2002,10 +2101,6 @@
         <translation>Wählen Sie einen anderen Ordner oder Datenträger.</translation>
     </message>
     <message>
-        <source>Close other programs, or raise the limit (ulimit).</source>
-        <translation>Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
-    </message>
-    <message>
         <source>it is not a regular file</source>
         <translation>Es ist keine gewöhnliche Datei</translation>
     </message>
@@ -2040,22 +2135,6 @@
     <message>
         <source>Wait for it, or give the model another name.</source>
         <translation>Warten Sie darauf, oder geben Sie dem Modell einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>it holds something else</source>
-        <translation>er enthält etwas anderes</translation>
-    </message>
-    <message>
-        <source>Give the model another name, or move that folder away.</source>
-        <translation>Geben Sie dem Modell einen anderen Namen, oder schieben Sie jenen Ordner beiseite.</translation>
-    </message>
-    <message>
-        <source>it is a link</source>
-        <translation>er ist ein Verweis</translation>
-    </message>
-    <message>
-        <source>Give the model another name, or move that link away.</source>
-        <translation>Geben Sie dem Modell einen anderen Namen, oder schieben Sie jenen Verweis beiseite.</translation>
     </message>
     <message>
         <source>Choose another folder for the model.</source>
@@ -2140,14 +2219,6 @@
     <message>
         <source>Stale file handle</source>
         <translation>Die Datei gibt es auf dem Server nicht mehr</translation>
-    </message>
-    <message>
-        <source>Cannot make a temporary file in &apos;%1&apos;: %2. %3</source>
-        <translation>In „%1“ kann keine Zwischendatei angelegt werden: %2. %3</translation>
-    </message>
-    <message>
-        <source>A temporary file in &apos;%1&apos; cannot be used: %2. %3</source>
-        <translation>Eine Zwischendatei in „%1“ kann nicht benutzt werden: %2. %3</translation>
     </message>
     <message>
         <source>The output &apos;%1&apos; is the input &apos;%2&apos;. Give the output another name.</source>
@@ -2270,18 +2341,6 @@
         <translation>Der Arbeitsspeicher dieses Rechners reicht hier nicht für „%1“. Schließen Sie andere Programme, oder nehmen Sie kleinere Daten.</translation>
     </message>
     <message>
-        <source>The memory of this machine is not enough for this. Close other programs, or raise the limit (ulimit).</source>
-        <translation>Der Speicher dieses Rechners reicht dafür nicht aus. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
-    </message>
-    <message>
-        <source>This machine can start no more threads now. Close other programs, or raise the limit (ulimit).</source>
-        <translation>Dieser Rechner kann zurzeit keine weiteren Threads starten. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
-    </message>
-    <message>
-        <source>Not all plugins can be loaded now: %1. Close other programs, or raise the limit (ulimit).</source>
-        <translation>Zurzeit können nicht alle Plugins geladen werden: %1. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
-    </message>
-    <message>
         <source>The plugin &apos;%1&apos; failed: %2. This is a mistake in the plugin; tell its author.</source>
         <translation>Das Plugin „%1“ ist gescheitert: %2. Das ist ein Fehler des Plugins; sagen Sie es seinem Autor.</translation>
     </message>
@@ -2334,7 +2393,7 @@
         <translation>Seine erste Ecke muss entlang jeder Achse die kleinere sein</translation>
     </message>
     <message>
-        <source>The mesh has %1. Mend the mesh where it was made.</source>
+        <source>The mesh has %1. Repair the mesh in the program that made it.</source>
         <translation>Das Netz hat %1. Bessern Sie das Netz dort aus, wo es entstand.</translation>
     </message>
     <message>
@@ -2350,7 +2409,7 @@
         <translation>Das gröbste Netz hat %1 Tetraeder, mehr als das Budget von %2. Erlauben Sie mindestens so viele.</translation>
     </message>
     <message>
-        <source>The error in the focus is larger than that outside. Exchange the two.</source>
+        <source>The error in the focus is larger than that outside. Swap them.</source>
         <translation>Der Fehler im Fokus ist größer als der außerhalb. Vertauschen Sie die beiden.</translation>
     </message>
     <message>
@@ -2402,7 +2461,7 @@
         <translation>Die Vorlage „%1“ kann nicht geändert werden: %2. Prüfen Sie die Rechte des Ordners, und ob Platz ist.</translation>
     </message>
     <message>
-        <source>This is no JSON: %1</source>
+        <source>Not valid JSON: %1</source>
         <translation>Das ist kein JSON: %1</translation>
     </message>
     <message>
@@ -2498,12 +2557,12 @@
         <translation>Ein Teil von %1 der %2 Punkte.</translation>
     </message>
     <message>
-        <source>1 tetrahedron inside the region that hung on the others by a point or an edge alone, left out.</source>
-        <translation>1 Tetraeder im Bereich, der mit den anderen nur an einem Punkt oder einer Kante zusammenhing, weggelassen.</translation>
+        <source>1 tetrahedron inside the region, connected only by a vertex or an edge, left out.</source>
+        <translation>1 Tetraeder im Bereich, das nur über einen Knoten oder eine Kante verbunden war, wurde weggelassen.</translation>
     </message>
     <message>
-        <source>%1 tetrahedra inside the region that hung on the others by a point or an edge alone, left out.</source>
-        <translation>%1 Tetraeder im Bereich, die mit den anderen nur an einem Punkt oder einer Kante zusammenhingen, weggelassen.</translation>
+        <source>%1 tetrahedra inside the region, connected only by a vertex or an edge, left out.</source>
+        <translation>%1 Tetraeder im Bereich, die nur über einen Knoten oder eine Kante verbunden waren, wurden weggelassen.</translation>
     </message>
     <message>
         <source>The values belong to cells: each point got the mean of the cells around it.</source>
@@ -2514,8 +2573,8 @@
         <translation>Die Werte der Zellen wurden zu den Punkten gebracht, als Mittel der Zellen ringsum.</translation>
     </message>
     <message>
-        <source>All cells were turned over: their corners are in the other order.</source>
-        <translation>Alle Zellen wurden umgedreht: Ihre Ecken stehen in der anderen Reihenfolge.</translation>
+        <source>All cells had inverted orientation and were corrected.</source>
+        <translation>Alle Zellen hatten die umgekehrte Orientierung und wurden korrigiert.</translation>
     </message>
     <message>
         <source>What joins its points (lines, polygons) was left out: they are scattered points.</source>
@@ -2534,8 +2593,8 @@
         <translation>%1 ihrer Teile sind keine unregelmäßigen Netze und wurden weggelassen.</translation>
     </message>
     <message>
-        <source>It has %1 parts; this is the one called &apos;%2&apos;. Choose another one with &apos;part&apos;.</source>
-        <translation>Sie hat %1 Teile; dies ist der namens „%2“. Einen anderen wählt „Teil“.</translation>
+        <source>It contains %1 parts; this is the one called &apos;%2&apos;. Choose another one with &apos;part&apos;.</source>
+        <translation>Sie enthält %1 Teile; dies ist der namens „%2“. Einen anderen wählt „Teil“.</translation>
     </message>
     <message>
         <source>Time step %1 of %2. Choose another one with &apos;time&apos;.</source>
@@ -2598,11 +2657,11 @@
         <translation>%1 Zellen ohne Volumen wurden weggelassen.</translation>
     </message>
     <message>
-        <source>1 cell was turned over: the corners are in the other order.</source>
+        <source>1 cell was corrected: the orientation was inverted.</source>
         <translation>1 Zelle wurde umgedreht: Die Ecken stehen in der anderen Reihenfolge.</translation>
     </message>
     <message>
-        <source>%1 cells were turned over: the corners are in the other order.</source>
+        <source>%1 cells were corrected: the orientation was inverted.</source>
         <translation>%1 Zellen wurden umgedreht: Die Ecken stehen in der anderen Reihenfolge.</translation>
     </message>
     <message>
@@ -2737,6 +2796,50 @@
         <source>The folder &apos;%1&apos; cannot be written to, so that the view cannot be kept. Make room there, or save the session.</source>
         <translation>In den Ordner „%1“ kann nicht geschrieben werden, sodass die Ansicht nicht erhalten bleibt. Schaffen Sie dort Platz, oder speichern Sie die Sitzung.</translation>
     </message>
+    <message>
+        <source>%1. Close other programs, or raise the limit (ulimit).</source>
+        <translation>%1. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
+    </message>
+    <message>
+        <source>Close other programs, or raise the limit (ulimit).</source>
+        <translation>Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
+    </message>
+    <message>
+        <source>it holds something else</source>
+        <translation>er enthält etwas anderes</translation>
+    </message>
+    <message>
+        <source>Give the model another name, or move that folder away.</source>
+        <translation>Geben Sie dem Modell einen anderen Namen, oder schieben Sie jenen Ordner beiseite.</translation>
+    </message>
+    <message>
+        <source>it is a link</source>
+        <translation>er ist ein Verweis</translation>
+    </message>
+    <message>
+        <source>Give the model another name, or move that link away.</source>
+        <translation>Geben Sie dem Modell einen anderen Namen, oder schieben Sie jenen Verweis beiseite.</translation>
+    </message>
+    <message>
+        <source>Cannot make a temporary file in &apos;%1&apos;: %2. %3</source>
+        <translation>In „%1“ kann keine Zwischendatei angelegt werden: %2. %3</translation>
+    </message>
+    <message>
+        <source>A temporary file in &apos;%1&apos; cannot be used: %2. %3</source>
+        <translation>Eine Zwischendatei in „%1“ kann nicht benutzt werden: %2. %3</translation>
+    </message>
+    <message>
+        <source>The memory of this machine is not enough for this. Close other programs, or raise the limit (ulimit).</source>
+        <translation>Der Speicher dieses Rechners reicht dafür nicht aus. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
+    </message>
+    <message>
+        <source>This machine can start no more threads now. Close other programs, or raise the limit (ulimit).</source>
+        <translation>Dieser Rechner kann zurzeit keine weiteren Threads starten. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
+    </message>
+    <message>
+        <source>Not all plugins can be loaded now: %1. Close other programs, or raise the limit (ulimit).</source>
+        <translation>Zurzeit können nicht alle Plugins geladen werden: %1. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
+    </message>
 </context>
 <context>
     <name>Statistics</name>
@@ -2749,8 +2852,8 @@
         <translation>± Wert</translation>
     </message>
     <message>
-        <source>Sites</source>
-        <translation>Punkte</translation>
+        <source>Vertices</source>
+        <translation>Knoten</translation>
     </message>
     <message>
         <source>Tetrahedra</source>
@@ -2781,8 +2884,8 @@
         <translation>%1 bis %2</translation>
     </message>
     <message>
-        <source>Sites in all</source>
-        <translation>Punkte insgesamt</translation>
+        <source>Total vertices</source>
+        <translation>Knoten insgesamt</translation>
     </message>
     <message>
         <source>File</source>
@@ -2793,16 +2896,12 @@
         <translation>Gezeigt</translation>
     </message>
     <message>
-        <source>%1 sites, %2 tetrahedra</source>
-        <translation>%1 Punkte, %2 Tetraeder</translation>
+        <source>%1 vertices, %2 tetrahedra</source>
+        <translation>%1 Knoten, %2 Tetraeder</translation>
     </message>
     <message>
-        <source>Kept</source>
-        <translation>Eingehalten</translation>
-    </message>
-    <message>
-        <source>Cut</source>
-        <translation>Geschnitten</translation>
+        <source>Guaranteed error</source>
+        <translation>Garantierter Fehler</translation>
     </message>
     <message>
         <source>Triangles</source>
@@ -2819,6 +2918,10 @@
     <message>
         <source>A frame</source>
         <translation>Ein Bild</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Geschnitten</translation>
     </message>
     <message>
         <source>Visibility cycles</source>
@@ -2905,8 +3008,8 @@
         <translation>Jeder Abtastwert genau</translation>
     </message>
     <message>
-        <source>Sites</source>
-        <translation>Stützpunkte</translation>
+        <source>Vertices</source>
+        <translation>Knoten</translation>
     </message>
     <message>
         <source>Tetrahedra</source>
@@ -2917,8 +3020,8 @@
         <translation>Dieses Modell wurde bis zu einem Fehler von %1 gebaut; Feineres enthält es nicht.</translation>
     </message>
     <message>
-        <source>of the range, ± %1</source>
-        <translation>des Bereichs, ± %1</translation>
+        <source>of value range (± %1)</source>
+        <translation>des Wertebereichs (± %1)</translation>
     </message>
     <message>
         <source>What the percentage means in units of the data. Of curvilinear data it holds for the error and for the warping: the distance of the mesh from the grid, in percent of the diagonal of the box around it.</source>
@@ -3001,7 +3104,7 @@ Verwerfung %2</translation>
         <translation>&amp;Tempo</translation>
     </message>
     <message>
-        <source>Round the vertical axis</source>
+        <source>Around the vertical axis</source>
         <translation>Um die senkrechte Achse</translation>
     </message>
     <message>
@@ -3162,16 +3265,16 @@ Verwerfung %2</translation>
         <translation>Abbre&amp;chen</translation>
     </message>
     <message>
-        <source>Ends the build and throws away what it has made</source>
-        <translation>Beendet den Aufbau und verwirft, was er gemacht hat</translation>
+        <source>Stop the build and discard what it has made</source>
+        <translation>Bricht den Bau ab und verwirft das bisher Gebaute</translation>
     </message>
     <message>
         <source>Stop and &amp;Keep</source>
         <translation>Anhalten und behal&amp;ten</translation>
     </message>
     <message>
-        <source>Ends the build; what is finished becomes the model, with the accuracy that it has reached</source>
-        <translation>Beendet den Aufbau; was fertig ist, wird zum Modell, so genau, wie es bis dahin ist</translation>
+        <source>Stop the build and keep what is finished as the model, with the accuracy reached so far</source>
+        <translation>Beendet den Bau; was fertig ist, wird das Modell, mit der bisher erreichten Genauigkeit</translation>
     </message>
     <message>
         <source>Cancelling…</source>
@@ -3230,20 +3333,52 @@ Verwerfung %2</translation>
         <translation>%1, %2, Werte %3 bis %4</translation>
     </message>
     <message>
-        <source>Read &amp;Differently…</source>
-        <translation>A&amp;nders lesen …</translation>
+        <source>&amp;Import Options…</source>
+        <translation>&amp;Importoptionen …</translation>
     </message>
     <message>
-        <source>Reads the file again in another way: other values, a part of it, every so many points</source>
-        <translation>Liest die Datei noch einmal auf andere Weise: andere Werte, einen Teil davon, jeden wievielten Punkt</translation>
+        <source>Read the file again with other options: other values, a part of it, fewer points</source>
+        <translation>Liest die Datei mit anderen Optionen noch einmal: andere Werte, ein Ausschnitt, weniger Punkte</translation>
     </message>
     <message>
-        <source>Measured on other data; a larger error takes less. Half or twice as much is possible.</source>
-        <translation>An anderen Daten gemessen; ein größerer Fehler braucht weniger. Die Hälfte oder das Doppelte ist möglich.</translation>
+        <source>Estimated from other datasets; it may be off by a factor of two</source>
+        <translation>Aus anderen Datensätzen geschätzt; um den Faktor zwei kann es abweichen</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Qui&amp;ck look, error 1 %</source>
+        <translation>&amp;Schneller Blick, Fehler 1 %</translation>
+    </message>
+    <message>
+        <source>Keeps what is needed for an error of 1 % of the value range: enough for a first look</source>
+        <translation>Behält, was ein Fehler von 1 % des Wertebereichs braucht: genug für einen ersten Blick</translation>
+    </message>
+    <message>
+        <source>&amp;Good, error 0.1 %</source>
+        <translation>&amp;Gut, Fehler 0,1 %</translation>
+    </message>
+    <message>
+        <source>Keeps what is needed for an error of 0.1 % of the value range: pictures look the same as with everything</source>
+        <translation>Behält, was ein Fehler von 0,1 % des Wertebereichs braucht: Bilder sehen aus wie mit allem</translation>
+    </message>
+    <message>
+        <source>&amp;Everything</source>
+        <translation>&amp;Alles</translation>
+    </message>
+    <message>
+        <source>Keeps every value of the dataset: any accuracy can be looked at later</source>
+        <translation>Behält jeden Wert des Datensatzes: Jede Genauigkeit lässt sich später ansehen</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>Detail</translation>
+    </message>
+    <message>
+        <source>Detail: size of the model, time to build it</source>
+        <translation>Detail: Größe des Modells, Bauzeit</translation>
     </message>
 </context>
 <context>
@@ -3382,20 +3517,20 @@ Verwerfung %2</translation>
         <translation>&amp;Keine Gruppe</translation>
     </message>
     <message>
-        <source>Poi&amp;nts in the way</source>
-        <translation>Punkte im &amp;Weg</translation>
+        <source>Neighbouri&amp;ng points</source>
+        <translation>Be&amp;nachbarte Punkte</translation>
     </message>
     <message>
-        <source>&amp;Stop what is moved</source>
-        <translation>&amp;Halten Bewegtes auf</translation>
+        <source>&amp;Block</source>
+        <translation>&amp;Halten auf</translation>
     </message>
     <message>
-        <source>Are &amp;pushed along</source>
+        <source>&amp;Push</source>
         <translation>Werden mit&amp;geschoben</translation>
     </message>
     <message>
-        <source>Are passed &amp;by</source>
-        <translation>Werden &amp;überholt</translation>
+        <source>&amp;Cross</source>
+        <translation>Werden über&amp;holt</translation>
     </message>
     <message>
         <source>Mas&amp;k: show some values only</source>
@@ -3426,16 +3561,16 @@ Verwerfung %2</translation>
         <translation>&amp;Isowert hinzufügen</translation>
     </message>
     <message>
-        <source>&amp;Forget it</source>
-        <translation>&amp;Vergessen</translation>
+        <source>Cl&amp;ear mark</source>
+        <translation>&amp;Markierung löschen</translation>
     </message>
     <message>
         <source>Follow the logarit&amp;hm of the value</source>
         <translation>Dem &amp;Logarithmus des Wertes folgen</translation>
     </message>
     <message>
-        <source>Picked in &amp;the picture</source>
-        <translation>Im &amp;Bild gewählt</translation>
+        <source>From &amp;the picked value</source>
+        <translation>Vom &amp;gewählten Wert</translation>
     </message>
 </context>
 <context>
@@ -3445,7 +3580,7 @@ Verwerfung %2</translation>
         <translation>Öffnen …</translation>
     </message>
     <message>
-        <source>Opened last</source>
+        <source>Recent files</source>
         <translation>Zuletzt geöffnet</translation>
     </message>
     <message>
@@ -3453,20 +3588,20 @@ Verwerfung %2</translation>
         <translation>Datensatz oder Modell öffnen</translation>
     </message>
     <message>
-        <source>Drop a file here: a dataset (a volume, a grid, a mesh or points) to build a model of, a finished .tan model or a session.</source>
-        <translation>Legen Sie hier eine Datei ab: einen Datensatz (ein Volumen, ein Gitter, ein Netz oder Punkte), aus dem ein Modell gebaut wird, ein fertiges .tan-Modell oder eine Sitzung.</translation>
+        <source>Drop a file: a dataset (a volume, a grid, a mesh or points), a .tan model or a session. TAn shows large data at any accuracy, with a known error.</source>
+        <translation>Legen Sie eine Datei ab: einen Datensatz (ein Volumen, ein Gitter, ein Netz oder Punkte), ein .tan-Modell oder eine Sitzung. TAn zeigt große Daten in jeder Genauigkeit, mit bekanntem Fehler.</translation>
     </message>
     <message>
         <source>Open a dataset, a model or a session (Ctrl+O)</source>
         <translation>Einen Datensatz, ein Modell oder eine Sitzung öffnen (Strg+O)</translation>
     </message>
     <message>
-        <source>Or look at a sample, which is made now</source>
-        <translation>Oder ein Beispiel ansehen, das jetzt gemacht wird</translation>
+        <source>Or try a sample</source>
+        <translation>Oder ein Beispiel ansehen</translation>
     </message>
     <message>
-        <source>Making the sample</source>
-        <translation>Das Beispiel wird gemacht</translation>
+        <source>Samples are computed when you choose one; nothing is downloaded.</source>
+        <translation>Beispiele werden berechnet, wenn Sie eines wählen; nichts wird heruntergeladen.</translation>
     </message>
 </context>
 <context>
@@ -3544,8 +3679,8 @@ Verwerfung %2</translation>
         <translation>%1; das Schreiben dauert etwa %2</translation>
     </message>
     <message>
-        <source>%1 and so on</source>
-        <translation>%1 und so weiter</translation>
+        <source>%1, …</source>
+        <translation>%1, …</translation>
     </message>
     <message>
         <source>&amp;Replace and Save</source>
@@ -3615,24 +3750,24 @@ Verwerfung %2</translation>
         <translation>&amp;Größe</translation>
     </message>
     <message>
-        <source>Edges of the box, in the lengths of the data</source>
-        <translation>Kanten des Quaders, in den Längen der Daten</translation>
+        <source>Edges of the box, in data units</source>
+        <translation>Kanten des Quaders, in Einheiten der Daten</translation>
     </message>
     <message>
         <source>Radius of the sphere</source>
         <translation>Radius der Kugel</translation>
     </message>
     <message>
-        <source>Radius of the sphere, in the lengths of the data</source>
-        <translation>Radius der Kugel, in den Längen der Daten</translation>
+        <source>Radius of the sphere, in data units</source>
+        <translation>Radius der Kugel, in Einheiten der Daten</translation>
     </message>
     <message>
         <source>Fall-off</source>
         <translation>Übergang</translation>
     </message>
     <message>
-        <source>The length over which the error grows from that in the focus to that outside, in the lengths of the data; 0 is a sharp border</source>
-        <translation>Die Länge, über die der Fehler von dem im Fokus auf den außerhalb wächst, in den Längen der Daten; 0 ist eine scharfe Grenze</translation>
+        <source>The distance over which the error grows from that in the focus to that outside, in data units; 0 is a sharp border</source>
+        <translation>Die Strecke, auf der der Fehler von dem im Fokus auf den außerhalb wächst, in Einheiten der Daten; 0 ist eine scharfe Grenze</translation>
     </message>
     <message>
         <source>Error in the focus</source>
@@ -3649,14 +3784,6 @@ Verwerfung %2</translation>
     <message>
         <source>Place, size, error and fall-off as they were at first</source>
         <translation>Ort, Größe, Fehler und Übergang wie am Anfang</translation>
-    </message>
-    <message>
-        <source>A focus is not coarser than what is around it, so it gets the same error.</source>
-        <translation>Ein Fokus ist nicht gröber als seine Umgebung, also erhält er denselben Fehler.</translation>
-    </message>
-    <message>
-        <source>A focus is not coarser than what is around it, so it gets %1.</source>
-        <translation>Ein Fokus ist nicht gröber als seine Umgebung, also erhält er %1.</translation>
     </message>
     <message>
         <source>Outside %1, as chosen under Accuracy.</source>
@@ -3679,8 +3806,8 @@ Verwerfung %2</translation>
         <translation>&amp;Übergang</translation>
     </message>
     <message>
-        <source>&amp;To Centre of View</source>
-        <translation>&amp;Zur Bildmitte</translation>
+        <source>&amp;Centre in View</source>
+        <translation>&amp;In die Bildmitte</translation>
     </message>
     <message>
         <source>Reset</source>
@@ -3689,6 +3816,14 @@ Verwerfung %2</translation>
     <message>
         <source>With the budget the error outside is %1 times this one.</source>
         <translation>Mit dem Budget ist der Fehler außerhalb das %1-fache davon.</translation>
+    </message>
+    <message>
+        <source>A focus is not coarser than what is around it, so it gets the same error.</source>
+        <translation>Ein Fokus ist nicht gröber als seine Umgebung, also erhält er denselben Fehler.</translation>
+    </message>
+    <message>
+        <source>A focus is not coarser than what is around it, so it gets %1.</source>
+        <translation>Ein Fokus ist nicht gröber als seine Umgebung, also erhält er %1.</translation>
     </message>
 </context>
 <context>
@@ -3729,20 +3864,20 @@ Verwerfung %2</translation>
         <translation>Leser</translation>
     </message>
     <message>
-        <source>Who reads the file</source>
-        <translation>Wer die Datei liest</translation>
+        <source>Reader used for this file</source>
+        <translation>Leser für diese Datei</translation>
     </message>
     <message>
         <source>R&amp;eader</source>
         <translation>L&amp;eser</translation>
     </message>
     <message>
-        <source>How it is read</source>
-        <translation>Wie sie gelesen wird</translation>
+        <source>Import options</source>
+        <translation>Importoptionen</translation>
     </message>
     <message>
-        <source>Which part of it</source>
-        <translation>Welcher Teil davon</translation>
+        <source>Subset</source>
+        <translation>Ausschnitt</translation>
     </message>
     <message>
         <source>Layouts that fit</source>
@@ -3751,10 +3886,6 @@ Verwerfung %2</translation>
     <message>
         <source>Sizes and types that would fill the file exactly, the likeliest first</source>
         <translation>Größen und Typen, die die Datei genau füllen würden, die wahrscheinlichsten zuerst</translation>
-    </message>
-    <message>
-        <source>Measured on other data; a larger error takes less. Half or twice as much is possible.</source>
-        <translation>An anderen Daten gemessen; ein größerer Fehler braucht weniger. Die Hälfte oder das Doppelte ist möglich.</translation>
     </message>
     <message>
         <source>Progress of reading</source>
@@ -3777,20 +3908,24 @@ Verwerfung %2</translation>
         <translation>Geben Sie die Zahl der Punkte entlang x, y und z an, wie in 64x64x32.</translation>
     </message>
     <message>
-        <source>Whether that fits</source>
-        <translation>Ob das passt</translation>
+        <source>Size check</source>
+        <translation>Größenprüfung</translation>
     </message>
     <message>
         <source>&amp;Suggestion</source>
         <translation>&amp;Vorschlag</translation>
     </message>
     <message>
-        <source>Opens the dataset so</source>
-        <translation>Öffnet den Datensatz so</translation>
+        <source>Open with these options</source>
+        <translation>Öffnet den Datensatz mit diesen Optionen</translation>
     </message>
     <message>
         <source>Stops reading, or closes this window</source>
         <translation>Bricht das Lesen ab oder schließt dieses Fenster</translation>
+    </message>
+    <message>
+        <source>Estimated from other datasets; it may be off by a factor of two. A model of less detail takes less.</source>
+        <translation>Aus anderen Datensätzen geschätzt; um den Faktor zwei kann es abweichen. Ein Modell mit weniger Detail braucht weniger.</translation>
     </message>
 </context>
 <context>
@@ -3840,8 +3975,8 @@ Verwerfung %2</translation>
         <translation>Schrittweite entlang %1</translation>
     </message>
     <message>
-        <source>Takes every so many points: 2 takes every second one</source>
-        <translation>Nimmt jeden so vielten Punkt: 2 nimmt jeden zweiten</translation>
+        <source>Keep every n-th point</source>
+        <translation>Behält jeden n-ten Punkt</translation>
     </message>
     <message>
         <source>Takes only what lies in a box; of irregular meshes whole tetrahedra</source>
@@ -3941,8 +4076,8 @@ Verwerfung %2</translation>
         <translation>%1 enthält die Ansicht, die es zeigt; sie kann wiederhergestellt werden.</translation>
     </message>
     <message>
-        <source>Kept on %1. The model lies in %2.</source>
-        <translation>Behalten am %1. Das Modell liegt in %2.</translation>
+        <source>Saved automatically on %1. Model: %2</source>
+        <translation>Automatisch gesichert am %1. Modell: %2</translation>
     </message>
 </context>
 <context>
@@ -4154,8 +4289,8 @@ Verwerfung %2</translation>
         <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
-        <source>Open the model, seen as it was. What was kept stays until that has worked.</source>
-        <translation>Öffnet das Modell, so gesehen wie zuvor. Das Behaltene bleibt, bis das gelungen ist.</translation>
+        <source>Open the model with its view restored. The saved view is kept until that has worked.</source>
+        <translation>Öffnet das Modell in seiner letzten Ansicht. Die gesicherte Ansicht bleibt, bis das gelungen ist.</translation>
     </message>
     <message>
         <source>Restore %1</source>
@@ -4166,8 +4301,8 @@ Verwerfung %2</translation>
         <translation>Ver&amp;werfen</translation>
     </message>
     <message>
-        <source>Forget how the model was seen. The model itself stays.</source>
-        <translation>Vergisst, wie das Modell gesehen wurde. Das Modell selbst bleibt.</translation>
+        <source>Discard this recovered session (the model file is kept)</source>
+        <translation>Verwirft diese wiederhergestellte Sitzung (die Modelldatei bleibt)</translation>
     </message>
     <message>
         <source>Discard %1</source>
@@ -4197,16 +4332,8 @@ Verwerfung %2</translation>
         <translation>TAn</translation>
     </message>
     <message>
-        <source>%1 is not built yet. The picture still shows %2.</source>
-        <translation>%1 ist noch nicht gebaut. Das Bild zeigt noch %2.</translation>
-    </message>
-    <message>
-        <source>The picture is not of the present settings, which could not be shown.</source>
-        <translation>Das Bild gehört nicht zu den jetzigen Einstellungen: Die ließen sich nicht darstellen.</translation>
-    </message>
-    <message>
-        <source>The dataset is open. Build its model to look at it: the panel on the left has the options.</source>
-        <translation>Der Datensatz ist offen. Bauen Sie sein Modell, um ihn anzusehen: Das Feld links hat die Einstellungen.</translation>
+        <source>Dataset loaded. Choose options on the left and press Build to view it.</source>
+        <translation>Der Datensatz ist geladen. Wählen Sie links die Optionen und drücken Sie „Bauen“, um ihn anzusehen.</translation>
     </message>
     <message>
         <source>About TAn</source>
@@ -4255,6 +4382,18 @@ Verwerfung %2</translation>
     <message>
         <source>Its model is being built. The panel on the left shows the progress.</source>
         <translation>Sein Modell wird gebaut. Das Feld links zeigt den Fortschritt.</translation>
+    </message>
+    <message>
+        <source>Making the sample</source>
+        <translation>Das Beispiel wird erzeugt</translation>
+    </message>
+    <message>
+        <source>%1 is not built yet. The picture still shows %2.</source>
+        <translation>%1 ist noch nicht gebaut. Das Bild zeigt noch %2.</translation>
+    </message>
+    <message>
+        <source>The picture is not of the present settings, which could not be shown.</source>
+        <translation>Das Bild gehört nicht zu den jetzigen Einstellungen: Die ließen sich nicht darstellen.</translation>
     </message>
 </context>
 <context>
@@ -4379,32 +4518,32 @@ Verwerfung %2</translation>
         <translation>W&amp;ählen</translation>
     </message>
     <message>
-        <source>Find the value that is seen at the pointer, or in the middle of the picture</source>
-        <translation>Findet den Wert, der am Zeiger oder in der Mitte des Bildes zu sehen ist</translation>
+        <source>Pick the value at the pointer, or in the middle of the picture</source>
+        <translation>Wählt den Wert am Zeiger oder in der Bildmitte</translation>
     </message>
     <message>
-        <source>&amp;Isovalue Here</source>
-        <translation>&amp;Isowert hier</translation>
+        <source>&amp;Isosurface at This Value</source>
+        <translation>&amp;Isofläche bei diesem Wert</translation>
     </message>
     <message>
         <source>Add an isosurface of the picked value</source>
         <translation>Fügt eine Isofläche des gewählten Wertes hinzu</translation>
     </message>
     <message>
-        <source>Point of &amp;Transfer Function Here</source>
-        <translation>Punkt der &amp;Transferfunktion hier</translation>
+        <source>Add &amp;Transfer-Function Point</source>
+        <translation>Punkt der &amp;Transferfunktion hinzufügen</translation>
     </message>
     <message>
         <source>Add a point to the transfer function at the picked value</source>
         <translation>Fügt der Transferfunktion beim gewählten Wert einen Punkt hinzu</translation>
     </message>
     <message>
-        <source>&amp;Forget</source>
-        <translation>&amp;Vergessen</translation>
+        <source>&amp;Clear Mark</source>
+        <translation>&amp;Markierung löschen</translation>
     </message>
     <message>
-        <source>Take the mark of the picked value away</source>
-        <translation>Nimmt die Markierung des gewählten Wertes weg</translation>
+        <source>Clear the picked value</source>
+        <translation>Entfernt den gewählten Wert</translation>
     </message>
     <message>
         <source>Open a model first</source>
@@ -4422,8 +4561,8 @@ Verwerfung %2</translation>
 <context>
     <name>tetra::PictureDialog</name>
     <message>
-        <source>Say in the &amp;file how it was made</source>
-        <translation>In der &amp;Datei sagen, wie es entstand</translation>
+        <source>Store &amp;how the picture was made</source>
+        <translation>&amp;Entstehung in der Datei vermerken</translation>
     </message>
     <message>
         <source>Save Picture</source>
@@ -4481,20 +4620,20 @@ Verwerfung %2</translation>
         <translation>Auflösung</translation>
     </message>
     <message>
-        <source>Pixels an inch when it is printed; the number of pixels does not change</source>
-        <translation>Pixel pro Zoll, wenn es gedruckt wird; die Zahl der Pixel ändert sich nicht</translation>
+        <source>Print resolution in pixels per inch; the number of pixels does not change</source>
+        <translation>Druckauflösung in Pixeln pro Zoll; die Zahl der Pixel ändert sich nicht</translation>
     </message>
     <message>
         <source>Trans&amp;parent background</source>
         <translation>&amp;Durchsichtiger Hintergrund</translation>
     </message>
     <message>
-        <source>As seen</source>
-        <translation>Wie zu sehen</translation>
+        <source>As on screen</source>
+        <translation>Wie auf dem Bildschirm</translation>
     </message>
     <message>
-        <source>Twice as seen</source>
-        <translation>Doppelt so groß</translation>
+        <source>Twice the screen size</source>
+        <translation>Doppelte Bildschirmgröße</translation>
     </message>
     <message>
         <source>HD</source>
@@ -4541,8 +4680,8 @@ Verwerfung %2</translation>
         <translation>Pi&amp;xel</translation>
     </message>
     <message>
-        <source>Pri&amp;nted</source>
-        <translation>Gedruck&amp;t</translation>
+        <source>Pri&amp;nt resolution</source>
+        <translation>Dr&amp;uckauflösung</translation>
     </message>
 </context>
 <context>
@@ -4588,16 +4727,16 @@ Verwerfung %2</translation>
         <translation>Datei</translation>
     </message>
     <message>
-        <source>What was switched on or off counts when TAn starts the next time.</source>
-        <translation>Was ein- oder ausgeschaltet wurde, gilt, wenn TAn das nächste Mal startet.</translation>
+        <source>Changes take effect after a restart.</source>
+        <translation>Änderungen gelten nach einem Neustart.</translation>
     </message>
     <message>
         <source>Cop&amp;y</source>
         <translation>&amp;Kopieren</translation>
     </message>
     <message>
-        <source>Copy all of this as text, for a report of an error</source>
-        <translation>Kopiert all das als Text, für einen Fehlerbericht</translation>
+        <source>Copy for a bug report</source>
+        <translation>Für einen Fehlerbericht kopieren</translation>
     </message>
 </context>
 <context>
@@ -4681,8 +4820,8 @@ Verwerfung %2</translation>
         <translation>In den Einheiten der Daten</translation>
     </message>
     <message>
-        <source>Of the light that a unit distance takes away</source>
-        <translation>Des Lichts, das eine Einheitslänge wegnimmt</translation>
+        <source>Fraction absorbed per unit distance</source>
+        <translation>Anteil, der je Einheitslänge absorbiert wird</translation>
     </message>
     <message>
         <source>As a name or as #rrggbb</source>
@@ -4818,24 +4957,20 @@ Verwerfung %2</translation>
         <translation>B&amp;is</translation>
     </message>
     <message>
-        <source>Cut off</source>
-        <translation>Abgeschnitten</translation>
+        <source>Cut exactly</source>
+        <translation>Genau geschnitten</translation>
     </message>
     <message>
-        <source>All that touch the window</source>
-        <translation>Alle, die es berühren</translation>
+        <source>Whole cells touching</source>
+        <translation>Ganze Zellen, die berühren</translation>
     </message>
     <message>
-        <source>Only those inside</source>
-        <translation>Nur die ganz innen</translation>
+        <source>Whole cells inside</source>
+        <translation>Ganze Zellen innerhalb</translation>
     </message>
     <message>
         <source>Tetrahedra at the border</source>
         <translation>Tetraeder am Rand</translation>
-    </message>
-    <message>
-        <source>What becomes of the tetrahedra at the border of the window: cut off, it ends exactly there; whole, it is ragged</source>
-        <translation>Was aus den Tetraedern am Rand des Fensters wird: abgeschnitten endet es genau dort; mit ganzen ist es gezackt</translation>
     </message>
     <message>
         <source>&amp;Border</source>
@@ -4858,16 +4993,16 @@ Verwerfung %2</translation>
         <translation>Größter Wert</translation>
     </message>
     <message>
-        <source>Onl&amp;y some values</source>
-        <translation>Nur manche &amp;Werte</translation>
+        <source>&amp;Limit to value range</source>
+        <translation>Auf Wertebereich &amp;beschränken</translation>
     </message>
     <message>
         <source>Fro&amp;m</source>
         <translation>&amp;Von</translation>
     </message>
     <message>
-        <source>Whole Domai&amp;n</source>
-        <translation>Ganzes Gebie&amp;t</translation>
+        <source>&amp;Reset to whole domain</source>
+        <translation>Auf das ganze Gebiet zu&amp;rücksetzen</translation>
     </message>
     <message>
         <source>&amp;Smallest</source>
@@ -4880,6 +5015,10 @@ Verwerfung %2</translation>
     <message>
         <source>Show only tetrahedra that can contain a value of a range. Isosurfaces of other values are not seen, or only in part.</source>
         <translation>Nur Tetraeder zeigen, die einen Wert eines Bereichs enthalten können. Isoflächen anderer Werte sind nicht oder nur teilweise zu sehen.</translation>
+    </message>
+    <message>
+        <source>How the window ends: tetrahedra at its border are cut exactly there, or kept or left out as a whole</source>
+        <translation>Wie das Fenster endet: Tetraeder an seiner Grenze werden genau dort geschnitten oder ganz behalten oder ganz weggelassen</translation>
     </message>
 </context>
 <context>
@@ -4901,8 +5040,8 @@ Verwerfung %2</translation>
         <translation> Bilder/s</translation>
     </message>
     <message>
-        <source>Pictures a second while something moves. If there is not time enough they are drawn smaller and of fewer tetrahedra; the picture at rest is always the full one.</source>
-        <translation>Bilder in der Sekunde, während sich etwas bewegt. Reicht die Zeit nicht, werden sie kleiner und aus weniger Tetraedern gezeichnet; das ruhende Bild ist immer das volle.</translation>
+        <source>The frame rate to keep while something moves. If the machine is too slow, frames are drawn smaller and with fewer tetrahedra; the picture at rest is always complete.</source>
+        <translation>Die Bildrate, die in Bewegung gehalten wird. Ist der Rechner zu langsam, werden die Bilder kleiner und aus weniger Tetraedern gezeichnet; das ruhende Bild ist immer vollständig.</translation>
     </message>
     <message>
         <source>Frame rate while moving</source>
@@ -4944,8 +5083,8 @@ Verwerfung %2</translation>
         <translation>Die gezeigte Schicht, von 0 an gezählt</translation>
     </message>
     <message>
-        <source>No layout that could be shown</source>
-        <translation>Keine Anordnung, die sich zeigen ließe</translation>
+        <source>No preview: the layout is incomplete</source>
+        <translation>Keine Vorschau: Die Anordnung ist unvollständig</translation>
     </message>
     <message>
         <source>%1 to the right, %2 up; black %3, white %4</source>
@@ -4971,12 +5110,12 @@ Verwerfung %2</translation>
         <translation>&amp;Speichern …</translation>
     </message>
     <message>
-        <source>Copy all of this as text, with tabs between the columns</source>
-        <translation>Kopiert all das als Text, mit Tabulatoren zwischen den Spalten</translation>
+        <source>Copy as text, with tabs between the columns</source>
+        <translation>Kopiert als Text, mit Tabulatoren zwischen den Spalten</translation>
     </message>
     <message>
-        <source>Save the table as CSV or JSON, in % and under no locale</source>
-        <translation>Speichert die Tabelle als CSV oder JSON, in % und ohne Spracheinstellung</translation>
+        <source>Save the table as CSV or JSON (percent, decimal point)</source>
+        <translation>Speichert die Tabelle als CSV oder JSON (Prozent, Dezimalpunkt)</translation>
     </message>
 </context>
 <context>
@@ -5010,8 +5149,8 @@ Verwerfung %2</translation>
         <translation>Was das Bild zeichnet: OpenGL oder der Prozessor</translation>
     </message>
     <message>
-        <source>%1 sites</source>
-        <translation>%1 Stützpunkte</translation>
+        <source>%1 vertices</source>
+        <translation>%1 Knoten</translation>
     </message>
     <message>
         <source>%1 tetrahedra</source>
@@ -5023,10 +5162,10 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>extracted in %1</source>
-        <translation>geholt in %1</translation>
+        <translation>extrahiert in %1</translation>
     </message>
     <message>
-        <source>%1 a frame</source>
+        <source>%1 per frame</source>
         <translation>%1 je Bild</translation>
     </message>
     <message>
@@ -5123,8 +5262,8 @@ Verwerfung %2</translation>
         <translation>Vorlagen</translation>
     </message>
     <message>
-        <source>Transfer functions to begin with</source>
-        <translation>Transferfunktionen zum Anfangen</translation>
+        <source>Transfer-function presets</source>
+        <translation>Vorlagen für Transferfunktionen</translation>
     </message>
     <message>
         <source>Change</source>
@@ -5317,8 +5456,8 @@ Verwerfung %2</translation>
         <translation>Blickwinkel</translation>
     </message>
     <message>
-        <source>Angle that the shorter side of the picture spans, in degrees</source>
-        <translation>Winkel, den die kürzere Seite des Bildes umfasst, in Grad</translation>
+        <source>View angle along the shorter side of the picture, in degrees</source>
+        <translation>Bildwinkel entlang der kürzeren Bildseite, in Grad</translation>
     </message>
     <message>
         <source>Perspective</source>
@@ -5357,8 +5496,8 @@ Verwerfung %2</translation>
         <translation>Abs&amp;tand</translation>
     </message>
     <message>
-        <source>&amp;Angle</source>
-        <translation>W&amp;inkel</translation>
+        <source>View &amp;angle</source>
+        <translation>Bildw&amp;inkel</translation>
     </message>
     <message>
         <source>Pro&amp;jection</source>
@@ -5385,8 +5524,8 @@ Verwerfung %2</translation>
         <translation>Hintergrundfarbe</translation>
     </message>
     <message>
-        <source>Usual</source>
-        <translation>Üblich</translation>
+        <source>Default</source>
+        <translation>Standard</translation>
     </message>
     <message>
         <source>The colour that fits the window, light or dark</source>

@@ -28,8 +28,8 @@
         <translation>Salva &amp;immagine…</translation>
     </message>
     <message>
-        <source>Save what is seen as a PNG picture</source>
-        <translation>Salva ciò che si vede come immagine PNG</translation>
+        <source>Save the view as a PNG picture</source>
+        <translation>Salva la vista come immagine PNG</translation>
     </message>
     <message>
         <source>&amp;Close</source>
@@ -40,8 +40,8 @@
         <translation>&amp;Esci</translation>
     </message>
     <message>
-        <source>Leave the program</source>
-        <translation>Esce dal programma</translation>
+        <source>Quit TAn</source>
+        <translation>Esce da TAn</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -128,8 +128,8 @@
         <translation>&amp;Ripristina disposizione</translation>
     </message>
     <message>
-        <source>Put all panels back to where they were at first</source>
-        <translation>Rimette tutti i pannelli dove stavano all&apos;inizio</translation>
+        <source>Restore the default layout</source>
+        <translation>Ripristina la disposizione predefinita</translation>
     </message>
     <message>
         <source>F&amp;ull Screen</source>
@@ -168,24 +168,24 @@
         <translation>Salva &amp;mesh…</translation>
     </message>
     <message>
-        <source>Save the mesh that is seen, for VTK, ParaView and others</source>
-        <translation>Salva la mesh visibile, per VTK, ParaView e altri</translation>
+        <source>Save the mesh shown, for VTK, ParaView and others</source>
+        <translation>Salva la mesh mostrata, per VTK, ParaView e altri</translation>
     </message>
     <message>
         <source>Save S&amp;urfaces…</source>
         <translation>Salva su&amp;perfici…</translation>
     </message>
     <message>
-        <source>Save the isosurfaces that are seen, for 3D printers, Blender, ParaView and others</source>
-        <translation>Salva le isosuperfici visibili, per stampanti 3D, Blender, ParaView e altri</translation>
+        <source>Save the isosurfaces shown, for 3D printers, Blender, ParaView and others</source>
+        <translation>Salva le isosuperfici mostrate, per stampanti 3D, Blender, ParaView e altri</translation>
     </message>
     <message>
         <source>Save Stat&amp;istics…</source>
         <translation>Salva s&amp;tatistiche…</translation>
     </message>
     <message>
-        <source>Save how large the mesh of each accuracy is, as a table</source>
-        <translation>Salva in una tabella quanto è grande la mesh di ogni accuratezza</translation>
+        <source>Save the mesh size at each accuracy as a table</source>
+        <translation>Salva come tabella la dimensione della mesh per ogni accuratezza</translation>
     </message>
     <message>
         <source>&amp;Region</source>
@@ -200,8 +200,8 @@
         <translation>&amp;Salva sessione</translation>
     </message>
     <message>
-        <source>Save what is open and how it is seen, to go on with later</source>
-        <translation>Salva ciò che è aperto e come lo si vede, per continuare in seguito</translation>
+        <source>Save what is open and its view, to continue later</source>
+        <translation>Salva ciò che è aperto con la sua vista, per continuare più tardi</translation>
     </message>
     <message>
         <source>Save Session &amp;As…</source>
@@ -216,24 +216,24 @@
         <translation>Importa con &amp;opzioni…</translation>
     </message>
     <message>
-        <source>Open a part of a dataset, or say how its file is to be read</source>
-        <translation>Apre una parte di un insieme di dati, o dice come va letto il suo file</translation>
+        <source>Open a part of a dataset, or choose how its file is read</source>
+        <translation>Apre una parte di un insieme di dati, o sceglie come leggere il suo file</translation>
     </message>
     <message>
         <source>&amp;Find Command…</source>
         <translation>&amp;Trova comando…</translation>
     </message>
     <message>
-        <source>Find whatever the program can do by a few letters of its name</source>
-        <translation>Trova tutto ciò che il programma sa fare con poche lettere del nome</translation>
+        <source>Search all commands</source>
+        <translation>Cerca fra tutti i comandi</translation>
     </message>
     <message>
         <source>Reduced &amp;Motion</source>
         <translation>Movimento ri&amp;dotto</translation>
     </message>
     <message>
-        <source>Change the view at once instead of gliding to it</source>
-        <translation>Cambia la vista subito, senza scivolarvi</translation>
+        <source>Disable camera animation</source>
+        <translation>Disattiva l&apos;animazione della camera</translation>
     </message>
     <message>
         <source>Lan&amp;guage</source>
@@ -244,8 +244,8 @@
         <translation>&amp;Guida a questo controllo</translation>
     </message>
     <message>
-        <source>Say what the control does that has the keys</source>
-        <translation>Dice che cosa fa il controllo che riceve i tasti</translation>
+        <source>Explain the focused control</source>
+        <translation>Spiega il controllo attivo</translation>
     </message>
     <message>
         <source>&amp;What Is This?</source>
@@ -280,8 +280,8 @@
         <translation>&amp;Copia immagine</translation>
     </message>
     <message>
-        <source>Put what is seen on the clipboard, in the size that it is seen in</source>
-        <translation>Mette negli appunti ciò che si vede, nella grandezza in cui si vede</translation>
+        <source>Copy the view to the clipboard</source>
+        <translation>Copia la vista negli appunti</translation>
     </message>
     <message>
         <source>&amp;Annotations</source>
@@ -292,8 +292,8 @@
         <translation>&amp;Manuale</translation>
     </message>
     <message>
-        <source>Read how everything works, in the web browser</source>
-        <translation>Leggere nel browser come funziona tutto</translation>
+        <source>Open the manual in the browser</source>
+        <translation>Apre il manuale nel browser</translation>
     </message>
     <message>
         <source>Picked &amp;Value</source>
@@ -314,6 +314,10 @@
     <message>
         <source>There is nothing to close</source>
         <translation>Non c’è nulla da chiudere</translation>
+    </message>
+    <message>
+        <source>Open Samp&amp;le</source>
+        <translation>Apri &amp;esempio</translation>
     </message>
     <message>
         <source>&amp;Orientation</source>
@@ -433,7 +437,7 @@
     <name>ChangeQuery</name>
     <message>
         <source>change of focus</source>
-        <translation>modifica del fuoco</translation>
+        <translation>modifica del focus</translation>
     </message>
     <message>
         <source>change of window</source>
@@ -459,8 +463,8 @@
         <translation>modifica dello sfondo</translation>
     </message>
     <message>
-        <source>change of view</source>
-        <translation>modifica della vista</translation>
+        <source>Move Camera</source>
+        <translation>Sposta la camera</translation>
     </message>
 </context>
 <context>
@@ -494,7 +498,7 @@
     </message>
     <message>
         <source>Rendering</source>
-        <translation>Resa</translation>
+        <translation>Rendering</translation>
     </message>
     <message>
         <source>View</source>
@@ -510,7 +514,7 @@
     </message>
     <message>
         <source>Focus</source>
-        <translation>Fuoco</translation>
+        <translation>Focus</translation>
     </message>
     <message>
         <source>Region</source>
@@ -525,8 +529,8 @@
         <translation>Di quanto la mesh può scostarsi dai dati, in percento dell&apos;intervallo dei valori, oppure quanti tetraedri può avere. La curva mostra quanto costa ogni errore.</translation>
     </message>
     <message>
-        <source>In which way the mesh is drawn: surfaces, volume or both, and how finely.</source>
-        <translation>In che modo si disegna la mesh: superfici, volume o entrambi, e con quale finezza.</translation>
+        <source>Rendering mode and its settings: surfaces, volume or both.</source>
+        <translation>Modo di rendering e impostazioni: superfici, volume o entrambi.</translation>
     </message>
     <message>
         <source>From where the model is seen, in numbers. In the picture: drag to turn, Shift and drag to move, the wheel zooms.</source>
@@ -537,8 +541,8 @@
         <translation>Statistiche</translation>
     </message>
     <message>
-        <source>What each accuracy costs in sites, tetrahedra, time and memory, and what is shown now in numbers.</source>
-        <translation>Quanto costa ogni accuratezza in siti, tetraedri, tempo e memoria, e che cosa si vede ora, in numeri.</translation>
+        <source>What each accuracy costs in vertices, tetrahedra, time and memory, and the mesh shown now in numbers.</source>
+        <translation>Quanto costa ogni accuratezza in vertici, tetraedri, tempo e memoria, e la mesh mostrata in numeri.</translation>
     </message>
     <message>
         <source>Surfaces on which the field has one value each, in the units of the data.</source>
@@ -662,8 +666,8 @@
 <context>
     <name>HelpActions</name>
     <message>
-        <source>The language changes when TAn starts the next time.</source>
-        <translation>La lingua cambia al prossimo avvio di TAn.</translation>
+        <source>Restart TAn to change the language.</source>
+        <translation>Riavviare TAn per cambiare lingua.</translation>
     </message>
     <message>
         <source>&amp;As the System</source>
@@ -700,14 +704,6 @@
         <translation>%1 = %2 byte: il file ne ha esattamente tanti.</translation>
     </message>
     <message>
-        <source>%1 = %2 bytes; the file has %3, %4 too few.</source>
-        <translation>%1 = %2 byte; il file ne ha %3, %4 di meno.</translation>
-    </message>
-    <message>
-        <source>%1 = %2 bytes; the file has %3, %4 too many.</source>
-        <translation>%1 = %2 byte; il file ne ha %3, %4 di troppo.</translation>
-    </message>
-    <message>
         <source>All %1 = %2 points.</source>
         <translation>Tutti i %1 = %2 punti.</translation>
     </message>
@@ -716,16 +712,12 @@
         <translation>%1 = %2 di %3 punti.</translation>
     </message>
     <message>
-        <source>Building to an error of 0 takes about %1 of memory, %2 of disk and %3.</source>
-        <translation>La costruzione fino a un errore di 0 richiede circa %1 di memoria, %2 di disco e %3.</translation>
+        <source>The build takes about %1 of memory, %2 of disk and %3.</source>
+        <translation>La costruzione richiede circa %1 di memoria, %2 di disco e %3.</translation>
     </message>
     <message>
-        <source>Decimating to the coarsest mesh takes up to %1 of memory, %2 of disk and %3.</source>
-        <translation>La decimazione fino alla mesh più rada richiede al più %1 di memoria, %2 di disco e %3.</translation>
-    </message>
-    <message>
-        <source>Building to an error of 0 takes up to %1 of memory, %2 of disk and %3.</source>
-        <translation>La costruzione fino a un errore di 0 richiede al più %1 di memoria, %2 di disco e %3.</translation>
+        <source>The build takes up to %1 of memory, %2 of disk and %3.</source>
+        <translation>La costruzione richiede fino a %1 di memoria, %2 di disco e %3.</translation>
     </message>
     <message>
         <source>This machine has %1 of memory.</source>
@@ -743,6 +735,18 @@
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 = %2 bytes; the file has %3: %4 bytes missing.</source>
+        <translation>%1 = %2 byte; il file ne ha %3: %4 byte mancanti.</translation>
+    </message>
+    <message>
+        <source>%1 = %2 bytes; the file has %3: %4 bytes unused.</source>
+        <translation>%1 = %2 byte; il file ne ha %3: %4 byte inutilizzati.</translation>
+    </message>
 </context>
 <context>
     <name>Manual</name>
@@ -758,40 +762,40 @@
 <context>
     <name>MeshText</name>
     <message>
-        <source>More would take more than %1 tetrahedra.</source>
-        <translation>Di più richiederebbe oltre %1 tetraedri.</translation>
+        <source>Limited by the budget of %1 tetrahedra.</source>
+        <translation>Limitato dal budget di %1 tetraedri.</translation>
     </message>
     <message>
-        <source>This is all that the model has.</source>
-        <translation>È tutto ciò che il modello contiene.</translation>
+        <source>Full resolution of the model.</source>
+        <translation>Risoluzione piena del modello.</translation>
     </message>
     <message>
-        <source>The model has nothing finer.</source>
-        <translation>Il modello non ha nulla di più fine.</translation>
+        <source>The model contains no finer level.</source>
+        <translation>Il modello non contiene livelli più fini.</translation>
     </message>
     <message>
         <source>%1 of its %2 tetrahedra are shown.</source>
         <translation>Si mostrano %1 dei suoi %2 tetraedri.</translation>
     </message>
     <message>
-        <source>%1 tetrahedra in %2 pieces, as the window cuts them</source>
-        <translation>%1 tetraedri in %2 pezzi, tagliati dalla finestra</translation>
-    </message>
-    <message>
         <source>error %1 in the focus, %2 outside</source>
-        <translation>errore %1 nel fuoco, %2 all&apos;esterno</translation>
+        <translation>errore %1 nel focus, %2 all&apos;esterno</translation>
     </message>
     <message>
         <source>error %1</source>
         <translation>errore %1</translation>
     </message>
     <message>
-        <source>Shown: %1; the warping likewise.</source>
-        <translation>Mostrato: %1; lo stesso per la deformazione.</translation>
+        <source>Shown: error and warping both %1.</source>
+        <translation>Mostrato: errore e deformazione entrambi %1.</translation>
     </message>
     <message>
         <source>Shown: %1.</source>
         <translation>Mostrato: %1.</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra in %2 pieces, as the window cuts them</source>
+        <translation>%1 tetraedri in %2 pezzi, tagliati dalla finestra</translation>
     </message>
 </context>
 <context>
@@ -1026,20 +1030,12 @@
         <translation>Blocco</translation>
     </message>
     <message>
-        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice is large. The blocks of a curvilinear grid are refined together, all in memory.</source>
-        <translation>Le celle lungo uno spigolo dei blocchi raffinati indipendentemente, con memoria per pochi di essi; «nessuno» raffina l&apos;insieme di dati come un tutto; «automatico» usa blocchi dove un reticolo è grande. I blocchi delle griglie curvilinee sono raffinati insieme, tutti in memoria.</translation>
-    </message>
-    <message>
         <source>cells</source>
         <translation>celle</translation>
     </message>
     <message>
         <source>Warping</source>
         <translation>Deformazione</translation>
-    </message>
-    <message>
-        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
-        <translation>Per dati curvilinei e irregolari: la deformazione a cui fermarsi. Il suo rapporto con l&apos;errore dice quanto conta la forma rispetto ai valori. Se uno dei due è 0, vale per esso il numero dell&apos;altro.</translation>
     </message>
     <message>
         <source>% of the diagonal</source>
@@ -1090,8 +1086,8 @@
         <translation>I valori di cui si mostrano le superfici, ciascuno con colore e opacità.</translation>
     </message>
     <message>
-        <source>Outline</source>
-        <translation>Contorno</translation>
+        <source>Bounding box</source>
+        <translation>Parallelepipedo limite</translation>
     </message>
     <message>
         <source>Shows the edges of the box that the data fill.</source>
@@ -1447,11 +1443,11 @@
     </message>
     <message>
         <source>Focus</source>
-        <translation>Fuoco</translation>
+        <translation>Focus</translation>
     </message>
     <message>
         <source>Shows the field as a volume that is finer inside the focus than outside, blended at its border.</source>
-        <translation>Mostra il campo come un volume più fine dentro il fuoco che fuori, sfumato al bordo.</translation>
+        <translation>Mostra il campo come un volume più fine dentro il focus che fuori, sfumato al bordo.</translation>
     </message>
     <message>
         <source>Volume with isosurfaces</source>
@@ -1515,14 +1511,14 @@
     </message>
     <message>
         <source>Which point goes next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points at a time that do not touch, so that a focus region needs the least besides.</source>
-        <translation>Quale punto togliere per primo: &apos;exact&apos; quello la cui perdita fa meno danno, per il minor numero di punti; &apos;paper&apos; lo stima con gradienti e piani, come faceva l&apos;articolo; &apos;rounds&apos; toglie molti punti per volta che non si toccano, così che una regione di fuoco richieda meno all&apos;intorno.</translation>
+        <translation>Quale punto togliere per primo: &apos;exact&apos; quello la cui perdita fa meno danno, per il minor numero di punti; &apos;paper&apos; lo stima con gradienti e piani, come faceva l&apos;articolo; &apos;rounds&apos; toglie molti punti per volta che non si toccano, così che una regione di focus richieda meno all&apos;intorno.</translation>
     </message>
     <message>
         <source>rounds</source>
         <translation>a turni</translation>
     </message>
     <message>
-        <source>Judging the vertices</source>
+        <source>Evaluating vertices</source>
         <translation>Valutazione dei vertici</translation>
     </message>
     <message>
@@ -1618,12 +1614,28 @@
         <translation>L&apos;opacità di un contorno traslucido; 1 nasconde ciò che sta dietro.</translation>
     </message>
     <message>
-        <source>Hide what faces the eye</source>
-        <translation>Nascondi ciò che è rivolto all&apos;occhio</translation>
+        <source>Back faces only</source>
+        <translation>Solo facce posteriori</translation>
     </message>
     <message>
-        <source>Shows of the boundary only the walls on the far side, from within, and leaves out those that face the eye.</source>
-        <translation>Mostra del contorno solo le pareti sul lato lontano, da dentro, e tralascia quelle rivolte all&apos;occhio.</translation>
+        <source>Shows only the far walls of the boundary, seen from within, and leaves out those that face the camera.</source>
+        <translation>Mostra solo le pareti lontane del bordo, dall&apos;interno, e tralascia quelle rivolte verso la camera.</translation>
+    </message>
+    <message>
+        <source>Finest error</source>
+        <translation>Errore più fine</translation>
+    </message>
+    <message>
+        <source>Leaves meshes of smaller errors out of the model, so that it is smaller; 0 keeps everything.</source>
+        <translation>Tralascia dal modello le mesh con errori minori, così che sia più piccolo; 0 conserva tutto.</translation>
+    </message>
+    <message>
+        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice is large. The blocks of a curvilinear grid are refined together, all in memory.</source>
+        <translation>Le celle lungo uno spigolo dei blocchi raffinati indipendentemente, con memoria per pochi di essi; «nessuno» raffina l&apos;insieme di dati come un tutto; «automatico» usa blocchi dove un reticolo è grande. I blocchi delle griglie curvilinee sono raffinati insieme, tutti in memoria.</translation>
+    </message>
+    <message>
+        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
+        <translation>Per dati curvilinei e irregolari: la deformazione a cui fermarsi. Il suo rapporto con l&apos;errore dice quanto conta la forma rispetto ai valori. Se uno dei due è 0, vale per esso il numero dell&apos;altro.</translation>
     </message>
 </context>
 <context>
@@ -1655,8 +1667,99 @@
 <context>
     <name>RemoveIsovalue</name>
     <message>
-        <source>removal of isovalue</source>
-        <translation>rimozione dell&apos;isovalore</translation>
+        <source>Remove Isovalue</source>
+        <translation>Rimuovi isovalore</translation>
+    </message>
+</context>
+<context>
+    <name>Samples</name>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 punti</translation>
+    </message>
+    <message>
+        <source>%1 × %1 × %1 points</source>
+        <translation>%1 × %1 × %1 punti</translation>
+    </message>
+    <message>
+        <source>Buckyball</source>
+        <translation>Fullerene</translation>
+    </message>
+    <message>
+        <source>Electron density of a C60 molecule; regular grid, %1, computed by TAn. Look at the cage of atoms as an isosurface, and at how few tetrahedra an error of 1 % takes.</source>
+        <translation>Densità elettronica di una molecola C60; griglia regolare, %1, calcolata da TAn. Da guardare: la gabbia di atomi come isosuperficie, e quanti pochi tetraedri bastano per un errore dell&apos;1 %.</translation>
+    </message>
+    <message>
+        <source>Hydrogen atom</source>
+        <translation>Atomo di idrogeno</translation>
+    </message>
+    <message>
+        <source>Probability density of the 3d electron; regular grid, %1, computed by TAn. Look at the two lobes and the ring, as a volume or as isosurfaces.</source>
+        <translation>Densità di probabilità dell&apos;elettrone 3d; griglia regolare, %1, calcolata da TAn. Da guardare: i due lobi e l&apos;anello, come volume o come isosuperfici.</translation>
+    </message>
+    <message>
+        <source>Supersonic flow</source>
+        <translation>Flusso supersonico</translation>
+    </message>
+    <message>
+        <source>Density in front of a half sphere; curvilinear grid, %1, computed by TAn. Look at the bow shock, and at the grid that follows the body.</source>
+        <translation>Densità davanti a una semisfera; griglia curvilinea, %1, calcolata da TAn. Da guardare: l&apos;onda d&apos;urto, e la griglia che segue il corpo.</translation>
+    </message>
+    <message>
+        <source>Flow around a cylinder</source>
+        <translation>Flusso su cilindro</translation>
+    </message>
+    <message>
+        <source>Pressure of the flow; curvilinear grid that closes on itself, %1, computed by TAn. Look at the front, where the flow is stopped, and at the sides, where it is fastest.</source>
+        <translation>Pressione del flusso; griglia curvilinea chiusa su sé stessa, %1, calcolata da TAn. Da guardare: il fronte, dove il flusso si arresta, e i lati, dove è più veloce.</translation>
+    </message>
+    <message>
+        <source>Flow in a duct</source>
+        <translation>Flusso in un condotto</translation>
+    </message>
+    <message>
+        <source>Speed in a bent duct; curvilinear grid, %1, computed by TAn. Look at how the flow keeps to the outer wall of the bend.</source>
+        <translation>Velocità in un condotto curvo; griglia curvilinea, %1, calcolata da TAn. Da guardare: come il flusso resta sulla parete esterna della curva.</translation>
+    </message>
+    <message>
+        <source>Plate with holes</source>
+        <translation>Piastra forata</translation>
+    </message>
+    <message>
+        <source>Stress in a plate with five holes and a closed cavity; irregular mesh, computed by TAn. Look at the boundary, which keeps its holes at every accuracy.</source>
+        <translation>Tensione in una piastra con cinque fori e una cavità chiusa; mesh irregolare, calcolata da TAn. Da guardare: il bordo, che conserva i fori a ogni accuratezza.</translation>
+    </message>
+    <message>
+        <source>Scattered points</source>
+        <translation>Punti sparsi</translation>
+    </message>
+    <message>
+        <source>Waves that grow finer outwards, known at random places in a ball; %1, computed by TAn. Look at a volume that comes without any grid.</source>
+        <translation>Onde sempre più fini verso l&apos;esterno, note in punti casuali di una palla; %1, calcolati da TAn. Da guardare: un volume senza alcuna griglia.</translation>
+    </message>
+    <message>
+        <source>Ripples</source>
+        <translation>Increspature</translation>
+    </message>
+    <message>
+        <source>The test signal of Marschner and Lobb; regular grid, %1, computed by TAn. Look at the fine ripples, which vanish first when the error grows.</source>
+        <translation>Il segnale di prova di Marschner e Lobb; griglia regolare, %1, calcolata da TAn. Da guardare: le increspature fini, le prime a sparire quando l&apos;errore cresce.</translation>
+    </message>
+    <message>
+        <source>Boundary layer</source>
+        <translation>Strato limite</translation>
+    </message>
+    <message>
+        <source>A layer at a wall; rectilinear grid with growing spacing, %1, computed by TAn. Look at how the tetrahedra crowd at the wall.</source>
+        <translation>Uno strato presso una parete; griglia rettilinea a passo crescente, %1, calcolata da TAn. Da guardare: come i tetraedri si addensano alla parete.</translation>
+    </message>
+    <message>
+        <source>White noise</source>
+        <translation>Rumore bianco</translation>
+    </message>
+    <message>
+        <source>Random values, the worst case for any method; regular grid, %1, computed by TAn. Look at the statistics: even a large error takes nearly all points.</source>
+        <translation>Valori casuali, il caso peggiore per ogni metodo; griglia regolare, %1, calcolata da TAn. Da guardare: le statistiche, perché anche un errore grande richiede quasi tutti i punti.</translation>
     </message>
 </context>
 <context>
@@ -1666,7 +1769,7 @@
         <translation>«%1» non esiste, o la sua cartella non è accessibile. Controllare il nome.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is a folder. Give a file in it.</source>
+        <source>&apos;%1&apos; is a folder. Choose a file inside it.</source>
         <translation>«%1» è una cartella. Scegliere un file al suo interno.</translation>
     </message>
     <message>
@@ -1674,8 +1777,8 @@
         <translation>«%1» è un dispositivo o una pipe. Scegliere un file.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is empty. Copy it again from where it came from.</source>
-        <translation>«%1» è vuoto. Copiarlo di nuovo da dove proviene.</translation>
+        <source>&apos;%1&apos; is empty. The copy may be incomplete: copy the file again.</source>
+        <translation>«%1» è vuoto. La copia potrebbe essere incompleta: copiare di nuovo il file.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; cannot be read: %2.</source>
@@ -1692,10 +1795,6 @@
     <message>
         <source>%1. Ask its owner for the right to read it.</source>
         <translation>%1. Chiedere al proprietario il permesso di leggerlo.</translation>
-    </message>
-    <message>
-        <source>%1. Close other programs, or raise the limit (ulimit).</source>
-        <translation>%1. Chiudere altri programmi o alzare il limite (ulimit).</translation>
     </message>
     <message>
         <source>it is a folder. Name a file in it.</source>
@@ -1798,8 +1897,8 @@
         <translation>Impossibile leggere «%1»: %2 (È stato decompresso da solo. Se nomina altri file, decomprimerlo accanto a essi: gunzip.)</translation>
     </message>
     <message>
-        <source>it is packed by gzip, and damaged or cut short. Copy it again from where it came from.</source>
-        <translation>è compresso con gzip, e danneggiato o troncato. Copiarlo di nuovo da dove proviene.</translation>
+        <source>it is compressed by gzip, and damaged or cut short. The copy may be incomplete: copy the file again.</source>
+        <translation>è compresso con gzip, e danneggiato o troncato. La copia potrebbe essere incompleta: copiare di nuovo il file.</translation>
     </message>
     <message>
         <source>it is packed by gzip, and cannot be unpacked into &apos;%1&apos;: %2. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
@@ -1810,15 +1909,15 @@
         <translation>è compresso con gzip, e decompresso supera %1, metà dello spazio in «%2». Liberare spazio là, impostare TMPDIR su una cartella che ne ha di più, o decomprimerlo a mano (gunzip).</translation>
     </message>
     <message>
-        <source>VTK says: %1 The file is damaged, incomplete, or of a kind that VTK does not know: copy or write it anew.</source>
-        <translation>VTK dice: %1 Il file è danneggiato, incompleto o di un tipo che VTK non conosce: copiarlo o scriverlo di nuovo.</translation>
+        <source>VTK says: %1 The file is damaged, incomplete, or of a kind that VTK does not know: copy or export it again.</source>
+        <translation>VTK dice: %1 Il file è danneggiato, incompleto o di un tipo che VTK non conosce: copiarlo o esportarlo di nuovo.</translation>
     </message>
     <message>
-        <source>it has %1 bytes, and its header asks for %2. It is cut short: copy it again from where it came from.</source>
+        <source>it has %1 bytes, and its header asks for %2. It is cut short: copy the file again.</source>
         <translation>ha %1 byte, e la sua intestazione ne chiede %2. È troncato: copiarlo di nuovo da dove proviene.</translation>
     </message>
     <message>
-        <source>its data file &apos;%1&apos; has %2 bytes, and its header asks for %3. It is cut short: copy it again from where it came from.</source>
+        <source>its data file &apos;%1&apos; has %2 bytes, and its header asks for %3. It is cut short: copy the file again.</source>
         <translation>il suo file di dati «%1» ha %2 byte, e l’intestazione ne chiede %3. È troncato: copiarlo di nuovo da dove proviene.</translation>
     </message>
     <message>
@@ -1830,7 +1929,7 @@
         <translation>il suo file «%1» manca. Copiarlo nella cartella di questo: vanno insieme.</translation>
     </message>
     <message>
-        <source>its file &apos;%1&apos; ends in line %2, before the last %3. It is cut short: copy it again from where it came from.</source>
+        <source>its file &apos;%1&apos; ends in line %2, before the last %3. It is cut short: copy the file again.</source>
         <translation>il suo file «%1» finisce alla riga %2, prima di tutti i dati (%3). È troncato: copiarlo di nuovo da dove proviene.</translation>
     </message>
     <message>
@@ -1838,15 +1937,15 @@
         <translation>ha %1 byte, e la sua variabile «%2» arriva al byte %3. È troncato, o non è stato scritto fino in fondo: copiarlo o scriverlo di nuovo.</translation>
     </message>
     <message>
-        <source>page %1 lies behind its end, at %2 bytes. It is cut short: copy it again from where it came from.</source>
+        <source>page %1 lies behind its end, at %2 bytes. It is cut short: copy the file again.</source>
         <translation>la pagina %1 sta oltre la sua fine, a %2 byte. È troncato: copiarlo di nuovo da dove proviene.</translation>
     </message>
     <message>
-        <source>it ends within its header. It is cut short: copy it again from where it came from.</source>
+        <source>it ends within its header. It is cut short: copy the file again.</source>
         <translation>finisce dentro la sua intestazione. È troncato: copiarlo di nuovo da dove proviene.</translation>
     </message>
     <message>
-        <source>it ends within its appended data. It is cut short: copy it again from where it came from.</source>
+        <source>it ends within its appended data. It is cut short: copy the file again.</source>
         <translation>finisce dentro i dati in coda. È troncato: copiarlo di nuovo da dove proviene.</translation>
     </message>
     <message>
@@ -1898,15 +1997,15 @@
         <translation>%1 celle sono dette lineari e hanno i vertici di quadratiche: sono state prese come tali.</translation>
     </message>
     <message>
-        <source>VTK broke down over it. The file is damaged, larger than memory, or of a kind that VTK reads badly. Write it anew, or as another format (.vtu, .vti).</source>
-        <translation>VTK non è riuscito a leggerlo. Il file è danneggiato, più grande della memoria, o di un tipo che VTK legge male. Scriverlo di nuovo, o in un altro formato (.vtu, .vti).</translation>
+        <source>VTK&apos;s reader crashed. The file is damaged, larger than memory, or of a kind that VTK reads badly. Export it again, or in another format (.vtu, .vti).</source>
+        <translation>Il lettore di VTK si è bloccato. Il file è danneggiato, più grande della memoria, o di un tipo che VTK legge male. Esportarlo di nuovo, o in un altro formato (.vtu, .vti).</translation>
     </message>
     <message>
         <source>The VTK readers are not installed. Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
         <translation>I lettori VTK non sono installati. Installare il pacchetto tan-vtk-readers, fornito con TAn: «apt install ./tan-vtk-readers_*.deb» dove si trova il file (se compilato da sé: ricompilare dopo «apt install libvtk9-dev»), o convertire il file in NRRD o CSV.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is damaged: %2. Copy it again from where it came from, or build it again.</source>
+        <source>&apos;%1&apos; is damaged: %2. Copy the file again, or build it again.</source>
         <translation>«%1» è danneggiato: %2. Copiarlo di nuovo da dove proviene, o ricostruirlo.</translation>
     </message>
     <message>
@@ -1934,7 +2033,7 @@
         <translation>manca la sezione «%1»</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is cut short: it has %2 bytes and should have %3. Copy it again from where it came from, or build it again.</source>
+        <source>&apos;%1&apos; is cut short: it has %2 bytes and should have %3. Copy the file again, or build it again.</source>
         <translation>«%1» è troncato: ha %2 byte e dovrebbe averne %3. Copiarlo di nuovo da dove proviene, o ricostruirlo.</translation>
     </message>
     <message>
@@ -1954,7 +2053,7 @@
         <translation>«%1» ha la versione %2 del formato; questo programma legge fino alla versione %3. Installare una versione più recente di TAn.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; was cut short or changed while it was open. Open it again; if that fails, copy it again from where it came from, or build it again.</source>
+        <source>&apos;%1&apos; was cut short or changed while it was open. Open it again; if that fails, copy the file again, or build it again.</source>
         <translation>«%1» è stato troncato o cambiato mentre era aperto. Aprirlo di nuovo; se non riesce, copiarlo di nuovo da dove proviene, o ricostruirlo.</translation>
     </message>
     <message>
@@ -2002,10 +2101,6 @@
         <translation>Scegliere un&apos;altra cartella o un altro disco.</translation>
     </message>
     <message>
-        <source>Close other programs, or raise the limit (ulimit).</source>
-        <translation>Chiudere altri programmi o alzare il limite (ulimit).</translation>
-    </message>
-    <message>
         <source>it is not a regular file</source>
         <translation>non è un file ordinario</translation>
     </message>
@@ -2040,22 +2135,6 @@
     <message>
         <source>Wait for it, or give the model another name.</source>
         <translation>Aspettarlo, o dare al modello un altro nome.</translation>
-    </message>
-    <message>
-        <source>it holds something else</source>
-        <translation>contiene qualcos&apos;altro</translation>
-    </message>
-    <message>
-        <source>Give the model another name, or move that folder away.</source>
-        <translation>Dare al modello un altro nome o spostare quella cartella.</translation>
-    </message>
-    <message>
-        <source>it is a link</source>
-        <translation>è un collegamento</translation>
-    </message>
-    <message>
-        <source>Give the model another name, or move that link away.</source>
-        <translation>Dare al modello un altro nome o spostare quel collegamento.</translation>
     </message>
     <message>
         <source>Choose another folder for the model.</source>
@@ -2142,14 +2221,6 @@
         <translation>Il file non esiste più sul server</translation>
     </message>
     <message>
-        <source>Cannot make a temporary file in &apos;%1&apos;: %2. %3</source>
-        <translation>Impossibile creare un file temporaneo in «%1»: %2. %3</translation>
-    </message>
-    <message>
-        <source>A temporary file in &apos;%1&apos; cannot be used: %2. %3</source>
-        <translation>Un file temporaneo in «%1» non può essere usato: %2. %3</translation>
-    </message>
-    <message>
         <source>The output &apos;%1&apos; is the input &apos;%2&apos;. Give the output another name.</source>
         <translation>Il risultato «%1» è l&apos;origine «%2». Dare al risultato un altro nome.</translation>
     </message>
@@ -2207,11 +2278,11 @@
     </message>
     <message>
         <source>There is not enough memory for this mesh. Ask for a larger error, a smaller focus or a budget.</source>
-        <translation>La memoria non basta per questa mesh. Scegliere un errore maggiore, un fuoco più piccolo o un limite.</translation>
+        <translation>La memoria non basta per questa mesh. Scegliere un errore maggiore, un focus più piccolo o un limite.</translation>
     </message>
     <message>
         <source>Not enough memory for the mesh of the focus. Choose a larger error or a smaller focus.</source>
-        <translation>La memoria non basta per la mesh del fuoco. Scegliere un errore maggiore o un fuoco più piccolo.</translation>
+        <translation>La memoria non basta per la mesh del focus. Scegliere un errore maggiore o un focus più piccolo.</translation>
     </message>
     <message>
         <source>There is not enough memory for a picture of this size.</source>
@@ -2270,18 +2341,6 @@
         <translation>La memoria di questo computer qui non basta per «%1». Chiudere altri programmi, o dargli dati più piccoli.</translation>
     </message>
     <message>
-        <source>The memory of this machine is not enough for this. Close other programs, or raise the limit (ulimit).</source>
-        <translation>La memoria di questo computer non basta. Chiudere altri programmi o alzare il limite (ulimit).</translation>
-    </message>
-    <message>
-        <source>This machine can start no more threads now. Close other programs, or raise the limit (ulimit).</source>
-        <translation>Questo computer non può avviare altri thread in questo momento. Chiudere altri programmi o alzare il limite (ulimit).</translation>
-    </message>
-    <message>
-        <source>Not all plugins can be loaded now: %1. Close other programs, or raise the limit (ulimit).</source>
-        <translation>In questo momento non è possibile caricare tutti i plugin: %1. Chiudere altri programmi o alzare il limite (ulimit).</translation>
-    </message>
-    <message>
         <source>The plugin &apos;%1&apos; failed: %2. This is a mistake in the plugin; tell its author.</source>
         <translation>Il plugin «%1» ha fallito: %2. È un errore del plugin; segnalarlo all&apos;autore.</translation>
     </message>
@@ -2334,7 +2393,7 @@
         <translation>il suo primo vertice deve essere il minore lungo ogni asse</translation>
     </message>
     <message>
-        <source>The mesh has %1. Mend the mesh where it was made.</source>
+        <source>The mesh has %1. Repair the mesh in the program that made it.</source>
         <translation>La mesh ha %1. Correggerla dove è stata creata.</translation>
     </message>
     <message>
@@ -2350,12 +2409,12 @@
         <translation>La mesh più grossolana ha %1 tetraedri, più del limite di %2. Permetterne almeno altrettanti.</translation>
     </message>
     <message>
-        <source>The error in the focus is larger than that outside. Exchange the two.</source>
-        <translation>L&apos;errore nel fuoco è maggiore di quello esterno. Scambiarli.</translation>
+        <source>The error in the focus is larger than that outside. Swap them.</source>
+        <translation>L&apos;errore nel focus è maggiore di quello esterno. Scambiarli.</translation>
     </message>
     <message>
         <source>The mesh of the focus became too large. Choose a larger error or a smaller focus.</source>
-        <translation>La mesh del fuoco è diventata troppo grande. Scegliere un errore maggiore o un fuoco più piccolo.</translation>
+        <translation>La mesh del focus è diventata troppo grande. Scegliere un errore maggiore o un focus più piccolo.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no clip plane: give four numbers nx,ny,nz,offset, the first three not all zero; points with nx x + ny y + nz z &gt;= offset are shown.</source>
@@ -2402,7 +2461,7 @@
         <translation>La preimpostazione «%1» non può essere modificata: %2. Controllare i permessi della cartella, e che ci sia spazio.</translation>
     </message>
     <message>
-        <source>This is no JSON: %1</source>
+        <source>Not valid JSON: %1</source>
         <translation>Questo non è JSON: %1</translation>
     </message>
     <message>
@@ -2498,12 +2557,12 @@
         <translation>Una parte di %1 dei %2 punti.</translation>
     </message>
     <message>
-        <source>1 tetrahedron inside the region that hung on the others by a point or an edge alone, left out.</source>
-        <translation>1 tetraedro nella regione, unito agli altri solo per un punto o uno spigolo, è stato omesso.</translation>
+        <source>1 tetrahedron inside the region, connected only by a vertex or an edge, left out.</source>
+        <translation>1 tetraedro nella regione, connesso solo per un vertice o uno spigolo, è stato omesso.</translation>
     </message>
     <message>
-        <source>%1 tetrahedra inside the region that hung on the others by a point or an edge alone, left out.</source>
-        <translation>%1 tetraedri nella regione, uniti agli altri solo per un punto o uno spigolo, sono stati omessi.</translation>
+        <source>%1 tetrahedra inside the region, connected only by a vertex or an edge, left out.</source>
+        <translation>%1 tetraedri nella regione, connessi solo per un vertice o uno spigolo, sono stati omessi.</translation>
     </message>
     <message>
         <source>The values belong to cells: each point got the mean of the cells around it.</source>
@@ -2514,8 +2573,8 @@
         <translation>I valori delle celle sono stati portati ai punti, come media delle celle attorno.</translation>
     </message>
     <message>
-        <source>All cells were turned over: their corners are in the other order.</source>
-        <translation>Tutte le celle sono state capovolte: i loro vertici sono nell&apos;altro ordine.</translation>
+        <source>All cells had inverted orientation and were corrected.</source>
+        <translation>Tutte le celle avevano orientamento inverso e sono state corrette.</translation>
     </message>
     <message>
         <source>What joins its points (lines, polygons) was left out: they are scattered points.</source>
@@ -2534,8 +2593,8 @@
         <translation>%1 delle sue parti non sono mesh irregolari e sono state omesse.</translation>
     </message>
     <message>
-        <source>It has %1 parts; this is the one called &apos;%2&apos;. Choose another one with &apos;part&apos;.</source>
-        <translation>Ha %1 parti; questa è quella chiamata «%2». Un&apos;altra si sceglie con «Parte».</translation>
+        <source>It contains %1 parts; this is the one called &apos;%2&apos;. Choose another one with &apos;part&apos;.</source>
+        <translation>Contiene %1 parti; questa è quella chiamata «%2». Un&apos;altra si sceglie con «Parte».</translation>
     </message>
     <message>
         <source>Time step %1 of %2. Choose another one with &apos;time&apos;.</source>
@@ -2598,11 +2657,11 @@
         <translation>%1 celle senza volume sono state omesse.</translation>
     </message>
     <message>
-        <source>1 cell was turned over: the corners are in the other order.</source>
+        <source>1 cell was corrected: the orientation was inverted.</source>
         <translation>1 cella è stata capovolta: i vertici sono nell&apos;altro ordine.</translation>
     </message>
     <message>
-        <source>%1 cells were turned over: the corners are in the other order.</source>
+        <source>%1 cells were corrected: the orientation was inverted.</source>
         <translation>%1 celle sono state capovolte: i vertici sono nell&apos;altro ordine.</translation>
     </message>
     <message>
@@ -2737,6 +2796,50 @@
         <source>The folder &apos;%1&apos; cannot be written to, so that the view cannot be kept. Make room there, or save the session.</source>
         <translation>Non si può scrivere nella cartella «%1», quindi la vista non può essere conservata. Liberare spazio lì, o salvare la sessione.</translation>
     </message>
+    <message>
+        <source>%1. Close other programs, or raise the limit (ulimit).</source>
+        <translation>%1. Chiudere altri programmi o alzare il limite (ulimit).</translation>
+    </message>
+    <message>
+        <source>Close other programs, or raise the limit (ulimit).</source>
+        <translation>Chiudere altri programmi o alzare il limite (ulimit).</translation>
+    </message>
+    <message>
+        <source>it holds something else</source>
+        <translation>contiene qualcos&apos;altro</translation>
+    </message>
+    <message>
+        <source>Give the model another name, or move that folder away.</source>
+        <translation>Dare al modello un altro nome o spostare quella cartella.</translation>
+    </message>
+    <message>
+        <source>it is a link</source>
+        <translation>è un collegamento</translation>
+    </message>
+    <message>
+        <source>Give the model another name, or move that link away.</source>
+        <translation>Dare al modello un altro nome o spostare quel collegamento.</translation>
+    </message>
+    <message>
+        <source>Cannot make a temporary file in &apos;%1&apos;: %2. %3</source>
+        <translation>Impossibile creare un file temporaneo in «%1»: %2. %3</translation>
+    </message>
+    <message>
+        <source>A temporary file in &apos;%1&apos; cannot be used: %2. %3</source>
+        <translation>Un file temporaneo in «%1» non può essere usato: %2. %3</translation>
+    </message>
+    <message>
+        <source>The memory of this machine is not enough for this. Close other programs, or raise the limit (ulimit).</source>
+        <translation>La memoria di questo computer non basta. Chiudere altri programmi o alzare il limite (ulimit).</translation>
+    </message>
+    <message>
+        <source>This machine can start no more threads now. Close other programs, or raise the limit (ulimit).</source>
+        <translation>Questo computer non può avviare altri thread in questo momento. Chiudere altri programmi o alzare il limite (ulimit).</translation>
+    </message>
+    <message>
+        <source>Not all plugins can be loaded now: %1. Close other programs, or raise the limit (ulimit).</source>
+        <translation>In questo momento non è possibile caricare tutti i plugin: %1. Chiudere altri programmi o alzare il limite (ulimit).</translation>
+    </message>
 </context>
 <context>
     <name>Statistics</name>
@@ -2749,8 +2852,8 @@
         <translation>± valore</translation>
     </message>
     <message>
-        <source>Sites</source>
-        <translation>Siti</translation>
+        <source>Vertices</source>
+        <translation>Vertici</translation>
     </message>
     <message>
         <source>Tetrahedra</source>
@@ -2781,8 +2884,8 @@
         <translation>da %1 a %2</translation>
     </message>
     <message>
-        <source>Sites in all</source>
-        <translation>Siti in tutto</translation>
+        <source>Total vertices</source>
+        <translation>Vertici in totale</translation>
     </message>
     <message>
         <source>File</source>
@@ -2793,16 +2896,12 @@
         <translation>Mostrato</translation>
     </message>
     <message>
-        <source>%1 sites, %2 tetrahedra</source>
-        <translation>%1 siti, %2 tetraedri</translation>
+        <source>%1 vertices, %2 tetrahedra</source>
+        <translation>%1 vertici, %2 tetraedri</translation>
     </message>
     <message>
-        <source>Kept</source>
-        <translation>Garantito</translation>
-    </message>
-    <message>
-        <source>Cut</source>
-        <translation>Tagliati</translation>
+        <source>Guaranteed error</source>
+        <translation>Errore garantito</translation>
     </message>
     <message>
         <source>Triangles</source>
@@ -2819,6 +2918,10 @@
     <message>
         <source>A frame</source>
         <translation>Un&apos;immagine</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Tagliati</translation>
     </message>
     <message>
         <source>Visibility cycles</source>
@@ -2905,8 +3008,8 @@
         <translation>Ogni campione esatto</translation>
     </message>
     <message>
-        <source>Sites</source>
-        <translation>Siti</translation>
+        <source>Vertices</source>
+        <translation>Vertici</translation>
     </message>
     <message>
         <source>Tetrahedra</source>
@@ -2917,8 +3020,8 @@
         <translation>Questo modello è stato costruito fino a un errore di %1; non ha nulla di più fine.</translation>
     </message>
     <message>
-        <source>of the range, ± %1</source>
-        <translation>dell&apos;intervallo, ± %1</translation>
+        <source>of value range (± %1)</source>
+        <translation>dell&apos;intervallo (± %1)</translation>
     </message>
     <message>
         <source>What the percentage means in units of the data. Of curvilinear data it holds for the error and for the warping: the distance of the mesh from the grid, in percent of the diagonal of the box around it.</source>
@@ -2934,7 +3037,7 @@
     </message>
     <message>
         <source>The best mesh with so many tetrahedra. A focus keeps its proportion to the rest.</source>
-        <translation>La mesh migliore con tanti tetraedri. Un fuoco conserva la sua proporzione col resto.</translation>
+        <translation>La mesh migliore con tanti tetraedri. Un focus conserva la sua proporzione col resto.</translation>
     </message>
     <message>
         <source>tetrahedra</source>
@@ -3013,7 +3116,7 @@ deformazione %2</translation>
         <translation>Asse di rotazione</translation>
     </message>
     <message>
-        <source>Round the vertical axis</source>
+        <source>Around the vertical axis</source>
         <translation>Attorno all&apos;asse verticale</translation>
     </message>
     <message>
@@ -3162,16 +3265,16 @@ deformazione %2</translation>
         <translation>A&amp;nnulla</translation>
     </message>
     <message>
-        <source>Ends the build and throws away what it has made</source>
-        <translation>Termina la costruzione e getta via ciò che ha fatto</translation>
+        <source>Stop the build and discard what it has made</source>
+        <translation>Ferma la costruzione e scarta ciò che ha fatto</translation>
     </message>
     <message>
         <source>Stop and &amp;Keep</source>
         <translation>F&amp;erma e conserva</translation>
     </message>
     <message>
-        <source>Ends the build; what is finished becomes the model, with the accuracy that it has reached</source>
-        <translation>Termina la costruzione; ciò che è pronto diventa il modello, con l&apos;accuratezza raggiunta</translation>
+        <source>Stop the build and keep what is finished as the model, with the accuracy reached so far</source>
+        <translation>Ferma la costruzione; ciò che è pronto diventa il modello, con l&apos;accuratezza raggiunta</translation>
     </message>
     <message>
         <source>Cancelling…</source>
@@ -3230,20 +3333,52 @@ deformazione %2</translation>
         <translation>%1, %2, valori da %3 a %4</translation>
     </message>
     <message>
-        <source>Read &amp;Differently…</source>
-        <translation>Leggi &amp;diversamente…</translation>
+        <source>&amp;Import Options…</source>
+        <translation>Opzioni di &amp;importazione…</translation>
     </message>
     <message>
-        <source>Reads the file again in another way: other values, a part of it, every so many points</source>
-        <translation>Rilegge il file in altro modo: altri valori, una sua parte, un punto ogni tanti</translation>
+        <source>Read the file again with other options: other values, a part of it, fewer points</source>
+        <translation>Rilegge il file con altre opzioni: altri valori, una sua parte, meno punti</translation>
     </message>
     <message>
-        <source>Measured on other data; a larger error takes less. Half or twice as much is possible.</source>
-        <translation>Misurato su altri dati; un errore maggiore richiede meno. È possibile la metà o il doppio.</translation>
+        <source>Estimated from other datasets; it may be off by a factor of two</source>
+        <translation>Stimato da altri insiemi di dati; può variare di un fattore due</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Qui&amp;ck look, error 1 %</source>
+        <translation>&amp;Rapido, errore 1 %</translation>
+    </message>
+    <message>
+        <source>Keeps what is needed for an error of 1 % of the value range: enough for a first look</source>
+        <translation>Conserva ciò che serve per un errore dell&apos;1 % dell&apos;intervallo dei valori: basta per un primo sguardo</translation>
+    </message>
+    <message>
+        <source>&amp;Good, error 0.1 %</source>
+        <translation>&amp;Buono, errore 0,1 %</translation>
+    </message>
+    <message>
+        <source>Keeps what is needed for an error of 0.1 % of the value range: pictures look the same as with everything</source>
+        <translation>Conserva ciò che serve per un errore dello 0,1 % dell&apos;intervallo dei valori: le immagini sono come con tutto</translation>
+    </message>
+    <message>
+        <source>&amp;Everything</source>
+        <translation>&amp;Tutto</translation>
+    </message>
+    <message>
+        <source>Keeps every value of the dataset: any accuracy can be looked at later</source>
+        <translation>Conserva ogni valore dell&apos;insieme di dati: poi si può guardare con qualsiasi accuratezza</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>Dettaglio</translation>
+    </message>
+    <message>
+        <source>Detail: size of the model, time to build it</source>
+        <translation>Dettaglio: dimensione del modello, tempo</translation>
     </message>
 </context>
 <context>
@@ -3394,20 +3529,20 @@ deformazione %2</translation>
         <translation>&amp;Nessun gruppo</translation>
     </message>
     <message>
-        <source>Poi&amp;nts in the way</source>
-        <translation>Punti sul percorso</translation>
+        <source>Neighbouri&amp;ng points</source>
+        <translation>Pu&amp;nti vicini</translation>
     </message>
     <message>
-        <source>&amp;Stop what is moved</source>
-        <translation>&amp;Fermano ciò che si muove</translation>
+        <source>&amp;Block</source>
+        <translation>&amp;Bloccano</translation>
     </message>
     <message>
-        <source>Are &amp;pushed along</source>
+        <source>&amp;Push</source>
         <translation>Vengono &amp;spinti</translation>
     </message>
     <message>
-        <source>Are passed &amp;by</source>
-        <translation>Vengono &amp;oltrepassati</translation>
+        <source>&amp;Cross</source>
+        <translation>Vengono &amp;superati</translation>
     </message>
     <message>
         <source>Mas&amp;k: show some values only</source>
@@ -3426,16 +3561,16 @@ deformazione %2</translation>
         <translation>Aggiungi un &amp;isovalore</translation>
     </message>
     <message>
-        <source>&amp;Forget it</source>
-        <translation>&amp;Dimentica</translation>
+        <source>Cl&amp;ear mark</source>
+        <translation>&amp;Cancella segno</translation>
     </message>
     <message>
         <source>Follow the logarit&amp;hm of the value</source>
         <translation>Segui il &amp;logaritmo del valore</translation>
     </message>
     <message>
-        <source>Picked in &amp;the picture</source>
-        <translation>Scelto nell&apos;imma&amp;gine</translation>
+        <source>From &amp;the picked value</source>
+        <translation>&amp;Dal valore scelto</translation>
     </message>
 </context>
 <context>
@@ -3445,28 +3580,28 @@ deformazione %2</translation>
         <translation>Apri…</translation>
     </message>
     <message>
-        <source>Opened last</source>
-        <translation>Aperti di recente</translation>
+        <source>Recent files</source>
+        <translation>File recenti</translation>
     </message>
     <message>
         <source>Open a dataset or a model</source>
         <translation>Aprire un insieme di dati o un modello</translation>
     </message>
     <message>
-        <source>Drop a file here: a dataset (a volume, a grid, a mesh or points) to build a model of, a finished .tan model or a session.</source>
-        <translation>Trascinare qui un file: un insieme di dati (un volume, una griglia, una mesh o punti) di cui costruire un modello, un modello .tan finito o una sessione.</translation>
+        <source>Drop a file: a dataset (a volume, a grid, a mesh or points), a .tan model or a session. TAn shows large data at any accuracy, with a known error.</source>
+        <translation>Trascinare un file: un insieme di dati (un volume, una griglia, una mesh o punti), un modello .tan o una sessione. TAn mostra dati grandi con qualsiasi accuratezza e con errore noto.</translation>
     </message>
     <message>
         <source>Open a dataset, a model or a session (Ctrl+O)</source>
         <translation>Apre un insieme di dati, un modello o una sessione (Ctrl+O)</translation>
     </message>
     <message>
-        <source>Or look at a sample, which is made now</source>
-        <translation>O guardare un esempio, creato al momento</translation>
+        <source>Or try a sample</source>
+        <translation>Oppure provare un esempio</translation>
     </message>
     <message>
-        <source>Making the sample</source>
-        <translation>Creazione dell&apos;esempio</translation>
+        <source>Samples are computed when you choose one; nothing is downloaded.</source>
+        <translation>Gli esempi si calcolano quando se ne sceglie uno; non si scarica nulla.</translation>
     </message>
 </context>
 <context>
@@ -3548,8 +3683,8 @@ deformazione %2</translation>
         <translation>%1; la scrittura richiede circa %2</translation>
     </message>
     <message>
-        <source>%1 and so on</source>
-        <translation>%1 e così via</translation>
+        <source>%1, …</source>
+        <translation>%1, …</translation>
     </message>
     <message>
         <source>Files of this name are there already and will be replaced: %1.</source>
@@ -3576,7 +3711,7 @@ deformazione %2</translation>
     <name>tetra::FocusPanel</name>
     <message>
         <source>A part of the domain with an error of its own. Choose a shape, then drag its handles in the picture; a double click on a surface brings the focus there.</source>
-        <translation>Una parte del dominio con un errore proprio. Scegliere una forma, poi trascinarne le maniglie nell&apos;immagine; un doppio clic su una superficie vi porta il fuoco.</translation>
+        <translation>Una parte del dominio con un errore proprio. Scegliere una forma, poi trascinarne le maniglie nell&apos;immagine; un doppio clic su una superficie vi porta il focus.</translation>
     </message>
     <message>
         <source>None</source>
@@ -3608,55 +3743,47 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Centre of the focus, in the coordinates of the data</source>
-        <translation>Centro del fuoco, nelle coordinate dei dati</translation>
+        <translation>Centro del focus, nelle coordinate dei dati</translation>
     </message>
     <message>
         <source>&amp;Size</source>
         <translation>&amp;Lati</translation>
     </message>
     <message>
-        <source>Edges of the box, in the lengths of the data</source>
-        <translation>Lati del parallelepipedo, nelle lunghezze dei dati</translation>
+        <source>Edges of the box, in data units</source>
+        <translation>Lati del parallelepipedo, nelle unità dei dati</translation>
     </message>
     <message>
         <source>Radius of the sphere</source>
         <translation>Raggio della sfera</translation>
     </message>
     <message>
-        <source>Radius of the sphere, in the lengths of the data</source>
-        <translation>Raggio della sfera, nelle lunghezze dei dati</translation>
+        <source>Radius of the sphere, in data units</source>
+        <translation>Raggio della sfera, nelle unità dei dati</translation>
     </message>
     <message>
         <source>Fall-off</source>
         <translation>Transizione</translation>
     </message>
     <message>
-        <source>The length over which the error grows from that in the focus to that outside, in the lengths of the data; 0 is a sharp border</source>
-        <translation>La lunghezza su cui l&apos;errore cresce da quello nel fuoco a quello esterno, nelle lunghezze dei dati; 0 è un bordo netto</translation>
+        <source>The distance over which the error grows from that in the focus to that outside, in data units; 0 is a sharp border</source>
+        <translation>La distanza su cui l&apos;errore cresce da quello nel focus a quello esterno, nelle unità dei dati; 0 è un bordo netto</translation>
     </message>
     <message>
         <source>Error in the focus</source>
-        <translation>Errore nel fuoco</translation>
+        <translation>Errore nel focus</translation>
     </message>
     <message>
         <source>Error in the focus, in percent of the value range</source>
-        <translation>Errore nel fuoco, in percento dell&apos;intervallo dei valori</translation>
+        <translation>Errore nel focus, in percento dell&apos;intervallo dei valori</translation>
     </message>
     <message>
         <source>Move the focus to what the camera looks at (C)</source>
-        <translation>Porta il fuoco dove guarda la camera (C)</translation>
+        <translation>Porta il focus dove guarda la camera (C)</translation>
     </message>
     <message>
         <source>Place, size, error and fall-off as they were at first</source>
         <translation>Posizione, dimensione, errore e transizione com&apos;erano all&apos;inizio</translation>
-    </message>
-    <message>
-        <source>A focus is not coarser than what is around it, so it gets the same error.</source>
-        <translation>Un fuoco non è più grossolano di ciò che lo circonda, quindi riceve lo stesso errore.</translation>
-    </message>
-    <message>
-        <source>A focus is not coarser than what is around it, so it gets %1.</source>
-        <translation>Un fuoco non è più grossolano di ciò che lo circonda, quindi riceve %1.</translation>
     </message>
     <message>
         <source>Outside %1, as chosen under Accuracy.</source>
@@ -3679,8 +3806,8 @@ deformazione %2</translation>
         <translation>Trans&amp;izione</translation>
     </message>
     <message>
-        <source>&amp;To Centre of View</source>
-        <translation>Al centro della vis&amp;ta</translation>
+        <source>&amp;Centre in View</source>
+        <translation>Al &amp;centro della vista</translation>
     </message>
     <message>
         <source>Reset</source>
@@ -3689,6 +3816,14 @@ deformazione %2</translation>
     <message>
         <source>With the budget the error outside is %1 times this one.</source>
         <translation>Con il limite l&apos;errore esterno è %1 volte questo.</translation>
+    </message>
+    <message>
+        <source>A focus is not coarser than what is around it, so it gets the same error.</source>
+        <translation>Un fuoco non è più grossolano di ciò che lo circonda, quindi riceve lo stesso errore.</translation>
+    </message>
+    <message>
+        <source>A focus is not coarser than what is around it, so it gets %1.</source>
+        <translation>Un fuoco non è più grossolano di ciò che lo circonda, quindi riceve %1.</translation>
     </message>
 </context>
 <context>
@@ -3729,20 +3864,20 @@ deformazione %2</translation>
         <translation>Lettura</translation>
     </message>
     <message>
-        <source>Who reads the file</source>
-        <translation>Chi legge il file</translation>
+        <source>Reader used for this file</source>
+        <translation>Lettore usato per questo file</translation>
     </message>
     <message>
         <source>R&amp;eader</source>
         <translation>L&amp;ettura</translation>
     </message>
     <message>
-        <source>How it is read</source>
-        <translation>Come si legge</translation>
+        <source>Import options</source>
+        <translation>Opzioni di importazione</translation>
     </message>
     <message>
-        <source>Which part of it</source>
-        <translation>Quale sua parte</translation>
+        <source>Subset</source>
+        <translation>Sottoinsieme</translation>
     </message>
     <message>
         <source>Layouts that fit</source>
@@ -3751,10 +3886,6 @@ deformazione %2</translation>
     <message>
         <source>Sizes and types that would fill the file exactly, the likeliest first</source>
         <translation>Dimensioni e tipi che riempirebbero esattamente il file, i più probabili per primi</translation>
-    </message>
-    <message>
-        <source>Measured on other data; a larger error takes less. Half or twice as much is possible.</source>
-        <translation>Misurato su altri dati; un errore maggiore richiede meno. È possibile la metà o il doppio.</translation>
     </message>
     <message>
         <source>Progress of reading</source>
@@ -3777,20 +3908,24 @@ deformazione %2</translation>
         <translation>Dare il numero di punti lungo x, y e z, come in 64x64x32.</translation>
     </message>
     <message>
-        <source>Whether that fits</source>
-        <translation>Se è adatto</translation>
+        <source>Size check</source>
+        <translation>Controllo della dimensione</translation>
     </message>
     <message>
         <source>&amp;Suggestion</source>
         <translation>&amp;Proposta</translation>
     </message>
     <message>
-        <source>Opens the dataset so</source>
-        <translation>Apre così l&apos;insieme di dati</translation>
+        <source>Open with these options</source>
+        <translation>Apre con queste opzioni</translation>
     </message>
     <message>
         <source>Stops reading, or closes this window</source>
         <translation>Ferma la lettura, o chiude questa finestra</translation>
+    </message>
+    <message>
+        <source>Estimated from other datasets; it may be off by a factor of two. A model of less detail takes less.</source>
+        <translation>Stimato da altri insiemi di dati; può variare di un fattore due. Un modello con meno dettaglio richiede meno.</translation>
     </message>
 </context>
 <context>
@@ -3840,8 +3975,8 @@ deformazione %2</translation>
         <translation>Passo lungo %1</translation>
     </message>
     <message>
-        <source>Takes every so many points: 2 takes every second one</source>
-        <translation>Prende un punto ogni tanti: 2 ne prende uno su due</translation>
+        <source>Keep every n-th point</source>
+        <translation>Mantiene un punto ogni n</translation>
     </message>
     <message>
         <source>Takes only what lies in a box; of irregular meshes whole tetrahedra</source>
@@ -3941,8 +4076,8 @@ deformazione %2</translation>
         <translation>%1 contiene la vista che mostra; si può ripristinare.</translation>
     </message>
     <message>
-        <source>Kept on %1. The model lies in %2.</source>
-        <translation>Conservata il %1. Il modello si trova in %2.</translation>
+        <source>Saved automatically on %1. Model: %2</source>
+        <translation>Salvata automaticamente il %1. Modello: %2</translation>
     </message>
 </context>
 <context>
@@ -4154,8 +4289,8 @@ deformazione %2</translation>
         <translation>&amp;Ripristina</translation>
     </message>
     <message>
-        <source>Open the model, seen as it was. What was kept stays until that has worked.</source>
-        <translation>Apre il modello, visto com&apos;era. Ciò che è conservato resta finché l&apos;operazione non riesce.</translation>
+        <source>Open the model with its view restored. The saved view is kept until that has worked.</source>
+        <translation>Apre il modello con la vista ripristinata. La vista salvata resta finché l&apos;operazione non riesce.</translation>
     </message>
     <message>
         <source>Restore %1</source>
@@ -4166,8 +4301,8 @@ deformazione %2</translation>
         <translation>&amp;Scarta</translation>
     </message>
     <message>
-        <source>Forget how the model was seen. The model itself stays.</source>
-        <translation>Dimentica come era visto il modello. Il modello stesso resta.</translation>
+        <source>Discard this recovered session (the model file is kept)</source>
+        <translation>Scarta questa sessione recuperata (il file del modello resta)</translation>
     </message>
     <message>
         <source>Discard %1</source>
@@ -4197,16 +4332,8 @@ deformazione %2</translation>
         <translation>TAn</translation>
     </message>
     <message>
-        <source>%1 is not built yet. The picture still shows %2.</source>
-        <translation>%1 non è ancora costruito. L&apos;immagine mostra ancora %2.</translation>
-    </message>
-    <message>
-        <source>The picture is not of the present settings, which could not be shown.</source>
-        <translation>L&apos;immagine non corrisponde alle impostazioni attuali, che non si sono potute mostrare.</translation>
-    </message>
-    <message>
-        <source>The dataset is open. Build its model to look at it: the panel on the left has the options.</source>
-        <translation>L&apos;insieme di dati è aperto. Costruirne il modello per guardarlo: il pannello a sinistra ha le opzioni.</translation>
+        <source>Dataset loaded. Choose options on the left and press Build to view it.</source>
+        <translation>Insieme di dati caricato. Scegliere le opzioni a sinistra e premere «Costruisci» per vederlo.</translation>
     </message>
     <message>
         <source>About TAn</source>
@@ -4255,6 +4382,18 @@ deformazione %2</translation>
     <message>
         <source>Its model is being built. The panel on the left shows the progress.</source>
         <translation>Il suo modello è in costruzione. Il pannello a sinistra mostra l’avanzamento.</translation>
+    </message>
+    <message>
+        <source>Making the sample</source>
+        <translation>Creazione dell&apos;esempio</translation>
+    </message>
+    <message>
+        <source>%1 is not built yet. The picture still shows %2.</source>
+        <translation>%1 non è ancora costruito. L&apos;immagine mostra ancora %2.</translation>
+    </message>
+    <message>
+        <source>The picture is not of the present settings, which could not be shown.</source>
+        <translation>L&apos;immagine non corrisponde alle impostazioni attuali, che non si sono potute mostrare.</translation>
     </message>
 </context>
 <context>
@@ -4379,32 +4518,32 @@ deformazione %2</translation>
         <translation>&amp;Scegli</translation>
     </message>
     <message>
-        <source>Find the value that is seen at the pointer, or in the middle of the picture</source>
-        <translation>Trova il valore che si vede al puntatore o al centro dell&apos;immagine</translation>
+        <source>Pick the value at the pointer, or in the middle of the picture</source>
+        <translation>Sceglie il valore sotto il puntatore, o al centro dell&apos;immagine</translation>
     </message>
     <message>
-        <source>&amp;Isovalue Here</source>
-        <translation>&amp;Isovalore qui</translation>
+        <source>&amp;Isosurface at This Value</source>
+        <translation>&amp;Isosuperficie a questo valore</translation>
     </message>
     <message>
         <source>Add an isosurface of the picked value</source>
         <translation>Aggiunge un&apos;isosuperficie del valore scelto</translation>
     </message>
     <message>
-        <source>Point of &amp;Transfer Function Here</source>
-        <translation>Punto della funzione di &amp;trasferimento qui</translation>
+        <source>Add &amp;Transfer-Function Point</source>
+        <translation>Aggiungi punto della funzione di &amp;trasferimento</translation>
     </message>
     <message>
         <source>Add a point to the transfer function at the picked value</source>
         <translation>Aggiunge un punto alla funzione di trasferimento al valore scelto</translation>
     </message>
     <message>
-        <source>&amp;Forget</source>
-        <translation>&amp;Dimentica</translation>
+        <source>&amp;Clear Mark</source>
+        <translation>&amp;Cancella segno</translation>
     </message>
     <message>
-        <source>Take the mark of the picked value away</source>
-        <translation>Toglie il segno del valore scelto</translation>
+        <source>Clear the picked value</source>
+        <translation>Cancella il valore scelto</translation>
     </message>
     <message>
         <source>Open a model first</source>
@@ -4422,8 +4561,8 @@ deformazione %2</translation>
 <context>
     <name>tetra::PictureDialog</name>
     <message>
-        <source>Say in the &amp;file how it was made</source>
-        <translation>Scrivi nel &amp;file come è stata fatta</translation>
+        <source>Store &amp;how the picture was made</source>
+        <translation>&amp;Conserva come è stata fatta</translation>
     </message>
     <message>
         <source>Save Picture</source>
@@ -4481,20 +4620,20 @@ deformazione %2</translation>
         <translation>Risoluzione</translation>
     </message>
     <message>
-        <source>Pixels an inch when it is printed; the number of pixels does not change</source>
-        <translation>Pixel per pollice nella stampa; il numero di pixel non cambia</translation>
+        <source>Print resolution in pixels per inch; the number of pixels does not change</source>
+        <translation>Risoluzione di stampa in pixel per pollice; il numero di pixel non cambia</translation>
     </message>
     <message>
         <source>Trans&amp;parent background</source>
         <translation>Sfondo tras&amp;parente</translation>
     </message>
     <message>
-        <source>As seen</source>
-        <translation>Come si vede</translation>
+        <source>As on screen</source>
+        <translation>Come sullo schermo</translation>
     </message>
     <message>
-        <source>Twice as seen</source>
-        <translation>Il doppio di come si vede</translation>
+        <source>Twice the screen size</source>
+        <translation>Doppio dello schermo</translation>
     </message>
     <message>
         <source>HD</source>
@@ -4525,8 +4664,8 @@ deformazione %2</translation>
         <translation>Pi&amp;xel</translation>
     </message>
     <message>
-        <source>Pri&amp;nted</source>
-        <translation>&amp;Stampa</translation>
+        <source>Pri&amp;nt resolution</source>
+        <translation>Ri&amp;soluzione di stampa</translation>
     </message>
     <message>
         <source>Only what is shown, to be laid over something else</source>
@@ -4588,16 +4727,16 @@ deformazione %2</translation>
         <translation>File</translation>
     </message>
     <message>
-        <source>What was switched on or off counts when TAn starts the next time.</source>
-        <translation>Ciò che si è attivato o disattivato vale dal prossimo avvio di TAn.</translation>
+        <source>Changes take effect after a restart.</source>
+        <translation>Le modifiche hanno effetto dopo il riavvio.</translation>
     </message>
     <message>
         <source>Cop&amp;y</source>
         <translation>Co&amp;pia</translation>
     </message>
     <message>
-        <source>Copy all of this as text, for a report of an error</source>
-        <translation>Copia tutto come testo, per segnalare un errore</translation>
+        <source>Copy for a bug report</source>
+        <translation>Copia per una segnalazione di errore</translation>
     </message>
 </context>
 <context>
@@ -4681,8 +4820,8 @@ deformazione %2</translation>
         <translation>Nelle unità dei dati</translation>
     </message>
     <message>
-        <source>Of the light that a unit distance takes away</source>
-        <translation>Della luce che la distanza unitaria assorbe</translation>
+        <source>Fraction absorbed per unit distance</source>
+        <translation>Frazione assorbita per distanza unitaria</translation>
     </message>
     <message>
         <source>As a name or as #rrggbb</source>
@@ -4729,7 +4868,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Presets</source>
-        <translation>Preimpostate</translation>
+        <translation>Preset</translation>
     </message>
     <message>
         <source>Keep the transfer function as it is now, for this and for other models</source>
@@ -4745,7 +4884,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Save as Preset</source>
-        <translation>Salva come preimpostazione</translation>
+        <translation>Salva come preset</translation>
     </message>
     <message>
         <source>Name of the preset:</source>
@@ -4756,7 +4895,7 @@ deformazione %2</translation>
     <name>tetra::RegionActions</name>
     <message>
         <source>Focus: &amp;Sphere</source>
-        <translation>Fuoco: &amp;sfera</translation>
+        <translation>Focus: &amp;sfera</translation>
     </message>
     <message>
         <source>More accurate in a sphere</source>
@@ -4764,7 +4903,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Focus: &amp;Box</source>
-        <translation>Fuoco: &amp;box</translation>
+        <translation>Focus: &amp;box</translation>
     </message>
     <message>
         <source>More accurate in a box</source>
@@ -4772,11 +4911,11 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Focus to &amp;Centre of View</source>
-        <translation>Fuoco al &amp;centro della vista</translation>
+        <translation>Focus al &amp;centro della vista</translation>
     </message>
     <message>
         <source>Move the focus to what the camera looks at</source>
-        <translation>Porta il fuoco dove guarda la camera</translation>
+        <translation>Porta il focus dove guarda la camera</translation>
     </message>
     <message>
         <source>&amp;Window</source>
@@ -4792,7 +4931,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Switch on a focus first</source>
-        <translation>Attivare prima un fuoco</translation>
+        <translation>Attivare prima un focus</translation>
     </message>
     <message>
         <source>Open a model first</source>
@@ -4818,24 +4957,20 @@ deformazione %2</translation>
         <translation>&amp;A</translation>
     </message>
     <message>
-        <source>Cut off</source>
-        <translation>Tagliati</translation>
+        <source>Cut exactly</source>
+        <translation>Tagliati esattamente</translation>
     </message>
     <message>
-        <source>All that touch the window</source>
-        <translation>Tutti quelli che toccano la finestra</translation>
+        <source>Whole cells touching</source>
+        <translation>Celle intere che toccano</translation>
     </message>
     <message>
-        <source>Only those inside</source>
-        <translation>Solo quelli all&apos;interno</translation>
+        <source>Whole cells inside</source>
+        <translation>Celle intere all&apos;interno</translation>
     </message>
     <message>
         <source>Tetrahedra at the border</source>
         <translation>Tetraedri al bordo</translation>
-    </message>
-    <message>
-        <source>What becomes of the tetrahedra at the border of the window: cut off, it ends exactly there; whole, it is ragged</source>
-        <translation>Che cosa accade ai tetraedri al bordo della finestra: tagliati, finisce esattamente lì; interi, è frastagliato</translation>
     </message>
     <message>
         <source>&amp;Border</source>
@@ -4858,16 +4993,16 @@ deformazione %2</translation>
         <translation>Valore massimo</translation>
     </message>
     <message>
-        <source>Onl&amp;y some values</source>
-        <translation>Solo &amp;certi valori</translation>
+        <source>&amp;Limit to value range</source>
+        <translation>&amp;Limita a un intervallo di valori</translation>
     </message>
     <message>
         <source>Fro&amp;m</source>
         <translation>&amp;Da</translation>
     </message>
     <message>
-        <source>Whole Domai&amp;n</source>
-        <translation>Intero domi&amp;nio</translation>
+        <source>&amp;Reset to whole domain</source>
+        <translation>&amp;Ripristina tutto il dominio</translation>
     </message>
     <message>
         <source>&amp;Smallest</source>
@@ -4880,6 +5015,10 @@ deformazione %2</translation>
     <message>
         <source>Show only tetrahedra that can contain a value of a range. Isosurfaces of other values are not seen, or only in part.</source>
         <translation>Mostra solo i tetraedri che possono contenere un valore di un intervallo. Isosuperfici di altri valori non si vedono, o solo in parte.</translation>
+    </message>
+    <message>
+        <source>How the window ends: tetrahedra at its border are cut exactly there, or kept or left out as a whole</source>
+        <translation>Come finisce la finestra: i tetraedri al suo bordo si tagliano esattamente lì, o si tengono o tralasciano interi</translation>
     </message>
 </context>
 <context>
@@ -4901,8 +5040,8 @@ deformazione %2</translation>
         <translation> immagini/s</translation>
     </message>
     <message>
-        <source>Pictures a second while something moves. If there is not time enough they are drawn smaller and of fewer tetrahedra; the picture at rest is always the full one.</source>
-        <translation>Immagini al secondo mentre qualcosa si muove. Se il tempo non basta si disegnano più piccole e con meno tetraedri; l&apos;immagine ferma è sempre quella completa.</translation>
+        <source>The frame rate to keep while something moves. If the machine is too slow, frames are drawn smaller and with fewer tetrahedra; the picture at rest is always complete.</source>
+        <translation>La frequenza da mantenere mentre qualcosa si muove. Se il computer è troppo lento, i fotogrammi sono più piccoli e con meno tetraedri; l&apos;immagine ferma è sempre completa.</translation>
     </message>
     <message>
         <source>Frame rate while moving</source>
@@ -4944,8 +5083,8 @@ deformazione %2</translation>
         <translation>Lo strato mostrato, contando da 0</translation>
     </message>
     <message>
-        <source>No layout that could be shown</source>
-        <translation>Nessun formato che si possa mostrare</translation>
+        <source>No preview: the layout is incomplete</source>
+        <translation>Nessuna anteprima: il formato è incompleto</translation>
     </message>
     <message>
         <source>%1 to the right, %2 up; black %3, white %4</source>
@@ -4971,12 +5110,12 @@ deformazione %2</translation>
         <translation>&amp;Salva…</translation>
     </message>
     <message>
-        <source>Copy all of this as text, with tabs between the columns</source>
-        <translation>Copia tutto come testo, con tabulazioni fra le colonne</translation>
+        <source>Copy as text, with tabs between the columns</source>
+        <translation>Copia come testo, con tabulazioni fra le colonne</translation>
     </message>
     <message>
-        <source>Save the table as CSV or JSON, in % and under no locale</source>
-        <translation>Salva la tabella come CSV o JSON, in % e senza convenzioni locali</translation>
+        <source>Save the table as CSV or JSON (percent, decimal point)</source>
+        <translation>Salva la tabella come CSV o JSON (percentuali, punto decimale)</translation>
     </message>
 </context>
 <context>
@@ -5010,8 +5149,8 @@ deformazione %2</translation>
         <translation>Che cosa disegna l&apos;immagine: OpenGL o il processore</translation>
     </message>
     <message>
-        <source>%1 sites</source>
-        <translation>%1 siti</translation>
+        <source>%1 vertices</source>
+        <translation>%1 vertici</translation>
     </message>
     <message>
         <source>%1 tetrahedra</source>
@@ -5026,8 +5165,8 @@ deformazione %2</translation>
         <translation>estratta in %1</translation>
     </message>
     <message>
-        <source>%1 a frame</source>
-        <translation>%1 a immagine</translation>
+        <source>%1 per frame</source>
+        <translation>%1 per fotogramma</translation>
     </message>
     <message>
         <source>Time for drawing the last picture; while it moves the frames a second, and how much smaller and of how many tetrahedra they are</source>
@@ -5120,11 +5259,11 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Presets</source>
-        <translation>Preimpostate</translation>
+        <translation>Preset</translation>
     </message>
     <message>
-        <source>Transfer functions to begin with</source>
-        <translation>Funzioni di trasferimento da cui cominciare</translation>
+        <source>Transfer-function presets</source>
+        <translation>Preset di funzioni di trasferimento</translation>
     </message>
     <message>
         <source>Change</source>
@@ -5317,8 +5456,8 @@ deformazione %2</translation>
         <translation>Campo visivo</translation>
     </message>
     <message>
-        <source>Angle that the shorter side of the picture spans, in degrees</source>
-        <translation>Angolo che il lato più corto dell&apos;immagine abbraccia, in gradi</translation>
+        <source>View angle along the shorter side of the picture, in degrees</source>
+        <translation>Angolo di vista lungo il lato più corto dell&apos;immagine, in gradi</translation>
     </message>
     <message>
         <source>Perspective</source>
@@ -5357,8 +5496,8 @@ deformazione %2</translation>
         <translation>D&amp;istanza</translation>
     </message>
     <message>
-        <source>&amp;Angle</source>
-        <translation>An&amp;golo</translation>
+        <source>View &amp;angle</source>
+        <translation>An&amp;golo di vista</translation>
     </message>
     <message>
         <source>Pro&amp;jection</source>
@@ -5385,8 +5524,8 @@ deformazione %2</translation>
         <translation>Colore di sfondo</translation>
     </message>
     <message>
-        <source>Usual</source>
-        <translation>Solito</translation>
+        <source>Default</source>
+        <translation>Predefinito</translation>
     </message>
     <message>
         <source>The colour that fits the window, light or dark</source>

@@ -143,10 +143,10 @@ Syntax buildSyntax(PluginHost& host)
             "cancelled or fails, nothing is left (but see --keep and --resume) and an older model of that name stays "
             "as it was. Until then all files of the build lie in the folder MODEL.work.",
         .positionals = {{"IN", "The dataset: " + std::string("a file that one of the readers knows.")}},
-        .options = {outputOption("MODEL", "The model to write, by habit with the ending .tan."),
+        .options = {outputOption("MODEL", "The model to write, conventionally *.tan."),
                     {.name = "builder",
                      .placeholder = idChoices(host.builders()),
-                     .explanation = "Who builds.",
+                     .explanation = "Builder plugin.",
                      .byDefault = "the one that suits the dataset best"},
                     {.name = "keep",
                      .placeholder = "",

@@ -92,7 +92,7 @@ std::vector<std::pair<std::string, std::string>> exitCodes()
 {
     return {
         {"0", "done"},
-        {"1", "the answer is no (verify: the model is not what it claims to be)"},
+        {"1", "verification failed: the model is not what it claims to be"},
         {"2", "wrong usage: an unknown option, a value that does not fit, an output that would replace its input"},
         {"3", "bad input: a file that is missing, damaged, or of no known format"},
         {"4", "the result could not be written, or memory or another resource ran out"},

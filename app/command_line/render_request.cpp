@@ -125,8 +125,9 @@ std::vector<Option> pictureOptions()
          .byDefault = "white"},
         {.name = "backend",
          .placeholder = "cpu|gl|gl33",
-         .explanation = "Who draws: the processor, or OpenGL. With OpenGL 4.3 the graphics card orders a volume's "
-                        "cells, too, where it can; gl33 does without.",
+         .explanation =
+             "Rendering back end: the processor, or OpenGL. With OpenGL 4.3 the graphics card orders a volume's "
+             "cells, too, where it can; gl33 does without.",
          .byDefault = std::string(defaultBackend)},
         threadsOption(),
         {.name = "depth",

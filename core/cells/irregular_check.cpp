@@ -28,7 +28,7 @@ Error fault(std::uint64_t count, std::string_view one, std::string_view several,
 {
     return {ErrorKind::BadInput, "The mesh has " + std::to_string(count) + " " +
                                      std::string(count == 1 ? one : several) + ", one at " + placeText(place) +
-                                     ". Mend the mesh where it was made."};
+                                     ". Repair the mesh in the program that made it."};
 }
 
 Eigen::Vector3d centreOf(Positions positions, const std::array<std::uint32_t, 4>& tetrahedron)

@@ -32,7 +32,7 @@ Status checkWarped(const CellComplex& complex, const PreparedCells& cells, const
                  std::to_string(cutChecked.warped.size()) +
                      " cells are folded or so warped that no tetrahedra fill them; the first is cell " +
                      std::to_string(origin) + " at (" + formatNumber(place[0]) + ", " + formatNumber(place[1]) + ", " +
-                     formatNumber(place[2]) + "). Mend the mesh where it was made."};
+                     formatNumber(place[2]) + "). Repair the mesh in the program that made it."};
 }
 
 Result<CutCells> cutChecked(const CellComplex& complex, PreparedCells& cells, Mending& mending,

@@ -33,9 +33,9 @@ std::vector<std::string> mendingRemarks(const Mending& mending)
     remarks.add(mending.repeated, "cell names", "cells name", " a corner twice, has no volume and was left out.");
     remarks.add(mending.flat, "cell without volume was", "cells without volume were", " left out.");
     if (mending.turned > 0 && mending.turned == mending.cells)
-        remarks.sentences.emplace_back("All cells were turned over: their corners are in the other order.");
+        remarks.sentences.emplace_back("All cells had inverted orientation and were corrected.");
     else
-        remarks.add(mending.turned, "cell was", "cells were", " turned over: the corners are in the other order.");
+        remarks.add(mending.turned, "cell was", "cells were", " corrected: the orientation was inverted.");
     remarks.add(mending.welded, "point", "points", " on the place of another one joined with it.");
     remarks.add(mending.conflicting, "place had", "places had", " different values and got their mean.");
     remarks.add(mending.middles, "node in the middle of an edge or face was",

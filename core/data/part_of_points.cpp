@@ -91,7 +91,7 @@ Result<Dataset> partOfIrregular(const Dataset& dataset, const Eigen::AlignedBox3
     result->tetrahedra = std::move(tetrahedra);
     if (removed > 0)
         result->remarks.push_back(std::to_string(removed) + (removed == 1 ? " tetrahedron" : " tetrahedra") +
-                                  " inside the region that hung on the others by a point or an edge alone, left out.");
+                                  " inside the region, connected only by a vertex or an edge, left out.");
     return result;
 }
 

@@ -18,7 +18,7 @@ using format::Section;
 using format::SectionId;
 
 const std::string update = " Install a later version of TAn.";
-const std::string copyAgain = " Copy it again from where it came from, or build it again.";
+const std::string copyAgain = " Copy the file again, or build it again.";
 
 /// The bytes of one element of each section that every model needs; 0 for the type of the samples.
 struct Expected {

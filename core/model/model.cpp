@@ -90,9 +90,10 @@ Result<bool> readHistoryKind(const MappedFile& file, const FileLayout& layout)
         return true;
     const Section& section = layout.section(SectionId::HistoryKind);
     if (checksum(sectionBytes(file, section)) != section.checksum)
-        return Error{ErrorKind::BadInput, "'" + file.path().string() +
-                                              "' is damaged: the checksum of its history kind is wrong. Copy it again "
-                                              "from where it came from, or build it again."};
+        return Error{
+            ErrorKind::BadInput,
+            "'" + file.path().string() +
+                "' is damaged: the checksum of its history kind is wrong. Copy the file again, or build it again."};
     const auto kind = elementsOf<std::uint32_t>(file, layout, SectionId::HistoryKind).front();
     if (kind != static_cast<std::uint32_t>(format::HistoryKind::ClosedSetsOnly))
         return Error{ErrorKind::BadInput, "'" + file.path().string() + "' has a history of kind " +
@@ -115,9 +116,9 @@ Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& pa
     const Section& textSection = layout->section(SectionId::Text);
     const std::span<const std::byte> text = sectionBytes(mapped, textSection);
     if (checksum(text) != textSection.checksum)
-        return Error{ErrorKind::BadInput, "'" + path.string() +
-                                              "' is damaged: the checksum of its text is wrong. Copy it again from "
-                                              "where it came from, or build it again."};
+        return Error{ErrorKind::BadInput,
+                     "'" + path.string() +
+                         "' is damaged: the checksum of its text is wrong. Copy the file again, or build it again."};
     const Result<bool> delaunay = readHistoryKind(mapped, *layout);
     if (!delaunay)
         return delaunay.error();
@@ -203,7 +204,7 @@ Status Model::checkUnchanged() const
         return {};
     return Error{ErrorKind::BadInput, "'" + path_.string() +
                                           "' was cut short or changed while it was open. Open it again; if that fails, "
-                                          "copy it again from where it came from, or build it again."};
+                                          "copy the file again, or build it again."};
 }
 
 } // namespace tetra

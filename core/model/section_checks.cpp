@@ -36,8 +36,8 @@ std::uint64_t bitsOf(std::uint64_t word, std::uint64_t first, std::uint64_t end)
 
 Error damaged(const MappedFile& file, const std::string& what)
 {
-    return {ErrorKind::BadInput, "'" + file.path().string() + "' is damaged: " + what +
-                                     ". Copy it again from where it came from, or build it again."};
+    return {ErrorKind::BadInput,
+            "'" + file.path().string() + "' is damaged: " + what + ". Copy the file again, or build it again."};
 }
 
 std::string wrongChecksum(std::uint32_t section)

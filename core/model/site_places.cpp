@@ -75,8 +75,8 @@ Error inconsistentModel(const Model& model, const std::string& what)
 {
     if (const Status intact = model.checkIntact(); !intact)
         return intact.error();
-    return {ErrorKind::BadInput, "'" + model.path().string() + "' is damaged: " + what +
-                                     ". Copy it again from where it came from, or build it again."};
+    return {ErrorKind::BadInput,
+            "'" + model.path().string() + "' is damaged: " + what + ". Copy the file again, or build it again."};
 }
 
 } // namespace tetra

@@ -48,9 +48,9 @@ inline Parameter boundaryFarSideParameter()
 {
     Parameter parameter;
     parameter.id = boundaryFarSideId;
-    parameter.label = "Hide what faces the eye";
-    parameter.explanation = "Shows of the boundary only the walls on the far side, from within, and leaves out those "
-                            "that face the eye.";
+    parameter.label = "Back faces only";
+    parameter.explanation =
+        "Shows only the far walls of the boundary, seen from within, and leaves out those that face the camera.";
     parameter.defaultValue = false;
     parameter.onlyWith = {boundaryId, {std::string(boundaryTranslucent), std::string(boundaryValues)}};
     return parameter;

@@ -3,6 +3,7 @@
 
 #include "core/base/progress.h"
 #include "core/data/dataset.h"
+#include "core/data/site_density.h"
 #include "core/mesh/history.h"
 #include "core/model/planned_model_writer.h"
 #include "plugins/api/parameter.h"
@@ -39,18 +40,16 @@ struct BuildSize {
     std::uint64_t points = 0;
     std::uint64_t tetrahedra = 0; ///< of irregular data
     SampleType type = SampleType::Float32;
-    /// The share of the points that become sites when everything is kept. 1 is the worst case: noise.
-    double siteShare = 1;
+    SiteDensity density{}; ///< of the sites that are needed; unknown before the data are read: the worst case
 };
 
-/// What building a model down to an error of 0 takes. For its share of sites within a factor of two of what was
-/// measured (docs/performance.md), the time on a processor of 2021.
+/// What building a model takes, within a factor of two of what was measured (docs/performance.md); the time on a
+/// processor of 2021.
 struct BuildEstimate {
     std::uint64_t memoryBytes = 0; ///< at its peak, with the program and what it holds of the data
     std::uint64_t diskBytes = 0;   ///< at its peak, work files and model together
     std::uint64_t modelBytes = 0;
     double seconds = 0;
-    bool endsCoarse = false; ///< begins with all that the data have and ends with the coarsest mesh
 };
 
 /// What a build can do beside building.
@@ -85,6 +84,10 @@ public:
     virtual ~Builder() = default;
     virtual Acceptance accepts(const Dataset& dataset) const = 0;
     virtual std::vector<Parameter> parameters() const = 0;
+    /// The values of parameters() by which the model's finest mesh has an error of no more than `percent` of the range
+    /// (and a warping likewise, of the diagonal), so that the model is smaller; 0 keeps everything. Empty if the
+    /// builder has no such choice.
+    virtual ParameterValues detail(double /*percent*/, DomainClass /*domain*/) const { return {}; }
     /// Of a build of this dataset with these values. Quick.
     virtual BuildAbilities abilities(const Dataset& /*dataset*/, const ParameterValues& /*values*/) const { return {}; }
     /// Nothing if that is not known, or if it does not take data of this domain. `threads`: that the build may use,

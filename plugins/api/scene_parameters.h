@@ -71,7 +71,7 @@ inline Parameter outlineParameter()
 {
     Parameter parameter;
     parameter.id = outlineId;
-    parameter.label = "Outline";
+    parameter.label = "Bounding box";
     parameter.explanation = "Shows the edges of the box that the data fill.";
     parameter.defaultValue = true;
     return parameter;

@@ -8,8 +8,8 @@
 
 namespace tetra {
 
-/// The size of a dataset, with the share of sites that a few thousand of its points let expect: those at which the
-/// field bends. O(1) for lattices, in their memory or mapped file; other data are taken to need all points.
+/// The size of a dataset, with what a few thousand of its points tell of the sites that it needs (SiteDensity): some
+/// milliseconds, for data without a lattice up to a second. Call from a worker thread.
 BuildSize buildSizeOf(const Dataset& dataset);
 
 /// Of data that are not read yet, so that no builder can be chosen: what the quickest one takes by its defaults.

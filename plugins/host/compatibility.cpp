@@ -30,7 +30,7 @@ Status checkInterface(const PluginMetadata& plugin)
     const std::string kind(pluginKindName(plugin.kind));
     if (plugin.interface != expected)
         return refused("Its metadata call it a " + kind + ", but it implements " + plugin.interface + " instead of " +
-                       std::string(expected) + ". Ask the plugin's author for a mended one.");
+                       std::string(expected) + ". Ask the plugin's author for a fixed version.");
     return {};
 }
 

@@ -21,7 +21,7 @@ Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
     if (!std::filesystem::exists(status))
         return bad("does not exist, or its folder may not be entered. Check the name.");
     if (std::filesystem::is_directory(status))
-        return bad("is a folder. Give a file in it.");
+        return bad("is a folder. Choose a file inside it.");
     if (!std::filesystem::is_regular_file(status))
         return bad("is a device or a pipe. Give a file.");
 
@@ -32,7 +32,7 @@ Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
     Buffer<std::byte> bytes(shownToReaders);
     file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(shownToReaders));
     if (file.gcount() == 0)
-        return bad(file.eof() ? std::string("is empty. Copy it again from where it came from.")
+        return bad(file.eof() ? std::string("is empty. The copy may be incomplete: copy the file again.")
                               : std::string("cannot be read: ") + systemErrorText(errno) + ".");
     bytes.resize(static_cast<std::size_t>(file.gcount()));
     return bytes;

@@ -29,8 +29,9 @@ Error cannotUnpack(const fs::path& path, ErrorKind kind, const std::string& reas
 
 Error damagedGzip(const fs::path& path)
 {
-    return cannotUnpack(path, ErrorKind::BadInput,
-                        "it is packed by gzip, and damaged or cut short. Copy it again from where it came from.");
+    return cannotUnpack(
+        path, ErrorKind::BadInput,
+        "it is compressed by gzip, and damaged or cut short. The copy may be incomplete: copy the file again.");
 }
 
 /// zlib's own reader of such files, which joins several that stand behind one another, and compares their checksums.

@@ -318,7 +318,7 @@ Status PluginHost::open(Entry& entry)
     const std::string interface(pluginInterface(entry.status.metadata.kind));
     if (object->qt_metacast(interface.c_str()) == nullptr)
         return bad("Its metadata call it a " + std::string(pluginKindName(entry.status.metadata.kind)) +
-                   ", but it does not implement " + interface + ". Ask the plugin's author for a mended one.");
+                   ", but it does not implement " + interface + ". Ask the plugin's author for a fixed version.");
     entry.object = object;
     entry.status.state = PluginState::Loaded;
     return {};

@@ -29,7 +29,8 @@ constexpr std::array<KindEntry, 5> kinds = {{{PluginKind::Builder, "builder", TA
 
 Error malformed(const std::string& what)
 {
-    return {ErrorKind::BadInput, "Its metadata are malformed: " + what + ". Ask the plugin's author for a mended one."};
+    return {ErrorKind::BadInput,
+            "Its metadata are malformed: " + what + ". Ask the plugin's author for a fixed version."};
 }
 
 Result<std::string> requiredText(const QJsonObject& json, const char* key)

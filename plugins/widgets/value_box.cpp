@@ -3,6 +3,9 @@
 
 #include "plugins/widgets/number_text.h"
 
+#include <QLineEdit>
+#include <QStyleOptionSpinBox>
+
 namespace tetra {
 namespace {
 
@@ -21,6 +24,25 @@ ValueBox::ValueBox(QWidget* parent) : QDoubleSpinBox(parent)
 {
     setKeyboardTracking(false);
     setAlignment(Qt::AlignRight);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed); // down to minimumSizeHint()
+    connect(lineEdit(), &QLineEdit::textChanged, this, [this] { updateGeometry(); });
+}
+
+QSize ValueBox::minimumSizeHint() const
+{
+    ensurePolished();
+    // Room for the usual six digits, so that nothing moves while a value changes.
+    const QString usual = prefix() + locale().toString(0.0, 'f', 6) + suffix();
+    const QString shortest =
+        isPlain(extent_)
+            ? text()
+            : std::max(usual, text(), [](const QString& a, const QString& b) { return a.size() < b.size(); });
+    constexpr int lineMargins = 6; // of QLineEdit beside its text, and the cursor
+    QStyleOptionSpinBox option;
+    initStyleOption(&option);
+    const QSize content(fontMetrics().horizontalAdvance(shortest) + lineMargins,
+                        lineEdit()->minimumSizeHint().height());
+    return style()->sizeFromContents(QStyle::CT_SpinBox, &option, content, this);
 }
 
 void ValueBox::setValueRange(double minimum, double maximum)

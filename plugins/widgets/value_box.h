@@ -14,6 +14,8 @@ public:
     /// Steps and decimals follow the extent of the range.
     void setValueRange(double minimum, double maximum);
 
+    /// As wide as its value is written, in the letters of the user: it may be narrow, but never cuts a digit.
+    QSize minimumSizeHint() const override;
     QString textFromValue(double value) const override;
     double valueFromText(const QString& text) const override;
     QValidator::State validate(QString& text, int& position) const override;

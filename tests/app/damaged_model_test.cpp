@@ -101,7 +101,7 @@ private slots:
                 }
                 QVERIFY2(run.exitCode == 3, what);
                 QVERIFY2(run.messages.contains("'m.tan' is damaged") &&
-                             run.messages.contains("Copy it again from where it came from, or build it again."),
+                             run.messages.contains("Copy the file again, or build it again."),
                          run.messages);
                 QVERIFY(QDir(folder_.path()).entryList(QDir::AllEntries | QDir::Hidden) == before);
                 ++refused;

@@ -57,7 +57,7 @@ void DamagedModelWindowTest::open(const std::filesystem::path& path) const
 
 QString DamagedModelWindowTest::damageMessage(const char* section) const
 {
-    return QString("'%1' is damaged: the checksum of section '%2' is wrong. Copy it again from where it came from, or "
+    return QString("'%1' is damaged: the checksum of section '%2' is wrong. Copy the file again, or "
                    "build it again.")
         .arg(QString::fromStdString(path("damaged.tan").string()), section);
 }

@@ -11,8 +11,12 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QMainWindow>
+#include <QMenuBar>
 #include <QRadioButton>
+#include <QStatusBar>
 #include <QStyleOptionComboBox>
+#include <QToolBar>
 #include <QToolButton>
 
 using namespace tetra;
@@ -134,6 +138,26 @@ QStringList cutOffIn(const QWidget& root)
 
 } // namespace
 
+namespace {
+
+/// Of the window, and what its parts need at least.
+QString sizesOf(const QMainWindow& window)
+{
+    const auto text = [](const QSize& size) { return QString("%1 x %2").arg(size.width()).arg(size.height()); };
+    QStringList parts{text(window.size())};
+    QList<const QWidget*> widgets{window.centralWidget(), window.statusBar(), window.menuBar()};
+    for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
+        widgets.append(dock);
+    for (const QToolBar* bar : window.findChildren<QToolBar*>())
+        widgets.append(bar);
+    for (const QWidget* widget : widgets)
+        parts.append(widget->objectName() + " " + text(widget->minimumSizeHint()) +
+                     (widget->isVisible() ? "" : " (hidden)"));
+    return parts.join(", ");
+}
+
+} // namespace
+
 void FitTest::initTestCase()
 {
     QCoreApplication::setOrganizationName("TAn");
@@ -203,7 +227,7 @@ void FitTest::theWindowFits()
     QCoreApplication::processEvents();
     found += cutOffIn(window_->window);
     QVERIFY2(window_->window.width() <= smallScreen.width() && window_->window.height() <= smallScreen.height(),
-             "the window grew");
+             qPrintable("the window grew to " + sizesOf(window_->window)));
     QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
 }
 

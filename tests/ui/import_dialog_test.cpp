@@ -132,13 +132,13 @@ void ImportDialogTest::aWrongLayoutIsSeenAtOnce()
     const auto& read = window_->find<QPushButton>("import.read");
     size.setText("8x8x4");
     QVERIFY(check.text().startsWith("✗"));
-    QVERIFY(check.text().contains("256 bytes; the file has 512, 256 too many"));
+    QVERIFY(check.text().contains("256 bytes; the file has 512: 256 bytes unused"));
     QVERIFY(!read.isEnabled());
     size.setText("8x8");
     QVERIFY(!read.isEnabled());
     QTRY_VERIFY(window_->find<SlicePreview>("import.preview").image().isNull());
     size.setText("16x8x8");
-    QVERIFY(check.text().contains("too few"));
+    QVERIFY(check.text().contains("missing"));
     size.setText("8x8x4");
     choose("import.option.type", "uint16");
     QVERIFY(check.text().startsWith("✓"));

@@ -68,8 +68,8 @@ private slots:
         QCOMPARE(checkRawSize(samples, 32768).text,
                  QString("32 × 32 × 32 × uint8 = 32,768 bytes: the file has exactly that."));
         QVERIFY(!checkRawSize(samples, 32767).fits);
-        QVERIFY(checkRawSize(samples, 32767).text.contains("1 too few") ||
-                checkRawSize(samples, 32767).text.contains("1 too many"));
+        QVERIFY(checkRawSize(samples, 32767).text.contains("1 bytes missing") ||
+                checkRawSize(samples, 32767).text.contains("1 bytes unused"));
         const StoredSamples behind{.size = {2, 2, 2}, .type = SampleType::Float32, .skippedBytes = 10};
         QVERIFY(checkRawSize(behind, 42).fits);
         const StoredSamples largest{.size = {1 << 20, 1 << 20, 1 << 20}, .type = SampleType::Float64};

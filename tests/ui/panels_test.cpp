@@ -15,6 +15,7 @@
 #include <QMenu>
 #include <QPainter>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QSlider>
 #include <QStyle>
 #include <QToolButton>
@@ -46,6 +47,8 @@ private slots:
     void isovalueRowsFollowUndo();
     void everyControlHasANameForThoseWhoHearIt();
     void valueBoxesTakeAnyMagnitude();
+    void theDetailOfAModelIsChosen_data();
+    void theDetailOfAModelIsChosen();
     void weightsAreCheckedWhileTheyAreTyped();
     void aStepFromZeroIsATenth();
     void lengthsOfATinyDomainAreEdited();
@@ -297,6 +300,68 @@ void PanelsTest::valueBoxesTakeAnyMagnitude()
     box.setValueRange(0, 65535);
     box.setValue(1234);
     QCOMPARE(box.text(), QString("1234"));
+}
+
+void PanelsTest::theDetailOfAModelIsChosen_data()
+{
+    QTest::addColumn<int>("size");
+    QTest::addColumn<QString>("builder");
+    QTest::addColumn<QString>("option");
+    QTest::addColumn<QString>("first");
+    QTest::newRow("small data") << 12 << "refinement"
+                                << "error"
+                                << "everything";
+    QTest::newRow("more than a million points") << 101 << "refinement"
+                                                << "error"
+                                                << "good";
+    QTest::newRow("decimated") << 12 << "decimation"
+                               << "finest"
+                               << "everything";
+}
+
+/// What is kept, with what it takes: a good choice for the size of the data first, by mouse or keys, and the same as
+/// the builder's options say.
+void PanelsTest::theDetailOfAModelIsChosen()
+{
+    QFETCH(int, size);
+    QFETCH(QString, builder);
+    QFETCH(QString, option);
+    QFETCH(QString, first);
+    window_->window.open(
+        QString::fromStdString(writeNrrd(sampleDataset(static_cast<std::uint32_t>(size)), window_->folderPath())));
+    QTRY_VERIFY(window_->find<QPushButton>("build.start").isVisible());
+    auto& builders = window_->find<QComboBox>("build.builder");
+    builders.setCurrentIndex(builders.findData(builder));
+    auto& error = window_->find<QDoubleSpinBox>("build.option." + option);
+    const std::map<QString, double> errors{{"quick", 1}, {"good", 0.1}, {"everything", 0}};
+    const auto button = [&](const QString& name) -> QRadioButton& {
+        return window_->find<QRadioButton>("build.detail." + name);
+    };
+    QVERIFY(button(first).isChecked());
+    QCOMPARE(error.value(), errors.at(first));
+    std::map<QString, QString> needs;
+    for (const auto& [name, percent] : errors) {
+        auto& choice = button(name);
+        QVERIFY(choice.isVisible() && choice.focusPolicy() != Qt::NoFocus && !choice.toolTip().isEmpty());
+        choice.click();
+        QCOMPARE(error.value(), percent);
+        QVERIFY(choice.isChecked());
+        const QString needed = window_->find<QLabel>("build.detail." + name + ".size").text();
+        QVERIFY2(needed.contains("MiB, ") && needed.endsWith(" s"), qPrintable(needed));
+        QVERIFY(choice.accessibleDescription().contains(needed)); // for those who hear it
+        needs[name] = window_->find<QLabel>("build.estimate").text();
+    }
+    QVERIFY(needs["quick"] != needs["everything"] || size < 64);
+    button("everything").click();
+    button("everything").setFocus();
+    QTest::keyClick(&button("everything"), Qt::Key_Up);
+    QVERIFY(button("good").isChecked());
+    QCOMPARE(error.value(), 0.1);
+    error.setValue(0.5); // none of the three
+    for (const auto& [name, percent] : errors)
+        QVERIFY2(!button(name).isChecked(), qPrintable(name));
+    error.setValue(1);
+    QVERIFY(button("quick").isChecked());
 }
 
 /// R6

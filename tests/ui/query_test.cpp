@@ -250,11 +250,11 @@ void QueryTest::theMeshIsToldInWords()
     mesh.tetrahedra = mesh.wholeTetrahedra = 2000;
     QCOMPARE(meshText(mesh, *model_), QString("Shown: error 0.5 %."));
     mesh.scale = 2;
-    QCOMPARE(meshText(mesh, *model_), QString("Shown: error 1 %. The model has nothing finer."));
+    QCOMPARE(meshText(mesh, *model_), QString("Shown: error 1 %. The model contains no finer level."));
     mesh.query.error = SpaceRamp{Sphere{{3, 4, 5}, 2}, 0.5, 4, 1};
     mesh.query.budget = 2000;
-    QCOMPARE(meshText(mesh, *model_), QString("Shown: error 1 % in the focus, 8 % outside. More would take more than "
-                                              "2000 tetrahedra."));
+    QCOMPARE(meshText(mesh, *model_), QString("Shown: error 1 % in the focus, 8 % outside. Limited by the "
+                                              "budget of 2000 tetrahedra."));
     mesh.scale = 1;
     mesh.query.budget.reset();
     mesh.query.values = {{1, 2}};

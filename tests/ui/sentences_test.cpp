@@ -108,7 +108,7 @@ void SentencesTest::whatIsMadeOfIt_data()
         << "Cannot read '/a/b.tan': Too many open files. Close other programs, or raise the limit (ulimit)."
         << "„/a/b.tan“ kann nicht gelesen werden: Zu viele offene Dateien. Schließen Sie andere Programme, oder heben "
            "Sie die Begrenzung an (ulimit).";
-    QTest::newRow("names stay, whatever they say") << "'Error' is a folder. Give a file in it."
+    QTest::newRow("names stay, whatever they say") << "'Error' is a folder. Choose a file inside it."
                                                    << "„Error“ ist ein Ordner. Wählen Sie eine Datei darin.";
     QTest::newRow("a name that looks like a placeholder")
         << "Cannot open '%2': too many files are open. Close some of them."
@@ -117,7 +117,7 @@ void SentencesTest::whatIsMadeOfIt_data()
         << "'x.abc' has an unknown format. No reader is installed.\nNobody knows this."
         << "„x.abc“ hat ein unbekanntes Format. Es ist kein Leser installiert.\nNobody knows this.";
     QTest::newRow("a number at the beginning")
-        << "12924 cells were turned over: the corners are in the other order."
+        << "12924 cells were corrected: the orientation was inverted."
         << "12924 Zellen wurden umgedreht: Die Ecken stehen in der anderen Reihenfolge.";
     QTest::newRow("a text of a plugin")
         << "A tetrahedral mesh needs a cell: two points or more along each axis."

@@ -9,6 +9,7 @@
 #include <QCommandLinkButton>
 #include <QFileDialog>
 #include <QLabel>
+#include <QMenu>
 #include <QStandardPaths>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -25,6 +26,9 @@ private slots:
     void everySampleIsMade_data();
     void everySampleIsMade();
     void aSampleIsOpenedByItsButton();
+    void aSampleIsOpenedByTheMenu();
+    void samplesAreDescribedForPeople();
+    void samplesHavePictures();
     void makingASampleIsCancelled();
     void anUnknownSampleIsRefused();
     void recentFilesSayWhereTheyLie();
@@ -80,7 +84,7 @@ void StartPageTest::everySampleIsMade()
 
 void StartPageTest::aSampleIsOpenedByItsButton()
 {
-    auto& button = window_->find<QPushButton>("empty.sample.part");
+    auto& button = window_->find<QToolButton>("empty.sample.part");
     QVERIFY(button.isVisible() && button.focusPolicy() != Qt::NoFocus && !button.toolTip().isEmpty());
     button.setFocus();
     QTest::keyClick(&button, Qt::Key_Space);
@@ -90,13 +94,81 @@ void StartPageTest::aSampleIsOpenedByItsButton()
     QVERIFY(window_->messages().isEmpty());
 }
 
+/// Also while something else is open.
+void StartPageTest::aSampleIsOpenedByTheMenu()
+{
+    window_->window.open(QString::fromStdString(
+        buildSampleModel(*window_->host, sampleDataset(8), std::filesystem::path(window_->folderPath())).string()));
+    QTRY_VERIFY(window_->workbench.session().model());
+    window_->find<QAction>("action.sample.scattered").trigger();
+    QVERIFY(!window_->find<QMenu>("menu.samples").isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(window_->workbench.session().model()->path().filename() == "scattered.tan", 60'000);
+    QVERIFY(window_->find<QMenu>("menu.samples").isEnabled());
+}
+
+/// A name for people, and what it is, its size, where it is from and what to look at; below the samples, too, while one
+/// is pointed at.
+void StartPageTest::samplesAreDescribedForPeople()
+{
+    auto& description = window_->find<QLabel>("empty.sample.description");
+    const QString usual = description.text();
+    QVERIFY(!usual.isEmpty());
+    window_->window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&window_->window));
+    for (const SampleKind& kind : sampleKinds()) {
+        const QString name = QString::fromStdString(std::string(kind.name));
+        auto& button = window_->find<QToolButton>("empty.sample." + name);
+        const auto& action = window_->find<QAction>("action.sample." + name);
+        QVERIFY2(button.text() != name && button.text().at(0).isUpper(), qPrintable(button.text()));
+        QCOMPARE(button.accessibleName(), button.text());
+        QCOMPARE(QString(action.text()).remove('&'), button.text());
+        QCOMPARE(action.toolTip(), button.toolTip());
+        const QString text = button.toolTip();
+        for (const QString& part : {QString("computed by TAn"), QString("Look at")})
+            QVERIFY2(text.contains(part), qPrintable(text));
+        QVERIFY2(kind.domain == DomainClass::Irregular || text.contains(" points"), qPrintable(text));
+        button.setFocus(Qt::TabFocusReason);
+        QCOMPARE(description.text(), text);
+        button.clearFocus();
+        QCOMPARE(description.text(), usual);
+    }
+}
+
+/// Drawn at first use, in a worker, and kept: they show something, each something else.
+void StartPageTest::samplesHavePictures()
+{
+    std::map<std::string, QImage> drawn;
+    connect(&window_->workbench, &Workbench::thumbnailDrawn, this,
+            [&](const std::string& sample, const QImage& picture) { drawn[sample] = picture; });
+    QTRY_COMPARE_WITH_TIMEOUT(drawn.size(), sampleKinds().size(), 60'000);
+    for (const auto& [sample, picture] : drawn) {
+        const auto& button = window_->find<QToolButton>("empty.sample." + QString::fromStdString(sample));
+        QCOMPARE(picture.size(), QSize(thumbnailWidth, thumbnailHeight));
+        QVERIFY(picture.hasAlphaChannel());
+        int opaque = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                opaque += qAlpha(picture.pixel(x, y)) > 40 ? 1 : 0;
+        QVERIFY2(opaque > picture.width() * picture.height() / 20, sample.c_str());
+        QVERIFY(button.icon().pixmap(button.iconSize()).toImage() != QImage());
+        QVERIFY(!window_->find<QAction>("action.sample." + QString::fromStdString(sample)).icon().isNull());
+        for (const auto& [other, otherPicture] : drawn)
+            QVERIFY2(other == sample || otherPicture != picture, sample.c_str());
+        const auto kept = sampleThumbnail(*window_->host, sample, sampleFolder());
+        QVERIFY(kept);
+        QVERIFY2(kept->convertToFormat(QImage::Format_ARGB32) == picture.convertToFormat(QImage::Format_ARGB32),
+                 sample.c_str());
+    }
+    QVERIFY(!sampleThumbnail(*window_->host, "nothing", sampleFolder()));
+}
+
 void StartPageTest::makingASampleIsCancelled()
 {
     window_->workbench.openSample("hydrogen");
-    QTRY_VERIFY_WITH_TIMEOUT(window_->find<QWidget>("empty.sampling").isVisible(), 20'000);
-    window_->find<QToolButton>("empty.sampling.cancel").click();
+    QTRY_VERIFY_WITH_TIMEOUT(window_->find<QWidget>("status.sampling").isVisible(), 20'000);
+    window_->find<QToolButton>("status.sampling.cancel").click();
     QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.sampling().running(), 20'000);
-    QTRY_VERIFY(window_->find<QPushButton>("empty.sample.hydrogen").isEnabled());
+    QTRY_VERIFY(window_->find<QToolButton>("empty.sample.hydrogen").isEnabled());
     QVERIFY(!window_->workbench.session().model());
     QVERIFY(window_->messages().isEmpty());
     QVERIFY(!std::filesystem::exists(sampleFolder() / "hydrogen.tan"));

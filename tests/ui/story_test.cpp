@@ -70,7 +70,7 @@ void StoryTest::dragAccuracy(const WindowFixture& window)
     QCOMPARE(window.find<QLabel>("accuracy.sites").text(), QLocale().toString(session.meshSize().sites));
     QTRY_VERIFY_WITH_TIMEOUT(window.settled(), 20000);
     QCOMPARE(window.find<QLabel>("status.sites").text(),
-             QString("%1 sites").arg(QLocale().toString(session.meshSize().sites)));
+             QString("%1 vertices").arg(QLocale().toString(session.meshSize().sites)));
     QCOMPARE(window.workbench.session().undoStack().count(), 1); // one drag, one step
     QTest::mouseClick(&window.find<QWidget>("accuracy.preset.1"), Qt::LeftButton);
     QCOMPARE(session.view().error(), 1.0);

@@ -103,7 +103,7 @@ void ViewHistoryTest::aDragIsOneStep()
     const Camera after = window_->viewport().camera();
     QVERIFY(after != before);
     QCOMPARE(stack().count(), 1);
-    QCOMPARE(stack().undoText(), QString("change of view"));
+    QCOMPARE(stack().undoText(), QString("Move Camera"));
     drag({-30, 5});
     QCOMPARE(stack().count(), 2);
     window_->find<QAction>("action.undo").trigger();

@@ -151,7 +151,7 @@ QLayout* AccuracyPanel::makeNumbers()
     auto* grid = new QGridLayout;
     grid->setColumnStretch(2, 1);
     grid->setHorizontalSpacing(12);
-    grid->addWidget(new QLabel(tr("Sites")), 0, 0);
+    grid->addWidget(new QLabel(tr("Vertices")), 0, 0);
     grid->addWidget(sites_, 0, 1);
     grid->addWidget(siteShare_, 0, 2);
     grid->addWidget(new QLabel(tr("Tetrahedra")), 1, 0);
@@ -218,7 +218,7 @@ void AccuracyPanel::showError(double error)
         inUnits_->setText(
             tr("± %1 in value\nwarping %2").arg(byError, QLocale().toString(error / 100 * model->diagonal(), 'g', 3)));
     else
-        inUnits_->setText(tr("of the range, ± %1").arg(byError));
+        inUnits_->setText(tr("of value range (± %1)").arg(byError));
 }
 
 /// A uniform mesh is counted beforehand; of any other the numbers are those of the last picture until the next one

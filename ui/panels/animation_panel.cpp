@@ -85,7 +85,7 @@ QWidget* AnimationPanel::makeTurntable()
 {
     axis_->setObjectName("animation.axis");
     axis_->setAccessibleName(tr("Axis to turn around"));
-    axis_->addItems({tr("Round the vertical axis"), tr("Up and down")});
+    axis_->addItems({tr("Around the vertical axis"), tr("Up and down")});
     axis_->setToolTip(tr("Up and down the camera comes back to where it began, and stops at the poles"));
     degrees_->setObjectName("animation.degrees");
     degrees_->setAccessibleName(tr("Angle to turn by"));

@@ -3,20 +3,23 @@
 
 #include "plugins/widgets/icons.h"
 #include "plugins/widgets/number_text.h"
+#include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/parameter_form.h"
 #include "ui/session/import_texts.h"
 #include "ui/session/plugin_texts.h"
 #include "ui/session/sentences.h"
 #include "ui/session/target_path.h"
 
+#include <QButtonGroup>
 #include <QComboBox>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QFormLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QStackedWidget>
 
 #include <cmath>
@@ -25,6 +28,25 @@ namespace tetra {
 namespace {
 
 constexpr int barSteps = 1000;
+
+/// How much of the data a model keeps: the errors of its finest mesh in percent of the range.
+constexpr std::array detailErrors{1.0, 0.1, 0.0};
+constexpr int goodDetail = 1;
+constexpr int everyDetail = 2;
+constexpr std::uint64_t mostPointsForEverything = 1'000'000;
+
+int firstDetail(const Dataset& dataset)
+{
+    return dataset.pointCount() > mostPointsForEverything ? goodDetail : everyDetail;
+}
+
+/// `values` with those of `others` in place.
+ParameterValues withValues(ParameterValues values, const ParameterValues& others)
+{
+    for (const auto& [id, value] : others)
+        values[id] = value;
+    return values;
+}
 
 QLabel* wrappedLabel(const char* name, const QString& text = {})
 {
@@ -96,15 +118,15 @@ QWidget* BuildPanel::makeBuildPage()
 {
     name_ = titleLabel("build.name");
     facts_ = wrappedLabel("build.facts");
-    differently_ = new QPushButton(tr("Read &Differently…"));
+    differently_ = new QPushButton(tr("&Import Options…"));
     differently_->setObjectName("build.differently");
-    differently_->setToolTip(
-        tr("Reads the file again in another way: other values, a part of it, every so many points"));
+    differently_->setToolTip(tr("Read the file again with other options: other values, a part of it, fewer points"));
     connect(differently_, &QPushButton::clicked, this, [this] { workbench_.readDifferently(); });
     builder_ = new QComboBox;
     builder_->setObjectName("build.builder");
     builder_->setAccessibleName(tr("Builder"));
     builder_->setToolTip(tr("How the model is built"));
+    builder_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     reason_ = wrappedLabel("build.reason");
     reason_->setForegroundRole(QPalette::PlaceholderText);
     options_ = new ParameterForm("build.option");
@@ -123,12 +145,14 @@ QWidget* BuildPanel::makeBuildPage()
     inputs->addWidget(builder_);
     inputs->addWidget(reason_);
     inputs->addSpacing(6);
+    inputs->addWidget(makeDetails());
+    inputs->addSpacing(6);
     inputs->addWidget(options_);
     inputs->addSpacing(6);
     inputs->addLayout(makeTargetRow());
     estimate_ = wrappedLabel("build.estimate");
     estimate_->setForegroundRole(QPalette::PlaceholderText);
-    estimate_->setToolTip(tr("Measured on other data; a larger error takes less. Half or twice as much is possible."));
+    estimate_->setToolTip(tr("Estimated from other datasets; it may be off by a factor of two"));
     inputs->addWidget(estimate_);
 
     auto* page = new QWidget;
@@ -144,9 +168,49 @@ QWidget* BuildPanel::makeBuildPage()
     layout->addWidget(makeProgress());
     layout->addStretch();
     connect(builder_, &QComboBox::currentIndexChanged, this, &BuildPanel::showBuilder);
-    connect(options_, &ParameterForm::edited, this, &BuildPanel::showEstimate);
+    connect(options_, &ParameterForm::edited, this, &BuildPanel::showDetail);
     connect(build_, &QPushButton::clicked, this, &BuildPanel::build);
-    return page;
+    return new ScrolledColumn(page); // large letters need more height than a small screen has
+}
+
+QWidget* BuildPanel::makeDetails()
+{
+    struct Entry {
+        const char* name;
+        QString text;
+        QString toolTip;
+    };
+    const std::array<Entry, detailErrors.size()> entries{{
+        {"quick", tr("Qui&ck look, error 1 %"),
+         tr("Keeps what is needed for an error of 1 % of the value range: enough for a first look")},
+        {"good", tr("&Good, error 0.1 %"),
+         tr("Keeps what is needed for an error of 0.1 % of the value range: pictures look the same as with "
+            "everything")},
+        {"everything", tr("&Everything"), tr("Keeps every value of the dataset: any accuracy can be looked at later")},
+    }};
+    details_ = new QWidget;
+    details_->setObjectName("build.detail");
+    details_->setAccessibleName(tr("Detail"));
+    detail_ = new QButtonGroup(details_);
+    auto* grid = new QGridLayout(details_);
+    grid->setContentsMargins({});
+    grid->setVerticalSpacing(2);
+    grid->addWidget(new QLabel(tr("Detail: size of the model, time to build it")), 0, 0, 1, 2);
+    for (std::size_t index = 0; index < entries.size(); ++index) {
+        const int row = static_cast<int>(index) + 1;
+        auto* button = new QRadioButton(entries[index].text);
+        button->setObjectName(QString("build.detail.") + entries[index].name);
+        button->setToolTip(entries[index].toolTip);
+        detail_->addButton(button, static_cast<int>(index));
+        grid->addWidget(button, row, 0);
+        QLabel*& size = detailSizes_[index];
+        size = new QLabel;
+        size->setObjectName(button->objectName() + ".size");
+        grid->addWidget(size, row, 1, Qt::AlignRight | Qt::AlignVCenter);
+    }
+    grid->setColumnStretch(0, 1);
+    connect(detail_, &QButtonGroup::idClicked, this, &BuildPanel::chooseDetail);
+    return details_;
 }
 
 QLayout* BuildPanel::makeTargetRow()
@@ -181,11 +245,11 @@ QWidget* BuildPanel::makeProgress()
     activity_ = wrappedLabel("build.activity");
     cancel_ = new QPushButton(tr("&Cancel"));
     cancel_->setObjectName("build.cancel");
-    cancel_->setToolTip(tr("Ends the build and throws away what it has made"));
+    cancel_->setToolTip(tr("Stop the build and discard what it has made"));
     connect(cancel_, &QPushButton::clicked, this, [this] { workbench_.stopBuild(false); });
     keep_ = new QPushButton(tr("Stop and &Keep"));
     keep_->setObjectName("build.keep");
-    keep_->setToolTip(tr("Ends the build; what is finished becomes the model, with the accuracy that it has reached"));
+    keep_->setToolTip(tr("Stop the build and keep what is finished as the model, with the accuracy reached so far"));
     connect(keep_, &QPushButton::clicked, this, [this] { workbench_.stopBuild(true); });
     progress_ = new QWidget;
     auto* layout = new QVBoxLayout(progress_);
@@ -241,21 +305,57 @@ void BuildPanel::showBuilder()
 {
     reason_->setText(builder_->currentData(Qt::ToolTipRole).toString());
     const auto builder = workbench_.host().builder(builder_->currentData().toString().toStdString());
+    const auto& dataset = workbench_.dataset();
     options_->setParameters(builder ? builder->plugin->parameters() : std::vector<Parameter>{});
-    if (const auto& dataset = workbench_.dataset())
+    if (dataset)
         options_->setSurroundings({{domainId, std::string(domainClassName(dataset->domain))}});
     build_->setEnabled(builder.ok());
-    showEstimate();
+    details_->setVisible(builder && dataset && !builder->plugin->detail(0, dataset->domain).empty());
+    if (!details_->isHidden())
+        chooseDetail(firstDetail(*dataset));
+    else
+        showDetail();
 }
 
-/// Of the builder that is chosen, as it is told to build.
-void BuildPanel::showEstimate()
+void BuildPanel::chooseDetail(int index)
 {
     const auto builder = workbench_.host().builder(builder_->currentData().toString().toStdString());
-    const BuildSize& size = workbench_.buildSize();
-    const auto estimate =
-        builder ? builder->plugin->estimate(size, options_->matteringValues(), usableThreads()) : std::nullopt;
-    estimate_->setText(estimate ? estimateText(size, *estimate) : QString());
+    const auto& dataset = workbench_.dataset();
+    if (!builder || !dataset)
+        return;
+    const double error = detailErrors[static_cast<std::size_t>(index)];
+    options_->setValues(withValues(options_->values(), builder->plugin->detail(error, dataset->domain)));
+    showDetail();
+}
+
+std::optional<BuildEstimate> BuildPanel::estimateOf(const ParameterValues& values) const
+{
+    const auto builder = workbench_.host().builder(builder_->currentData().toString().toStdString());
+    return builder ? builder->plugin->estimate(workbench_.buildSize(), values, usableThreads()) : std::nullopt;
+}
+
+/// Which choice the options are, and what each takes.
+void BuildPanel::showDetail()
+{
+    const ParameterValues values = options_->values();
+    const auto estimate = estimateOf(options_->matteringValues());
+    estimate_->setVisible(estimate.has_value());
+    if (estimate)
+        estimate_->setText(estimateText(workbench_.buildSize(), *estimate));
+    const auto builder = workbench_.host().builder(builder_->currentData().toString().toStdString());
+    const auto& dataset = workbench_.dataset();
+    if (!builder || !dataset)
+        return;
+    detail_->setExclusive(false); // so that none may be checked
+    for (std::size_t index = 0; index < detailErrors.size(); ++index) {
+        const ParameterValues detail = builder->plugin->detail(detailErrors[index], dataset->domain);
+        QAbstractButton* button = detail_->button(static_cast<int>(index));
+        button->setChecked(withValues(values, detail) == values);
+        const auto needed = estimateOf(withValues(options_->matteringValues(), detail));
+        detailSizes_[index]->setText(needed ? modelSizeText(*needed) : QString());
+        button->setAccessibleDescription(button->toolTip() + ". " + detailSizes_[index]->text());
+    }
+    detail_->setExclusive(true);
 }
 
 void BuildPanel::showTarget()

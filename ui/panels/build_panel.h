@@ -5,6 +5,9 @@
 
 #include <QWidget>
 
+#include <array>
+
+class QButtonGroup;
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -25,13 +28,16 @@ public:
 private:
     QWidget* makeNothingPage();
     QWidget* makeBuildPage();
+    QWidget* makeDetails();
     QLayout* makeTargetRow();
     QWidget* makeProgress();
     void connectWorkbench();
 
     void showDataset();
     void showBuilder();
-    void showEstimate();
+    void chooseDetail(int index);
+    void showDetail();
+    std::optional<BuildEstimate> estimateOf(const ParameterValues& values) const;
     void showTarget();
     void showRunning(bool running);
     void showProgress(const TaskProgress& progress);
@@ -46,6 +52,9 @@ private:
     QLabel* facts_;
     QPushButton* differently_ = nullptr;
     QLabel* estimate_ = nullptr;
+    QWidget* details_ = nullptr;
+    QButtonGroup* detail_ = nullptr; ///< by the number of the choice; none is checked if the options say otherwise
+    std::array<QLabel*, 3> detailSizes_{}; ///< what each choice takes
     QComboBox* builder_;
     QLabel* reason_;
     ParameterForm* options_;

@@ -128,11 +128,10 @@ QLayout* FocusPanel::makeInputs()
     addAxisNames(*grid, 0);
     centre_ = new VectorInput("focus.centre", tr("&Centre"), tr("Centre of the focus, in the coordinates of the data"),
                               session_, *grid, 1, this);
-    size_ = new VectorInput("focus.size", tr("&Size"), tr("Edges of the box, in the lengths of the data"), session_,
-                            *grid, 2, this);
-    radius_->setTexts(tr("Radius of the sphere"), tr("Radius of the sphere, in the lengths of the data"));
-    falloff_->setTexts(tr("Fall-off"), tr("The length over which the error grows from that in the focus to that "
-                                          "outside, in the lengths of the data; 0 is a sharp border"));
+    size_ = new VectorInput("focus.size", tr("&Size"), tr("Edges of the box, in data units"), session_, *grid, 2, this);
+    radius_->setTexts(tr("Radius of the sphere"), tr("Radius of the sphere, in data units"));
+    falloff_->setTexts(tr("Fall-off"), tr("The distance over which the error grows from that in the focus to that "
+                                          "outside, in data units; 0 is a sharp border"));
     error_->setObjectName("focus.error.slider");
     errorBox_->setObjectName("focus.error.box");
     for (QWidget* input : std::initializer_list<QWidget*>{error_, errorBox_}) {
@@ -170,7 +169,7 @@ void FocusPanel::connectInputs()
 
 QLayout* FocusPanel::makeButtons()
 {
-    auto* centre = new QPushButton(tr("&To Centre of View"));
+    auto* centre = new QPushButton(tr("&Centre in View"));
     centre->setObjectName("focus.toView");
     centre->setToolTip(tr("Move the focus to what the camera looks at (C)"));
     connect(centre, &QPushButton::clicked, this, &FocusPanel::centreWanted);

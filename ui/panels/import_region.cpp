@@ -77,8 +77,7 @@ QWidget* ImportRegion::makeGrid()
                               tr("The first point that is taken, counted from 0"));
         boxes.last = makeBox("last." + name, tr("Last point along %1").arg(name),
                              tr("The last point that is taken, counted from 0"));
-        boxes.stride = makeBox("stride." + name, tr("Stride along %1").arg(name),
-                               tr("Takes every so many points: 2 takes every second one"));
+        boxes.stride = makeBox("stride." + name, tr("Stride along %1").arg(name), tr("Keep every n-th point"));
         grid->addWidget(boxes.first, axis + 1, 1);
         grid->addWidget(boxes.last, axis + 1, 2);
         grid->addWidget(boxes.stride, axis + 1, 3);

@@ -57,7 +57,7 @@ PictureForm::PictureForm(const QString& name, QWidget* parent)
       width_(makeBox(name + ".width", largestPictureSide, tr(" px"), tr("Width"), tr("Width in pixels"))),
       height_(makeBox(name + ".height", largestPictureSide, tr(" px"), tr("Height"), tr("Height in pixels"))),
       dpi_(makeBox(name + ".dpi", 2400, tr(" dpi"), tr("Resolution"),
-                   tr("Pixels an inch when it is printed; the number of pixels does not change"))),
+                   tr("Print resolution in pixels per inch; the number of pixels does not change"))),
       printSize_(new QLabel), transparent_(new QCheckBox(tr("Trans&parent background")))
 {
     setObjectName(name);
@@ -87,7 +87,8 @@ void PictureForm::addSize(QFormLayout& form)
 {
     const QString name = objectName();
     preset_->setObjectName(name + ".preset");
-    preset_->addItems({tr("As seen"), tr("Twice as seen"), tr("HD"), tr("Full HD"), tr("4K"), tr("Custom")});
+    preset_->addItems(
+        {tr("As on screen"), tr("Twice the screen size"), tr("HD"), tr("Full HD"), tr("4K"), tr("Custom")});
     preset_->setToolTip(tr("Annotations and lines take as much of the picture as they do of the view"));
     form.addRow(tr("Si&ze"), preset_);
     auto* pixels = new QHBoxLayout;
@@ -99,7 +100,7 @@ void PictureForm::addSize(QFormLayout& form)
     auto* print = new QHBoxLayout;
     print->addWidget(dpi_, 1);
     print->addWidget(printSize_, 1);
-    addRow(form, tr("Pri&nted"), *dpi_, *print);
+    addRow(form, tr("Pri&nt resolution"), *dpi_, *print);
     transparent_->setObjectName(name + ".transparent");
     transparent_->setToolTip(tr("Only what is shown, to be laid over something else"));
     form.addRow(tr("Background"), transparent_);

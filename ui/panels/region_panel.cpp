@@ -24,9 +24,9 @@ constexpr std::array borders{WindowBorder::Clipped, WindowBorder::Intersecting, 
 
 RegionPanel::RegionPanel(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), window_(new QCheckBox(tr("Only a &window"))), windowSettings_(new QWidget),
-      border_(new QComboBox), values_(new QCheckBox(tr("Onl&y some values"))), valueSettings_(new QWidget),
+      border_(new QComboBox), values_(new QCheckBox(tr("&Limit to value range"))), valueSettings_(new QWidget),
       least_(new ValueSlider("region.least", session)), largest_(new ValueSlider("region.largest", session)),
-      reset_(new QPushButton(tr("Whole Domai&n")))
+      reset_(new QPushButton(tr("&Reset to whole domain")))
 {
     setObjectName("region");
     window_->setObjectName("region.window");
@@ -87,11 +87,10 @@ QLayout* RegionPanel::makeWindow()
     from_ = new VectorInput("region.from", tr("Fro&m"), toolTip, session_, *grid, 1, this);
     to_ = new VectorInput("region.to", tr("&To"), toolTip, session_, *grid, 2, this);
     border_->setObjectName("region.border");
-    border_->addItems({tr("Cut off"), tr("All that touch the window"), tr("Only those inside")});
+    border_->addItems({tr("Cut exactly"), tr("Whole cells touching"), tr("Whole cells inside")});
     border_->setAccessibleName(tr("Tetrahedra at the border"));
     border_->setToolTip(
-        tr("What becomes of the tetrahedra at the border of the window: cut off, it ends exactly there; "
-           "whole, it is ragged"));
+        tr("How the window ends: tetrahedra at its border are cut exactly there, or kept or left out as a whole"));
     border_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     auto* label = new QLabel(tr("&Border"));
     label->setBuddy(border_);

@@ -63,8 +63,8 @@ QWidget* RenderingPanel::makeContent()
     frameRate_->setSpecialValueText(tr("Automatic (%1 frames/s)").arg(static_cast<int>(viewport_.usualFrameRate())));
     frameRate_->setSuffix(tr(" frames/s"));
     frameRate_->setKeyboardTracking(false);
-    frameRate_->setToolTip(tr("Pictures a second while something moves. If there is not time enough they are drawn "
-                              "smaller and of fewer tetrahedra; the picture at rest is always the full one."));
+    frameRate_->setToolTip(tr("The frame rate to keep while something moves. If the machine is too slow, frames are "
+                              "drawn smaller and with fewer tetrahedra; the picture at rest is always complete."));
     frameRate_->setAccessibleName(tr("Frame rate while moving"));
 
     auto* content = new QWidget;

@@ -61,6 +61,8 @@ SlicePreview::SlicePreview(QWidget* parent)
     picture_->setAccessibleName(tr("Preview of a layer"));
     legend_->setObjectName("import.preview.legend");
     legend_->setWordWrap(true);
+    legend_->setMinimumHeight(2 * legend_->fontMetrics().lineSpacing()); // the longest takes two lines
+    legend_->setAlignment(Qt::AlignTop);
     legend_->setForegroundRole(QPalette::PlaceholderText);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins({});
@@ -128,7 +130,7 @@ void SlicePreview::request()
         job_.submit([this](const std::stop_token&) { file_.reset(); });
         shown_ = number;
         image_ = {};
-        picture_->setText(tr("No layout that could be shown"));
+        picture_->setText(tr("No preview: the layout is incomplete"));
         legend_->clear();
         return;
     }

@@ -74,9 +74,9 @@ StatisticsPanel::StatisticsPanel(Workbench& workbench, Viewport& viewport, QWidg
 QLayout* StatisticsPanel::makeButtons()
 {
     copy_->setObjectName("statistics.copy");
-    copy_->setToolTip(tr("Copy all of this as text, with tabs between the columns"));
+    copy_->setToolTip(tr("Copy as text, with tabs between the columns"));
     save_->setObjectName("statistics.save");
-    save_->setToolTip(tr("Save the table as CSV or JSON, in % and under no locale"));
+    save_->setToolTip(tr("Save the table as CSV or JSON (percent, decimal point)"));
     auto* row = new QHBoxLayout;
     row->addStretch();
     row->addWidget(copy_);

@@ -112,7 +112,7 @@ void ViewPanel::addNumbers(QGridLayout& grid)
     up_->setToolTip(tr("Which axis of the data points up"));
     setUp(*distance_, "distance", tr("Distance"), {}, tr("From the eye to the target, in the units of the data"));
     setUp(*fieldOfView_, "fieldOfView", tr("Field of view"), degrees,
-          tr("Angle that the shorter side of the picture spans, in degrees"));
+          tr("View angle along the shorter side of the picture, in degrees"));
     fieldOfView_->setValueRange(1, 170);
     for (ValueBox* box : {azimuth_, elevation_, roll_, fieldOfView_})
         box->setSingleStep(1);
@@ -143,7 +143,7 @@ void ViewPanel::addNumbers(QGridLayout& grid)
     addPair(1, 0, tr("&Roll"), roll_);
     addPair(1, 2, tr("&Up axis"), up_);
     addPair(2, 0, tr("D&istance"), distance_);
-    addPair(2, 2, tr("&Angle"), fieldOfView_);
+    addPair(2, 2, tr("View &angle"), fieldOfView_);
     pairs->setColumnStretch(1, 1);
     pairs->setColumnStretch(3, 1);
     grid.addLayout(pairs, 2, 0, 1, 4);
@@ -187,7 +187,7 @@ QLayout* ViewPanel::makeFiles()
     background_->setToolTip(tr("Colour behind what is shown, also in saved pictures"));
     background_->setAccessibleName(tr("Background colour"));
     usualBackground_->setObjectName("view.usualBackground");
-    usualBackground_->setText(tr("Usual"));
+    usualBackground_->setText(tr("Default"));
     usualBackground_->setToolTip(tr("The colour that fits the window, light or dark"));
     load_->setObjectName("view.load");
     load_->setToolTip(tr("Take the camera from a JSON file"));

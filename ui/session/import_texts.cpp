@@ -102,8 +102,8 @@ ImportCheck checkRawSize(const StoredSamples& samples, std::uint64_t fileBytes)
     const QString sum = samples.skippedBytes == 0 ? product : countText(samples.skippedBytes) + " + " + product;
     if (wanted == fileBytes)
         return {true, ImportTexts::tr("%1 = %2 bytes: the file has exactly that.").arg(sum, countText(wanted))};
-    const QString text = wanted > fileBytes ? ImportTexts::tr("%1 = %2 bytes; the file has %3, %4 too few.")
-                                            : ImportTexts::tr("%1 = %2 bytes; the file has %3, %4 too many.");
+    const QString text = wanted > fileBytes ? ImportTexts::tr("%1 = %2 bytes; the file has %3: %4 bytes missing.")
+                                            : ImportTexts::tr("%1 = %2 bytes; the file has %3: %4 bytes unused.");
     const std::uint64_t difference = std::max(wanted, fileBytes) - std::min(wanted, fileBytes);
     return {false, text.arg(sum, countText(wanted), countText(fileBytes), countText(difference))};
 }
@@ -127,19 +127,6 @@ ImportCheck countPart(const Lattice& lattice, const DatasetPart& part)
                       .arg(sizeText(taken->size), countText(taken->pointCount()), countText(lattice.pointCount()))};
 }
 
-namespace {
-
-QString needsText(const BuildSize& size, const BuildEstimate& estimate)
-{
-    if (estimate.endsCoarse)
-        return ImportTexts::tr("Decimating to the coarsest mesh takes up to %1 of memory, %2 of disk and %3.");
-    return size.siteShare < 1
-               ? ImportTexts::tr("Building to an error of 0 takes about %1 of memory, %2 of disk and %3.")
-               : ImportTexts::tr("Building to an error of 0 takes up to %1 of memory, %2 of disk and %3.");
-}
-
-} // namespace
-
 unsigned usableThreads()
 {
     return std::max(1U, std::thread::hardware_concurrency());
@@ -147,13 +134,20 @@ unsigned usableThreads()
 
 QString estimateText(const BuildSize& size, const BuildEstimate& estimate)
 {
-    const QString needs = needsText(size, estimate)
-                              .arg(roughBytesText(estimate.memoryBytes), roughBytesText(estimate.diskBytes),
+    const QString needs = size.density.known()
+                              ? ImportTexts::tr("The build takes about %1 of memory, %2 of disk and %3.")
+                              : ImportTexts::tr("The build takes up to %1 of memory, %2 of disk and %3.");
+    const QString text = needs.arg(roughBytesText(estimate.memoryBytes), roughBytesText(estimate.diskBytes),
                                    roughDurationText(estimate.seconds));
     const std::uint64_t usable = usableBytes();
     if (usable != 0 && estimate.memoryBytes > usable)
-        return needs + " " + ImportTexts::tr("This machine has %1 of memory.").arg(bytesText(usable));
-    return needs;
+        return text + " " + ImportTexts::tr("This machine has %1 of memory.").arg(bytesText(usable));
+    return text;
+}
+
+QString modelSizeText(const BuildEstimate& estimate)
+{
+    return ImportTexts::tr("%1, %2").arg(roughBytesText(estimate.modelBytes), roughDurationText(estimate.seconds));
 }
 
 } // namespace tetra

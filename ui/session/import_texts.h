@@ -35,7 +35,9 @@ ImportCheck countPart(const Lattice& lattice, const DatasetPart& part);
 /// Those of the machine.
 unsigned usableThreads();
 
-/// "Up to 1.3 GiB of memory ..." if every point may be needed, else "About ...".
+/// What a build takes: "up to" as long as nothing is known of the data but their size, else "about".
 QString estimateText(const BuildSize& size, const BuildEstimate& estimate);
+/// "426 MiB, 2 min": the model and the time that it takes.
+QString modelSizeText(const BuildEstimate& estimate);
 
 } // namespace tetra

@@ -28,10 +28,10 @@ QString limitText(const ShownMesh& mesh)
     // A little more is rounding.
     const bool isMore = mesh.scale > 1.001;
     if (mesh.query.budget && isMore)
-        return MeshText::tr("More would take more than %1 tetrahedra.").arg(countText(*mesh.query.budget));
+        return MeshText::tr("Limited by the budget of %1 tetrahedra.").arg(countText(*mesh.query.budget));
     if (mesh.query.budget)
-        return MeshText::tr("This is all that the model has.");
-    return isMore ? MeshText::tr("The model has nothing finer.") : QString();
+        return MeshText::tr("Full resolution of the model.");
+    return isMore ? MeshText::tr("The model contains no finer level.") : QString();
 }
 
 QString partText(const ShownMesh& mesh)
@@ -64,7 +64,7 @@ QString meshText(const ShownMesh& mesh, const Model& model)
 {
     const QString errors = errorText(mesh);
     QStringList sentences{model.description().warpingWeight > 0
-                              ? MeshText::tr("Shown: %1; the warping likewise.").arg(errors)
+                              ? MeshText::tr("Shown: error and warping both %1.").arg(errors)
                               : MeshText::tr("Shown: %1.").arg(errors)};
     sentences << limitText(mesh) << partText(mesh);
     sentences.removeAll(QString());

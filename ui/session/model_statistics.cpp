@@ -56,8 +56,8 @@ std::optional<double> secondsPerTetrahedron(const BuiltScene& scene)
 QStringList levelColumns()
 {
     // What counts least comes last, where a narrow panel hides it.
-    return {Statistics::tr("Error"), Statistics::tr("Sites"),  Statistics::tr("Tetrahedra"), Statistics::tr("Share"),
-            Statistics::tr("Time"),  Statistics::tr("Memory"), Statistics::tr("± value")};
+    return {Statistics::tr("Error"), Statistics::tr("Vertices"), Statistics::tr("Tetrahedra"), Statistics::tr("Share"),
+            Statistics::tr("Time"),  Statistics::tr("Memory"),   Statistics::tr("± value")};
 }
 
 QStringList levelTexts(const LevelStatistics& level)
@@ -78,7 +78,7 @@ std::vector<StatisticsFact> modelFacts(const Model& model)
             {Statistics::tr("Values"),
              Statistics::tr("%1 to %2")
                  .arg(valueText(range.minimum, range.extent()), valueText(range.maximum, range.extent()))},
-            {Statistics::tr("Sites in all"), countText(model.siteCount())},
+            {Statistics::tr("Total vertices"), countText(model.siteCount())},
             {Statistics::tr("File"), bytesText(model.fileBytes().size())}};
 }
 
@@ -86,9 +86,9 @@ std::vector<StatisticsFact> sceneFacts(const BuiltScene& scene, double frameSeco
                                        std::optional<std::size_t> brokenCycles)
 {
     std::vector<StatisticsFact> facts{
-        {Statistics::tr("Shown"), Statistics::tr("%1 sites, %2 tetrahedra")
+        {Statistics::tr("Shown"), Statistics::tr("%1 vertices, %2 tetrahedra")
                                       .arg(countText(scene.mesh.keptSites), countText(scene.mesh.keptTetrahedra))},
-        {Statistics::tr("Kept"), errorText(scene.mesh)}};
+        {Statistics::tr("Guaranteed error"), errorText(scene.mesh)}};
     if (const QString pieces = piecesText(scene.mesh); !pieces.isEmpty())
         facts.push_back({Statistics::tr("Cut"), pieces});
     if (scene.triangles > 0)

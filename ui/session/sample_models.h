@@ -5,10 +5,12 @@
 #include "core/base/result.h"
 #include "plugins/host/plugin_host.h"
 
+#include <QImage>
 #include <QString>
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace tetra {
 
@@ -21,5 +23,24 @@ bool isOfSample(const std::filesystem::path& file);
 /// in a size that takes a few seconds. Call from a worker thread. Errors: as of making, saving, reading and building.
 Result<std::filesystem::path> sampleModel(PluginHost& host, const std::string& name,
                                           const std::filesystem::path& folder, const Progress& progress = {});
+
+/// A sample as people meet it.
+struct SampleCard {
+    std::string name; ///< of the sample: stable
+    QString title;
+    QString description; ///< what it is, its size, where it is from and what to look at
+};
+
+/// All samples, those first that show most.
+std::vector<SampleCard> sampleCards();
+
+/// The size of the pictures of samples, in pixels of a screen with twice as many as usual.
+constexpr int thumbnailWidth = 208;
+constexpr int thumbnailHeight = 156;
+
+/// A small picture of a sample, without a background: from the folder if it is there, else drawn of a small version of
+/// the sample, in a fraction of a second, and kept there. Call from a worker thread. Errors: as of making and building.
+Result<QImage> sampleThumbnail(PluginHost& host, const std::string& name, const std::filesystem::path& folder,
+                               const Progress& progress = {});
 
 } // namespace tetra

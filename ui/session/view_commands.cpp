@@ -128,7 +128,7 @@ AddIsovalue::AddIsovalue(ViewState& state, const Isovalue& isovalue)
 }
 
 RemoveIsovalue::RemoveIsovalue(ViewState& state, int index)
-    : QUndoCommand(tr("removal of isovalue")), state_(state), index_(index),
+    : QUndoCommand(tr("Remove Isovalue")), state_(state), index_(index),
       isovalue_(state.isovalues()[static_cast<std::size_t>(index)])
 {
 }

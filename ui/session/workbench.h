@@ -65,7 +65,7 @@ public:
     std::vector<Parameter> matteringParameters() const;
     /// The dataset that models can be built of; none before one was opened.
     const std::shared_ptr<const Dataset>& dataset() const noexcept { return dataset_; }
-    /// What building it is expected to take follows from this; zeros without one.
+    /// What building it is expected to take follows from this; zeros without one. Made in the worker that read it.
     const BuildSize& buildSize() const noexcept { return buildSize_; }
 
     /// Filters for a file dialog: all that can be opened first.
@@ -94,6 +94,9 @@ public:
     void openWithOptions(const QString& path);
     /// Makes the sample of that name (sampleKinds()) unless it is there from before, and opens its model.
     void openSample(const std::string& name);
+    /// Draws small pictures of the samples in a worker, once, each told by thumbnailDrawn().
+    void drawThumbnails();
+    LongTask& thumbnails() noexcept { return thumbnails_; }
     /// The same for the file of the dataset that is open.
     void readDifferently();
     /// Opens a dataset so; ends with datasetOpened() or importFailed().
@@ -181,6 +184,7 @@ signals:
     /// The build is over and its model shown, if it is; nothing more comes of it. `worked`: there is a model.
     void buildEnded(bool worked);
     void pictureSaved(const QString& path);
+    void thumbnailDrawn(const std::string& sample, const QImage& picture);
     void pictureDrawn(const QImage& picture); ///< one that was ordered without a target
     void filmSaved(const QString& path);
     /// A picture was opened that holds the session by which it was made.
@@ -252,6 +256,8 @@ private:
     DraftBuilder draftBuilder_;
     LongTask reading_;
     LongTask sampling_;
+    LongTask thumbnails_;
+    bool thumbnailsWanted_ = false;
     LongTask building_;
     LongTask savingPicture_;
     LongTask savingFilm_;

@@ -4,6 +4,8 @@
 #include "ui/session/target_path.h"
 #include "ui/session/workbench.h"
 
+#include <utility>
+
 namespace tetra {
 
 void Workbench::openSample(const std::string& name)
@@ -15,6 +17,25 @@ void Workbench::openSample(const std::string& name)
             else
                 tell(model.error());
         };
+    });
+}
+
+void Workbench::drawThumbnails()
+{
+    if (std::exchange(thumbnailsWanted_, true))
+        return;
+    thumbnails_.start([this](const Progress& progress) -> std::function<void()> {
+        for (const SampleCard& card : sampleCards()) {
+            // A sample without a picture still has its name; what is wrong is told by whoever opens it.
+            const auto picture = sampleThumbnail(host_, card.name, sampleFolder(), progress.withCallback({}));
+            if (progress.cancelled())
+                break;
+            if (picture)
+                QMetaObject::invokeMethod(
+                    this, [this, name = card.name, image = *picture] { emit thumbnailDrawn(name, image); },
+                    Qt::QueuedConnection);
+        }
+        return [] {};
     });
 }
 

@@ -29,7 +29,6 @@ VectorInput::VectorInput(const QString& name, const QString& label, const QStrin
             QString("%1 %2").arg(QString(label).remove('&'), axisLabels[static_cast<std::size_t>(axis)]));
         box->setToolTip(toolTip);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-        box->setMinimumWidth(1); // as wide as the panel allows
         grid.addWidget(box, row, axis + 1);
         new GestureWatcher(box, session);
         connect(box, &QDoubleSpinBox::valueChanged, this, [this, axis](double value) {

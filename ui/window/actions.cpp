@@ -2,7 +2,9 @@
 #include "ui/window/actions.h"
 
 #include "plugins/widgets/icons.h"
+#include "ui/session/sample_models.h"
 #include "ui/viewport/camera_controls.h"
+#include "ui/widgets/mnemonics.h"
 #include "ui/window/palette_commands.h"
 
 #include <QCoreApplication>
@@ -36,6 +38,20 @@ QMenu* addMenu(QMainWindow& window, const char* name, const QString& text)
     return menu;
 }
 
+void addSamples(QMenu* menu)
+{
+    menu->setObjectName("menu.samples");
+    menu->setToolTipsVisible(true);
+    for (const SampleCard& card : sampleCards()) {
+        QAction* action = menu->addAction(QString(card.title).replace('&', "&&"));
+        action->setObjectName("action.sample." + QString::fromStdString(card.name));
+        action->setData(QString::fromStdString(card.name));
+        action->setToolTip(card.description);
+        action->setStatusTip(card.description);
+    }
+    giveMnemonics(*menu);
+}
+
 void addFileMenu(QMainWindow& window, Actions& actions)
 {
     QMenu* menu = addMenu(window, "file", ActionTexts::tr("&File"));
@@ -44,36 +60,37 @@ void addFileMenu(QMainWindow& window, Actions& actions)
     actions.open->setIcon(glyphIcon(Glyph::Open));
     actions.openWithOptions =
         add(menu, "openWithOptions", ActionTexts::tr("Import with Op&tions…"), QKeySequence("Ctrl+Shift+O"),
-            ActionTexts::tr("Open a part of a dataset, or say how its file is to be read"));
+            ActionTexts::tr("Open a part of a dataset, or choose how its file is read"));
     actions.recent = menu->addMenu(ActionTexts::tr("Open &Recent"));
     actions.recent->setObjectName("menu.recent");
+    actions.samples = menu->addMenu(ActionTexts::tr("Open Samp&le"));
+    addSamples(actions.samples);
     menu->addSeparator();
     actions.saveSession = add(menu, "saveSession", ActionTexts::tr("&Save Session"), QKeySequence::Save,
-                              ActionTexts::tr("Save what is open and how it is seen, to go on with later"));
+                              ActionTexts::tr("Save what is open and its view, to continue later"));
     actions.saveSessionAs = add(menu, "saveSessionAs", ActionTexts::tr("Save Session &As…"), {},
                                 ActionTexts::tr("Save the session in another file"));
     menu->addSeparator();
     actions.savePicture = add(menu, "savePicture", ActionTexts::tr("Save &Picture…"), QKeySequence("Ctrl+Shift+S"),
-                              ActionTexts::tr("Save what is seen as a PNG picture"));
+                              ActionTexts::tr("Save the view as a PNG picture"));
     actions.savePicture->setIcon(glyphIcon(Glyph::Picture));
     actions.saveFilm = add(menu, "saveFilm", ActionTexts::tr("Save &Film…"), QKeySequence("Ctrl+Alt+S"),
                            ActionTexts::tr("Save the animation as pictures or a video"));
     actions.saveMesh = add(menu, "saveMesh", ActionTexts::tr("Save &Mesh…"), QKeySequence("Ctrl+M"),
-                           ActionTexts::tr("Save the mesh that is seen, for VTK, ParaView and others"));
+                           ActionTexts::tr("Save the mesh shown, for VTK, ParaView and others"));
     actions.saveMesh->setIcon(glyphIcon(Glyph::Mesh));
     actions.saveSurfaces =
         add(menu, "saveSurfaces", ActionTexts::tr("Save S&urfaces…"), QKeySequence("Ctrl+Shift+M"),
-            ActionTexts::tr("Save the isosurfaces that are seen, for 3D printers, Blender, ParaView and others"));
+            ActionTexts::tr("Save the isosurfaces shown, for 3D printers, Blender, ParaView and others"));
     actions.saveStatistics = add(menu, "saveStatistics", ActionTexts::tr("Save Stat&istics…"), {},
-                                 ActionTexts::tr("Save how large the mesh of each accuracy is, as a table"));
+                                 ActionTexts::tr("Save the mesh size at each accuracy as a table"));
     menu->addSeparator();
     actions.close = add(menu, "close", ActionTexts::tr("&Close"), QKeySequence::Close,
                         ActionTexts::tr("Close the model and its dataset"));
-    actions.quit =
-        add(menu, "quit", ActionTexts::tr("&Quit"), QKeySequence("Ctrl+Q"), ActionTexts::tr("Leave the program"));
+    actions.quit = add(menu, "quit", ActionTexts::tr("&Quit"), QKeySequence("Ctrl+Q"), ActionTexts::tr("Quit TAn"));
 }
 
-/// "Undo change of view" in some languages is "Undo: change of view"; what has nothing to name needs no colon.
+/// "Undo Move Camera" in some languages is "Undo: Move Camera"; what has nothing to name needs no colon.
 void endWithoutColon(QAction* action)
 {
     if (action->text().endsWith(':'))
@@ -101,7 +118,7 @@ void addEditMenu(QMainWindow& window, QUndoStack& undoStack, Actions& actions)
     menu->addAction(actions.redo);
     menu->addSeparator();
     actions.copyPicture = add(menu, "copyPicture", ActionTexts::tr("&Copy Picture"), QKeySequence("Ctrl+Shift+C"),
-                              ActionTexts::tr("Put what is seen on the clipboard, in the size that it is seen in"));
+                              ActionTexts::tr("Copy the view to the clipboard"));
     menu->addSeparator();
     actions.addIsovalue = add(menu, "addIsovalue", ActionTexts::tr("&Add Isovalue"), QKeySequence("Ctrl+I"),
                               ActionTexts::tr("Add an isosurface at another value"));
@@ -110,7 +127,7 @@ void addEditMenu(QMainWindow& window, QUndoStack& undoStack, Actions& actions)
     actions.picked->setObjectName("menu.picked");
     menu->addSeparator();
     actions.palette = add(menu, "palette", ActionTexts::tr("&Find Command…"), QKeySequence("Ctrl+Shift+P"),
-                          ActionTexts::tr("Find whatever the program can do by a few letters of its name"));
+                          ActionTexts::tr("Search all commands"));
 }
 
 void addNamedViews(QMenu* menu, Actions& actions)
@@ -159,14 +176,14 @@ void addViewMenu(QMainWindow& window, Actions& actions)
     menu->addSeparator();
     actions.panels = menu->addMenu(ActionTexts::tr("Pa&nels"));
     actions.panels->setObjectName("menu.panels");
-    actions.resetLayout = add(menu, "resetLayout", ActionTexts::tr("Reset La&yout"), {},
-                              ActionTexts::tr("Put all panels back to where they were at first"));
+    actions.resetLayout =
+        add(menu, "resetLayout", ActionTexts::tr("Reset La&yout"), {}, ActionTexts::tr("Restore the default layout"));
     actions.fullScreen = add(menu, "fullScreen", ActionTexts::tr("F&ull Screen"), QKeySequence(Qt::Key_F11),
                              ActionTexts::tr("Use the whole screen"));
     actions.fullScreen->setCheckable(true);
     menu->addSeparator();
-    actions.reducedMotion = add(menu, "reducedMotion", ActionTexts::tr("Reduced &Motion"), {},
-                                ActionTexts::tr("Change the view at once instead of gliding to it"));
+    actions.reducedMotion =
+        add(menu, "reducedMotion", ActionTexts::tr("Reduced &Motion"), {}, ActionTexts::tr("Disable camera animation"));
     actions.reducedMotion->setCheckable(true);
     actions.languages = menu->addMenu(ActionTexts::tr("Lan&guage"));
     actions.languages->setObjectName("menu.languages");
@@ -175,10 +192,10 @@ void addViewMenu(QMainWindow& window, Actions& actions)
 void addHelpMenu(QMainWindow& window, Actions& actions)
 {
     QMenu* menu = addMenu(window, "help", ActionTexts::tr("&Help"));
-    actions.manual = add(menu, "manual", ActionTexts::tr("&Manual"), {},
-                         ActionTexts::tr("Read how everything works, in the web browser"));
+    actions.manual =
+        add(menu, "manual", ActionTexts::tr("&Manual"), {}, ActionTexts::tr("Open the manual in the browser"));
     actions.help = add(menu, "help", ActionTexts::tr("&Help on This Control"), QKeySequence(Qt::Key_F1),
-                       ActionTexts::tr("Say what the control does that has the keys"));
+                       ActionTexts::tr("Explain the focused control"));
     actions.whatsThis = add(menu, "whatsThis", ActionTexts::tr("&What Is This?"), QKeySequence("Shift+F1"),
                             ActionTexts::tr("Click on a control to read what it does"));
     menu->addSeparator();

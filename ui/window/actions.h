@@ -41,6 +41,7 @@ struct Actions {
     QAction* plugins = nullptr;
     QAction* about = nullptr;
     QMenu* recent = nullptr;
+    QMenu* samples = nullptr;     ///< one action each, with the sample's name as its data
     QMenu* lookFrom = nullptr;    ///< namedViews
     QMenu* orientation = nullptr; ///< for those of OrientationActions
     QMenu* languages = nullptr;

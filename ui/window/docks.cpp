@@ -59,19 +59,20 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
             DockTexts::tr("How far the mesh may deviate from the data, in percent of the range of values; or "
                           "how many tetrahedra it may have. The curve shows what each error costs."),
             new AccuracyPanel(session));
-    docks.rendering = add("rendering", DockTexts::tr("Rendering"),
-                          DockTexts::tr("In which way the mesh is drawn: surfaces, volume or both, and how finely."),
-                          docks.renderingPanel);
+    docks.rendering =
+        add("rendering", DockTexts::tr("Rendering"),
+            DockTexts::tr("Rendering mode and its settings: surfaces, volume or both."), docks.renderingPanel);
     docks.view =
         add("view", DockTexts::tr("View"),
             DockTexts::tr("From where the model is seen, in numbers. In the picture: drag to turn, Shift and drag "
                           "to move, the wheel zooms."),
             new ViewPanel(workbench, viewport));
     docks.statisticsPanel = new StatisticsPanel(workbench, viewport);
-    docks.statistics = add("statistics", DockTexts::tr("Statistics"),
-                           DockTexts::tr("What each accuracy costs in sites, tetrahedra, time and memory, and what is "
-                                         "shown now in numbers."),
-                           docks.statisticsPanel);
+    docks.statistics = add(
+        "statistics", DockTexts::tr("Statistics"),
+        DockTexts::tr(
+            "What each accuracy costs in vertices, tetrahedra, time and memory, and the mesh shown now in numbers."),
+        docks.statisticsPanel);
     docks.isovalues = add("isovalues", DockTexts::tr("Isovalues"),
                           DockTexts::tr("Surfaces on which the field has one value each, in the units of the data."),
                           new IsovaluePanel(session));

@@ -3,9 +3,12 @@
 
 #include <QWidget>
 
+#include <string>
+
+class QGridLayout;
 class QLabel;
 class QPushButton;
-class QVBoxLayout;
+class QToolButton;
 
 namespace tetra {
 
@@ -26,6 +29,8 @@ public:
     void tell(const QString& title, const QString& text);
     /// Whether something is held over the window that could be dropped.
     void setDropping(bool dropping);
+    /// The picture of a sample.
+    void setThumbnail(const std::string& sample, const QImage& picture);
     /// What programs that ended unexpectedly have left; seen while nothing is open.
     LostOffers& lost() noexcept { return *lost_; }
 
@@ -33,20 +38,31 @@ signals:
     void openClicked();
     void recentClicked(const QString& path);
     void sampleClicked(const QString& name);
+    /// The samples come into sight.
+    void samplesShown();
 
 protected:
+    void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
     QWidget* makeSamples(LongTask& sampling);
     void showRecent(const QStringList& files);
+    QList<QToolButton*> sampleButtons() const;
+    void setDescriptionWidth(int width);
+    void describe(const QString& text);
 
     QLabel* title_;
     QLabel* text_;
     QPushButton* open_;
     LostOffers* lost_;
     QWidget* recentBox_;
-    QVBoxLayout* recent_;
+    QGridLayout* recent_;
+    QLabel* description_; ///< of the sample below the pointer or with the focus
+    QGridLayout* grid_;   ///< of samples
+    int columns_ = 0;
     QWidget* samples_;
     bool dropping_ = false;
 };

@@ -238,7 +238,7 @@ void FilmDialog::showTarget()
     const int count = frameCount(workbench_.session().view().animation());
     const std::filesystem::path target = filePath(target_->text());
     const QString first = pathText(framePath(target, 0, count).filename());
-    QString hint = isVideoFile(target) ? QString() : tr("%1 and so on").arg(first);
+    QString hint = isVideoFile(target) ? QString() : tr("%1, …").arg(first);
     const bool replaces = inTheWay_ > 0 && !looking_.running();
     if (replaces)
         hint = tr("Files of this name are there already and will be replaced: %1.").arg(countText(inTheWay_));

@@ -33,8 +33,7 @@ void fillLanguages(QMenu& menu, MessageBar& messages)
         group->addAction(action);
         QObject::connect(action, &QAction::triggered, &messages, [&messages, code] {
             chooseLanguage(code);
-            messages.add(HelpMenuTexts::tr("The language changes when TAn starts the next time."),
-                         MessageSubject::Program);
+            messages.add(HelpMenuTexts::tr("Restart TAn to change the language."), MessageSubject::Program);
         });
     };
     add(HelpMenuTexts::tr("&As the System"), {});

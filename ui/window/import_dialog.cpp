@@ -43,11 +43,10 @@ QLabel* wrapped(const char* name)
 ImportDialog::ImportDialog(Workbench& workbench, QWidget* parent)
     : QDialog(parent), workbench_(workbench), probe_(new ImportProbe(workbench.host(), this)),
       file_(wrapped("import.file")), reason_(new CheckLabel("import.reason")), reader_(new QComboBox),
-      form_(new ParameterForm("import.option")), fields_(new QWidget),
-      layoutHelp_(new QGroupBox(tr("Whether that fits"))), suggestions_(new QComboBox),
-      sizeCheck_(new CheckLabel("import.sizeCheck")), preview_(new SlicePreview), region_(new ImportRegion),
-      estimate_(wrapped("import.estimate")), bar_(new QProgressBar), read_(new QPushButton(tr("&Read"))),
-      cancel_(new QPushButton(tr("Cancel")))
+      form_(new ParameterForm("import.option")), fields_(new QWidget), layoutHelp_(new QGroupBox(tr("Size check"))),
+      suggestions_(new QComboBox), sizeCheck_(new CheckLabel("import.sizeCheck")), preview_(new SlicePreview),
+      region_(new ImportRegion), estimate_(wrapped("import.estimate")), bar_(new QProgressBar),
+      read_(new QPushButton(tr("&Read"))), cancel_(new QPushButton(tr("Cancel")))
 {
     setObjectName("importDialog");
     fillFields();
@@ -71,16 +70,16 @@ void ImportDialog::fillFields()
     reader_->setAccessibleName(tr("Reader"));
     reader_->setSizeAdjustPolicy(QComboBox::AdjustToContents);        // whole names, also in large letters,
     reader_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed); // and never less
-    reader_->setToolTip(tr("Who reads the file"));
+    reader_->setToolTip(tr("Reader used for this file"));
     auto* readerRow = new QFormLayout;
     readerLabel_ = new QLabel(tr("R&eader"));
     readerLabel_->setBuddy(reader_);
     readerRow->addRow(readerLabel_, reader_);
-    auto* values = new QGroupBox(tr("How it is read"));
+    auto* values = new QGroupBox(tr("Import options"));
     auto* valueLayout = new QVBoxLayout(values);
     valueLayout->addLayout(readerRow);
     valueLayout->addWidget(form_);
-    auto* part = new QGroupBox(tr("Which part of it"));
+    auto* part = new QGroupBox(tr("Subset"));
     auto* partLayout = new QVBoxLayout(part);
     partLayout->addWidget(region_);
     auto* layout = new QVBoxLayout(fields_);
@@ -107,13 +106,14 @@ void ImportDialog::fillLayoutHelp()
 QLayout* ImportDialog::makeFoot()
 {
     estimate_->setForegroundRole(QPalette::PlaceholderText);
-    estimate_->setToolTip(tr("Measured on other data; a larger error takes less. Half or twice as much is possible."));
+    estimate_->setToolTip(
+        tr("Estimated from other datasets; it may be off by a factor of two. A model of less detail takes less."));
     bar_->setObjectName("import.progress");
     bar_->setAccessibleName(tr("Progress of reading"));
     bar_->setRange(0, importBarSteps);
     bar_->hide();
     read_->setObjectName("import.read");
-    read_->setToolTip(tr("Opens the dataset so"));
+    read_->setToolTip(tr("Open with these options"));
     read_->setDefault(true);
     cancel_->setObjectName("import.cancel");
     cancel_->setToolTip(tr("Stops reading, or closes this window"));

@@ -119,7 +119,7 @@ void KeepSession::offerLost()
         const QString kept = QLocale().toString(QFileInfo(pathText(lost.path)).lastModified(), QLocale::ShortFormat);
         offers.append(
             {openedFile(lost.document).fileName(),
-             tr("Kept on %1. The model lies in %2.").arg(kept, QDir::toNativeSeparators(model.absolutePath()))});
+             tr("Saved automatically on %1. Model: %2").arg(kept, QDir::toNativeSeparators(model.absolutePath()))});
     }
     offers_.setOffers(offers);
 }

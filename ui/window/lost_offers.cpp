@@ -52,12 +52,12 @@ QWidget* LostOffers::makeRow(const LostOffer& offer, int index)
     text->setWordWrap(true);
     auto* restore = new QPushButton(tr("&Restore"));
     restore->setObjectName("lost.restore");
-    restore->setToolTip(tr("Open the model, seen as it was. What was kept stays until that has worked."));
+    restore->setToolTip(tr("Open the model with its view restored. The saved view is kept until that has worked."));
     restore->setAccessibleName(tr("Restore %1").arg(offer.model));
     restore->setAccessibleDescription(offer.detail);
     auto* discard = new QPushButton(tr("&Discard"));
     discard->setObjectName("lost.discard");
-    discard->setToolTip(tr("Forget how the model was seen. The model itself stays."));
+    discard->setToolTip(tr("Discard this recovered session (the model file is kept)"));
     discard->setAccessibleName(tr("Discard %1").arg(offer.model));
     discard->setAccessibleDescription(offer.detail);
     connect(restore, &QPushButton::clicked, this, [this, index] { emit restoreClicked(index); });

@@ -234,6 +234,19 @@ void MainWindow::connectActions()
     connect(empty_, &EmptyPage::recentClicked, this, &MainWindow::open);
     connect(empty_, &EmptyPage::sampleClicked, &workbench_,
             [this](const QString& name) { workbench_.openSample(name.toStdString()); });
+    connect(actions_.samples, &QMenu::triggered, this,
+            [this](const QAction* sample) { workbench_.openSample(sample->data().toString().toStdString()); });
+    connect(empty_, &EmptyPage::samplesShown, &workbench_, &Workbench::drawThumbnails);
+    connect(actions_.samples, &QMenu::aboutToShow, &workbench_, &Workbench::drawThumbnails);
+    connect(&workbench_, &Workbench::thumbnailDrawn, this, [this](const std::string& sample, const QImage& picture) {
+        empty_->setThumbnail(sample, picture);
+        if (auto* action = findChild<QAction*>("action.sample." + QString::fromStdString(sample)))
+            action->setIcon(QIcon(QPixmap::fromImage(picture)));
+    });
+    connect(&workbench_.sampling(), &LongTask::started, actions_.samples,
+            [this] { actions_.samples->setEnabled(false); });
+    connect(&workbench_.sampling(), &LongTask::finished, actions_.samples,
+            [this] { actions_.samples->setEnabled(true); });
 }
 
 void MainWindow::connectRegions()
@@ -264,6 +277,7 @@ void MainWindow::connectWorkbench()
     connect(&workbench_, &Workbench::filmSaved, this, tellSaved);
     connect(&workbench_, &Workbench::meshSaved, this, tellSaved);
     connect(&workbench_, &Workbench::textSaved, this, tellSaved);
+    statusBar()->addPermanentWidget(new TaskLine("status.sampling", tr("Making the sample"), workbench_.sampling()));
     statusBar()->addPermanentWidget(new TaskLine("status.saving", tr("Saving"), workbench_.savingMesh()));
     connect(&workbench_.session(), &Session::modelChanged, this, &MainWindow::showModel);
     connect(&workbench_.session(), &Session::modelGrown, this, &MainWindow::showFile);
@@ -501,7 +515,7 @@ void MainWindow::showNothing()
         empty_->tell(workbench_.buildName(), tr("Its model is being built. The panel on the left shows the progress."));
     else
         empty_->tell(QString::fromStdString(dataset->source.name),
-                     tr("The dataset is open. Build its model to look at it: the panel on the left has the options."));
+                     tr("Dataset loaded. Choose options on the left and press Build to view it."));
 }
 
 void MainWindow::showAbout()

@@ -63,6 +63,7 @@ Photographer::Photographer(PluginHost& host, QDir folder, QString prefix)
 
 bool Photographer::takeAll()
 {
+    waitFor([this] { return !workbench_.thumbnails().running(); });
     take("start", window_);
     workbench_.openSample("c60");
     if (!waitFor([this] { return settled(); }))
@@ -230,6 +231,7 @@ void Photographer::takeImports()
     window_.open(described);
     waitFor([this] { return workbench_.dataset() != nullptr; });
     takePanel("dock.build", "build-dataset");
+    take("window-build", window_);
 }
 
 void Photographer::take(const QString& name, QWidget& widget)

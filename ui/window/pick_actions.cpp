@@ -13,11 +13,12 @@ namespace tetra {
 PickActions::PickActions(Session& session, ValuePick& pick, QMenu& menu)
     : QObject(&menu), session_(session), pick_(pick),
       pickValue_(add(menu, "pickValue", tr("&Pick"), "P",
-                     tr("Find the value that is seen at the pointer, or in the middle of the picture"))),
-      isovalue_(add(menu, "isovalueHere", tr("&Isovalue Here"), "I", tr("Add an isosurface of the picked value"))),
-      point_(add(menu, "pointHere", tr("Point of &Transfer Function Here"), "T",
+                     tr("Pick the value at the pointer, or in the middle of the picture"))),
+      isovalue_(
+          add(menu, "isovalueHere", tr("&Isosurface at This Value"), "I", tr("Add an isosurface of the picked value"))),
+      point_(add(menu, "pointHere", tr("Add &Transfer-Function Point"), "T",
                  tr("Add a point to the transfer function at the picked value"))),
-      forget_(add(menu, "forgetPicked", tr("&Forget"), "", tr("Take the mark of the picked value away")))
+      forget_(add(menu, "forgetPicked", tr("&Clear Mark"), "", tr("Clear the picked value")))
 {
     setNeed(*pickValue_, tr("Open a model first"));
     for (QAction* action : {isovalue_, point_, forget_})

@@ -79,13 +79,13 @@ PluginWindow::PluginWindow(const PluginHost& host, QWidget* parent)
     where->setWordWrap(true);
     where->setTextInteractionFlags(Qt::TextSelectableByMouse);
     atNextStart_->setObjectName("plugins.atNextStart");
-    atNextStart_->setText(tr("What was switched on or off counts when TAn starts the next time."));
+    atNextStart_->setText(tr("Changes take effect after a restart."));
     atNextStart_->setWordWrap(true);
     atNextStart_->hide();
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     QPushButton* copy = buttons->addButton(tr("Cop&y"), QDialogButtonBox::ActionRole);
     copy->setObjectName("plugins.copy");
-    copy->setToolTip(tr("Copy all of this as text, for a report of an error"));
+    copy->setToolTip(tr("Copy for a bug report"));
     connect(copy, &QPushButton::clicked, this,
             [report = pluginReport(host)] { QGuiApplication::clipboard()->setText(report); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -82,7 +82,7 @@ void StatusLine::setScene(const BuiltScene& scene)
 {
     errors_->setText(errorText(scene.mesh));
     errors_->setToolTip(meshText(scene.mesh, *scene.model));
-    sites_->setText(tr("%1 sites").arg(countText(scene.mesh.keptSites)));
+    sites_->setText(tr("%1 vertices").arg(countText(scene.mesh.keptSites)));
     tetrahedra_->setText(tr("%1 tetrahedra").arg(countText(scene.mesh.keptTetrahedra)));
     const QString pieces = piecesText(scene.mesh);
     tetrahedra_->setToolTip(pieces.isEmpty() ? tr("Tetrahedra in the mesh that is shown") : pieces);
@@ -97,7 +97,7 @@ void StatusLine::setScene(const BuiltScene& scene)
 
 void StatusLine::setFrame(const FrameReport& report)
 {
-    frame_->setText(report.moving ? movingText(report) : tr("%1 a frame").arg(durationText(report.seconds)));
+    frame_->setText(report.moving ? movingText(report) : tr("%1 per frame").arg(durationText(report.seconds)));
     frame_->show();
 }
 

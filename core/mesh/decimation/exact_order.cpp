@@ -120,7 +120,7 @@ Status ExactOrder::lookAtAll(const Progress& progress)
         if (vertex % workBetweenReports == 0) {
             if (progress.cancelled())
                 return cancelledError("The decimation");
-            progress.report(.2 * vertex / vertices, "Judging the vertices");
+            progress.report(.2 * vertex / vertices, "Evaluating vertices");
         }
         const Entry entry = evaluated(vertex, DecimatedMesh::Legality::OfStar);
         if (!states_[vertex].queued)

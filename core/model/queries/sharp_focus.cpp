@@ -218,7 +218,7 @@ Result<ExtractedMesh> SharpFocus::Work::extract(const SpaceRamp& error, bool fre
 {
     FocusLimits limits(error, model_.description().lattice, model_.description().range.extent());
     if (!(limits.least <= limits.most))
-        return Error{ErrorKind::WrongUsage, "The error in the focus is larger than that outside. Exchange the two."};
+        return Error{ErrorKind::WrongUsage, "The error in the focus is larger than that outside. Swap them."};
     if (const Status indexed = makeIndex(); !indexed)
         return indexed.error();
     const Range range = rangeOf(limits);

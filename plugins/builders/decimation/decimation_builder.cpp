@@ -50,6 +50,37 @@ DecimationOptions optionsFor(const Dataset& dataset, const BuildThresholds& thre
     return options;
 }
 
+/// Hands on a history, coarse first, as far as the first mesh whose key is no more than `finest`.
+class HistoryBeginning final : public HistorySink {
+public:
+    HistoryBeginning(HistorySink& next, double finest) : next_(next), finest_(finest) {}
+
+    Status begin(const HistoryTraits& traits) override { return next_.begin(traits); }
+    Status add(const HistoryStep& step) override
+    {
+        if (complete_)
+            return {};
+        if (static_cast<double>(step.keyBefore) <= finest_) {
+            complete_ = true;
+            return next_.finish(step.keyBefore);
+        }
+        ++sites_;
+        tetrahedra_ += step.star.size();
+        return next_.add(step);
+    }
+    Status finish(float finalKey) override { return complete_ ? Status() : next_.finish(finalKey); }
+
+    std::uint64_t sites() const noexcept { return sites_; }
+    std::uint64_t tetrahedra() const noexcept { return tetrahedra_; }
+
+private:
+    HistorySink& next_;
+    double finest_;
+    bool complete_ = false;
+    std::uint64_t sites_ = 0;
+    std::uint64_t tetrahedra_ = 0;
+};
+
 std::string reasonFor(const Dataset& dataset)
 {
     switch (dataset.domain) {
@@ -86,8 +117,17 @@ Acceptance DecimationBuilder::accepts(const Dataset& dataset) const
 std::vector<Parameter> DecimationBuilder::parameters() const
 {
     return {errorThresholdParameter("The error at which to stop; 0 goes on to the coarsest mesh."),
-            warpingThresholdParameter({DomainClass::Curvilinear, DomainClass::Irregular}), orderParameter(),
-            weightsParameter()};
+            warpingThresholdParameter({DomainClass::Curvilinear, DomainClass::Irregular}),
+            thresholdParameter("finest", "Finest error",
+                               "Leaves meshes of smaller errors out of the model, so that it is smaller; 0 keeps "
+                               "everything.",
+                               "% of the value range"),
+            orderParameter(), weightsParameter()};
+}
+
+ParameterValues DecimationBuilder::detail(double percent, DomainClass /*domain*/) const
+{
+    return {{"finest", percent}};
 }
 
 /// The history runs from the last collapse back, so there is none before the end.
@@ -96,11 +136,12 @@ BuildAbilities DecimationBuilder::abilities(const Dataset&, const ParameterValue
     return {.usesThreads = false, .resumes = false, .keeps = false};
 }
 
-std::optional<BuildEstimate> DecimationBuilder::estimate(const BuildSize& size, const ParameterValues&, unsigned) const
+std::optional<BuildEstimate> DecimationBuilder::estimate(const BuildSize& size, const ParameterValues& values,
+                                                         unsigned) const
 {
     if (size.domain == DomainClass::Scattered)
         return std::nullopt;
-    return estimateDecimation(size);
+    return estimateDecimation(size, parameterValue<double>(parameters(), values, "finest") / 100);
 }
 
 Result<BuildReport> DecimationBuilder::build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
@@ -118,10 +159,13 @@ Result<BuildReport> DecimationBuilder::build(const Dataset& dataset, const Param
     DecimationOptions options = optionsFor(dataset, buildThresholds(known, values));
     options.order = orderOf(parameterValue<std::string>(known, values, "order"));
     const DecimationMesh mesh = input->mesh();
-    const auto result = decimate(mesh, options, target.history, progress.part(0.02, 1));
+    const double finest = parameterValue<double>(known, values, "finest");
+    const double finestKey = finest / 100 * thresholdKey({}, dataset).valueExtent;
+    HistoryBeginning history(target.history, finest > 0 ? finestKey : -1);
+    const auto result = decimate(mesh, options, history, progress.part(0.02, 1));
     if (!result)
         return result.error();
-    BuildReport report{result->sites, result->tetrahedra, 0, 0};
+    BuildReport report{history.sites(), history.tetrahedra(), 0, 0};
     if (dataset.domain == DomainClass::Curvilinear) {
         const LiftedSigns signs = liftedSigns(dataset, mesh.tetrahedra);
         report.inverted = signs.inverted;

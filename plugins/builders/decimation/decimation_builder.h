@@ -12,6 +12,7 @@ public:
     /// Its reason says how much memory the build takes; a score of 0 where this machine has not so much.
     Acceptance accepts(const Dataset& dataset) const override;
     std::vector<Parameter> parameters() const override;
+    ParameterValues detail(double percent, DomainClass domain) const override;
     BuildAbilities abilities(const Dataset& dataset, const ParameterValues& values) const override;
     std::optional<BuildEstimate> estimate(const BuildSize& size, const ParameterValues& values,
                                           unsigned threads) const override;

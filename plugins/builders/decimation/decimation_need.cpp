@@ -42,23 +42,23 @@ double tetrahedraOf(const BuildSize& size)
 
 } // namespace
 
-BuildEstimate estimateDecimation(const BuildSize& size)
+BuildEstimate estimateDecimation(const BuildSize& size, double finest)
 {
     // Of all that ever lived, with their sites; and how many these are for each one of the dataset.
     const bool isGrid = isOnLattice(size.domain);
     const double modelTetrahedronBytes = isGrid ? 21 : 26;
     const double livedOverKept = isGrid ? 2.7 : 3.5;
-    constexpr double collapseSeconds = 12e-6;
+    constexpr double collapseSeconds = 60e-6;
     constexpr double fixedBytes = 30e6; // of memory: the program, and as decimationBytes()
     constexpr double pointBytes = 700;
     constexpr double tetrahedronBytes = 100;
-    BuildEstimate estimate{.endsCoarse = true};
+    BuildEstimate estimate;
     const double tetrahedra = tetrahedraOf(size);
-    estimate.modelBytes = static_cast<std::uint64_t>(tetrahedra * livedOverKept * modelTetrahedronBytes);
+    const double whole = tetrahedra * livedOverKept * modelTetrahedronBytes;
+    estimate.modelBytes = static_cast<std::uint64_t>(whole * (finest > 0 ? size.density.share(finest) : 1));
     estimate.diskBytes = estimate.modelBytes;
-    estimate.memoryBytes =
-        estimate.modelBytes + static_cast<std::uint64_t>(fixedBytes + static_cast<double>(size.points) * pointBytes +
-                                                         tetrahedra * tetrahedronBytes);
+    estimate.memoryBytes = static_cast<std::uint64_t>(
+        whole + fixedBytes + static_cast<double>(size.points) * pointBytes + tetrahedra * tetrahedronBytes);
     estimate.seconds = static_cast<double>(size.points) * collapseSeconds;
     return estimate;
 }

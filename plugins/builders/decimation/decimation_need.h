@@ -29,8 +29,9 @@ DecimationSize decimationSize(const Dataset& dataset);
 /// what the model's writer keeps.
 std::uint64_t decimationNeed(const DecimationSize& size);
 
-/// What decimating data of this size to the coarsest mesh takes; not of scattered points.
-BuildEstimate estimateDecimation(const BuildSize& size);
+/// What decimating data of this size to the coarsest mesh takes, with a model that leaves out meshes finer than
+/// `finest`, a share of the range; not of scattered points.
+BuildEstimate estimateDecimation(const BuildSize& size, double finest);
 
 /// An error (OutOfResource) that says what is needed and what there is, unless that much memory can be used, or the
 /// mesh has more points or tetrahedra than can be numbered. `usableBytes`: 0 if unknown.

@@ -73,6 +73,15 @@ std::vector<Parameter> RefinementBuilder::parameters() const
             weightsParameter()};
 }
 
+/// One threshold alone holds for error and warping.
+ParameterValues RefinementBuilder::detail(double percent, DomainClass domain) const
+{
+    ParameterValues values{{"error", percent}};
+    if (domain == DomainClass::Curvilinear)
+        values["warping"] = 0.0;
+    return values;
+}
+
 /// Only blocks of a regular lattice are independent of each other, each with a file of its own.
 BuildAbilities RefinementBuilder::abilities(const Dataset& dataset, const ParameterValues& values) const
 {
@@ -90,7 +99,10 @@ std::optional<BuildEstimate> RefinementBuilder::estimate(const BuildSize& size, 
     if (size.domain == DomainClass::Irregular)
         return std::nullopt;
     const auto block = parameterValue<std::string>(parameters(), values, "block");
-    return estimateRefinement(size, takesBlocks(block, size.points, usableBytes()), threads);
+    const double error = size.domain == DomainClass::Curvilinear
+                             ? buildThresholds(parameters(), values).error
+                             : parameterValue<double>(parameters(), values, "error");
+    return estimateRefinement(size, error / 100, takesBlocks(block, size.points, usableBytes()), threads);
 }
 
 Result<BuildReport> RefinementBuilder::build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,

@@ -11,6 +11,7 @@ class RefinementBuilder : public Builder {
 public:
     Acceptance accepts(const Dataset& dataset) const override;
     std::vector<Parameter> parameters() const override;
+    ParameterValues detail(double percent, DomainClass domain) const override;
     BuildAbilities abilities(const Dataset& dataset, const ParameterValues& values) const override;
     std::optional<BuildEstimate> estimate(const BuildSize& size, const ParameterValues& values,
                                           unsigned threads) const override;

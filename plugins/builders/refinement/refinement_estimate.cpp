@@ -45,11 +45,11 @@ Costs costsOf(const BuildSize& size, bool inBlocks)
 
 } // namespace
 
-BuildEstimate estimateRefinement(const BuildSize& size, bool inBlocks, unsigned threads)
+BuildEstimate estimateRefinement(const BuildSize& size, double error, bool inBlocks, unsigned threads)
 {
     const Costs costs = costsOf(size, inBlocks);
     const auto points = static_cast<double>(size.points);
-    const double sites = std::max(points * size.siteShare, 8.0);
+    const double sites = std::max(points * size.density.share(error), 8.0);
     const double data = points * static_cast<double>(sampleSize(size.type));
     BuildEstimate estimate;
     estimate.modelBytes = static_cast<std::uint64_t>(sites * costs.modelSiteBytes + 4096);

@@ -159,7 +159,7 @@ void EditMenu::addGroups()
 
 void EditMenu::addRules()
 {
-    QMenu& menu = *addMenu(tr("Poi&nts in the way"));
+    QMenu& menu = *addMenu(tr("Neighbouri&ng points"));
     auto* group = new QActionGroup(&menu);
     const auto rule = [&](const char* name, const QString& text, NeighbourRule kind) {
         QAction* action = add(menu, name, text, [this, kind] { state_.setRule(kind); });
@@ -167,9 +167,9 @@ void EditMenu::addRules()
         action->setChecked(state_.rule() == kind);
         group->addAction(action);
     };
-    rule("rule.stop", tr("&Stop what is moved"), NeighbourRule::Stop);
-    rule("rule.push", tr("Are &pushed along"), NeighbourRule::Push);
-    rule("rule.pass", tr("Are passed &by"), NeighbourRule::Pass);
+    rule("rule.stop", tr("&Block"), NeighbourRule::Stop);
+    rule("rule.push", tr("&Push"), NeighbourRule::Push);
+    rule("rule.pass", tr("&Cross"), NeighbourRule::Pass);
 }
 
 void EditMenu::addMaskAndIsovalues()
@@ -182,7 +182,7 @@ void EditMenu::addMaskAndIsovalues()
 /// What is done at the value that is picked in the picture.
 void EditMenu::addPicked()
 {
-    QMenu& menu = *addMenu(tr("Picked in &the picture"));
+    QMenu& menu = *addMenu(tr("From &the picked value"));
     const auto here = [&](const char* name, const QString& text, const std::function<void(double)>& run) {
         QAction* action = add(menu, name, text, [this, run] {
             if (const auto value = pickedValue(state_))
@@ -195,7 +195,7 @@ void EditMenu::addPicked()
     point->setShortcut(Qt::Key_Insert); // the plot has the key; here it is only shown
     point->setShortcutContext(Qt::WidgetShortcut);
     here("picked.isovalue", tr("Add an &isovalue"), [this](double value) { state_.host().addIsovalue(value); });
-    here("picked.forget", tr("&Forget it"), [this](double) { state_.host().forgetPicked(); });
+    here("picked.forget", tr("Cl&ear mark"), [this](double) { state_.host().forgetPicked(); });
 }
 
 double EditMenu::place() const

@@ -53,10 +53,8 @@ void PointNumbers::nameControls()
     unitDistance_->setAccessibleName(tr("Unit distance"));
     unitDistance_->setToolTip(tr("The thickness, in the units of the data, that a layer must have for the opacities to "
                                  "hold: less makes everything denser"));
-    for (ValueBox* box : {value_, opacity_, unitDistance_}) {
-        box->setMinimumWidth(1); // as wide as the panel allows
+    for (ValueBox* box : {value_, opacity_, unitDistance_})
         new GestureWatcher(box, state_.host());
-    }
 }
 
 void PointNumbers::layOut()

@@ -73,7 +73,7 @@ void TransferPanel::nameControls()
     name(remove_, "remove", {}, tr("Remove what is selected (Del)"));
     name(logarithmic_, "logarithmic", {},
          tr("Show how often values occur on a logarithmic scale, so that rare ones are seen"));
-    name(presets_, "presets", tr("Presets"), tr("Transfer functions to begin with"));
+    name(presets_, "presets", tr("Presets"), tr("Transfer-function presets"));
     name(edits_, "edits", tr("Change"), tr("Change the selected points, or all"));
     name(view_, "view", tr("View"), tr("How the plot is shown"));
     name(mask_, "mask", tr("Mask"), tr("Show some values only: between two lines that can be dragged"));

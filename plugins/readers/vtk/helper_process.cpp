@@ -301,8 +301,8 @@ Error explainEnd(HelperProcess& process, const std::string& file)
             "the system ended VTK, which it does when memory runs out. Close other programs, or take a part "
             "of the file.");
     return cannotRead(file, ErrorKind::BadInput,
-                      "VTK broke down over it. The file is damaged, larger than memory, or of a kind "
-                      "that VTK reads badly. Write it anew, or as another format (.vtu, .vti).");
+                      "VTK's reader crashed. The file is damaged, larger than memory, or of a kind that VTK reads "
+                      "badly. Export it again, or in another format (.vtu, .vti).");
 }
 
 /// Reads messages up to the answer.

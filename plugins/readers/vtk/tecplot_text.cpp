@@ -292,8 +292,7 @@ private:
                 header.words[key] = tecplotUpper(value->text);
             }
         }
-        return bad(zoneName(header.zone) + " ends within its header. It is cut short: copy it again from where it came "
-                                           "from.");
+        return bad(zoneName(header.zone) + " ends within its header. It is cut short: copy the file again.");
     }
 
     /// The variables of "[1-3,5]" or "4", from 0; those that are there.
@@ -506,7 +505,7 @@ private:
         const std::string all = " of its " + std::to_string(count) + " " + what;
         return bad(zoneName(header.zone) +
                    (tokens_.atEnd()
-                        ? " ends before the last" + all + ". It is cut short: copy it again from where it came from."
+                        ? " ends before the last" + all + ". It is cut short: copy the file again."
                         : " has no number in place of one" + all + ". Its sizes are wrong, or it is damaged."));
     }
 
@@ -517,7 +516,7 @@ private:
             return {};
         return bad(zoneName(header.zone) +
                    " ends right behind its last number, or within it. If the file is whole, put an "
-                   "end of line behind it; else copy it again from where it came from.");
+                   "end of line behind it; else copy the file again.");
     }
 
     static bool hasConnectivity(const TecplotZone& zone) { return cornersOf(zone.element) > 1; }

@@ -153,7 +153,7 @@ private slots:
         QVERIFY(!parsed.ok());
         QCOMPARE(parsed.error().kind, ErrorKind::BadInput);
         QCOMPARE(parsed.error().text,
-                 std::string("This is no JSON: a byte that is not of UTF-8 text (line 2, column 5)."));
+                 std::string("Not valid JSON: a byte that is not of UTF-8 text (line 2, column 5)."));
     }
 };
 

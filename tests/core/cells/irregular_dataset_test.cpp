@@ -234,10 +234,10 @@ private slots:
                         complex.corners.begin() + std::ptrdiff_t(8 * cell + 8));
         auto dataset = datasetOf(complex, linearValues(complex));
         QVERIFY(dataset.ok());
-        QCOMPARE(remarksOf(*dataset), "All cells were turned over: their corners are in the other order. ");
+        QCOMPARE(remarksOf(*dataset), "All cells had inverted orientation and were corrected. ");
         std::rotate(complex.corners.begin(), complex.corners.begin() + 4, complex.corners.begin() + 8);
         dataset = datasetOf(complex, linearValues(complex));
-        QVERIFY(remarksOf(*dataset).startsWith("7 cells were turned over"));
+        QVERIFY(remarksOf(*dataset).startsWith("7 cells were corrected: the orientation was inverted."));
     }
 
     void cellsWithoutVolumeAreLeftOut()

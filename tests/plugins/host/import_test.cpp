@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 
 using namespace tetra;
 
@@ -138,12 +139,19 @@ private slots:
     {
         QTest::addColumn<QString>("name");
         QTest::addColumn<int>("size");
-        QTest::newRow("c60") << "c60" << 32;
-        QTest::newRow("noise") << "noise" << 32;
-        QTest::newRow("hydrogen") << "hydrogen" << 32;
-        QTest::newRow("marschner-lobb") << "marschner-lobb" << 32;
-        QTest::newRow("blunt body") << "blunt-body" << 24;
-        QTest::newRow("scattered") << "scattered" << 16;
+        QTest::addColumn<QString>("builder");
+        QTest::addColumn<double>("error");
+        const auto add = [](const char* name, int size, const char* builder, std::initializer_list<double> errors) {
+            for (const double error : errors)
+                QTest::addRow("%s, %s, %g", name, builder, error) << name << size << builder << error;
+        };
+        add("c60", 32, "refinement", {0, 0.1, 1});
+        add("noise", 32, "refinement", {0, 0.1, 1});
+        add("hydrogen", 32, "refinement", {0, 0.1, 1});
+        add("marschner-lobb", 32, "refinement", {0, 0.1, 1});
+        add("blunt-body", 24, "refinement", {0, 0.1, 1});
+        add("scattered", 16, "refinement", {0, 0.1, 1});
+        add("part", 24, "decimation", {0, 0.1, 1});
     }
 
     /// Of the file, which is the same every time; memory and time are in docs/performance.md.
@@ -151,17 +159,69 @@ private slots:
     {
         QFETCH(QString, name);
         QFETCH(int, size);
+        QFETCH(QString, builder);
+        QFETCH(double, error);
         const Dataset dataset = sample(qPrintable(name), static_cast<std::uint32_t>(size));
-        const auto built = buildModel(*host_, dataset, {}, {}, path("estimated.tan"));
+        const auto plugin = host_->builder(builder.toStdString());
+        QVERIFY(plugin);
+        const ParameterValues values = plugin->plugin->detail(error, dataset.domain);
+        QVERIFY(!values.empty());
+        const auto built = buildModel(*host_, dataset, builder.toStdString(), values, path("estimated.tan"));
         QVERIFY(built);
-        const BuildEstimate estimate = *host_->builder(built->builder)->plugin->estimate(buildSizeOf(dataset), {}, 1);
-        const double ratio = static_cast<double>(estimate.modelBytes) / static_cast<double>(built->fileBytes);
-        qInfo("%s: model %.2f, seconds %.2f of what it took; %.1f us a site, share %.2f of %.2f, %.0f bytes a site",
-              qPrintable(name), ratio, estimate.seconds / built->seconds,
-              built->seconds / static_cast<double>(built->report.sites) * 1e6, buildSizeOf(dataset).siteShare,
+        const BuildSize needed = buildSizeOf(dataset);
+        const auto estimate = plugin->plugin->estimate(needed, values, 1);
+        QVERIFY(estimate);
+        const double ratio = static_cast<double>(estimate->modelBytes) / static_cast<double>(built->fileBytes);
+        qInfo("model %.2f, seconds %.2f of what it took; %.1f us a site, share %.3f of %.3f, %.0f bytes a site", ratio,
+              estimate->seconds / built->seconds, built->seconds / static_cast<double>(built->report.sites) * 1e6,
+              needed.density.share(error / 100),
               static_cast<double>(built->report.sites) / static_cast<double>(dataset.pointCount()),
               static_cast<double>(built->fileBytes) / static_cast<double>(built->report.sites));
         QVERIFY2(ratio > 0.5 && ratio < 2, qPrintable(QString::number(ratio)));
+    }
+
+    void lessDetailTakesLess_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("builder");
+        QTest::newRow("lattice, refined") << "c60"
+                                          << "refinement";
+        QTest::newRow("lattice, decimated") << "c60"
+                                            << "decimation";
+        QTest::newRow("grid, refined") << "blunt-body"
+                                       << "refinement";
+        QTest::newRow("grid, decimated") << "blunt-body"
+                                         << "decimation";
+        QTest::newRow("points, refined") << "scattered"
+                                         << "refinement";
+        QTest::newRow("mesh, decimated") << "part"
+                                         << "decimation";
+    }
+
+    /// The model keeps the error that was asked for as its finest one, is smaller, and true.
+    void lessDetailTakesLess()
+    {
+        QFETCH(QString, name);
+        QFETCH(QString, builder);
+        const Dataset dataset = sample(qPrintable(name), 16);
+        const auto plugin = host_->builder(builder.toStdString());
+        QVERIFY(plugin);
+        std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
+        for (const double percent : {0.0, 1.0, 5.0}) {
+            const auto file = path("detail.tan");
+            const auto built = buildModel(*host_, dataset, builder.toStdString(),
+                                          plugin->plugin->detail(percent, dataset.domain), file);
+            QVERIFY2(built, built ? "" : built.error().text.c_str());
+            QVERIFY(built->fileBytes < last);
+            last = built->fileBytes;
+            const auto model = Model::open(file);
+            QVERIFY(model);
+            QCOMPARE(std::uint64_t((*model)->siteCount()), built->report.sites);
+            QVERIFY((*model)->finalError() <= percent / 100 * dataset.values.range().extent() * 1.000001);
+            const auto verdict = verify(**model, dataset, {}, {});
+            QVERIFY2(verdict, verdict ? "" : verdict.error().text.c_str());
+            QVERIFY(verdict->ok());
+        }
     }
 
     void moreDataNeedMore()

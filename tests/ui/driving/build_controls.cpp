@@ -5,6 +5,7 @@
 #include "tests/ui/driving/driver.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
@@ -97,6 +98,22 @@ Driver typedOption(const QString& id, const Driver::Step& prepare, const QString
     return option(id, prepare, text.toStdString(), [text](QWidget& control) { typeInto(control, text); });
 }
 
+/// The model was built down to that error.
+Driver detail(const QString& name, const std::string& error)
+{
+    return showing(
+        "build.detail." + name,
+        [error](const DrivenWindow& window) { return isBuilt(window) && parameterOf(window, "error") == error; },
+        [](DrivenWindow& window) {
+            chooseBuilder(window, "refinement");
+            window.find<QDoubleSpinBox>("build.option.error").setValue(50); // none is chosen
+        },
+        [name](DrivenWindow& window) {
+            window.press("build.detail." + name, Qt::Key_Space);
+            window.press("build.start", Qt::Key_Space);
+        });
+}
+
 void beginBuilding(DrivenWindow& window)
 {
     window.workbench.closeModel();
@@ -144,12 +161,16 @@ Drivers buildControls()
             },
             &beginBuilding),
         showing("build.keep", &isBuilt, &beginBuilding),
+        detail("quick", "1"),
+        detail("good", "0.1"),
+        detail("everything", "0"),
         typedOption("error", withBuilder(refinement), "1.5"),
         typedOption("warping", withGrid(refinement), "1.5"),
         typedOption("block", withBuilder(refinement), "4"),
         steppedOption("selection", withGrid(refinement), "paper"),
         typedOption("weights", withBuilder(refinement), "value:50,20,0.5"),
         steppedOption("order", withBuilder(decimation), "paper"),
+        typedOption("finest", withBuilder(decimation), "1.5"),
     };
 }
 

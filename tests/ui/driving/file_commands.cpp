@@ -2,6 +2,7 @@
 // How the actions of the menus File and Edit are driven.
 #include "tests/ui/driving/driver.h"
 #include "ui/session/recent_files.h"
+#include "ui/session/sample_models.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
@@ -71,6 +72,10 @@ Drivers fileCommands()
         opening("action.open", "openDialog"),
         opening("action.openWithOptions", "importFileDialog"),
         openingRecent(),
+        showing("action.sample.*",
+                [](const DrivenWindow& window) {
+                    return window.session().model() && window.session().model()->path().parent_path() == sampleFolder();
+                }),
         showing(
             "action.clearRecent", [](const DrivenWindow&) { return recentFiles().isEmpty(); }, &fillRecentMenu),
         showing("action.close", [](const DrivenWindow& window) { return window.isOpen("empty"); }),

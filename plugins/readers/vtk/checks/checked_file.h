@@ -26,15 +26,13 @@ inline constexpr std::uint64_t usualPacking = 20;
 inline Error cutShort(const std::string& what, std::uint64_t has, std::uint64_t needs)
 {
     return {ErrorKind::BadInput, what + " has " + std::to_string(has) + " bytes, and its header asks for " +
-                                     std::to_string(needs) +
-                                     ". It is cut short: copy it again from where it came from."};
+                                     std::to_string(needs) + ". It is cut short: copy the file again."};
 }
 
 /// A header that cannot be right; `what` is a sentence.
 inline Error wrongHeader(const std::string& what)
 {
-    return {ErrorKind::BadInput,
-            what + " The file is damaged: copy it again from where it came from, or write it anew."};
+    return {ErrorKind::BadInput, what + " The file is damaged: copy the file again, or export it again."};
 }
 
 /// A product that stays the largest number where it would be larger than any file: what headers ask for may overflow.

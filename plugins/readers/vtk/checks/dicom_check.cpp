@@ -164,7 +164,7 @@ Status checkDicomImage(const DicomImage& image, std::uint64_t fileBytes)
     if (image.pixelBytes < needed)
         return Error{ErrorKind::BadInput, "it has " + std::to_string(image.pixelBytes) + " bytes of pixels of " +
                                               std::to_string(needed) + " (of " + std::to_string(fileBytes) +
-                                              " in all). It is damaged: copy it again from where it came from."};
+                                              " in all). It is damaged: copy the file again."};
     return {};
 }
 
@@ -190,8 +190,7 @@ Result<CheckedFile> checkDicom(const fs::path& path)
         const std::string_view bytes(reinterpret_cast<const char*>((*file)->bytes().data()), (*file)->bytes().size());
         const auto image = DicomElements(bytes).read();
         if (!image || (!image->isDicom && isSlice))
-            return ofFile(at->path(), Error{ErrorKind::BadInput, "it ends too early. Copy it again from where it came "
-                                                                 "from."});
+            return ofFile(at->path(), Error{ErrorKind::BadInput, "it ends too early. Copy the file again."});
         if (!image->isDicom || image->isDirectory || (!image->hasPixels && isWithoutPixels(image->modality)))
             continue;
         if (const Status whole = checkDicomImage(*image, bytes.size()); !whole)

@@ -126,7 +126,7 @@ public:
         for (std::size_t i = 0; i < count; ++i)
             if (!takeNumber<Number>(rest, whole || count == 1 ? std::string_view::npos : valueWidth))
                 refuse(std::string("has no ") + what + " in line " + std::to_string(number_) + ", but '" +
-                       shownText(line_) + "'. It is damaged, or of another version of the format: write it anew.");
+                       shownText(line_) + "'. It is damaged, or of another version of the format: export it again.");
         // A number that nothing ends may be a part of one. The format gives each a width.
         if (!ends_ && rest.empty() && line_.size() < count * (whole ? indexWidth : valueWidth))
             endsBefore(what);
@@ -147,7 +147,7 @@ public:
         const auto number = leadingInteger(line_);
         if (!number || *number < 0)
             refuse(std::string("has no ") + what + " in line " + std::to_string(number_) + ", but '" +
-                   shownText(line_) + "'. It is damaged: write it anew.");
+                   shownText(line_) + "'. It is damaged: export it again.");
         // Each of them takes two bytes at least.
         if (static_cast<std::uint64_t>(*number) > text_.size())
             endsBefore(what);
@@ -157,7 +157,7 @@ public:
     [[noreturn]] void endsBefore(const char* what) const
     {
         refuse("ends in line " + std::to_string(number_) + ", before the last " + what +
-               ". It is cut short: copy it again from where it came from.");
+               ". It is cut short: copy the file again.");
     }
     [[noreturn]] void refuse(const std::string& what) const
     {
@@ -572,7 +572,7 @@ private:
         if (!atPart())
             lines_.refuse("has '" + shownText(lines_.line()) +
                           "' where a part should begin, which VTK passes over with "
-                          "all that follows. It is damaged, or of another version of the format: write it anew.");
+                          "all that follows. It is damaged, or of another version of the format: export it again.");
     }
 
     std::array<std::uint64_t, 3> dimensions()
@@ -660,7 +660,7 @@ private:
         if (name.empty())
             lines_.refuse("has '" + shownText(lines_.line()) +
                           "' where elements should begin. It is damaged, or of "
-                          "another version of the format: write it anew.");
+                          "another version of the format: export it again.");
         const ElementKind* kind = elementKindOf(name);
         const std::uint64_t count = lines_.size("number of elements");
         if (kind != nullptr)
@@ -762,7 +762,7 @@ private:
             if (name.empty() || (kind == nullptr && name != "point")) // VTK would look at this line for ever
                 lines_.refuse("has '" + shownText(line) +
                               "' where elements should begin, which VTK does not know. It "
-                              "is damaged, or of another version of the format: write it anew.");
+                              "is damaged, or of another version of the format: export it again.");
             const std::uint64_t count = lines_.size("number of elements");
             for (std::uint64_t i = 0; i < count; ++i) {
                 lines_.needData("element");
@@ -844,7 +844,7 @@ private:
         for (const auto& [name, count] : missing)
             if (count > 0)
                 lines_.refuse("has no values of the elements '" + std::string(name) +
-                              "' of a part. It is cut short, or incomplete: write it anew.");
+                              "' of a part. It is cut short, or incomplete: export it again.");
     }
 
     void goldValues(const EnSightVariable& variable, const EnSightPart& part, std::uint64_t components)

@@ -36,8 +36,7 @@ Status checkSections(const std::string& what, std::string_view text, std::size_t
     for (auto place = text.find('('); place != std::string_view::npos; place = text.find('(', place)) {
         place = endOfSection(text, place, longestTextNumber);
         if (place == std::string_view::npos)
-            return Error{ErrorKind::BadInput,
-                         what + " ends within a section. It is cut short: copy it again from where it came from."};
+            return Error{ErrorKind::BadInput, what + " ends within a section. It is cut short: copy the file again."};
     }
     return {};
 }

@@ -118,8 +118,7 @@ Result<std::uint64_t> typeBytes(std::string_view type)
         return entry->second;
     // For VTK a long has 64 bits, for the files 32: half of the samples would be what was in memory.
     return Error{ErrorKind::BadInput,
-                 type.empty() ? "its header does not say its ElementType. It is cut short: copy it again from where it "
-                                "came from."
+                 type.empty() ? "its header does not say its ElementType. It is cut short: copy the file again."
                               : "its samples are of the type '" + shownText(type) +
                                     "', which is not read. Write them as MET_INT, MET_FLOAT or MET_DOUBLE."};
 }
@@ -243,7 +242,7 @@ Status checkSamples(const std::string& what, std::string_view bytes, std::size_t
                          (unpacked ? " unpacks to " + std::to_string(*unpacked) + " bytes, and its header asks for " +
                                          std::to_string(needed) + "."
                                    : std::string(" cannot be unpacked to its end.")) +
-                         " It is damaged or cut short: copy it again from where it came from."};
+                         " It is damaged or cut short: copy the file again."};
     }
     if (layout.isText)
         return hasNumbers(bytes.substr(begin), samples)
@@ -251,7 +250,7 @@ Status checkSamples(const std::string& what, std::string_view bytes, std::size_t
                    : Status(Error{ErrorKind::BadInput, what + " has not the " + std::to_string(samples) +
                                                            " numbers that its header asks for, each with a blank or "
                                                            "an end of line behind it. It is cut short or damaged: "
-                                                           "copy it again from where it came from."});
+                                                           "copy the file again."});
     if (layout.headerSize < 0)
         begin = 0;
     return bytes.size() - begin >= needed ? Status() : cutShort(what, bytes.size(), boundedSum(begin, needed));
@@ -287,7 +286,7 @@ public:
         auto header = headerOf(bytes);
         if (!header)
             return Error{ErrorKind::BadInput, "its header has no line 'ElementDataFile = ...', so that it is cut short "
-                                              "or no MetaImage. Copy it again from where it came from."};
+                                              "or no MetaImage. Copy the file again."};
         const auto layout = layoutOf(*header);
         if (!layout)
             return layout.error();
@@ -355,8 +354,7 @@ private:
             if (end == std::string_view::npos) // the library passes over a last line that does not end
                 return Error{ErrorKind::BadInput, "it should name " + std::to_string(files) +
                                                       " data files, each in a line of its own that ends, and names " +
-                                                      std::to_string(i) +
-                                                      ". It is cut short: copy it again from where it came from."};
+                                                      std::to_string(i) + ". It is cut short: copy the file again."};
             const Status fits = checkFile(std::string(stripped(lines.substr(0, end))),
                                           layout_.samples(static_cast<std::size_t>(dimensions)));
             if (!fits)

@@ -97,8 +97,7 @@ private:
     Error noHeader() const
     {
         return ended_ || at_ == bytes_.size()
-                   ? Error{ErrorKind::BadInput, "it ends within its header. It is cut short: copy it again from where "
-                                                "it came from."}
+                   ? Error{ErrorKind::BadInput, "it ends within its header. It is cut short: copy the file again."}
                    : wrongHeader(
                          "its NetCDF header has lists that are longer than the file, or none where some belong.");
     }

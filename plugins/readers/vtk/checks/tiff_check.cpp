@@ -92,7 +92,7 @@ private:
     Error missing(const std::string& what) const
     {
         return {ErrorKind::BadInput, what + " lies behind its end, at " + std::to_string(bytes_.size()) +
-                                         " bytes. It is cut short: copy it again from where it came from."};
+                                         " bytes. It is cut short: copy the file again."};
     }
 
     Result<TiffPage> pageAt(std::uint64_t place, std::uint64_t pageNumber)

@@ -64,7 +64,7 @@ std::string_view xmlAttribute(std::string_view tag, std::string_view name)
 
 Error wrongXml(const std::string& what)
 {
-    return {ErrorKind::BadInput, what + " It is damaged, or written by a faulty program: write it anew."};
+    return {ErrorKind::BadInput, what + " It is damaged, or written by a faulty program: export it again."};
 }
 
 /// The tags of a file, one after the other, without their brackets; comments and declarations are passed over.
@@ -149,8 +149,8 @@ public:
             if (isNamed(*tag, "AppendedData")) {
                 // VTK stops here with what it takes for text, and fills arrays that are cut with zeros.
                 if (!text.substr(0, text.find_last_not_of(xmlBlanks) + 1).ends_with("</VTKFile>"))
-                    return Error{ErrorKind::BadInput, "it ends within its appended data. It is cut short: copy it "
-                                                      "again from where it came from."};
+                    return Error{ErrorKind::BadInput,
+                                 "it ends within its appended data. It is cut short: copy the file again."};
                 break;
             }
             if (const Status fine = look(*tag); !fine)

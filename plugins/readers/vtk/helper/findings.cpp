@@ -125,7 +125,7 @@ Result<VtkFindings> findingsOf(const std::vector<VtkLeaf>& leaves, const VtkRequ
     const bool asMeshes = !meshes.empty() && meshes.front().data == first.data;
     auto found = asMeshes ? findingsOfMeshes(meshes, request) : findingsOfOne(*first.data, request);
     if (found && !asMeshes)
-        found->remarks.push_back("It has " + std::to_string(leaves.size()) + " parts; this is the one called '" +
+        found->remarks.push_back("It contains " + std::to_string(leaves.size()) + " parts; this is the one called '" +
                                  shownText(first.name) + "'. Choose another one with 'part'.");
     else if (found && meshes.size() < leaves.size())
         found->remarks.push_back(std::to_string(leaves.size() - meshes.size()) +

@@ -24,7 +24,7 @@ Status checkDone(vtkAlgorithm& reader, const VtkLog& log)
     if (const unsigned long code = reader.GetErrorCode(); code != vtkErrorCode::NoError)
         return Error{ErrorKind::BadInput, std::string("VTK says: ") + vtkErrorCode::GetStringFromErrorCode(code) +
                                               ". The file is damaged, incomplete, or of a kind that VTK does not "
-                                              "know: copy or write it anew."};
+                                              "know: copy or export it again."};
     return {};
 }
 

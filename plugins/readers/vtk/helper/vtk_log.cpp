@@ -137,7 +137,7 @@ Status statusOf(const VtkLog& log)
     const std::string& said = reason == log.errors.end() ? log.errors.front() : *reason;
     return Error{ErrorKind::BadInput,
                  "VTK says: " + said + (said.ends_with('.') ? "" : ".") +
-                     " The file is damaged, incomplete, or of a kind that VTK does not know: copy or write it anew."};
+                     " The file is damaged, incomplete, or of a kind that VTK does not know: copy or export it again."};
 }
 
 } // namespace tetra

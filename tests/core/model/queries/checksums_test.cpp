@@ -255,8 +255,8 @@ void ChecksumsTest::damageThatIsNotReadDoesNotMatter()
     QVERIFY((*damaged)->confirm().ok());
     const auto fine = extractPrefix(**damaged, model->siteCount());
     QVERIFY(!fine.ok());
-    QVERIFY2(fine.error().text.ends_with("is damaged: the checksum of section 'other sites' is wrong. Copy it again "
-                                         "from where it came from, or build it again."),
+    QVERIFY2(fine.error().text.ends_with(
+                 "is damaged: the checksum of section 'other sites' is wrong. Copy the file again, or build it again."),
              fine.error().text.c_str());
     QVERIFY(!(*damaged)->foundDamage().ok());
     QVERIFY2(!extractPrefix(**damaged, some).ok(), "damage that was found stays known");

@@ -160,7 +160,7 @@ private slots:
         row("too many files for a library",
             loader + "cannot open shared object file: Too many open files' >&2; exit 127", ErrorKind::OutOfResource,
             "Close other programs");
-        row("it broke down", "kill -SEGV $$", ErrorKind::BadInput, "a.vti': VTK broke down");
+        row("it broke down", "kill -SEGV $$", ErrorKind::BadInput, "a.vti': VTK's reader crashed");
         row("the system ended it", "kill -KILL $$", ErrorKind::OutOfResource, "a.vti': the system ended VTK");
         row("it was ended by Ctrl-C", "kill -INT $$", ErrorKind::Cancelled, "Reading was cancelled.");
         row("nothing that makes sense", "head -c 100000 /dev/zero", ErrorKind::BadInput, "a.vti");
@@ -226,7 +226,7 @@ private slots:
         const auto busy = askVtkHelper(scripted("i=0; while [ $i -lt 600000 ]; do i=$((i+1)); done; kill -SEGV $$"),
                                        anyRequest(), {}, 300ms);
         QVERIFY(!busy.ok());
-        QVERIFY2(busy.error().text.find("broke down") != std::string::npos, busy.error().text.c_str());
+        QVERIFY2(busy.error().text.find("crashed") != std::string::npos, busy.error().text.c_str());
     }
 
     /// Where the helper cannot start, another reader of .vtu comes first.
