@@ -5,6 +5,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <pthread.h>
+
 #include <atomic>
 #include <latch>
 
@@ -25,6 +27,7 @@ private slots:
     void aReplacedTaskThatEndsLastIsNotHeardOf();
     void whatWaitsIsDoneInOrderAndTold();
     void whatWaitsIsDoneBeforeTheEnd();
+    void whereNoThreadCanBeHadTheWorkIsDoneAtOnce();
 };
 
 namespace {
@@ -36,6 +39,30 @@ void untilStopped(const std::stop_token& stop)
     std::unique_lock lock(mutex);
     std::condition_variable_any().wait(lock, stop, [] { return false; });
 }
+
+/// Threads ask for stacks that no machine has.
+class NoThreads {
+public:
+    NoThreads()
+    {
+        pthread_getattr_default_np(&before_);
+        pthread_attr_t attributes;
+        pthread_attr_init(&attributes);
+        pthread_attr_setstacksize(&attributes, std::size_t(1) << 50);
+        pthread_setattr_default_np(&attributes);
+        pthread_attr_destroy(&attributes);
+    }
+    ~NoThreads()
+    {
+        pthread_setattr_default_np(&before_);
+        pthread_attr_destroy(&before_);
+    }
+    NoThreads(const NoThreads&) = delete;
+    NoThreads& operator=(const NoThreads&) = delete;
+
+private:
+    pthread_attr_t before_;
+};
 
 } // namespace
 
@@ -240,6 +267,23 @@ void WorkTest::whatWaitsIsDoneBeforeTheEnd()
     }
     QCOMPARE(written.load(), 2);
     QVERIFY(wasCancelled);
+}
+
+void WorkTest::whereNoThreadCanBeHadTheWorkIsDoneAtOnce()
+{
+    const NoThreads none;
+    LongTask task;
+    const QSignalSpy finished(&task, &LongTask::finished);
+    bool told = false;
+    task.start([&](const Progress&) { return [&] { told = true; }; });
+    QTRY_VERIFY(told);
+    QCOMPARE(finished.count(), 1);
+    QVERIFY(!task.running());
+
+    LatestJob jobs;
+    bool done = false;
+    jobs.submit([&](const std::stop_token&) { done = true; });
+    QVERIFY(done);
 }
 
 QTEST_GUILESS_MAIN(WorkTest)

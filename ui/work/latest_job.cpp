@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/work/latest_job.h"
 
+#include <system_error>
+
 namespace tetra {
 
-LatestJob::LatestJob(QObject* parent) : QObject(parent), thread_([this](const std::stop_token& end) { work(end); })
+LatestJob::LatestJob(QObject* parent) : QObject(parent)
 {
+    try {
+        thread_ = std::jthread([this](const std::stop_token& end) { work(end); });
+    } catch (const std::system_error&) {
+        thread_ = {}; // submit() does it all
+    }
     patienceOver_.setSingleShot(true);
     connect(&patienceOver_, &QTimer::timeout, this, &LatestJob::stopOutdated);
 }
@@ -16,6 +23,10 @@ LatestJob::~LatestJob()
 
 void LatestJob::submit(Job job, std::chrono::milliseconds patience)
 {
+    if (!thread_.joinable()) {
+        job({});
+        return;
+    }
     {
         const std::lock_guard lock(mutex_);
         waiting_ = Entry{std::move(job), patience, {}, {}};

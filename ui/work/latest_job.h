@@ -14,9 +14,10 @@
 
 namespace tetra {
 
-/// Does the newest of the jobs given to it, one at a time, on a thread of its own: while one runs at most one waits,
-/// and a newer one takes its place. The running job is asked to stop when a newer one comes, but not before it has had
-/// its patience: so that quick jobs show something while a slider moves, and slow ones do not hold up the newest.
+/// Does the newest of the jobs given to it, one at a time, on a thread of its own (at once where none can be had):
+/// while one runs at most one waits, and a newer one takes its place. The running job is asked to stop when a newer one
+/// comes, but not before it has had its patience: so that quick jobs show something while a slider moves, and slow ones
+/// do not hold up the newest.
 ///
 /// Used from the thread that it lives in. Destroying it asks the running job to stop and waits for it.
 class LatestJob : public QObject {

@@ -5,6 +5,7 @@
 
 #include <mutex>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -57,7 +58,7 @@ void LongTask::start(Work work)
     newest_ = run;
     emit started();
 
-    run->thread = std::jthread([this, run, work = std::move(work)](const std::stop_token& stop) {
+    const auto doIt = [this, run, work = std::move(work)](const std::stop_token& stop) {
         const Progress progress(stop, [run](double fraction, std::string_view activity) {
             const std::lock_guard lock(run->mutex);
             run->fraction = fraction;
@@ -66,7 +67,12 @@ void LongTask::start(Work work)
         std::function<void()> afterwards = work(progress);
         QMetaObject::invokeMethod(
             this, [this, run, afterwards = std::move(afterwards)] { ended(run, afterwards); }, Qt::QueuedConnection);
-    });
+    };
+    try {
+        run->thread = std::jthread(doIt);
+    } catch (const std::system_error&) {
+        doIt({}); // a window that stands still for a while, but nothing lost
+    }
 }
 
 void LongTask::cancel()
