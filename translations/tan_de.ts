@@ -317,7 +317,7 @@
     </message>
     <message>
         <source>Open Samp&amp;le</source>
-        <translation>&amp;Beispiel öffnen</translation>
+        <translation>Beis&amp;piel öffnen</translation>
     </message>
     <message>
         <source>&amp;Orientation</source>

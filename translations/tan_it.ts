@@ -173,7 +173,7 @@
     </message>
     <message>
         <source>Save S&amp;urfaces…</source>
-        <translation>Salva su&amp;perfici…</translation>
+        <translation>Salva s&amp;uperfici…</translation>
     </message>
     <message>
         <source>Save the isosurfaces shown, for 3D printers, Blender, ParaView and others</source>
@@ -317,7 +317,7 @@
     </message>
     <message>
         <source>Open Samp&amp;le</source>
-        <translation>Apri &amp;esempio</translation>
+        <translation>Apri esem&amp;pio</translation>
     </message>
     <message>
         <source>&amp;Orientation</source>
