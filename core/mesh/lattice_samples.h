@@ -63,12 +63,13 @@ public:
         const std::uint64_t weightBytes = weighted() ? count * sizeof(float) : 0;
         return std::visit(
             [&]<class T>(const T* samples) {
-                room.resize(count * sizeof(T) + weightBytes);
-                copyRows(samples, latticeSize, box, room.data() + weightBytes);
+                const std::uint64_t first = (weightBytes + sizeof(T) - 1) / sizeof(T) * sizeof(T); // aligned
+                room.resize(first + count * sizeof(T));
+                copyRows(samples, latticeSize, box, room.data() + first);
                 if (weighted())
                     copyRows(weights_, latticeSize, box, room.data());
                 return LatticeSamples(
-                    std::span(reinterpret_cast<const T*>(room.data() + weightBytes), count),
+                    std::span(reinterpret_cast<const T*>(room.data() + first), count),
                     std::span(reinterpret_cast<const float*>(room.data()), weightBytes / sizeof(float)));
             },
             samples_);
