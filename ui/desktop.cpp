@@ -120,9 +120,9 @@ int runDesktop(int argc, char** argv)
         return refuseWithoutDisplay();
     Workbench workbench(*host);
     MainWindow window(workbench, *backend);
-    window.show();
     for (const QString& file : parser.positionalArguments())
-        window.open(file);
+        window.open(file); // before the start page is seen, whose pictures wait while a file is read
+    window.show();
     return QApplication::exec();
 }
 

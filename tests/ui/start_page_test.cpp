@@ -10,9 +10,12 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QMenu>
+#include <QSignalSpy>
 #include <QStandardPaths>
 #include <QToolButton>
 #include <QTreeWidget>
+
+#include <latch>
 
 using namespace tetra;
 
@@ -29,6 +32,7 @@ private slots:
     void aSampleIsOpenedByTheMenu();
     void samplesAreDescribedForPeople();
     void samplesHavePictures();
+    void picturesWaitForTheFileThatIsRead();
     void makingASampleIsCancelled();
     void anUnknownSampleIsRefused();
     void recentFilesSayWhereTheyLie();
@@ -137,6 +141,14 @@ void StartPageTest::samplesAreDescribedForPeople()
 /// Drawn at first use, in a worker, and kept: they show something, each something else.
 void StartPageTest::samplesHavePictures()
 {
+    const auto isBlank = [](const QToolButton& button) {
+        const QImage shown = button.icon().pixmap(button.iconSize()).toImage().convertToFormat(QImage::Format_ARGB32);
+        QImage blank(shown.size(), QImage::Format_ARGB32);
+        blank.fill(Qt::transparent);
+        return shown == blank;
+    };
+    for (const SampleKind& kind : sampleKinds())
+        QVERIFY(isBlank(window_->find<QToolButton>("empty.sample." + QString::fromStdString(std::string(kind.name)))));
     std::map<std::string, QImage> drawn;
     connect(&window_->workbench, &Workbench::thumbnailDrawn, this,
             [&](const std::string& sample, const QImage& picture) { drawn[sample] = picture; });
@@ -150,7 +162,7 @@ void StartPageTest::samplesHavePictures()
             for (int x = 0; x < picture.width(); ++x)
                 opaque += qAlpha(picture.pixel(x, y)) > 40 ? 1 : 0;
         QVERIFY2(opaque > picture.width() * picture.height() / 20, sample.c_str());
-        QVERIFY(button.icon().pixmap(button.iconSize()).toImage() != QImage());
+        QVERIFY2(!isBlank(button), sample.c_str());
         QVERIFY(!window_->find<QAction>("action.sample." + QString::fromStdString(sample)).icon().isNull());
         for (const auto& [other, otherPicture] : drawn)
             QVERIFY2(other == sample || otherPicture != picture, sample.c_str());
@@ -160,6 +172,27 @@ void StartPageTest::samplesHavePictures()
                  sample.c_str());
     }
     QVERIFY(!sampleThumbnail(*window_->host, "nothing", sampleFolder()));
+}
+
+/// As with "tan-desktop FILE": its file is read before the window is seen.
+void StartPageTest::picturesWaitForTheFileThatIsRead()
+{
+    window_ = std::make_unique<WindowFixture>();
+    std::latch goOn(1);
+    window_->workbench.reading().start([&goOn](const Progress&) {
+        goOn.wait();
+        return [] {};
+    });
+    const QSignalSpy drawing(&window_->workbench.thumbnails(), &LongTask::started);
+    window_->window.show();
+    QCoreApplication::processEvents();
+    const auto begunEarly = drawing.count();
+    goOn.count_down();
+    QCOMPARE(begunEarly, 0);
+    QTRY_COMPARE(drawing.count(), 1);
+    window_->window.hide();
+    window_->window.show();
+    QCOMPARE(drawing.count(), 1);
 }
 
 void StartPageTest::makingASampleIsCancelled()

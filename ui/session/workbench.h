@@ -94,7 +94,8 @@ public:
     void openWithOptions(const QString& path);
     /// Makes the sample of that name (sampleKinds()) unless it is there from before, and opens its model.
     void openSample(const std::string& name);
-    /// Draws small pictures of the samples in a worker, once, each told by thumbnailDrawn().
+    /// Draws small pictures of the samples in a worker, once, each told by thumbnailDrawn(). While a file is read they
+    /// wait until it has been.
     void drawThumbnails();
     LongTask& thumbnails() noexcept { return thumbnails_; }
     /// The same for the file of the dataset that is open.
@@ -208,6 +209,7 @@ private:
     };
 
     void read(LongTask::Work work);
+    void startThumbnails();
     /// Either reads the file or asks for choices.
     void look(const std::filesystem::path& path, bool ask);
     Result<OpenedModel> openModel(const std::filesystem::path& path) const;

@@ -24,6 +24,14 @@ void Workbench::drawThumbnails()
 {
     if (std::exchange(thumbnailsWanted_, true))
         return;
+    if (reading_.running()) // what the user waits for comes first
+        connect(&reading_, &LongTask::finished, this, &Workbench::startThumbnails, Qt::SingleShotConnection);
+    else
+        startThumbnails();
+}
+
+void Workbench::startThumbnails()
+{
     thumbnails_.start([this](const Progress& progress) -> std::function<void()> {
         for (const SampleCard& card : sampleCards()) {
             // A sample without a picture still has its name; what is wrong is told by whoever opens it.

@@ -157,6 +157,7 @@ QWidget* EmptyPage::makeSamples(LongTask& sampling)
         connect(button, &QToolButton::clicked, this,
                 [this, name = QString::fromStdString(card.name)] { emit sampleClicked(name); });
         grid_->addWidget(button, index / samplesInRow, index % samplesInRow);
+        sampleButtons_.append(button);
         ++index;
     }
     auto* row = new QHBoxLayout;
@@ -172,20 +173,12 @@ QWidget* EmptyPage::makeSamples(LongTask& sampling)
     describe({});
     column->addWidget(description_, 0, Qt::AlignHCenter);
     const auto enable = [this](bool enabled) {
-        for (QToolButton* button : sampleButtons())
+        for (QToolButton* button : sampleButtons_)
             button->setEnabled(enabled);
     };
     connect(&sampling, &LongTask::started, box, [enable] { enable(false); });
     connect(&sampling, &LongTask::finished, box, [enable] { enable(true); });
     return box;
-}
-
-QList<QToolButton*> EmptyPage::sampleButtons() const
-{
-    QList<QToolButton*> buttons;
-    for (const SampleCard& card : sampleCards())
-        buttons.append(findChild<QToolButton*>("empty.sample." + QString::fromStdString(card.name)));
-    return buttons;
 }
 
 /// It is as high as the longest text, so that nothing moves when another one is told.
@@ -285,13 +278,12 @@ void EmptyPage::showRecent(const QStringList& files)
 void EmptyPage::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    const auto buttons = sampleButtons();
-    const int cell = buttons.front()->minimumWidth() + grid_->horizontalSpacing();
+    const int cell = sampleButtons_.front()->minimumWidth() + grid_->horizontalSpacing();
     const int columns = std::clamp((width() - 4 * frameInset) / cell, 1, samplesInRow);
     if (std::exchange(columns_, columns) == columns)
         return;
-    for (int index = 0; index < buttons.size(); ++index)
-        grid_->addWidget(buttons[index], index / columns, index % columns); // moves it
+    for (int index = 0; index < sampleButtons_.size(); ++index)
+        grid_->addWidget(sampleButtons_[index], index / columns, index % columns); // moves it
     setDescriptionWidth(columns * cell);
 }
 

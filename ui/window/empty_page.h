@@ -50,7 +50,6 @@ protected:
 private:
     QWidget* makeSamples(LongTask& sampling);
     void showRecent(const QStringList& files);
-    QList<QToolButton*> sampleButtons() const;
     void setDescriptionWidth(int width);
     void describe(const QString& text);
 
@@ -62,6 +61,7 @@ private:
     QGridLayout* recent_;
     QLabel* description_; ///< of the sample below the pointer or with the focus
     QGridLayout* grid_;   ///< of samples
+    QList<QToolButton*> sampleButtons_;
     int columns_ = 0;
     QWidget* samples_;
     bool dropping_ = false;
