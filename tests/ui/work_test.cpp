@@ -9,6 +9,8 @@
 
 #include <atomic>
 #include <latch>
+#include <system_error>
+#include <thread>
 
 using namespace tetra;
 
@@ -272,10 +274,16 @@ void WorkTest::whatWaitsIsDoneBeforeTheEnd()
 void WorkTest::whereNoThreadCanBeHadTheWorkIsDoneAtOnce()
 {
     const NoThreads none;
+    QVERIFY_THROWS_EXCEPTION(std::system_error, std::jthread([] {}));
     LongTask task;
     const QSignalSpy finished(&task, &LongTask::finished);
+    bool worked = false;
     bool told = false;
-    task.start([&](const Progress&) { return [&] { told = true; }; });
+    task.start([&](const Progress&) {
+        worked = true;
+        return [&] { told = true; };
+    });
+    QVERIFY(worked && !told);
     QTRY_VERIFY(told);
     QCOMPARE(finished.count(), 1);
     QVERIFY(!task.running());

@@ -42,7 +42,9 @@ public:
     ~LongTask() override;
 
     bool running() const noexcept { return newest_ != nullptr; }
-    /// Starts `work` at once. One that is still running is cancelled, and its outcome is not delivered.
+    /// Starts `work` at once. One that is still running is cancelled, and its outcome is not delivered. Where no thread
+    /// can be had, start() does the work itself before it returns; it cannot be cancelled then. What it returned still
+    /// runs later.
     void start(Work work);
     /// Starts `work` when those that were given before have ended, at once if none runs.
     void enqueue(Work work);
