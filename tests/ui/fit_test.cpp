@@ -19,6 +19,8 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include <algorithm>
+
 using namespace tetra;
 
 /// No text is cut off on a small screen, in any language, with the usual and with larger letters.
@@ -72,15 +74,21 @@ QString cutOffLabel(const QLabel& label)
 
 QString cutOffButton(const QAbstractButton& button)
 {
+    const auto* tool = qobject_cast<const QToolButton*>(&button);
+    const bool hasIcon = !button.icon().isNull();
+    if (button.text().isEmpty() || (tool != nullptr && hasIcon && tool->toolButtonStyle() == Qt::ToolButtonIconOnly))
+        return {};
     const QSize text = button.fontMetrics().size(Qt::TextShowMnemonic, button.text());
-    const bool hasMark =
-        qobject_cast<const QCheckBox*>(&button) != nullptr || qobject_cast<const QRadioButton*>(&button) != nullptr;
-    const bool showsText =
-        !button.text().isEmpty() && (qobject_cast<const QToolButton*>(&button) == nullptr || button.icon().isNull());
-    const int beside = button.icon().isNull() ? 0 : button.iconSize().width() + 4;
-    const QSize needed = hasMark ? button.sizeHint() : QSize(text.width() + beside + 4, text.height());
+    const QSize icon = hasIcon ? button.iconSize() : QSize(0, 0);
+    QSize needed(text.width() + 4, text.height());
+    if (qobject_cast<const QCheckBox*>(&button) != nullptr || qobject_cast<const QRadioButton*>(&button) != nullptr)
+        needed = button.sizeHint();
+    else if (tool != nullptr && hasIcon && tool->toolButtonStyle() == Qt::ToolButtonTextUnderIcon)
+        needed = QSize(std::max(text.width(), icon.width()) + 4, icon.height() + 4 + text.height());
+    else if (hasIcon)
+        needed += QSize(icon.width() + 4, 0);
     const bool isWhole = needed.width() <= button.width() && needed.height() <= button.height();
-    return showsText && !isWhole ? plainSize(button, button.text(), needed) : QString();
+    return isWhole ? QString() : plainSize(button, button.text(), needed);
 }
 
 /// Of the entry that is chosen; a list that opens is as wide as it has to be.
@@ -135,10 +143,6 @@ QStringList cutOffIn(const QWidget& root)
                 found.append(root.objectName() + ": " + text);
     return found;
 }
-
-} // namespace
-
-namespace {
 
 /// Of the window, and what its parts need at least.
 QString sizesOf(const QMainWindow& window)
@@ -214,6 +218,7 @@ void FitTest::open()
 
 void FitTest::theWindowFits()
 {
+    QCoreApplication::processEvents();
     QStringList found = cutOffIn(window_->find<QWidget>("empty"));
     auto& messages = window_->find<MessageBar>("messages");
     messages.add("A message that is so long that it has to go on in a second line: it names a file, says what is wrong "
