@@ -167,7 +167,7 @@ QWidget* BuildPanel::makeBuildPage()
     layout->addWidget(build_);
     layout->addWidget(makeProgress());
     layout->addStretch();
-    connect(builder_, &QComboBox::currentIndexChanged, this, &BuildPanel::showBuilder);
+    connect(builder_, &QComboBox::currentIndexChanged, this, [this] { showBuilder(detail_->checkedId()); });
     connect(options_, &ParameterForm::edited, this, &BuildPanel::showDetail);
     connect(build_, &QPushButton::clicked, this, &BuildPanel::build);
     return new ScrolledColumn(page); // large letters need more height than a small screen has
@@ -297,11 +297,11 @@ void BuildPanel::showDataset()
         }
     }
     target_->setText(proposedModelPath(dataset.source.path));
-    showBuilder();
+    showBuilder(firstDetail(dataset));
     pages_->setCurrentWidget(buildPage_);
 }
 
-void BuildPanel::showBuilder()
+void BuildPanel::showBuilder(int detail)
 {
     reason_->setText(builder_->currentData(Qt::ToolTipRole).toString());
     const auto builder = workbench_.host().builder(builder_->currentData().toString().toStdString());
@@ -312,7 +312,7 @@ void BuildPanel::showBuilder()
     build_->setEnabled(builder.ok());
     details_->setVisible(builder && dataset && !builder->plugin->detail(0, dataset->domain).empty());
     if (!details_->isHidden())
-        chooseDetail(firstDetail(*dataset));
+        chooseDetail(detail >= 0 ? detail : firstDetail(*dataset));
     else
         showDetail();
 }

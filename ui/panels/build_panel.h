@@ -34,7 +34,8 @@ private:
     void connectWorkbench();
 
     void showDataset();
-    void showBuilder();
+    /// `detail`: what is kept, if it is none of the choices what fits the size of the dataset.
+    void showBuilder(int detail);
     void chooseDetail(int index);
     void showDetail();
     std::optional<BuildEstimate> estimateOf(const ParameterValues& values) const;
