@@ -327,8 +327,8 @@
 <context>
     <name>AddIsovalue</name>
     <message>
-        <source>new isovalue</source>
-        <translation>neuer Isowert</translation>
+        <source>Add Isovalue</source>
+        <translation>Isowert hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -400,67 +400,67 @@
 <context>
     <name>ChangeAnimation</name>
     <message>
-        <source>change of animation</source>
-        <translation>Änderung der Animation</translation>
+        <source>Change Animation</source>
+        <translation>Animation ändern</translation>
     </message>
 </context>
 <context>
     <name>ChangeAnnotations</name>
     <message>
-        <source>change of annotations</source>
-        <translation>Änderung der Beschriftung</translation>
+        <source>Change Annotations</source>
+        <translation>Beschriftung ändern</translation>
     </message>
 </context>
 <context>
     <name>ChangeIsovalue</name>
     <message>
-        <source>change of isovalue</source>
-        <translation>Änderung des Isowerts</translation>
+        <source>Change Isovalue</source>
+        <translation>Isowert ändern</translation>
     </message>
 </context>
 <context>
     <name>ChangeLook</name>
     <message>
-        <source>change of rendering mode</source>
-        <translation>Ändern der Darstellungsart</translation>
+        <source>Change Rendering Mode</source>
+        <translation>Darstellungsart ändern</translation>
     </message>
     <message>
-        <source>change of transfer function</source>
-        <translation>Ändern der Transferfunktion</translation>
+        <source>Change Transfer Function</source>
+        <translation>Transferfunktion ändern</translation>
     </message>
     <message>
-        <source>change of rendering</source>
-        <translation>Ändern der Darstellung</translation>
+        <source>Change Rendering</source>
+        <translation>Darstellung ändern</translation>
     </message>
 </context>
 <context>
     <name>ChangeQuery</name>
     <message>
-        <source>change of focus</source>
-        <translation>Änderung des Fokus</translation>
+        <source>Change Focus</source>
+        <translation>Fokus ändern</translation>
     </message>
     <message>
-        <source>change of window</source>
-        <translation>Änderung des Fensters</translation>
+        <source>Change Window</source>
+        <translation>Fenster ändern</translation>
     </message>
     <message>
-        <source>change of values</source>
-        <translation>Änderung der Werte</translation>
+        <source>Change Values</source>
+        <translation>Werte ändern</translation>
     </message>
     <message>
-        <source>change of budget</source>
-        <translation>Änderung des Budgets</translation>
+        <source>Change Budget</source>
+        <translation>Budget ändern</translation>
     </message>
     <message>
-        <source>change of accuracy</source>
-        <translation>Änderung der Genauigkeit</translation>
+        <source>Change Accuracy</source>
+        <translation>Genauigkeit ändern</translation>
     </message>
 </context>
 <context>
     <name>ChangeView</name>
     <message>
-        <source>change of background</source>
-        <translation>Änderung des Hintergrunds</translation>
+        <source>Change Background</source>
+        <translation>Hintergrund ändern</translation>
     </message>
     <message>
         <source>Move Camera</source>
@@ -740,12 +740,12 @@
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>%1 = %2 bytes; the file has %3: %4 bytes missing.</source>
-        <translation>%1 = %2 Bytes; die Datei hat %3: %4 Bytes fehlen.</translation>
+        <source>%1 = %2 bytes; the file has %3 (%4 missing).</source>
+        <translation>%1 = %2 Bytes; die Datei hat %3 (%4 fehlen).</translation>
     </message>
     <message>
-        <source>%1 = %2 bytes; the file has %3: %4 bytes unused.</source>
-        <translation>%1 = %2 Bytes; die Datei hat %3: %4 Bytes unbenutzt.</translation>
+        <source>%1 = %2 bytes; the file has %3 (%4 too many).</source>
+        <translation>%1 = %2 Bytes; die Datei hat %3 (%4 zu viel).</translation>
     </message>
 </context>
 <context>
@@ -786,8 +786,8 @@
         <translation>Fehler %1</translation>
     </message>
     <message>
-        <source>Shown: error and warping both %1.</source>
-        <translation>Gezeigt: Fehler und Verwerfung je %1.</translation>
+        <source>Shown: %1, and the same warping.</source>
+        <translation>Gezeigt: %1, Verwerfung ebenso.</translation>
     </message>
     <message>
         <source>Shown: %1.</source>
@@ -890,8 +890,8 @@
         <translation>Fehler</translation>
     </message>
     <message>
-        <source>The error at which to stop; 0 keeps everything, so that any accuracy can be looked at later.</source>
-        <translation>Der Fehler, bei dem aufgehört wird; 0 behält alles, sodass später jede Genauigkeit zu sehen ist.</translation>
+        <source>The error at which to stop; 0 keeps everything, so that any accuracy can be shown later.</source>
+        <translation>Der Fehler, bei dem aufgehört wird; 0 behält alles, sodass später jede Genauigkeit gezeigt werden kann.</translation>
     </message>
     <message>
         <source>% of the value range</source>
@@ -1558,7 +1558,7 @@
         <translation>weißes Rauschen, der schlimmste Fall: Kein Wert sagt etwas über seinen Nachbarn</translation>
     </message>
     <message>
-        <source>flow in front of a half sphere: a curvilinear grid whose axis is collapsed</source>
+        <source>flow in front of a hemisphere: a curvilinear grid whose axis is collapsed</source>
         <translation>Strömung vor einer Halbkugel: ein krummliniges Gitter mit zusammengefallener Achse</translation>
     </message>
     <message>
@@ -1686,8 +1686,8 @@
         <translation>Fußballmolekül</translation>
     </message>
     <message>
-        <source>Electron density of a C60 molecule; regular grid, %1, computed by TAn. Look at the cage of atoms as an isosurface, and at how few tetrahedra an error of 1 % takes.</source>
-        <translation>Elektronendichte eines C60-Moleküls; regelmäßiges Gitter, %1, von TAn berechnet. Sehenswert: der Käfig der Atome als Isofläche, und wie wenige Tetraeder ein Fehler von 1 % braucht.</translation>
+        <source>Electron density of a C60 molecule; regular grid, %1, computed by TAn. Look at the cage of atoms as an isosurface, and at how few tetrahedra are enough for an error of 1 %.</source>
+        <translation>Elektronendichte eines C60-Moleküls; regelmäßiges Gitter, %1, von TAn berechnet. Sehenswert: der Käfig der Atome als Isofläche, und wie wenige Tetraeder für einen Fehler von 1 % genügen.</translation>
     </message>
     <message>
         <source>Hydrogen atom</source>
@@ -1702,7 +1702,7 @@
         <translation>Überschallströmung</translation>
     </message>
     <message>
-        <source>Density in front of a half sphere; curvilinear grid, %1, computed by TAn. Look at the bow shock, and at the grid that follows the body.</source>
+        <source>Density in front of a hemisphere; curvilinear grid, %1, computed by TAn. Look at the bow shock, and at the grid that follows the body.</source>
         <translation>Dichte vor einer Halbkugel; krummliniges Gitter, %1, von TAn berechnet. Sehenswert: die Bugstoßwelle, und das Gitter, das dem Körper folgt.</translation>
     </message>
     <message>
@@ -1734,8 +1734,8 @@
         <translation>Verstreute Punkte</translation>
     </message>
     <message>
-        <source>Waves that grow finer outwards, known at random places in a ball; %1, computed by TAn. Look at a volume that comes without any grid.</source>
-        <translation>Wellen, die nach außen feiner werden, an zufälligen Orten einer Kugel; %1, von TAn berechnet. Sehenswert: ein Volumen, das ohne jedes Gitter auskommt.</translation>
+        <source>Waves that grow finer outwards, sampled at random points in a ball; %1, computed by TAn. Look at the volume: it needs no grid.</source>
+        <translation>Wellen, die nach außen feiner werden, an zufälligen Punkten einer Kugel abgetastet; %1, von TAn berechnet. Sehenswert: das Volumen, das kein Gitter braucht.</translation>
     </message>
     <message>
         <source>Ripples</source>
@@ -1758,8 +1758,8 @@
         <translation>Weißes Rauschen</translation>
     </message>
     <message>
-        <source>Random values, the worst case for any method; regular grid, %1, computed by TAn. Look at the statistics: even a large error takes nearly all points.</source>
-        <translation>Zufallswerte, der schlimmste Fall für jedes Verfahren; regelmäßiges Gitter, %1, von TAn berechnet. Sehenswert: die Statistik, denn auch ein großer Fehler braucht fast alle Punkte.</translation>
+        <source>Random values, the worst case for any method; regular grid, %1, computed by TAn. Look at the statistics: even at a large error nearly all points are needed.</source>
+        <translation>Zufallswerte, der schlimmste Fall für jedes Verfahren; regelmäßiges Gitter, %1, von TAn berechnet. Sehenswert: die Statistik, denn auch bei einem großen Fehler werden fast alle Punkte gebraucht.</translation>
     </message>
 </context>
 <context>
@@ -1897,16 +1897,16 @@
         <translation>„%1“ kann nicht gelesen werden: %2 (Die Datei wurde für sich allein entpackt. Wenn sie andere nennt, entpacken Sie sie neben diesen: gunzip.)</translation>
     </message>
     <message>
-        <source>it is compressed by gzip, and damaged or cut short. The copy may be incomplete: copy the file again.</source>
+        <source>it is compressed with gzip, and damaged or cut short. The copy may be incomplete: copy the file again.</source>
         <translation>Sie ist mit gzip komprimiert und beschädigt oder abgeschnitten. Vielleicht ist die Kopie unvollständig: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>it is packed by gzip, and cannot be unpacked into &apos;%1&apos;: %2. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
-        <translation>Sie ist mit gzip gepackt und kann nicht nach „%1“ entpackt werden: %2. Schaffen Sie dort Platz, setzen Sie TMPDIR auf einen Ordner mit mehr, oder entpacken Sie sie selbst (gunzip).</translation>
+        <source>it is compressed with gzip, and cannot be unpacked into &apos;%1&apos;: %2. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
+        <translation>Sie ist mit gzip komprimiert und kann nicht nach „%1“ entpackt werden: %2. Schaffen Sie dort Platz, setzen Sie TMPDIR auf einen Ordner mit mehr, oder entpacken Sie sie selbst (gunzip).</translation>
     </message>
     <message>
-        <source>it is packed by gzip, and unpacks to more than %1, half of the room in &apos;%2&apos;. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
-        <translation>Sie ist mit gzip gepackt und entpackt größer als %1, die Hälfte des Platzes in „%2“. Schaffen Sie dort Platz, setzen Sie TMPDIR auf einen Ordner mit mehr, oder entpacken Sie sie selbst (gunzip).</translation>
+        <source>it is compressed with gzip, and unpacks to more than %1, half of the room in &apos;%2&apos;. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
+        <translation>Sie ist mit gzip komprimiert und entpackt größer als %1, die Hälfte des Platzes in „%2“. Schaffen Sie dort Platz, setzen Sie TMPDIR auf einen Ordner mit mehr, oder entpacken Sie sie selbst (gunzip).</translation>
     </message>
     <message>
         <source>VTK says: %1 The file is damaged, incomplete, or of a kind that VTK does not know: copy or export it again.</source>
@@ -1914,11 +1914,11 @@
     </message>
     <message>
         <source>it has %1 bytes, and its header asks for %2. It is cut short: copy the file again.</source>
-        <translation>Sie hat %1 Byte, und ihr Kopf verlangt %2. Sie ist abgeschnitten: Kopieren Sie sie neu von dort, woher sie kam.</translation>
+        <translation>Sie hat %1 Byte, und ihr Kopf verlangt %2. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
         <source>its data file &apos;%1&apos; has %2 bytes, and its header asks for %3. It is cut short: copy the file again.</source>
-        <translation>Ihre Datendatei „%1“ hat %2 Byte, und der Kopf verlangt %3. Sie ist abgeschnitten: Kopieren Sie sie neu von dort, woher sie kam.</translation>
+        <translation>Ihre Datendatei „%1“ hat %2 Byte, und der Kopf verlangt %3. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
         <source>its data file &apos;%1&apos; is missing. Copy it into the folder of this one: the two belong together.</source>
@@ -1930,23 +1930,23 @@
     </message>
     <message>
         <source>its file &apos;%1&apos; ends in line %2, before the last %3. It is cut short: copy the file again.</source>
-        <translation>Ihre Datei „%1“ endet in Zeile %2, zu früh für alle Angaben (%3). Sie ist abgeschnitten: Kopieren Sie sie neu von dort, woher sie kam.</translation>
+        <translation>Ihre Datei „%1“ endet in Zeile %2, zu früh für alle Angaben (%3). Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>it has %1 bytes, and its variable &apos;%2&apos; reaches to byte %3. It is cut short, or was not written to its end: copy or write it again.</source>
-        <translation>Sie hat %1 Byte, und ihre Variable „%2“ reicht bis Byte %3. Sie ist abgeschnitten oder wurde nicht zu Ende geschrieben: Kopieren oder schreiben Sie sie neu.</translation>
+        <source>it has %1 bytes, and its variable &apos;%2&apos; reaches to byte %3. It is cut short, or was not written to its end: copy the file again, or export it again.</source>
+        <translation>Sie hat %1 Byte, und ihre Variable „%2“ reicht bis Byte %3. Sie ist abgeschnitten oder wurde nicht zu Ende geschrieben: Kopieren Sie die Datei noch einmal, oder exportieren Sie sie neu.</translation>
     </message>
     <message>
         <source>page %1 lies behind its end, at %2 bytes. It is cut short: copy the file again.</source>
-        <translation>Seite %1 liegt hinter ihrem Ende bei %2 Byte. Sie ist abgeschnitten: Kopieren Sie sie neu von dort, woher sie kam.</translation>
+        <translation>Seite %1 liegt hinter ihrem Ende bei %2 Byte. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
         <source>it ends within its header. It is cut short: copy the file again.</source>
-        <translation>Sie endet in ihrem Kopf. Sie ist abgeschnitten: Kopieren Sie sie neu von dort, woher sie kam.</translation>
+        <translation>Sie endet in ihrem Kopf. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
         <source>it ends within its appended data. It is cut short: copy the file again.</source>
-        <translation>Sie endet in ihren angehängten Daten. Sie ist abgeschnitten: Kopieren Sie sie neu von dort, woher sie kam.</translation>
+        <translation>Sie endet in ihren angehängten Daten. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
         <source>it is a list of files, one for each time step or part. Open one of its files, such as &apos;%1&apos;.</source>
@@ -2006,7 +2006,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; is damaged: %2. Copy the file again, or build it again.</source>
-        <translation>„%1“ ist beschädigt: %2. Kopieren Sie es noch einmal von dort, woher es kam, oder bauen Sie es neu.</translation>
+        <translation>„%1“ ist beschädigt: %2. Kopieren Sie die Datei noch einmal, oder bauen Sie das Modell neu.</translation>
     </message>
     <message>
         <source>its header makes no sense</source>
@@ -2034,7 +2034,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; is cut short: it has %2 bytes and should have %3. Copy the file again, or build it again.</source>
-        <translation>„%1“ ist abgeschnitten: Es hat %2 Bytes und sollte %3 haben. Kopieren Sie es noch einmal von dort, woher es kam, oder bauen Sie es neu.</translation>
+        <translation>„%1“ ist abgeschnitten: Es hat %2 Bytes und sollte %3 haben. Kopieren Sie die Datei noch einmal, oder bauen Sie das Modell neu.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is empty. Models are made by &apos;tan build&apos;.</source>
@@ -2054,7 +2054,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; was cut short or changed while it was open. Open it again; if that fails, copy the file again, or build it again.</source>
-        <translation>„%1“ wurde abgeschnitten oder geändert, während es offen war. Öffnen Sie es noch einmal; gelingt das nicht, kopieren Sie es noch einmal von dort, woher es kam, oder bauen Sie es neu.</translation>
+        <translation>„%1“ wurde abgeschnitten oder geändert, während es offen war. Öffnen Sie es noch einmal; gelingt das nicht, kopieren Sie die Datei noch einmal, oder bauen Sie das Modell neu.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; was cut short or changed while it was open, so that what was made of it would be wrong. Open it again; if that fails, get or make the file again.</source>
@@ -2394,7 +2394,7 @@
     </message>
     <message>
         <source>The mesh has %1. Repair the mesh in the program that made it.</source>
-        <translation>Das Netz hat %1. Bessern Sie das Netz dort aus, wo es entstand.</translation>
+        <translation>Das Netz hat %1. Reparieren Sie das Netz in dem Programm, das es erzeugt hat.</translation>
     </message>
     <message>
         <source>No cell of the mesh has a volume: nothing is left.</source>
@@ -2462,7 +2462,7 @@
     </message>
     <message>
         <source>Not valid JSON: %1</source>
-        <translation>Das ist kein JSON: %1</translation>
+        <translation>Kein gültiges JSON: %1</translation>
     </message>
     <message>
         <source>This is no camera. %1</source>
@@ -2557,12 +2557,12 @@
         <translation>Ein Teil von %1 der %2 Punkte.</translation>
     </message>
     <message>
-        <source>1 tetrahedron inside the region, connected only by a vertex or an edge, left out.</source>
-        <translation>1 Tetraeder im Bereich, das nur über einen Knoten oder eine Kante verbunden war, wurde weggelassen.</translation>
+        <source>1 tetrahedron inside the region was left out: it touches the others only at a vertex or an edge.</source>
+        <translation>1 Tetraeder im Bereich wurde weggelassen: Es berührt die anderen nur an einem Knoten oder einer Kante.</translation>
     </message>
     <message>
-        <source>%1 tetrahedra inside the region, connected only by a vertex or an edge, left out.</source>
-        <translation>%1 Tetraeder im Bereich, die nur über einen Knoten oder eine Kante verbunden waren, wurden weggelassen.</translation>
+        <source>%1 tetrahedra inside the region were left out: they touch the others only at a vertex or an edge.</source>
+        <translation>%1 Tetraeder im Bereich wurden weggelassen: Sie berühren die anderen nur an einem Knoten oder einer Kante.</translation>
     </message>
     <message>
         <source>The values belong to cells: each point got the mean of the cells around it.</source>
@@ -2645,7 +2645,7 @@
         <translation>1 Zelle nennt eine Ecke zweimal, hat kein Volumen und wurde weggelassen.</translation>
     </message>
     <message>
-        <source>%1 cells name a corner twice, has no volume and was left out.</source>
+        <source>%1 cells name a corner twice, have no volume and were left out.</source>
         <translation>%1 Zellen nennen eine Ecke zweimal, haben kein Volumen und wurden weggelassen.</translation>
     </message>
     <message>
@@ -2657,12 +2657,12 @@
         <translation>%1 Zellen ohne Volumen wurden weggelassen.</translation>
     </message>
     <message>
-        <source>1 cell was corrected: the orientation was inverted.</source>
-        <translation>1 Zelle wurde umgedreht: Die Ecken stehen in der anderen Reihenfolge.</translation>
+        <source>1 cell had inverted orientation and was corrected.</source>
+        <translation>1 Zelle hatte die umgekehrte Orientierung und wurde korrigiert.</translation>
     </message>
     <message>
-        <source>%1 cells were corrected: the orientation was inverted.</source>
-        <translation>%1 Zellen wurden umgedreht: Die Ecken stehen in der anderen Reihenfolge.</translation>
+        <source>%1 cells had inverted orientation and were corrected.</source>
+        <translation>%1 Zellen hatten die umgekehrte Orientierung und wurden korrigiert.</translation>
     </message>
     <message>
         <source>1 point on the place of another one joined with it.</source>
@@ -2737,12 +2737,12 @@
         <translation>%1 unvollständige Zeilen wurden übergangen.</translation>
     </message>
     <message>
-        <source>1 tetrahedron that is flat or turned over, one at %1</source>
-        <translation>1 flaches oder umgedrehtes Tetraeder, bei %1</translation>
+        <source>1 tetrahedron that is flat or inverted, one at %1</source>
+        <translation>1 flaches oder invertiertes Tetraeder, bei %1</translation>
     </message>
     <message>
-        <source>%1 tetrahedra that are flat or turned over, one at %2</source>
-        <translation>%1 flache oder umgedrehte Tetraeder, zum Beispiel bei %2</translation>
+        <source>%1 tetrahedra that are flat or inverted, one at %2</source>
+        <translation>%1 flache oder invertierte Tetraeder, zum Beispiel bei %2</translation>
     </message>
     <message>
         <source>1 tetrahedron at a face that three or more share, one at %1</source>
@@ -2900,8 +2900,8 @@
         <translation>%1 Knoten, %2 Tetraeder</translation>
     </message>
     <message>
-        <source>Guaranteed error</source>
-        <translation>Garantierter Fehler</translation>
+        <source>Guaranteed</source>
+        <translation>Garantiert</translation>
     </message>
     <message>
         <source>Triangles</source>
@@ -3020,7 +3020,7 @@
         <translation>Dieses Modell wurde bis zu einem Fehler von %1 gebaut; Feineres enthält es nicht.</translation>
     </message>
     <message>
-        <source>of value range (± %1)</source>
+        <source>of the value range (± %1)</source>
         <translation>des Wertebereichs (± %1)</translation>
     </message>
     <message>
@@ -3341,8 +3341,8 @@ Verwerfung %2</translation>
         <translation>Liest die Datei mit anderen Optionen noch einmal: andere Werte, ein Ausschnitt, weniger Punkte</translation>
     </message>
     <message>
-        <source>Estimated from other datasets; it may be off by a factor of two</source>
-        <translation>Aus anderen Datensätzen geschätzt; um den Faktor zwei kann es abweichen</translation>
+        <source>Estimated from a few thousand of the dataset&apos;s samples; it may be off by a factor of two</source>
+        <translation>Aus einigen Tausend Werten des Datensatzes geschätzt; kann um den Faktor zwei abweichen</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -3354,31 +3354,31 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>Keeps what is needed for an error of 1 % of the value range: enough for a first look</source>
-        <translation>Behält, was ein Fehler von 1 % des Wertebereichs braucht: genug für einen ersten Blick</translation>
+        <translation>Behält, was für einen Fehler von 1 % des Wertebereichs nötig ist: genug für einen ersten Blick</translation>
     </message>
     <message>
         <source>&amp;Good, error 0.1 %</source>
         <translation>&amp;Gut, Fehler 0,1 %</translation>
     </message>
     <message>
-        <source>Keeps what is needed for an error of 0.1 % of the value range: pictures look the same as with everything</source>
-        <translation>Behält, was ein Fehler von 0,1 % des Wertebereichs braucht: Bilder sehen aus wie mit allem</translation>
+        <source>Keeps what is needed for an error of 0.1 % of the value range: pictures can hardly be told from those of the full data</source>
+        <translation>Behält, was für einen Fehler von 0,1 % des Wertebereichs nötig ist: Bilder sind von denen aller Daten kaum zu unterscheiden</translation>
     </message>
     <message>
         <source>&amp;Everything</source>
         <translation>&amp;Alles</translation>
     </message>
     <message>
-        <source>Keeps every value of the dataset: any accuracy can be looked at later</source>
-        <translation>Behält jeden Wert des Datensatzes: Jede Genauigkeit lässt sich später ansehen</translation>
+        <source>Keeps every value of the dataset, so that any accuracy can be shown later</source>
+        <translation>Behält jeden Wert des Datensatzes, sodass später jede Genauigkeit gezeigt werden kann</translation>
     </message>
     <message>
         <source>Detail</source>
-        <translation>Detail</translation>
+        <translation>Detailgrad</translation>
     </message>
     <message>
-        <source>Detail: size of the model, time to build it</source>
-        <translation>Detail: Größe des Modells, Bauzeit</translation>
+        <source>Detail (model size, build time)</source>
+        <translation>Detailgrad (Modellgröße, Bauzeit)</translation>
     </message>
 </context>
 <context>
@@ -3517,20 +3517,20 @@ Verwerfung %2</translation>
         <translation>&amp;Keine Gruppe</translation>
     </message>
     <message>
-        <source>Neighbouri&amp;ng points</source>
-        <translation>Be&amp;nachbarte Punkte</translation>
+        <source>When points meet neighbouri&amp;ng points</source>
+        <translation>Beim Treffen auf Nachbarpu&amp;nkte</translation>
     </message>
     <message>
-        <source>&amp;Block</source>
-        <translation>&amp;Halten auf</translation>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
     </message>
     <message>
-        <source>&amp;Push</source>
-        <translation>Werden mit&amp;geschoben</translation>
+        <source>&amp;Push them along</source>
+        <translation>Mit&amp;schieben</translation>
     </message>
     <message>
-        <source>&amp;Cross</source>
-        <translation>Werden über&amp;holt</translation>
+        <source>Move p&amp;ast them</source>
+        <translation>&amp;Überholen</translation>
     </message>
     <message>
         <source>Mas&amp;k: show some values only</source>
@@ -3806,7 +3806,7 @@ Verwerfung %2</translation>
         <translation>&amp;Übergang</translation>
     </message>
     <message>
-        <source>&amp;Centre in View</source>
+        <source>&amp;Move to Centre of View</source>
         <translation>&amp;In die Bildmitte</translation>
     </message>
     <message>
@@ -3924,8 +3924,8 @@ Verwerfung %2</translation>
         <translation>Bricht das Lesen ab oder schließt dieses Fenster</translation>
     </message>
     <message>
-        <source>Estimated from other datasets; it may be off by a factor of two. A model of less detail takes less.</source>
-        <translation>Aus anderen Datensätzen geschätzt; um den Faktor zwei kann es abweichen. Ein Modell mit weniger Detail braucht weniger.</translation>
+        <source>An upper bound; a model with less detail takes less.</source>
+        <translation>Eine obere Schranke; ein Modell mit geringerem Detailgrad braucht weniger.</translation>
     </message>
 </context>
 <context>
@@ -4301,8 +4301,8 @@ Verwerfung %2</translation>
         <translation>Ver&amp;werfen</translation>
     </message>
     <message>
-        <source>Discard this recovered session (the model file is kept)</source>
-        <translation>Verwirft diese wiederhergestellte Sitzung (die Modelldatei bleibt)</translation>
+        <source>Discard the saved view (the model file is kept)</source>
+        <translation>Verwirft die gesicherte Ansicht (die Modelldatei bleibt)</translation>
     </message>
     <message>
         <source>Discard %1</source>
@@ -4561,7 +4561,7 @@ Verwerfung %2</translation>
 <context>
     <name>tetra::PictureDialog</name>
     <message>
-        <source>Store &amp;how the picture was made</source>
+        <source>Store &amp;how it was made in the file</source>
         <translation>&amp;Entstehung in der Datei vermerken</translation>
     </message>
     <message>
@@ -4727,8 +4727,8 @@ Verwerfung %2</translation>
         <translation>Datei</translation>
     </message>
     <message>
-        <source>Changes take effect after a restart.</source>
-        <translation>Änderungen gelten nach einem Neustart.</translation>
+        <source>Changes take effect when TAn is restarted.</source>
+        <translation>Änderungen gelten ab dem nächsten Start von TAn.</translation>
     </message>
     <message>
         <source>Cop&amp;y</source>
@@ -4958,15 +4958,15 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>Cut exactly</source>
-        <translation>Genau geschnitten</translation>
+        <translation>Genau abschneiden</translation>
     </message>
     <message>
-        <source>Whole cells touching</source>
-        <translation>Ganze Zellen, die berühren</translation>
+        <source>Keep tetrahedra that touch it</source>
+        <translation>Berührende Tetraeder behalten</translation>
     </message>
     <message>
-        <source>Whole cells inside</source>
-        <translation>Ganze Zellen innerhalb</translation>
+        <source>Keep tetrahedra inside</source>
+        <translation>Nur Tetraeder innerhalb</translation>
     </message>
     <message>
         <source>Tetrahedra at the border</source>
@@ -4993,15 +4993,15 @@ Verwerfung %2</translation>
         <translation>Größter Wert</translation>
     </message>
     <message>
-        <source>&amp;Limit to value range</source>
-        <translation>Auf Wertebereich &amp;beschränken</translation>
+        <source>&amp;Limit to a range of values</source>
+        <translation>Auf einen Wertebereich &amp;beschränken</translation>
     </message>
     <message>
         <source>Fro&amp;m</source>
         <translation>&amp;Von</translation>
     </message>
     <message>
-        <source>&amp;Reset to whole domain</source>
+        <source>&amp;Reset to Whole Domain</source>
         <translation>Auf das ganze Gebiet zu&amp;rücksetzen</translation>
     </message>
     <message>
@@ -5448,12 +5448,12 @@ Verwerfung %2</translation>
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>From the eye to the target, in the units of the data</source>
-        <translation>Vom Auge zum Ziel, in den Einheiten der Daten</translation>
+        <source>From the camera to the target, in data units</source>
+        <translation>Von der Kamera zum Ziel, in Einheiten der Daten</translation>
     </message>
     <message>
-        <source>Field of view</source>
-        <translation>Blickwinkel</translation>
+        <source>View angle</source>
+        <translation>Bildwinkel</translation>
     </message>
     <message>
         <source>View angle along the shorter side of the picture, in degrees</source>

@@ -327,8 +327,8 @@
 <context>
     <name>AddIsovalue</name>
     <message>
-        <source>new isovalue</source>
-        <translation>nuovo isovalore</translation>
+        <source>Add Isovalue</source>
+        <translation>Aggiungi isovalore</translation>
     </message>
 </context>
 <context>
@@ -400,67 +400,67 @@
 <context>
     <name>ChangeAnimation</name>
     <message>
-        <source>change of animation</source>
-        <translation>modifica dell&apos;animazione</translation>
+        <source>Change Animation</source>
+        <translation>Modifica animazione</translation>
     </message>
 </context>
 <context>
     <name>ChangeAnnotations</name>
     <message>
-        <source>change of annotations</source>
-        <translation>modifica delle annotazioni</translation>
+        <source>Change Annotations</source>
+        <translation>Modifica annotazioni</translation>
     </message>
 </context>
 <context>
     <name>ChangeIsovalue</name>
     <message>
-        <source>change of isovalue</source>
-        <translation>modifica dell&apos;isovalore</translation>
+        <source>Change Isovalue</source>
+        <translation>Modifica isovalore</translation>
     </message>
 </context>
 <context>
     <name>ChangeLook</name>
     <message>
-        <source>change of rendering mode</source>
-        <translation>cambio della modalità di resa</translation>
+        <source>Change Rendering Mode</source>
+        <translation>Modifica modalità di resa</translation>
     </message>
     <message>
-        <source>change of transfer function</source>
-        <translation>modifica della funzione di trasferimento</translation>
+        <source>Change Transfer Function</source>
+        <translation>Modifica funzione di trasferimento</translation>
     </message>
     <message>
-        <source>change of rendering</source>
-        <translation>modifica della resa</translation>
+        <source>Change Rendering</source>
+        <translation>Modifica resa</translation>
     </message>
 </context>
 <context>
     <name>ChangeQuery</name>
     <message>
-        <source>change of focus</source>
-        <translation>modifica del focus</translation>
+        <source>Change Focus</source>
+        <translation>Modifica focus</translation>
     </message>
     <message>
-        <source>change of window</source>
-        <translation>modifica della finestra</translation>
+        <source>Change Window</source>
+        <translation>Modifica finestra</translation>
     </message>
     <message>
-        <source>change of values</source>
-        <translation>modifica dei valori</translation>
+        <source>Change Values</source>
+        <translation>Modifica valori</translation>
     </message>
     <message>
-        <source>change of budget</source>
-        <translation>modifica del limite</translation>
+        <source>Change Budget</source>
+        <translation>Modifica limite</translation>
     </message>
     <message>
-        <source>change of accuracy</source>
-        <translation>modifica dell&apos;accuratezza</translation>
+        <source>Change Accuracy</source>
+        <translation>Modifica accuratezza</translation>
     </message>
 </context>
 <context>
     <name>ChangeView</name>
     <message>
-        <source>change of background</source>
-        <translation>modifica dello sfondo</translation>
+        <source>Change Background</source>
+        <translation>Modifica sfondo</translation>
     </message>
     <message>
         <source>Move Camera</source>
@@ -740,12 +740,12 @@
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>%1 = %2 bytes; the file has %3: %4 bytes missing.</source>
-        <translation>%1 = %2 byte; il file ne ha %3: %4 byte mancanti.</translation>
+        <source>%1 = %2 bytes; the file has %3 (%4 missing).</source>
+        <translation>%1 = %2 byte; il file ne ha %3 (%4 mancanti).</translation>
     </message>
     <message>
-        <source>%1 = %2 bytes; the file has %3: %4 bytes unused.</source>
-        <translation>%1 = %2 byte; il file ne ha %3: %4 byte inutilizzati.</translation>
+        <source>%1 = %2 bytes; the file has %3 (%4 too many).</source>
+        <translation>%1 = %2 byte; il file ne ha %3 (%4 in più).</translation>
     </message>
 </context>
 <context>
@@ -786,8 +786,8 @@
         <translation>errore %1</translation>
     </message>
     <message>
-        <source>Shown: error and warping both %1.</source>
-        <translation>Mostrato: errore e deformazione entrambi %1.</translation>
+        <source>Shown: %1, and the same warping.</source>
+        <translation>Mostrato: %1, deformazione uguale.</translation>
     </message>
     <message>
         <source>Shown: %1.</source>
@@ -890,8 +890,8 @@
         <translation>Errore</translation>
     </message>
     <message>
-        <source>The error at which to stop; 0 keeps everything, so that any accuracy can be looked at later.</source>
-        <translation>L&apos;errore a cui fermarsi; 0 conserva tutto, così in seguito si può guardare con qualsiasi accuratezza.</translation>
+        <source>The error at which to stop; 0 keeps everything, so that any accuracy can be shown later.</source>
+        <translation>L&apos;errore a cui fermarsi; 0 conserva tutto, così poi si può mostrare qualsiasi accuratezza.</translation>
     </message>
     <message>
         <source>% of the value range</source>
@@ -1550,7 +1550,7 @@
         <translation>rumore bianco, il caso peggiore: nessun campione dice nulla del vicino</translation>
     </message>
     <message>
-        <source>flow in front of a half sphere: a curvilinear grid whose axis is collapsed</source>
+        <source>flow in front of a hemisphere: a curvilinear grid whose axis is collapsed</source>
         <translation>flusso davanti a una semisfera: una griglia curvilinea con l&apos;asse collassato</translation>
     </message>
     <message>
@@ -1686,7 +1686,7 @@
         <translation>Fullerene</translation>
     </message>
     <message>
-        <source>Electron density of a C60 molecule; regular grid, %1, computed by TAn. Look at the cage of atoms as an isosurface, and at how few tetrahedra an error of 1 % takes.</source>
+        <source>Electron density of a C60 molecule; regular grid, %1, computed by TAn. Look at the cage of atoms as an isosurface, and at how few tetrahedra are enough for an error of 1 %.</source>
         <translation>Densità elettronica di una molecola C60; griglia regolare, %1, calcolata da TAn. Da guardare: la gabbia di atomi come isosuperficie, e quanti pochi tetraedri bastano per un errore dell&apos;1 %.</translation>
     </message>
     <message>
@@ -1702,7 +1702,7 @@
         <translation>Flusso supersonico</translation>
     </message>
     <message>
-        <source>Density in front of a half sphere; curvilinear grid, %1, computed by TAn. Look at the bow shock, and at the grid that follows the body.</source>
+        <source>Density in front of a hemisphere; curvilinear grid, %1, computed by TAn. Look at the bow shock, and at the grid that follows the body.</source>
         <translation>Densità davanti a una semisfera; griglia curvilinea, %1, calcolata da TAn. Da guardare: l&apos;onda d&apos;urto, e la griglia che segue il corpo.</translation>
     </message>
     <message>
@@ -1734,8 +1734,8 @@
         <translation>Punti sparsi</translation>
     </message>
     <message>
-        <source>Waves that grow finer outwards, known at random places in a ball; %1, computed by TAn. Look at a volume that comes without any grid.</source>
-        <translation>Onde sempre più fini verso l&apos;esterno, note in punti casuali di una palla; %1, calcolati da TAn. Da guardare: un volume senza alcuna griglia.</translation>
+        <source>Waves that grow finer outwards, sampled at random points in a ball; %1, computed by TAn. Look at the volume: it needs no grid.</source>
+        <translation>Onde sempre più fini verso l&apos;esterno, campionate in punti casuali di una sfera; %1, calcolati da TAn. Da guardare: il volume, che non ha bisogno di griglia.</translation>
     </message>
     <message>
         <source>Ripples</source>
@@ -1758,8 +1758,8 @@
         <translation>Rumore bianco</translation>
     </message>
     <message>
-        <source>Random values, the worst case for any method; regular grid, %1, computed by TAn. Look at the statistics: even a large error takes nearly all points.</source>
-        <translation>Valori casuali, il caso peggiore per ogni metodo; griglia regolare, %1, calcolata da TAn. Da guardare: le statistiche, perché anche un errore grande richiede quasi tutti i punti.</translation>
+        <source>Random values, the worst case for any method; regular grid, %1, computed by TAn. Look at the statistics: even at a large error nearly all points are needed.</source>
+        <translation>Valori casuali, il caso peggiore per ogni metodo; griglia regolare, %1, calcolata da TAn. Da guardare: le statistiche, perché anche con un errore grande servono quasi tutti i punti.</translation>
     </message>
 </context>
 <context>
@@ -1897,15 +1897,15 @@
         <translation>Impossibile leggere «%1»: %2 (È stato decompresso da solo. Se nomina altri file, decomprimerlo accanto a essi: gunzip.)</translation>
     </message>
     <message>
-        <source>it is compressed by gzip, and damaged or cut short. The copy may be incomplete: copy the file again.</source>
+        <source>it is compressed with gzip, and damaged or cut short. The copy may be incomplete: copy the file again.</source>
         <translation>è compresso con gzip, e danneggiato o troncato. La copia potrebbe essere incompleta: copiare di nuovo il file.</translation>
     </message>
     <message>
-        <source>it is packed by gzip, and cannot be unpacked into &apos;%1&apos;: %2. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
+        <source>it is compressed with gzip, and cannot be unpacked into &apos;%1&apos;: %2. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
         <translation>è compresso con gzip, e non si può decomprimere in «%1»: %2. Liberare spazio là, impostare TMPDIR su una cartella che ne ha di più, o decomprimerlo a mano (gunzip).</translation>
     </message>
     <message>
-        <source>it is packed by gzip, and unpacks to more than %1, half of the room in &apos;%2&apos;. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
+        <source>it is compressed with gzip, and unpacks to more than %1, half of the room in &apos;%2&apos;. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
         <translation>è compresso con gzip, e decompresso supera %1, metà dello spazio in «%2». Liberare spazio là, impostare TMPDIR su una cartella che ne ha di più, o decomprimerlo a mano (gunzip).</translation>
     </message>
     <message>
@@ -1914,11 +1914,11 @@
     </message>
     <message>
         <source>it has %1 bytes, and its header asks for %2. It is cut short: copy the file again.</source>
-        <translation>ha %1 byte, e la sua intestazione ne chiede %2. È troncato: copiarlo di nuovo da dove proviene.</translation>
+        <translation>ha %1 byte, e la sua intestazione ne chiede %2. È troncato: copiare di nuovo il file.</translation>
     </message>
     <message>
         <source>its data file &apos;%1&apos; has %2 bytes, and its header asks for %3. It is cut short: copy the file again.</source>
-        <translation>il suo file di dati «%1» ha %2 byte, e l’intestazione ne chiede %3. È troncato: copiarlo di nuovo da dove proviene.</translation>
+        <translation>il suo file di dati «%1» ha %2 byte, e l’intestazione ne chiede %3. È troncato: copiare di nuovo il file.</translation>
     </message>
     <message>
         <source>its data file &apos;%1&apos; is missing. Copy it into the folder of this one: the two belong together.</source>
@@ -1930,23 +1930,23 @@
     </message>
     <message>
         <source>its file &apos;%1&apos; ends in line %2, before the last %3. It is cut short: copy the file again.</source>
-        <translation>il suo file «%1» finisce alla riga %2, prima di tutti i dati (%3). È troncato: copiarlo di nuovo da dove proviene.</translation>
+        <translation>il suo file «%1» finisce alla riga %2, prima di tutti i dati (%3). È troncato: copiare di nuovo il file.</translation>
     </message>
     <message>
-        <source>it has %1 bytes, and its variable &apos;%2&apos; reaches to byte %3. It is cut short, or was not written to its end: copy or write it again.</source>
-        <translation>ha %1 byte, e la sua variabile «%2» arriva al byte %3. È troncato, o non è stato scritto fino in fondo: copiarlo o scriverlo di nuovo.</translation>
+        <source>it has %1 bytes, and its variable &apos;%2&apos; reaches to byte %3. It is cut short, or was not written to its end: copy the file again, or export it again.</source>
+        <translation>ha %1 byte, e la sua variabile «%2» arriva al byte %3. È troncato, o non è stato scritto fino in fondo: copiare di nuovo il file, o esportarlo di nuovo.</translation>
     </message>
     <message>
         <source>page %1 lies behind its end, at %2 bytes. It is cut short: copy the file again.</source>
-        <translation>la pagina %1 sta oltre la sua fine, a %2 byte. È troncato: copiarlo di nuovo da dove proviene.</translation>
+        <translation>la pagina %1 sta oltre la sua fine, a %2 byte. È troncato: copiare di nuovo il file.</translation>
     </message>
     <message>
         <source>it ends within its header. It is cut short: copy the file again.</source>
-        <translation>finisce dentro la sua intestazione. È troncato: copiarlo di nuovo da dove proviene.</translation>
+        <translation>finisce dentro la sua intestazione. È troncato: copiare di nuovo il file.</translation>
     </message>
     <message>
         <source>it ends within its appended data. It is cut short: copy the file again.</source>
-        <translation>finisce dentro i dati in coda. È troncato: copiarlo di nuovo da dove proviene.</translation>
+        <translation>finisce dentro i dati in coda. È troncato: copiare di nuovo il file.</translation>
     </message>
     <message>
         <source>it is a list of files, one for each time step or part. Open one of its files, such as &apos;%1&apos;.</source>
@@ -1998,7 +1998,7 @@
     </message>
     <message>
         <source>VTK&apos;s reader crashed. The file is damaged, larger than memory, or of a kind that VTK reads badly. Export it again, or in another format (.vtu, .vti).</source>
-        <translation>Il lettore di VTK si è bloccato. Il file è danneggiato, più grande della memoria, o di un tipo che VTK legge male. Esportarlo di nuovo, o in un altro formato (.vtu, .vti).</translation>
+        <translation>Il lettore di VTK si è arrestato in modo anomalo. Il file è danneggiato, più grande della memoria, o di un tipo che VTK legge male. Esportarlo di nuovo, o in un altro formato (.vtu, .vti).</translation>
     </message>
     <message>
         <source>The VTK readers are not installed. Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
@@ -2006,7 +2006,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; is damaged: %2. Copy the file again, or build it again.</source>
-        <translation>«%1» è danneggiato: %2. Copiarlo di nuovo da dove proviene, o ricostruirlo.</translation>
+        <translation>«%1» è danneggiato: %2. Copiare di nuovo il file, o ricostruirlo.</translation>
     </message>
     <message>
         <source>its header makes no sense</source>
@@ -2034,7 +2034,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; is cut short: it has %2 bytes and should have %3. Copy the file again, or build it again.</source>
-        <translation>«%1» è troncato: ha %2 byte e dovrebbe averne %3. Copiarlo di nuovo da dove proviene, o ricostruirlo.</translation>
+        <translation>«%1» è troncato: ha %2 byte e dovrebbe averne %3. Copiare di nuovo il file, o ricostruirlo.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is empty. Models are made by &apos;tan build&apos;.</source>
@@ -2054,7 +2054,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; was cut short or changed while it was open. Open it again; if that fails, copy the file again, or build it again.</source>
-        <translation>«%1» è stato troncato o cambiato mentre era aperto. Aprirlo di nuovo; se non riesce, copiarlo di nuovo da dove proviene, o ricostruirlo.</translation>
+        <translation>«%1» è stato troncato o cambiato mentre era aperto. Aprirlo di nuovo; se non riesce, copiare di nuovo il file, o ricostruirlo.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; was cut short or changed while it was open, so that what was made of it would be wrong. Open it again; if that fails, get or make the file again.</source>
@@ -2394,7 +2394,7 @@
     </message>
     <message>
         <source>The mesh has %1. Repair the mesh in the program that made it.</source>
-        <translation>La mesh ha %1. Correggerla dove è stata creata.</translation>
+        <translation>La mesh ha %1. Correggerla nel programma che l&apos;ha creata.</translation>
     </message>
     <message>
         <source>No cell of the mesh has a volume: nothing is left.</source>
@@ -2462,7 +2462,7 @@
     </message>
     <message>
         <source>Not valid JSON: %1</source>
-        <translation>Questo non è JSON: %1</translation>
+        <translation>JSON non valido: %1</translation>
     </message>
     <message>
         <source>This is no camera. %1</source>
@@ -2557,12 +2557,12 @@
         <translation>Una parte di %1 dei %2 punti.</translation>
     </message>
     <message>
-        <source>1 tetrahedron inside the region, connected only by a vertex or an edge, left out.</source>
-        <translation>1 tetraedro nella regione, connesso solo per un vertice o uno spigolo, è stato omesso.</translation>
+        <source>1 tetrahedron inside the region was left out: it touches the others only at a vertex or an edge.</source>
+        <translation>1 tetraedro nella regione è stato omesso: tocca gli altri solo in un vertice o uno spigolo.</translation>
     </message>
     <message>
-        <source>%1 tetrahedra inside the region, connected only by a vertex or an edge, left out.</source>
-        <translation>%1 tetraedri nella regione, connessi solo per un vertice o uno spigolo, sono stati omessi.</translation>
+        <source>%1 tetrahedra inside the region were left out: they touch the others only at a vertex or an edge.</source>
+        <translation>%1 tetraedri nella regione sono stati omessi: toccano gli altri solo in un vertice o uno spigolo.</translation>
     </message>
     <message>
         <source>The values belong to cells: each point got the mean of the cells around it.</source>
@@ -2645,7 +2645,7 @@
         <translation>1 cella nomina due volte un vertice, non ha volume ed è stata omessa.</translation>
     </message>
     <message>
-        <source>%1 cells name a corner twice, has no volume and was left out.</source>
+        <source>%1 cells name a corner twice, have no volume and were left out.</source>
         <translation>%1 celle nominano due volte un vertice, non hanno volume e sono state omesse.</translation>
     </message>
     <message>
@@ -2657,12 +2657,12 @@
         <translation>%1 celle senza volume sono state omesse.</translation>
     </message>
     <message>
-        <source>1 cell was corrected: the orientation was inverted.</source>
-        <translation>1 cella è stata capovolta: i vertici sono nell&apos;altro ordine.</translation>
+        <source>1 cell had inverted orientation and was corrected.</source>
+        <translation>1 cella aveva orientamento inverso ed è stata corretta.</translation>
     </message>
     <message>
-        <source>%1 cells were corrected: the orientation was inverted.</source>
-        <translation>%1 celle sono state capovolte: i vertici sono nell&apos;altro ordine.</translation>
+        <source>%1 cells had inverted orientation and were corrected.</source>
+        <translation>%1 celle avevano orientamento inverso e sono state corrette.</translation>
     </message>
     <message>
         <source>1 point on the place of another one joined with it.</source>
@@ -2737,12 +2737,12 @@
         <translation>%1 righe incomplete sono state saltate.</translation>
     </message>
     <message>
-        <source>1 tetrahedron that is flat or turned over, one at %1</source>
-        <translation>1 tetraedro piatto o capovolto, in %1</translation>
+        <source>1 tetrahedron that is flat or inverted, one at %1</source>
+        <translation>1 tetraedro piatto o invertito, in %1</translation>
     </message>
     <message>
-        <source>%1 tetrahedra that are flat or turned over, one at %2</source>
-        <translation>%1 tetraedri piatti o capovolti, per esempio in %2</translation>
+        <source>%1 tetrahedra that are flat or inverted, one at %2</source>
+        <translation>%1 tetraedri piatti o invertiti, per esempio in %2</translation>
     </message>
     <message>
         <source>1 tetrahedron at a face that three or more share, one at %1</source>
@@ -2900,8 +2900,8 @@
         <translation>%1 vertici, %2 tetraedri</translation>
     </message>
     <message>
-        <source>Guaranteed error</source>
-        <translation>Errore garantito</translation>
+        <source>Guaranteed</source>
+        <translation>Garantito</translation>
     </message>
     <message>
         <source>Triangles</source>
@@ -3020,8 +3020,8 @@
         <translation>Questo modello è stato costruito fino a un errore di %1; non ha nulla di più fine.</translation>
     </message>
     <message>
-        <source>of value range (± %1)</source>
-        <translation>dell&apos;intervallo (± %1)</translation>
+        <source>of the value range (± %1)</source>
+        <translation>dell&apos;intervallo dei valori (± %1)</translation>
     </message>
     <message>
         <source>What the percentage means in units of the data. Of curvilinear data it holds for the error and for the warping: the distance of the mesh from the grid, in percent of the diagonal of the box around it.</source>
@@ -3341,8 +3341,8 @@ deformazione %2</translation>
         <translation>Rilegge il file con altre opzioni: altri valori, una sua parte, meno punti</translation>
     </message>
     <message>
-        <source>Estimated from other datasets; it may be off by a factor of two</source>
-        <translation>Stimato da altri insiemi di dati; può variare di un fattore due</translation>
+        <source>Estimated from a few thousand of the dataset&apos;s samples; it may be off by a factor of two</source>
+        <translation>Stimato da qualche migliaio di campioni; può discostarsi di un fattore due</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -3361,24 +3361,24 @@ deformazione %2</translation>
         <translation>&amp;Buono, errore 0,1 %</translation>
     </message>
     <message>
-        <source>Keeps what is needed for an error of 0.1 % of the value range: pictures look the same as with everything</source>
-        <translation>Conserva ciò che serve per un errore dello 0,1 % dell&apos;intervallo dei valori: le immagini sono come con tutto</translation>
+        <source>Keeps what is needed for an error of 0.1 % of the value range: pictures can hardly be told from those of the full data</source>
+        <translation>Conserva ciò che serve per un errore dello 0,1 % dell&apos;intervallo dei valori: le immagini si distinguono appena da quelle dei dati completi</translation>
     </message>
     <message>
         <source>&amp;Everything</source>
         <translation>&amp;Tutto</translation>
     </message>
     <message>
-        <source>Keeps every value of the dataset: any accuracy can be looked at later</source>
-        <translation>Conserva ogni valore dell&apos;insieme di dati: poi si può guardare con qualsiasi accuratezza</translation>
+        <source>Keeps every value of the dataset, so that any accuracy can be shown later</source>
+        <translation>Conserva ogni valore dell&apos;insieme di dati, così poi si può mostrare qualsiasi accuratezza</translation>
     </message>
     <message>
         <source>Detail</source>
         <translation>Dettaglio</translation>
     </message>
     <message>
-        <source>Detail: size of the model, time to build it</source>
-        <translation>Dettaglio: dimensione del modello, tempo</translation>
+        <source>Detail (model size, build time)</source>
+        <translation>Dettaglio (dimensione del modello, tempo di costruzione)</translation>
     </message>
 </context>
 <context>
@@ -3529,20 +3529,20 @@ deformazione %2</translation>
         <translation>&amp;Nessun gruppo</translation>
     </message>
     <message>
-        <source>Neighbouri&amp;ng points</source>
-        <translation>Pu&amp;nti vicini</translation>
+        <source>When points meet neighbouri&amp;ng points</source>
+        <translation>Se incontra altri pu&amp;nti</translation>
     </message>
     <message>
-        <source>&amp;Block</source>
-        <translation>&amp;Bloccano</translation>
+        <source>&amp;Stop</source>
+        <translation>&amp;Fermarsi</translation>
     </message>
     <message>
-        <source>&amp;Push</source>
-        <translation>Vengono &amp;spinti</translation>
+        <source>&amp;Push them along</source>
+        <translation>&amp;Spingerli</translation>
     </message>
     <message>
-        <source>&amp;Cross</source>
-        <translation>Vengono &amp;superati</translation>
+        <source>Move p&amp;ast them</source>
+        <translation>Su&amp;perarli</translation>
     </message>
     <message>
         <source>Mas&amp;k: show some values only</source>
@@ -3806,7 +3806,7 @@ deformazione %2</translation>
         <translation>Trans&amp;izione</translation>
     </message>
     <message>
-        <source>&amp;Centre in View</source>
+        <source>&amp;Move to Centre of View</source>
         <translation>Al &amp;centro della vista</translation>
     </message>
     <message>
@@ -3924,8 +3924,8 @@ deformazione %2</translation>
         <translation>Ferma la lettura, o chiude questa finestra</translation>
     </message>
     <message>
-        <source>Estimated from other datasets; it may be off by a factor of two. A model of less detail takes less.</source>
-        <translation>Stimato da altri insiemi di dati; può variare di un fattore due. Un modello con meno dettaglio richiede meno.</translation>
+        <source>An upper bound; a model with less detail takes less.</source>
+        <translation>Un limite superiore; un modello con meno dettaglio richiede meno.</translation>
     </message>
 </context>
 <context>
@@ -4301,8 +4301,8 @@ deformazione %2</translation>
         <translation>&amp;Scarta</translation>
     </message>
     <message>
-        <source>Discard this recovered session (the model file is kept)</source>
-        <translation>Scarta questa sessione recuperata (il file del modello resta)</translation>
+        <source>Discard the saved view (the model file is kept)</source>
+        <translation>Scarta la vista salvata (il file del modello resta)</translation>
     </message>
     <message>
         <source>Discard %1</source>
@@ -4561,8 +4561,8 @@ deformazione %2</translation>
 <context>
     <name>tetra::PictureDialog</name>
     <message>
-        <source>Store &amp;how the picture was made</source>
-        <translation>&amp;Conserva come è stata fatta</translation>
+        <source>Store &amp;how it was made in the file</source>
+        <translation>Indica nel &amp;file come è stata fatta</translation>
     </message>
     <message>
         <source>Save Picture</source>
@@ -4727,8 +4727,8 @@ deformazione %2</translation>
         <translation>File</translation>
     </message>
     <message>
-        <source>Changes take effect after a restart.</source>
-        <translation>Le modifiche hanno effetto dopo il riavvio.</translation>
+        <source>Changes take effect when TAn is restarted.</source>
+        <translation>Le modifiche hanno effetto al prossimo avvio di TAn.</translation>
     </message>
     <message>
         <source>Cop&amp;y</source>
@@ -4958,15 +4958,15 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Cut exactly</source>
-        <translation>Tagliati esattamente</translation>
+        <translation>Taglio esatto</translation>
     </message>
     <message>
-        <source>Whole cells touching</source>
-        <translation>Celle intere che toccano</translation>
+        <source>Keep tetrahedra that touch it</source>
+        <translation>Tetraedri che la toccano</translation>
     </message>
     <message>
-        <source>Whole cells inside</source>
-        <translation>Celle intere all&apos;interno</translation>
+        <source>Keep tetrahedra inside</source>
+        <translation>Solo tetraedri all&apos;interno</translation>
     </message>
     <message>
         <source>Tetrahedra at the border</source>
@@ -4993,7 +4993,7 @@ deformazione %2</translation>
         <translation>Valore massimo</translation>
     </message>
     <message>
-        <source>&amp;Limit to value range</source>
+        <source>&amp;Limit to a range of values</source>
         <translation>&amp;Limita a un intervallo di valori</translation>
     </message>
     <message>
@@ -5001,7 +5001,7 @@ deformazione %2</translation>
         <translation>&amp;Da</translation>
     </message>
     <message>
-        <source>&amp;Reset to whole domain</source>
+        <source>&amp;Reset to Whole Domain</source>
         <translation>&amp;Ripristina tutto il dominio</translation>
     </message>
     <message>
@@ -5448,12 +5448,12 @@ deformazione %2</translation>
         <translation>Distanza</translation>
     </message>
     <message>
-        <source>From the eye to the target, in the units of the data</source>
-        <translation>Dall&apos;occhio al bersaglio, nelle unità dei dati</translation>
+        <source>From the camera to the target, in data units</source>
+        <translation>Dalla camera al bersaglio, nelle unità dei dati</translation>
     </message>
     <message>
-        <source>Field of view</source>
-        <translation>Campo visivo</translation>
+        <source>View angle</source>
+        <translation>Angolo di vista</translation>
     </message>
     <message>
         <source>View angle along the shorter side of the picture, in degrees</source>

@@ -202,8 +202,8 @@ Syntax infoSyntax(PluginHost& host)
             "detail. The sizes are looked up, not counted, so this is quick for models of any size; of curvilinear "
             "grids the inverted tetrahedra are counted, some ten million a second. "
             "Of a dataset: its size, its type, its range of values, and what each builder would take for a model of "
-            "it.\n\nDatasets that can be read, also packed "
-            "by gzip (*.gz): " +
+            "it.\n\nDatasets that can be read, also compressed "
+            "with gzip (*.gz): " +
             readable + ".",
         .positionals = {{"FILE", "A model, or a dataset that one of the readers knows."}},
         .options = {levelsOption(), warpingOption(),

@@ -47,7 +47,7 @@ Status checkSigns(Positions positions, TetrahedronSpan tetrahedra)
             first = t;
     if (count == 0)
         return {};
-    return fault(count, "tetrahedron that is flat or turned over", "tetrahedra that are flat or turned over",
+    return fault(count, "tetrahedron that is flat or inverted", "tetrahedra that are flat or inverted",
                  centreOf(positions, tetrahedra[first]));
 }
 

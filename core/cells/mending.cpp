@@ -30,12 +30,14 @@ std::vector<std::string> mendingRemarks(const Mending& mending)
                 " a vertex, line or polygon without volume and not part of the mesh.");
     remarks.add(mending.blanked, "cell is", "cells are", " blanked out in the file: a hole.");
     remarks.add(mending.notFinite, "cell has", "cells have", " a value that is not finite and became a hole.");
-    remarks.add(mending.repeated, "cell names", "cells name", " a corner twice, has no volume and was left out.");
+    remarks.add(mending.repeated, "cell names a corner twice, has no volume and was",
+                "cells name a corner twice, have no volume and were", " left out.");
     remarks.add(mending.flat, "cell without volume was", "cells without volume were", " left out.");
     if (mending.turned > 0 && mending.turned == mending.cells)
         remarks.sentences.emplace_back("All cells had inverted orientation and were corrected.");
     else
-        remarks.add(mending.turned, "cell was", "cells were", " corrected: the orientation was inverted.");
+        remarks.add(mending.turned, "cell had inverted orientation and was", "cells had inverted orientation and were",
+                    " corrected.");
     remarks.add(mending.welded, "point", "points", " on the place of another one joined with it.");
     remarks.add(mending.conflicting, "place had", "places had", " different values and got their mean.");
     remarks.add(mending.middles, "node in the middle of an edge or face was",

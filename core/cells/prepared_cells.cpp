@@ -133,7 +133,7 @@ private:
                             "Cut them into tetrahedra first (in ParaView the filter Tetrahedralize).");
         if (places.any())
             return badCells(places.text("have a corner whose place is not finite") +
-                            "Mend the points or blank the cells.");
+                            "Correct the points, or blank the cells.");
         if (chosen_.empty())
             return badCells("No cell of the mesh has a volume and finite values: nothing is left.");
         return {};

@@ -30,7 +30,7 @@ constexpr std::array<SampleKind, 10> kinds = {{
     {"marschner-lobb", "the test signal of Marschner and Lobb: ripples that are hard to reproduce",
      SampleType::Float32},
     {"noise", "white noise, the worst case: no sample tells of its neighbour", SampleType::UInt8},
-    {"blunt-body", "flow in front of a half sphere: a curvilinear grid whose axis is collapsed", SampleType::Float32,
+    {"blunt-body", "flow in front of a hemisphere: a curvilinear grid whose axis is collapsed", SampleType::Float32,
      DomainClass::Curvilinear},
     {"o-grid", "flow around a cylinder: a curvilinear grid that closes on itself", SampleType::Float32,
      DomainClass::Curvilinear},

@@ -20,7 +20,7 @@ struct GridPoint {
 using GridFunction = std::function<GridPoint(const std::array<double, 3>& place)>;
 
 /// The grid called `name`, empty if there is none. The kinds of trouble that real grids have:
-/// - "blunt-body": the flow in front of a half sphere. i goes from the body outwards, j from the axis, where all points
+/// - "blunt-body": the flow in front of a hemisphere. i goes from the body outwards, j from the axis, where all points
 ///   of k coincide (a collapsed axis, S6), k half around it. The field is the density behind a bow shock.
 /// - "o-grid": potential flow around a cylinder. i goes around and the last plane is the first one, j outwards, getting
 ///   coarser, k along the cylinder; left-handed. The field is the pressure.

@@ -90,8 +90,11 @@ Result<Dataset> partOfIrregular(const Dataset& dataset, const Eigen::AlignedBox3
                                    chosen.numbers[all[i][3]]});
     result->tetrahedra = std::move(tetrahedra);
     if (removed > 0)
-        result->remarks.push_back(std::to_string(removed) + (removed == 1 ? " tetrahedron" : " tetrahedra") +
-                                  " inside the region, connected only by a vertex or an edge, left out.");
+        result->remarks.push_back(std::to_string(removed) +
+                                  (removed == 1
+                                       ? " tetrahedron inside the region was left out: it touches the others"
+                                       : " tetrahedra inside the region were left out: they touch the others") +
+                                  " only at a vertex or an edge.");
     return result;
 }
 

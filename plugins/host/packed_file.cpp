@@ -31,7 +31,7 @@ Error damagedGzip(const fs::path& path)
 {
     return cannotUnpack(
         path, ErrorKind::BadInput,
-        "it is compressed by gzip, and damaged or cut short. The copy may be incomplete: copy the file again.");
+        "it is compressed with gzip, and damaged or cut short. The copy may be incomplete: copy the file again.");
 }
 
 /// zlib's own reader of such files, which joins several that stand behind one another, and compares their checksums.
@@ -97,7 +97,8 @@ Error noRoom(const fs::path& path, const fs::path& folder, int systemError)
 {
     return cannotUnpack(
         path, isLackOfResources(systemError) ? ErrorKind::OutOfResource : ErrorKind::CannotWrite,
-        "it is packed by gzip, and cannot be unpacked into '" + folder.string() + "': " + systemErrorText(systemError) +
+        "it is compressed with gzip, and cannot be unpacked into '" + folder.string() +
+            "': " + systemErrorText(systemError) +
             ". Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).");
 }
 
@@ -192,7 +193,7 @@ Result<UnpackedFile> UnpackedFile::unpack(const fs::path& path, const Progress& 
         written += *count;
         if (written > room)
             return cannotUnpack(path, ErrorKind::OutOfResource,
-                                "it is packed by gzip, and unpacks to more than " + neededBytesText(room) +
+                                "it is compressed with gzip, and unpacks to more than " + neededBytesText(room) +
                                     ", half of the "
                                     "room in '" +
                                     temporary.string() +

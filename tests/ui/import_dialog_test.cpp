@@ -132,7 +132,7 @@ void ImportDialogTest::aWrongLayoutIsSeenAtOnce()
     const auto& read = window_->find<QPushButton>("import.read");
     size.setText("8x8x4");
     QVERIFY(check.text().startsWith("✗"));
-    QVERIFY(check.text().contains("256 bytes; the file has 512: 256 bytes unused"));
+    QVERIFY(check.text().contains("256 bytes; the file has 512 (256 too many)."));
     QVERIFY(!read.isEnabled());
     size.setText("8x8");
     QVERIFY(!read.isEnabled());

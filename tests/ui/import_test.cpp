@@ -68,8 +68,11 @@ private slots:
         QCOMPARE(checkRawSize(samples, 32768).text,
                  QString("32 × 32 × 32 × uint8 = 32,768 bytes: the file has exactly that."));
         QVERIFY(!checkRawSize(samples, 32767).fits);
-        QVERIFY(checkRawSize(samples, 32767).text.contains("1 bytes missing") ||
-                checkRawSize(samples, 32767).text.contains("1 bytes unused"));
+        QCOMPARE(checkRawSize(samples, 32767).text,
+                 QString("32 × 32 × 32 × uint8 = 32,768 bytes; the file has 32,767 (1 missing)."));
+        QVERIFY(!checkRawSize(samples, 32769).fits);
+        QCOMPARE(checkRawSize(samples, 32769).text,
+                 QString("32 × 32 × 32 × uint8 = 32,768 bytes; the file has 32,769 (1 too many)."));
         const StoredSamples behind{.size = {2, 2, 2}, .type = SampleType::Float32, .skippedBytes = 10};
         QVERIFY(checkRawSize(behind, 42).fits);
         const StoredSamples largest{.size = {1 << 20, 1 << 20, 1 << 20}, .type = SampleType::Float64};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/data/analytic_fields.h"
 #include "tests/ui/sample_files.h"
 #include "ui/session/accuracy_scale.h"
 #include "ui/session/mesh_text.h"
@@ -83,17 +84,17 @@ void QueryTest::everyEditIsOneStepAndUndoRestoresIt()
         QCOMPARE(session_->undoStack().undoText(), QString(name));
     };
     session_->setError(2);
-    edited("change of accuracy");
+    edited("Change Accuracy");
     session_->setBudget(5000);
-    edited("change of budget");
+    edited("Change Budget");
     session_->setFocus(sphereAt({3, 4, 5}));
-    edited("change of focus");
+    edited("Change Focus");
     session_->setWindow({true, {{{1, 2, 3}, {4, 5, 6}}, WindowBorder::Contained}});
-    edited("change of window");
+    edited("Change Window");
     session_->setValueFilter({true, 10, 20});
-    edited("change of values");
+    edited("Change Values");
     session_->setByBudget(false);
-    edited("change of accuracy");
+    edited("Change Accuracy");
     for (auto state = states.rbegin(); state != states.rend(); ++state) {
         QCOMPARE(query(), *state);
         session_->undoStack().undo();
@@ -267,6 +268,14 @@ void QueryTest::theMeshIsToldInWords()
     QCOMPARE(piecesText(mesh), QString("30 tetrahedra in 2300 pieces, as the window cuts them"));
     mesh.isBlended = true;
     QCOMPARE(meshText(mesh, *model_), QString("Shown: error 0.5 % in the focus, 4 % outside."));
+
+    const auto grid = makeSample({.name = "bent-duct", .size = 8, .type = std::nullopt, .seed = 1});
+    QVERIFY(grid);
+    const auto warped = Model::open(buildSampleModel(*host_, *grid, folder_.path().toStdString()));
+    QVERIFY(warped && (*warped)->description().warpingWeight > 0);
+    ShownMesh uniform;
+    uniform.query.error = 0.5;
+    QCOMPARE(meshText(uniform, **warped), QString("Shown: error 0.5 %, and the same warping."));
 }
 
 void QueryTest::aShownMeshBelongsToItsQuery()

@@ -117,8 +117,8 @@ void SentencesTest::whatIsMadeOfIt_data()
         << "'x.abc' has an unknown format. No reader is installed.\nNobody knows this."
         << "„x.abc“ hat ein unbekanntes Format. Es ist kein Leser installiert.\nNobody knows this.";
     QTest::newRow("a number at the beginning")
-        << "12924 cells were corrected: the orientation was inverted."
-        << "12924 Zellen wurden umgedreht: Die Ecken stehen in der anderen Reihenfolge.";
+        << "12924 cells had inverted orientation and were corrected."
+        << "12924 Zellen hatten die umgekehrte Orientierung und wurden korrigiert.";
     QTest::newRow("a text of a plugin")
         << "A tetrahedral mesh needs a cell: two points or more along each axis."
         << "Ein Tetraedernetz braucht eine Zelle: zwei Punkte oder mehr entlang jeder Achse.";

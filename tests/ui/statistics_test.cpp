@@ -2,6 +2,7 @@
 #include "core/graphics/volume/volume_mesh.h"
 #include "core/model/extraction.h"
 #include "core/transfer/default_transfer_functions.h"
+#include "plugins/widgets/number_text.h"
 #include "tests/ui/sample_window.h"
 #include "ui/session/accuracy_scale.h"
 #include "ui/session/model_statistics.h"
@@ -103,6 +104,7 @@ void StatisticsTest::allOfItIsCopied()
     QVERIFY2(text.contains('\t' + QLocale().toString(static_cast<qulonglong>(last.tetrahedra)) + '\t'),
              qPrintable(text));
     QVERIFY(text.contains("Triangles\t"));
+    QVERIFY2(text.contains("\nGuaranteed\terror " + percentText(session().view().error()) + '\n'), qPrintable(text));
     QVERIFY(text.contains("A frame\t"));
     QCOMPARE(text.count('\n', Qt::CaseSensitive) > 12, true);
 }

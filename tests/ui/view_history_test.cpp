@@ -178,7 +178,7 @@ void ViewHistoryTest::theBackgroundIsUndone()
     const Colour usual = viewport.background();
     viewport.setBackground(Colour{0, 0.5F, 0});
     QVERIFY(window_->find<QToolButton>("view.usualBackground").isEnabled());
-    QCOMPARE(stack().undoText(), QString("change of background"));
+    QCOMPARE(stack().undoText(), QString("Change Background"));
     window_->find<QToolButton>("view.usualBackground").click();
     QCOMPARE(stack().count(), 2);
     stack().undo();

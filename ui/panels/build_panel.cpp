@@ -152,7 +152,8 @@ QWidget* BuildPanel::makeBuildPage()
     inputs->addLayout(makeTargetRow());
     estimate_ = wrappedLabel("build.estimate");
     estimate_->setForegroundRole(QPalette::PlaceholderText);
-    estimate_->setToolTip(tr("Estimated from other datasets; it may be off by a factor of two"));
+    estimate_->setToolTip(
+        tr("Estimated from a few thousand of the dataset's samples; it may be off by a factor of two"));
     inputs->addWidget(estimate_);
 
     auto* page = new QWidget;
@@ -184,9 +185,10 @@ QWidget* BuildPanel::makeDetails()
         {"quick", tr("Qui&ck look, error 1 %"),
          tr("Keeps what is needed for an error of 1 % of the value range: enough for a first look")},
         {"good", tr("&Good, error 0.1 %"),
-         tr("Keeps what is needed for an error of 0.1 % of the value range: pictures look the same as with "
-            "everything")},
-        {"everything", tr("&Everything"), tr("Keeps every value of the dataset: any accuracy can be looked at later")},
+         tr("Keeps what is needed for an error of 0.1 % of the value range: pictures can hardly be told from "
+            "those of the full data")},
+        {"everything", tr("&Everything"),
+         tr("Keeps every value of the dataset, so that any accuracy can be shown later")},
     }};
     details_ = new QWidget;
     details_->setObjectName("build.detail");
@@ -195,7 +197,7 @@ QWidget* BuildPanel::makeDetails()
     auto* grid = new QGridLayout(details_);
     grid->setContentsMargins({});
     grid->setVerticalSpacing(2);
-    grid->addWidget(new QLabel(tr("Detail: size of the model, time to build it")), 0, 0, 1, 2);
+    grid->addWidget(new QLabel(tr("Detail (model size, build time)")), 0, 0, 1, 2);
     for (std::size_t index = 0; index < entries.size(); ++index) {
         const int row = static_cast<int>(index) + 1;
         auto* button = new QRadioButton(entries[index].text);

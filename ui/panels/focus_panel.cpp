@@ -169,7 +169,7 @@ void FocusPanel::connectInputs()
 
 QLayout* FocusPanel::makeButtons()
 {
-    auto* centre = new QPushButton(tr("&Centre in View"));
+    auto* centre = new QPushButton(tr("&Move to Centre of View"));
     centre->setObjectName("focus.toView");
     centre->setToolTip(tr("Move the focus to what the camera looks at (C)"));
     connect(centre, &QPushButton::clicked, this, &FocusPanel::centreWanted);

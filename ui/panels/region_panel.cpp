@@ -24,9 +24,9 @@ constexpr std::array borders{WindowBorder::Clipped, WindowBorder::Intersecting, 
 
 RegionPanel::RegionPanel(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), window_(new QCheckBox(tr("Only a &window"))), windowSettings_(new QWidget),
-      border_(new QComboBox), values_(new QCheckBox(tr("&Limit to value range"))), valueSettings_(new QWidget),
+      border_(new QComboBox), values_(new QCheckBox(tr("&Limit to a range of values"))), valueSettings_(new QWidget),
       least_(new ValueSlider("region.least", session)), largest_(new ValueSlider("region.largest", session)),
-      reset_(new QPushButton(tr("&Reset to whole domain")))
+      reset_(new QPushButton(tr("&Reset to Whole Domain")))
 {
     setObjectName("region");
     window_->setObjectName("region.window");
@@ -87,7 +87,7 @@ QLayout* RegionPanel::makeWindow()
     from_ = new VectorInput("region.from", tr("Fro&m"), toolTip, session_, *grid, 1, this);
     to_ = new VectorInput("region.to", tr("&To"), toolTip, session_, *grid, 2, this);
     border_->setObjectName("region.border");
-    border_->addItems({tr("Cut exactly"), tr("Whole cells touching"), tr("Whole cells inside")});
+    border_->addItems({tr("Cut exactly"), tr("Keep tetrahedra that touch it"), tr("Keep tetrahedra inside")});
     border_->setAccessibleName(tr("Tetrahedra at the border"));
     border_->setToolTip(
         tr("How the window ends: tetrahedra at its border are cut exactly there, or kept or left out as a whole"));

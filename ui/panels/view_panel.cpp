@@ -110,8 +110,8 @@ void ViewPanel::addNumbers(QGridLayout& grid)
         up_->addItem(upAxisText(static_cast<UpAxis>(axis)));
     up_->setAccessibleName(tr("Up axis"));
     up_->setToolTip(tr("Which axis of the data points up"));
-    setUp(*distance_, "distance", tr("Distance"), {}, tr("From the eye to the target, in the units of the data"));
-    setUp(*fieldOfView_, "fieldOfView", tr("Field of view"), degrees,
+    setUp(*distance_, "distance", tr("Distance"), {}, tr("From the camera to the target, in data units"));
+    setUp(*fieldOfView_, "fieldOfView", tr("View angle"), degrees,
           tr("View angle along the shorter side of the picture, in degrees"));
     fieldOfView_->setValueRange(1, 170);
     for (ValueBox* box : {azimuth_, elevation_, roll_, fieldOfView_})

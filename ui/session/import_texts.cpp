@@ -102,8 +102,8 @@ ImportCheck checkRawSize(const StoredSamples& samples, std::uint64_t fileBytes)
     const QString sum = samples.skippedBytes == 0 ? product : countText(samples.skippedBytes) + " + " + product;
     if (wanted == fileBytes)
         return {true, ImportTexts::tr("%1 = %2 bytes: the file has exactly that.").arg(sum, countText(wanted))};
-    const QString text = wanted > fileBytes ? ImportTexts::tr("%1 = %2 bytes; the file has %3: %4 bytes missing.")
-                                            : ImportTexts::tr("%1 = %2 bytes; the file has %3: %4 bytes unused.");
+    const QString text = wanted > fileBytes ? ImportTexts::tr("%1 = %2 bytes; the file has %3 (%4 missing).")
+                                            : ImportTexts::tr("%1 = %2 bytes; the file has %3 (%4 too many).");
     const std::uint64_t difference = std::max(wanted, fileBytes) - std::min(wanted, fileBytes);
     return {false, text.arg(sum, countText(wanted), countText(fileBytes), countText(difference))};
 }

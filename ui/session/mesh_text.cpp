@@ -64,7 +64,7 @@ QString meshText(const ShownMesh& mesh, const Model& model)
 {
     const QString errors = errorText(mesh);
     QStringList sentences{model.description().warpingWeight > 0
-                              ? MeshText::tr("Shown: error and warping both %1.").arg(errors)
+                              ? MeshText::tr("Shown: %1, and the same warping.").arg(errors)
                               : MeshText::tr("Shown: %1.").arg(errors)};
     sentences << limitText(mesh) << partText(mesh);
     sentences.removeAll(QString());

@@ -88,7 +88,7 @@ std::vector<StatisticsFact> sceneFacts(const BuiltScene& scene, double frameSeco
     std::vector<StatisticsFact> facts{
         {Statistics::tr("Shown"), Statistics::tr("%1 vertices, %2 tetrahedra")
                                       .arg(countText(scene.mesh.keptSites), countText(scene.mesh.keptTetrahedra))},
-        {Statistics::tr("Guaranteed error"), errorText(scene.mesh)}};
+        {Statistics::tr("Guaranteed"), errorText(scene.mesh)}};
     if (const QString pieces = piecesText(scene.mesh); !pieces.isEmpty())
         facts.push_back({Statistics::tr("Cut"), pieces});
     if (scene.triangles > 0)

@@ -180,15 +180,14 @@ std::vector<SampleCard> sampleCards()
         card("c60", SampleTexts::tr("Buckyball"),
              SampleTexts::tr(
                  "Electron density of a C60 molecule; regular grid, %1, computed by TAn. Look at the cage of "
-                 "atoms as an isosurface, and at how few tetrahedra an error of 1 % takes.")),
+                 "atoms as an isosurface, and at how few tetrahedra are enough for an error of 1 %.")),
         card("hydrogen", SampleTexts::tr("Hydrogen atom"),
              SampleTexts::tr(
                  "Probability density of the 3d electron; regular grid, %1, computed by TAn. Look at the two "
                  "lobes and the ring, as a volume or as isosurfaces.")),
-        card(
-            "blunt-body", SampleTexts::tr("Supersonic flow"),
-            SampleTexts::tr("Density in front of a half sphere; curvilinear grid, %1, computed by TAn. Look at the bow "
-                            "shock, and at the grid that follows the body.")),
+        card("blunt-body", SampleTexts::tr("Supersonic flow"),
+             SampleTexts::tr("Density in front of a hemisphere; curvilinear grid, %1, computed by TAn. Look at the bow "
+                             "shock, and at the grid that follows the body.")),
         card("o-grid", SampleTexts::tr("Flow around a cylinder"),
              SampleTexts::tr("Pressure of the flow; curvilinear grid that closes on itself, %1, computed by TAn. Look "
                              "at the front, where the flow is stopped, and at the sides, where it is fastest.")),
@@ -200,8 +199,8 @@ std::vector<SampleCard> sampleCards()
              SampleTexts::tr("Stress in a plate with five holes and a closed cavity; irregular mesh, computed by TAn. "
                              "Look at the boundary, which keeps its holes at every accuracy.")),
         card("scattered", SampleTexts::tr("Scattered points"),
-             SampleTexts::tr("Waves that grow finer outwards, known at random places in a ball; %1, computed by TAn. "
-                             "Look at a volume that comes without any grid.")),
+             SampleTexts::tr("Waves that grow finer outwards, sampled at random points in a ball; %1, computed by TAn. "
+                             "Look at the volume: it needs no grid.")),
         card("marschner-lobb", SampleTexts::tr("Ripples"),
              SampleTexts::tr(
                  "The test signal of Marschner and Lobb; regular grid, %1, computed by TAn. Look at the fine "
@@ -212,7 +211,7 @@ std::vector<SampleCard> sampleCards()
                  "the tetrahedra crowd at the wall.")),
         card("noise", SampleTexts::tr("White noise"),
              SampleTexts::tr("Random values, the worst case for any method; regular grid, %1, computed by TAn. Look at "
-                             "the statistics: even a large error takes nearly all points.")),
+                             "the statistics: even at a large error nearly all points are needed.")),
     };
 }
 

@@ -12,12 +12,12 @@ ChangeQuery::ChangeQuery(ViewState& state, const QueryState& after, Gesture gest
 QString ChangeQuery::nameOf(const QueryState& before, const QueryState& after)
 {
     if (before.focus != after.focus)
-        return tr("change of focus");
+        return tr("Change Focus");
     if (before.window != after.window)
-        return tr("change of window");
+        return tr("Change Window");
     if (before.values != after.values)
-        return tr("change of values");
-    return after.byBudget ? tr("change of budget") : tr("change of accuracy");
+        return tr("Change Values");
+    return after.byBudget ? tr("Change Budget") : tr("Change Accuracy");
 }
 
 bool ChangeQuery::mergeWith(const QUndoCommand* next)
@@ -66,10 +66,10 @@ ChangeLook::ChangeLook(ViewState& state, const Look& after, Gesture gesture)
 QString ChangeLook::nameOf(const Look& before, const Look& after)
 {
     if (before.mode != after.mode)
-        return tr("change of rendering mode");
+        return tr("Change Rendering Mode");
     if (before.transfer != after.transfer)
-        return tr("change of transfer function");
-    return tr("change of rendering");
+        return tr("Change Transfer Function");
+    return tr("Change Rendering");
 }
 
 bool ChangeLook::mergeWith(const QUndoCommand* next)
@@ -86,12 +86,12 @@ bool ChangeLook::mergeWith(const QUndoCommand* next)
 }
 
 ChangeAnnotations::ChangeAnnotations(ViewState& state, const AnnotationState& after)
-    : QUndoCommand(tr("change of annotations")), state_(state), before_(state.annotations()), after_(after)
+    : QUndoCommand(tr("Change Annotations")), state_(state), before_(state.annotations()), after_(after)
 {
 }
 
 ChangeAnimation::ChangeAnimation(ViewState& state, Animation after, Gesture gesture)
-    : QUndoCommand(tr("change of animation")), state_(state), before_(state.animation()), after_(std::move(after)),
+    : QUndoCommand(tr("Change Animation")), state_(state), before_(state.animation()), after_(std::move(after)),
       gesture_(gesture)
 {
 }
@@ -107,7 +107,7 @@ bool ChangeAnimation::mergeWith(const QUndoCommand* next)
 }
 
 ChangeIsovalue::ChangeIsovalue(ViewState& state, int index, const Isovalue& isovalue, Gesture gesture)
-    : QUndoCommand(tr("change of isovalue")), state_(state), index_(index),
+    : QUndoCommand(tr("Change Isovalue")), state_(state), index_(index),
       before_(state.isovalues()[static_cast<std::size_t>(index)]), after_(isovalue), gesture_(gesture)
 {
 }
@@ -123,7 +123,7 @@ bool ChangeIsovalue::mergeWith(const QUndoCommand* next)
 }
 
 AddIsovalue::AddIsovalue(ViewState& state, const Isovalue& isovalue)
-    : QUndoCommand(tr("new isovalue")), state_(state), index_(state.isovalueCount()), isovalue_(isovalue)
+    : QUndoCommand(tr("Add Isovalue")), state_(state), index_(state.isovalueCount()), isovalue_(isovalue)
 {
 }
 

@@ -13,8 +13,8 @@ class ChangeView : public QUndoCommand {
     Q_DECLARE_TR_FUNCTIONS(ChangeView)
 public:
     ChangeView(ViewHistory& history, const ViewChoice& before, const ViewChoice& after, Gesture gesture)
-        : QUndoCommand(before.camera == after.camera ? tr("change of background") : tr("Move Camera")),
-          history_(history), before_(before), after_(after), gesture_(gesture)
+        : QUndoCommand(before.camera == after.camera ? tr("Change Background") : tr("Move Camera")), history_(history),
+          before_(before), after_(after), gesture_(gesture)
     {
     }
     int id() const override { return static_cast<int>(CommandId::ChangeView); }

@@ -106,8 +106,7 @@ void ImportDialog::fillLayoutHelp()
 QLayout* ImportDialog::makeFoot()
 {
     estimate_->setForegroundRole(QPalette::PlaceholderText);
-    estimate_->setToolTip(
-        tr("Estimated from other datasets; it may be off by a factor of two. A model of less detail takes less."));
+    estimate_->setToolTip(tr("An upper bound; a model with less detail takes less."));
     bar_->setObjectName("import.progress");
     bar_->setAccessibleName(tr("Progress of reading"));
     bar_->setRange(0, importBarSteps);

@@ -57,7 +57,7 @@ QWidget* LostOffers::makeRow(const LostOffer& offer, int index)
     restore->setAccessibleDescription(offer.detail);
     auto* discard = new QPushButton(tr("&Discard"));
     discard->setObjectName("lost.discard");
-    discard->setToolTip(tr("Discard this recovered session (the model file is kept)"));
+    discard->setToolTip(tr("Discard the saved view (the model file is kept)"));
     discard->setAccessibleName(tr("Discard %1").arg(offer.model));
     discard->setAccessibleDescription(offer.detail);
     connect(restore, &QPushButton::clicked, this, [this, index] { emit restoreClicked(index); });

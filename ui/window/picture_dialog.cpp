@@ -24,7 +24,7 @@ constexpr const char* metadataKey = "picture/metadata";
 
 PictureDialog::PictureDialog(Workbench& workbench, Viewport& viewport, const KeepSession& session, QWidget* parent)
     : QDialog(parent), workbench_(workbench), viewport_(viewport), session_(session), form_(new PictureForm("picture")),
-      metadata_(new QCheckBox(tr("Store &how the picture was made")))
+      metadata_(new QCheckBox(tr("Store &how it was made in the file")))
 {
     setObjectName("pictureOptions");
     setWindowTitle(tr("Save Picture"));

@@ -79,7 +79,7 @@ PluginWindow::PluginWindow(const PluginHost& host, QWidget* parent)
     where->setWordWrap(true);
     where->setTextInteractionFlags(Qt::TextSelectableByMouse);
     atNextStart_->setObjectName("plugins.atNextStart");
-    atNextStart_->setText(tr("Changes take effect after a restart."));
+    atNextStart_->setText(tr("Changes take effect when TAn is restarted."));
     atNextStart_->setWordWrap(true);
     atNextStart_->hide();
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);

@@ -68,7 +68,7 @@ Acceptance RefinementBuilder::accepts(const Dataset& dataset) const
 std::vector<Parameter> RefinementBuilder::parameters() const
 {
     return {errorThresholdParameter(
-                "The error at which to stop; 0 keeps everything, so that any accuracy can be looked at later."),
+                "The error at which to stop; 0 keeps everything, so that any accuracy can be shown later."),
             warpingThresholdParameter({DomainClass::Curvilinear}), blockParameter(), selectionParameter(),
             weightsParameter()};
 }

@@ -159,7 +159,7 @@ void EditMenu::addGroups()
 
 void EditMenu::addRules()
 {
-    QMenu& menu = *addMenu(tr("Neighbouri&ng points"));
+    QMenu& menu = *addMenu(tr("When points meet neighbouri&ng points"));
     auto* group = new QActionGroup(&menu);
     const auto rule = [&](const char* name, const QString& text, NeighbourRule kind) {
         QAction* action = add(menu, name, text, [this, kind] { state_.setRule(kind); });
@@ -167,9 +167,9 @@ void EditMenu::addRules()
         action->setChecked(state_.rule() == kind);
         group->addAction(action);
     };
-    rule("rule.stop", tr("&Block"), NeighbourRule::Stop);
-    rule("rule.push", tr("&Push"), NeighbourRule::Push);
-    rule("rule.pass", tr("&Cross"), NeighbourRule::Pass);
+    rule("rule.stop", tr("&Stop"), NeighbourRule::Stop);
+    rule("rule.push", tr("&Push them along"), NeighbourRule::Push);
+    rule("rule.pass", tr("Move p&ast them"), NeighbourRule::Pass);
 }
 
 void EditMenu::addMaskAndIsovalues()

@@ -13,7 +13,7 @@ namespace {
 
 Error damaged(const std::string& what)
 {
-    return {ErrorKind::BadInput, "its compressed data are damaged (" + what + "). Get the file again."};
+    return {ErrorKind::BadInput, "its compressed data are damaged (" + what + "). Copy the file again."};
 }
 
 /// The unpacked bytes as a stream.

@@ -70,7 +70,7 @@ Result<Plot3dFile> openPlot3d(const std::filesystem::path& path, Plot3dKind kind
     Plot3dFile file{*mapped, kind, *layout};
     if (file.layout.recordMarks && !allMarksFit(file))
         return inPlot3dFile(
-            path, "the lengths of its Fortran records do not fit the sizes of its grids. Get the file again.");
+            path, "the lengths of its Fortran records do not fit the sizes of its grids. Copy the file again.");
     if (!endsInZeros(file))
         return inPlot3dFile(path, std::to_string(file.layout.padding) +
                                       " bytes too many stand behind its data. Check that it is a PLOT3D file.");

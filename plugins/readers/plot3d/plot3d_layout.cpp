@@ -176,7 +176,7 @@ Error explain(const std::vector<Candidate>& all, std::span<const std::byte> firs
                                " points, which takes " + std::to_string(nearest->bytes) + " bytes or more, and has " +
                                std::to_string(fileBytes);
     if (nearest->bytes > fileBytes)
-        return {ErrorKind::BadInput, wanted + ": it is cut short. Get the file again."};
+        return {ErrorKind::BadInput, wanted + ": it is cut short. Copy the file again."};
     return {ErrorKind::BadInput, wanted + ", which fits no kind of PLOT3D file."};
 }
 

@@ -59,7 +59,7 @@ private slots:
         positions.resize(5);
         positions.push_back({-1, -1, 0});
         positions.push_back({-1, -1, 1});
-        QTest::newRow("edge") << datasetOf(positions, {{0, 1, 2, 3}, {1, 2, 3, 4}, {0, 3, 5, 6}}) << "flat or turned";
+        QTest::newRow("edge") << datasetOf(positions, {{0, 1, 2, 3}, {1, 2, 3, 4}, {0, 3, 5, 6}}) << "flat or inverted";
         positions[6] = {-1, -2, 0};
         QTest::newRow("turned edge") << datasetOf(positions, {{0, 1, 2, 3}, {1, 2, 3, 4}, {0, 5, 6, 3}})
                                      << "1 edge in which parts";

@@ -237,7 +237,7 @@ private slots:
         QCOMPARE(remarksOf(*dataset), "All cells had inverted orientation and were corrected. ");
         std::rotate(complex.corners.begin(), complex.corners.begin() + 4, complex.corners.begin() + 8);
         dataset = datasetOf(complex, linearValues(complex));
-        QVERIFY(remarksOf(*dataset).startsWith("7 cells were corrected: the orientation was inverted."));
+        QVERIFY(remarksOf(*dataset).startsWith("7 cells had inverted orientation and were corrected."));
     }
 
     void cellsWithoutVolumeAreLeftOut()

@@ -32,7 +32,7 @@ inline Error cutShort(const std::string& what, std::uint64_t has, std::uint64_t 
 /// A header that cannot be right; `what` is a sentence.
 inline Error wrongHeader(const std::string& what)
 {
-    return {ErrorKind::BadInput, what + " The file is damaged: copy the file again, or export it again."};
+    return {ErrorKind::BadInput, what + " The file is damaged: copy or export it again."};
 }
 
 /// A product that stays the largest number where it would be larger than any file: what headers ask for may overflow.

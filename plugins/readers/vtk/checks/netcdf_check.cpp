@@ -211,12 +211,13 @@ private:
                 bytes = boundedSum(bytes, variable.bytes);
             const std::uint64_t end = boundedSum(bytes, variable.begin);
             if (end > bytes_.size())
-                return Error{ErrorKind::BadInput,
-                             "it has " + std::to_string(bytes_.size()) + " bytes, and its variable '" +
-                                 shownText(variable.name) + "' " +
-                                 (end == noNumber ? "is larger than any file."
-                                                  : "reaches to byte " + std::to_string(end) + ".") +
-                                 " It is cut short, or was not written to its end: copy or write it again."};
+                return Error{
+                    ErrorKind::BadInput,
+                    "it has " + std::to_string(bytes_.size()) + " bytes, and its variable '" +
+                        shownText(variable.name) + "' " +
+                        (end == noNumber ? "is larger than any file."
+                                         : "reaches to byte " + std::to_string(end) + ".") +
+                        " It is cut short, or was not written to its end: copy the file again, or export it again."};
             if (bytes > 0 && variable.begin < at_)
                 return wrongHeader("its variable '" + shownText(variable.name) + "' begins within the header.");
         }
