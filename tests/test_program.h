@@ -50,3 +50,12 @@ template <class Test, class Application> int runTestIn(int argc, char** argv)
 #else
 #define QTEST_MAIN(Test) QTEST_GUILESS_MAIN(Test)
 #endif
+
+/// Instrumented programs are slower: they wait ten times as long, and whether less would have been enough says nothing.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#undef QTRY_IMPL
+#define QTRY_IMPL(expr, timeout)                                                                                       \
+    {                                                                                                                  \
+        QTRY_LOOP_IMPL(expr, 10 * (timeout), 50)                                                                       \
+    }
+#endif

@@ -2329,6 +2329,10 @@
         <translation>Der Arbeitsspeicher reicht nicht, um dieses Netz zu vergröbern. Schließen Sie andere Programme, nehmen Sie einen Rechner mit mehr Speicher oder einen Teil der Daten.</translation>
     </message>
     <message>
+        <source>The finest error (%1 %) is larger than the error at which to stop (%2 %). Choose a smaller finest error, or 0 to keep everything.</source>
+        <translation>Der feinste Fehler (%1 %) ist größer als der Fehler, bei dem aufgehört wird (%2 %). Wählen Sie einen kleineren feinsten Fehler, oder 0, um alles zu behalten.</translation>
+    </message>
+    <message>
         <source>Decimation of %1 takes about %2 of memory, and this machine has %3. Take a region of it or fewer samples, or, of a lattice or grid, refine it instead.</source>
         <translation>Die Vergröberung von %1 braucht etwa %2 Arbeitsspeicher, und dieser Rechner hat %3. Nehmen Sie einen Bereich davon oder weniger Punkte, oder verfeinern Sie es stattdessen, wenn es ein Gitter ist.</translation>
     </message>

@@ -2329,6 +2329,10 @@
         <translation>La memoria non basta per decimare questa mesh. Chiudere altri programmi, usare un computer con più memoria, o prendere una parte dei dati.</translation>
     </message>
     <message>
+        <source>The finest error (%1 %) is larger than the error at which to stop (%2 %). Choose a smaller finest error, or 0 to keep everything.</source>
+        <translation>L&apos;errore minimo (%1 %) è maggiore dell&apos;errore a cui fermarsi (%2 %). Scegliere un errore minimo più piccolo, o 0 per tenere tutto.</translation>
+    </message>
+    <message>
         <source>Decimation of %1 takes about %2 of memory, and this machine has %3. Take a region of it or fewer samples, or, of a lattice or grid, refine it instead.</source>
         <translation>La decimazione di %1 richiede circa %2 di memoria, e questo computer ne ha %3. Prenderne una regione o meno campioni, oppure, se è un reticolo o una griglia, usare il raffinamento.</translation>
     </message>

@@ -25,11 +25,6 @@ std::uint64_t spreadPoint(std::uint64_t index, std::uint64_t count)
     return std::min(static_cast<std::uint64_t>(fraction * static_cast<double>(count)), count - 1);
 }
 
-double sampleValue(const ScalarField& values, std::uint64_t point)
-{
-    return visitSampleType(values.type(), [&]<class T>() { return static_cast<double>(values.as<T>()[point]); });
-}
-
 double valueExtent(const ScalarField& values)
 {
     const double extent = values.range().extent();
@@ -69,7 +64,7 @@ double fittedValue(const Dataset& dataset, std::uint64_t point, const NearestPoi
     for (int i = 0; i < fittedPoints; ++i) {
         const std::uint32_t other = nearest.points()[i];
         places.row(i) << ((*dataset.positions)[other] - centre).transpose(), 1;
-        values[i] = sampleValue(dataset.values, other);
+        values[i] = dataset.values.at(other);
     }
     return places.colPivHouseholderQr().solve(values)[3];
 }
@@ -94,8 +89,8 @@ SiteDensity::Deviations SiteDensity::onLattice(const Dataset& dataset, std::uint
             const std::uint64_t middle = point + inside * step - place[axis] * step;
             const std::uint64_t before = middle - distance * step;
             const std::uint64_t behind = middle + distance * step;
-            const double mean = (sampleValue(dataset.values, before) + sampleValue(dataset.values, behind)) / 2;
-            largest = std::max(largest, std::abs(sampleValue(dataset.values, middle) - mean) / extent);
+            const double mean = (dataset.values.at(before) + dataset.values.at(behind)) / 2;
+            largest = std::max(largest, std::abs(dataset.values.at(middle) - mean) / extent);
             if (dataset.positions) {
                 const auto& positions = *dataset.positions;
                 const double off = (positions[middle] - (positions[before] + positions[behind]) / 2).norm();
@@ -126,7 +121,7 @@ SiteDensity::Deviations SiteDensity::amongPoints(const Dataset& dataset, std::ui
     Deviations deviations;
     deviations.fill(std::numeric_limits<float>::infinity());
     const double extent = valueExtent(dataset.values);
-    const double value = sampleValue(dataset.values, point);
+    const double value = dataset.values.at(point);
     double largest = 0;
     for (int level = 0; level < levels && nearest[level].complete(); ++level) {
         largest = std::max(largest, std::abs(fittedValue(dataset, point, nearest[level]) - value) / extent);
@@ -135,24 +130,29 @@ SiteDensity::Deviations SiteDensity::amongPoints(const Dataset& dataset, std::ui
     return deviations;
 }
 
-SiteDensity SiteDensity::of(const Dataset& dataset)
+SiteDensity SiteDensity::of(const Dataset& dataset, const Progress& progress)
 {
     SiteDensity density;
     const std::uint64_t count = dataset.pointCount();
     if (count == 0)
         return density;
-    const bool isGrid = dataset.domain == DomainClass::RegularLattice || dataset.domain == DomainClass::Curvilinear;
+    const bool isGrid = isOnLattice(dataset.domain);
     constexpr std::uint64_t mostDistances = 100'000'000; // computed in a fraction of a second
     const std::uint64_t samples =
         std::min(count, isGrid ? latticeSampleCount : std::clamp<std::uint64_t>(mostDistances / count, 16, 512));
     const double diagonal = isGrid && dataset.positions ? dataset.bounds().diagonal().norm() : 1;
+    if (isGrid)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            density.longest_[axis] = std::max<double>(1, static_cast<double>(dataset.lattice.size[axis]) - 1);
     density.deviations_.resize(samples);
     tbb::parallel_for(std::uint64_t(0), samples, [&](std::uint64_t i) {
+        if (progress.cancelled())
+            return;
         const std::uint64_t point = spreadPoint(i, count);
         density.deviations_[i] =
             isGrid ? onLattice(dataset, point, diagonal > 0 ? diagonal : 1) : amongPoints(dataset, point);
     });
-    return density;
+    return progress.cancelled() ? SiteDensity() : density;
 }
 
 /// Edges of twice a distance are in order where the middle is off by no more than the error. The deviation grows with
@@ -168,7 +168,10 @@ double SiteDensity::share(double error) const
         double spacing = std::ldexp(1.0, level);
         if (level < levels && error > 0)
             spacing *= std::sqrt(std::max(1.0, 2 * std::sqrt(error / static_cast<double>(*first))));
-        sum += 1 / (spacing * spacing * spacing);
+        double cell = 1;
+        for (const double longest : longest_)
+            cell *= std::min(spacing, longest);
+        sum += 1 / cell;
     }
     return sum / static_cast<double>(deviations_.size());
 }

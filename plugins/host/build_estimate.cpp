@@ -3,13 +3,13 @@
 
 namespace tetra {
 
-BuildSize buildSizeOf(const Dataset& dataset)
+BuildSize buildSizeOf(const Dataset& dataset, const Progress& progress)
 {
     return {.domain = dataset.domain,
             .points = dataset.pointCount(),
             .tetrahedra = dataset.tetrahedra ? dataset.tetrahedra->size() : 0,
             .type = dataset.values.type(),
-            .density = SiteDensity::of(dataset)};
+            .density = SiteDensity::of(dataset, progress)};
 }
 
 std::optional<BuildEstimate> quickestEstimate(PluginHost& host, const BuildSize& size, unsigned threads)

@@ -9,8 +9,8 @@
 namespace tetra {
 
 /// The size of a dataset, with what a few thousand of its points tell of the sites that it needs (SiteDensity): some
-/// milliseconds, for data without a lattice up to a second. Call from a worker thread.
-BuildSize buildSizeOf(const Dataset& dataset);
+/// milliseconds, for many points without a lattice seconds. Call from a worker thread.
+BuildSize buildSizeOf(const Dataset& dataset, const Progress& progress = {});
 
 /// Of data that are not read yet, so that no builder can be chosen: what the quickest one takes by its defaults.
 /// Nothing if none knows.

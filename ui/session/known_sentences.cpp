@@ -163,6 +163,7 @@ constexpr std::array sentences{
     QT_TRANSLATE_NOOP("Sentence", "Not enough memory to refine this lattice. Close other programs, use a machine with more memory, or crop or subsample the data."),
     QT_TRANSLATE_NOOP("Sentence", "Not enough memory to refine this grid. Close other programs, use a machine with more memory, or crop or subsample the data."),
     QT_TRANSLATE_NOOP("Sentence", "Not enough memory to refine these points. Close other programs, use a machine with more memory, or take a part of the points."),
+    QT_TRANSLATE_NOOP("Sentence", "The finest error (%1 %) is larger than the error at which to stop (%2 %). Choose a smaller finest error, or 0 to keep everything."),
     QT_TRANSLATE_NOOP("Sentence", "Not enough memory to decimate this mesh. Close other programs, use a machine with more memory, or take a part of the data."),
     QT_TRANSLATE_NOOP("Sentence", "Decimation of %1 takes about %2 of memory, and this machine has %3. Take a region of it or fewer samples, or, of a lattice or grid, refine it instead."),
     QT_TRANSLATE_NOOP("Sentence", "%1 points and %2 tetrahedra"),

@@ -162,7 +162,7 @@ Workbench::ReadDataset Workbench::readDataset(const std::filesystem::path& path,
 {
     ReadDataset read{openDataset(host_, path, options, progress), {}, options};
     if (read.dataset)
-        read.size = buildSizeOf(*read.dataset);
+        read.size = buildSizeOf(*read.dataset, progress);
     return read;
 }
 

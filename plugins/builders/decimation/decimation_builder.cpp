@@ -3,6 +3,7 @@
 
 #include "core/base/byte_text.h"
 #include "core/base/memory.h"
+#include "core/base/number_text.h"
 #include "core/data/weighting.h"
 #include "core/mesh/decimation/decimation.h"
 #include "plugins/api/threshold_parameters.h"
@@ -10,7 +11,11 @@
 #include "plugins/builders/decimation/decimation_input.h"
 #include "plugins/builders/decimation/decimation_need.h"
 
+#include <algorithm>
+#include <array>
+#include <iterator>
 #include <string_view>
+#include <vector>
 
 namespace tetra {
 
@@ -50,10 +55,11 @@ DecimationOptions optionsFor(const Dataset& dataset, const BuildThresholds& thre
     return options;
 }
 
-/// Hands on a history, coarse first, as far as the first mesh whose key is no more than `finest`.
+/// Hands on a history, coarse first, as far as the first mesh whose key is no more than `finest`. If it `keeps` that
+/// mesh, it can be asked for.
 class HistoryBeginning final : public HistorySink {
 public:
-    HistoryBeginning(HistorySink& next, double finest) : next_(next), finest_(finest) {}
+    HistoryBeginning(HistorySink& next, double finest, bool keeps) : next_(next), finest_(finest), keeps_(keeps) {}
 
     Status begin(const HistoryTraits& traits) override { return next_.begin(traits); }
     Status add(const HistoryStep& step) override
@@ -66,16 +72,42 @@ public:
         }
         ++sites_;
         tetrahedra_ += step.star.size();
+        if (keeps_)
+            keep(step);
         return next_.add(step);
     }
     Status finish(float finalKey) override { return complete_ ? Status() : next_.finish(finalKey); }
 
     std::uint64_t sites() const noexcept { return sites_; }
     std::uint64_t tetrahedra() const noexcept { return tetrahedra_; }
+    /// The finest mesh, of the dataset's points.
+    std::vector<std::array<std::uint32_t, 4>> mesh() const
+    {
+        std::vector<std::array<std::uint32_t, 4>> living;
+        std::ranges::copy_if(kept_, std::back_inserter(living),
+                             [](const auto& corners) { return corners != destroyed; });
+        return living;
+    }
 
 private:
+    static constexpr std::array<std::uint32_t, 4> destroyed{};
+
+    void keep(const HistoryStep& step)
+    {
+        points_.push_back(static_cast<std::uint32_t>(step.point));
+        for (const std::uint32_t index : step.destroyed)
+            kept_[index] = destroyed;
+        for (const HistoryTetrahedron& tetrahedron : step.star) {
+            const auto& sites = tetrahedron.sites;
+            kept_.push_back({points_.back(), points_[sites[0]], points_[sites[1]], points_[sites[2]]});
+        }
+    }
+
     HistorySink& next_;
     double finest_;
+    bool keeps_;
+    std::vector<std::uint32_t> points_;              ///< of the sites
+    std::vector<std::array<std::uint32_t, 4>> kept_; ///< by history index
     bool complete_ = false;
     std::uint64_t sites_ = 0;
     std::uint64_t tetrahedra_ = 0;
@@ -103,6 +135,17 @@ Status checkInput(const Dataset& dataset)
     if (size.tetrahedra == 0)
         return Error{ErrorKind::BadInput, "A tetrahedral mesh needs a cell: two points or more along each axis."};
     return checkDecimationNeed(size, usableBytes());
+}
+
+/// A model from a finest mesh on that is coarser than its coarsest one would hold nothing.
+Status checkFinest(double finest, const BuildThresholds& thresholds)
+{
+    const double stop = thresholds.error;
+    if (!(stop > 0) || finest <= stop)
+        return {};
+    return Error{ErrorKind::WrongUsage, "The finest error (" + formatNumber(finest) +
+                                            " %) is larger than the error at which to stop (" + formatNumber(stop) +
+                                            " %). Choose a smaller finest error, or 0 to keep everything."};
 }
 
 } // namespace
@@ -150,24 +193,29 @@ Result<BuildReport> DecimationBuilder::build(const Dataset& dataset, const Param
     if (const Status possible = checkInput(dataset); !possible)
         return possible.error();
     const std::vector<Parameter> known = parameters();
+    const double finest = parameterValue<double>(known, values, "finest");
+    const BuildThresholds thresholds = buildThresholds(known, values);
+    if (const Status possible = checkFinest(finest, thresholds); !possible)
+        return possible.error();
     const auto weighting = parseWeighting(parameterValue<std::string>(known, values, "weights"));
     if (!weighting)
         return weighting.error();
     const auto input = DecimationInput::make(dataset, *weighting, progress.part(0, 0.02));
     if (!input)
         return input.error();
-    DecimationOptions options = optionsFor(dataset, buildThresholds(known, values));
+    DecimationOptions options = optionsFor(dataset, thresholds);
     options.order = orderOf(parameterValue<std::string>(known, values, "order"));
     const DecimationMesh mesh = input->mesh();
-    const double finest = parameterValue<double>(known, values, "finest");
+    const bool isGrid = dataset.domain == DomainClass::Curvilinear;
     const double finestKey = finest / 100 * thresholdKey({}, dataset).valueExtent;
-    HistoryBeginning history(target.history, finest > 0 ? finestKey : -1);
+    HistoryBeginning history(target.history, finest > 0 ? finestKey : -1, isGrid && finest > 0);
     const auto result = decimate(mesh, options, history, progress.part(0.02, 1));
     if (!result)
         return result.error();
     BuildReport report{history.sites(), history.tetrahedra(), 0, 0};
-    if (dataset.domain == DomainClass::Curvilinear) {
-        const LiftedSigns signs = liftedSigns(dataset, mesh.tetrahedra);
+    if (isGrid) {
+        const LiftedSigns signs =
+            finest > 0 ? liftedSigns(dataset, history.mesh()) : liftedSigns(dataset, mesh.tetrahedra);
         report.inverted = signs.inverted;
         report.degenerate = signs.degenerate;
     }

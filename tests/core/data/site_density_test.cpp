@@ -13,6 +13,8 @@ class SiteDensityTest : public QObject {
 private slots:
     void nothingKnownIsTheWorstCase();
     void linearFieldsNeedNearlyNothing();
+    void thinSlabsKeepTheirLayers();
+    void aCancelledLookKnowsNothing();
     void aLargerErrorNeedsLess_data();
     void aLargerErrorNeedsLess();
     void smallDataAreNoTrouble();
@@ -26,10 +28,10 @@ Dataset densitySampleOf(const char* name, std::uint32_t size)
 }
 
 /// x + 2 y - z on a lattice.
-Dataset linearDataset(std::uint32_t size)
+Dataset linearDataset(const std::array<std::uint32_t, 3>& size)
 {
     Dataset dataset;
-    dataset.lattice.size = {size, size, size};
+    dataset.lattice.size = size;
     const auto values = std::make_shared<std::vector<float>>();
     for (std::uint64_t point = 0; point < dataset.lattice.pointCount(); ++point) {
         const auto at = dataset.lattice.coordinates(point);
@@ -51,9 +53,25 @@ void SiteDensityTest::nothingKnownIsTheWorstCase()
 
 void SiteDensityTest::linearFieldsNeedNearlyNothing()
 {
-    const SiteDensity density = SiteDensity::of(linearDataset(40));
+    const SiteDensity density = SiteDensity::of(linearDataset({40, 40, 40}));
     QVERIFY(density.known());
     QVERIFY2(density.share(0) < 1e-4, qPrintable(QString::number(density.share(0))));
+}
+
+/// What is one cell thick cannot be thinned across.
+void SiteDensityTest::thinSlabsKeepTheirLayers()
+{
+    const double cube = SiteDensity::of(linearDataset({64, 64, 64})).share(0);
+    const double slab = SiteDensity::of(linearDataset({64, 64, 2})).share(0);
+    QVERIFY2(std::abs(slab / std::pow(cube, 2.0 / 3) - 1) < 0.01, qPrintable(QString("%1 %2").arg(cube).arg(slab)));
+}
+
+/// Nothing is claimed of what was not looked at.
+void SiteDensityTest::aCancelledLookKnowsNothing()
+{
+    std::stop_source stop;
+    stop.request_stop();
+    QVERIFY(!SiteDensity::of(densitySampleOf("scattered", 16), Progress(stop.get_token(), {})).known());
 }
 
 void SiteDensityTest::aLargerErrorNeedsLess_data()
@@ -87,7 +105,7 @@ void SiteDensityTest::aLargerErrorNeedsLess()
 void SiteDensityTest::smallDataAreNoTrouble()
 {
     for (const std::uint32_t size : {2u, 3u, 4u}) {
-        QVERIFY(SiteDensity::of(linearDataset(size)).share(0.01) <= 1);
+        QVERIFY(SiteDensity::of(linearDataset({size, size, size})).share(0.01) <= 1);
         QVERIFY(SiteDensity::of(densitySampleOf("scattered", size)).share(0.01) <= 1);
         QVERIFY(SiteDensity::of(densitySampleOf("blunt-body", size)).share(0.01) <= 1);
     }

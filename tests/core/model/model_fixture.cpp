@@ -220,10 +220,11 @@ void FileParts::repairHeader()
 void FileParts::setChunkBytes(std::uint64_t bytes)
 {
     const std::vector<std::uint64_t> sums = chunkSums(bytes);
-    format::Section& section = this->section(format::SectionId::ChunkSums); // the last one
-    section.bytes = sums.size() * sizeof sums[0];
-    content.resize(section.offset + section.bytes);
-    std::memcpy(content.data() + section.offset, sums.data(), section.bytes);
+    format::Section& last = section(format::SectionId::ChunkSums);
+    last.bytes = sums.size() * sizeof sums[0];
+    const std::uint64_t begin = last.offset, end = begin + last.bytes;
+    content.resize(end); // the table of sections is part of it, too
+    std::memcpy(content.data() + begin, sums.data(), end - begin);
     header().fileBytes = content.size();
     repairChecksums();
 }

@@ -176,10 +176,49 @@ private slots:
         QVERIFY(history.runningErrors[initial(history)] <= stop * percent * 1.000001);
     }
 
+    /// Meshes finer than that are left out, and no others.
+    void finestErrorLeavesOutWhatIsFiner_data()
+    {
+        QTest::addColumn<QString>("kind");
+        for (const QString kind : {"lattice", "grid", "irregular"})
+            QTest::addRow("%s", qPrintable(kind)) << kind;
+    }
+    void finestErrorLeavesOutWhatIsFiner()
+    {
+        QFETCH(QString, kind);
+        const Dataset dataset = dataOf(kind);
+        RecordedHistory whole, history;
+        QVERIFY(build(dataset, {}, whole).ok());
+        const auto report = build(dataset, {{"finest", 4.0}}, history);
+        QVERIFY(report.ok());
+        QCOMPARE(std::size_t(report->sites), history.points.size());
+        QVERIFY(history.points.size() < whole.points.size());
+        QVERIFY(std::equal(history.points.begin(), history.points.end(), whole.points.begin()));
+        const double key = dataset.values.range().extent() * 0.04;
+        QVERIFY(history.runningErrors.back() > key); // one mesh before
+        QCOMPARE(history.finalError, whole.runningErrors[history.points.size()]);
+        QVERIFY(history.finalError <= key);
+
+        RecordedHistory none;
+        const auto refused = build(dataset, {{"finest", 4.0}, {"error", 3.0}}, none);
+        QVERIFY(!refused.ok() && refused.error().kind == ErrorKind::WrongUsage);
+        QVERIFY2(refused.error().text.starts_with("The finest error (4 %) is larger than"),
+                 refused.error().text.c_str());
+        QVERIFY(build(dataset, {{"finest", 3.0}, {"error", 3.0}}, none).ok());
+    }
+
     /// S5, S6: a grid with a fold and a collapsed line is decimated in computational space; what is turned over is
-    /// said.
+    /// said of the finest mesh that the model holds.
+    void countsWhatIsTurnedOver_data()
+    {
+        QTest::addColumn<double>("finest");
+        QTest::addRow("whole") << 0.0;
+        QTest::addRow("next to the whole") << 1e-12;
+        QTest::addRow("cut") << 1.0;
+    }
     void countsWhatIsTurnedOver()
     {
+        QFETCH(double, finest);
         Dataset dataset = dataOf("grid");
         auto positions = std::make_shared<std::vector<Eigen::Vector3d>>();
         for (std::uint64_t point = 0; point < dataset.pointCount(); ++point) {
@@ -191,11 +230,20 @@ private slots:
         (*positions)[dataset.lattice.index(3, 3, 2)] += Eigen::Vector3d(0, 0, 1.5);
         dataset.positions = positions;
         RecordedHistory history;
-        const auto report = build(dataset, {}, history);
+        const auto report = build(dataset, {{"finest", finest}}, history);
         QVERIFY(report.ok());
         QVERIFY(report->inverted > 0);
         QVERIFY(report->degenerate > 0);
-        const auto tetrahedra = latticeTetrahedra(dataset.lattice.size, LatticeCut::Six);
+        auto tetrahedra = latticeTetrahedra(dataset.lattice.size, LatticeCut::Six);
+        if (finest > 0) {
+            tetrahedra.clear();
+            for (const RecordedHistory::Tetrahedron& tetrahedron : history.tetrahedra)
+                if (tetrahedron.destroyer == 0xffffffff) {
+                    auto& corners = tetrahedra.emplace_back();
+                    std::ranges::transform(tetrahedron.sites, corners.begin(),
+                                           [&](std::uint32_t site) { return std::uint32_t(history.points[site]); });
+                }
+        }
         LiftedSigns signs;
         for (const auto& t : tetrahedra) {
             const auto& at = *positions;
