@@ -3024,7 +3024,7 @@
         <translation>Dieses Modell wurde bis zu einem Fehler von %1 gebaut; Feineres enthält es nicht.</translation>
     </message>
     <message>
-        <source>of the value range (± %1)</source>
+        <source>of the range (± %1)</source>
         <translation>des Wertebereichs (± %1)</translation>
     </message>
     <message>

@@ -3024,7 +3024,7 @@
         <translation>Questo modello è stato costruito fino a un errore di %1; non ha nulla di più fine.</translation>
     </message>
     <message>
-        <source>of the value range (± %1)</source>
+        <source>of the range (± %1)</source>
         <translation>dell&apos;intervallo dei valori (± %1)</translation>
     </message>
     <message>
