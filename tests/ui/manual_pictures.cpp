@@ -67,11 +67,6 @@ public:
         fixture_.window.resizeDocks({&dock("accuracy"), &dock("transfer")}, {330, 430}, Qt::Vertical);
         settle();
     }
-    void nearer(double factor)
-    {
-        viewport().setCamera(zoomed(viewport().camera(), factor));
-        settle();
-    }
     void take(const char* name)
     {
         const QString path = places_.pictures.filePath(QString(name) + ".png");
@@ -91,7 +86,6 @@ void bluntFin(Sitting& sitting)
     sitting.openModel("bluntfin.tan");
     sitting.session().setIsovalue(0, {.value = 1.244, .red = 0.75F, .green = 0.75F, .blue = 0.78F});
     sitting.settle();
-    sitting.nearer(0.75);
     sitting.take("bluntfin");
 }
 
@@ -102,7 +96,6 @@ void transfer(Sitting& sitting)
     sitting.session().setIsovalue(0, {.value = 3.6, .red = 0.9F, .green = 0.3F, .blue = 0.1F, .opacity = 0.6F});
     sitting.dock("transfer");
     sitting.raiseBorder();
-    sitting.nearer(0.75);
     sitting.take("transfer");
 }
 
@@ -112,7 +105,6 @@ void volume(Sitting& sitting)
     sitting.trigger("mode.volume");
     sitting.dock("transfer");
     sitting.raiseBorder();
-    sitting.nearer(0.75);
     sitting.take("volume");
 }
 
@@ -123,7 +115,6 @@ void moving(Sitting& sitting)
     sitting.trigger("mode.volume");
     sitting.dock("transfer");
     sitting.raiseBorder();
-    sitting.nearer(0.75);
     const TransferFunction before = sitting.session().view().look().transfer;
     const std::size_t point = before.points.size() / 2;
     sitting.session().beginGesture();
@@ -149,7 +140,6 @@ void focus(Sitting& sitting)
     sitting.session().setBudget(300'000);
     sitting.dock("focus");
     sitting.settle();
-    sitting.nearer(0.75);
     sitting.take("focus");
 }
 
