@@ -99,6 +99,10 @@ MainWindow::~MainWindow()
     workbench_.host().whenRefused({});
     workbench_.setGate({});
     keptSession_->leave();
+    // A drag that is still under way ends with the panel it is in, when this is no window any more.
+    const Session& session = workbench_.session();
+    for (const QObject* source : std::initializer_list<const QObject*>{&workbench_, &session, &session.view()})
+        source->disconnect(this);
 }
 
 QWidget* MainWindow::makeCentre()
