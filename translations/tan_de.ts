@@ -3024,8 +3024,10 @@
         <translation>Dieses Modell wurde bis zu einem Fehler von %1 gebaut; Feineres enthält es nicht.</translation>
     </message>
     <message>
-        <source>of the range (± %1)</source>
-        <translation>des Wertebereichs (± %1)</translation>
+        <source>of the range
+± %1</source>
+        <translation>des Wertebereichs
+± %1</translation>
     </message>
     <message>
         <source>What the percentage means in units of the data. Of curvilinear data it holds for the error and for the warping: the distance of the mesh from the grid, in percent of the diagonal of the box around it.</source>

@@ -3024,8 +3024,10 @@
         <translation>Questo modello è stato costruito fino a un errore di %1; non ha nulla di più fine.</translation>
     </message>
     <message>
-        <source>of the range (± %1)</source>
-        <translation>dell&apos;intervallo dei valori (± %1)</translation>
+        <source>of the range
+± %1</source>
+        <translation>dell&apos;intervallo
+± %1</translation>
     </message>
     <message>
         <source>What the percentage means in units of the data. Of curvilinear data it holds for the error and for the warping: the distance of the mesh from the grid, in percent of the diagonal of the box around it.</source>

@@ -218,7 +218,7 @@ void AccuracyPanel::showError(double error)
         inUnits_->setText(
             tr("± %1 in value\nwarping %2").arg(byError, QLocale().toString(error / 100 * model->diagonal(), 'g', 3)));
     else
-        inUnits_->setText(tr("of the range (± %1)").arg(byError));
+        inUnits_->setText(tr("of the range\n± %1").arg(byError));
 }
 
 /// A uniform mesh is counted beforehand; of any other the numbers are those of the last picture until the next one
