@@ -15,10 +15,12 @@
 #include <QTest>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <map>
 #include <random>
 #include <thread>
+#include <vector>
 
 using namespace tetra;
 using format::SectionId;
@@ -75,6 +77,7 @@ private slots:
     void manyThreadsMayAskAtOnce();
     void verificationNamesTheChunks();
     void anOldFileIsReadInTheBackground();
+    void aQuickThreadDoesNotDecideWhatOpens();
     void filesOfTheVersionBefore_data();
     void filesOfTheVersionBefore();
 
@@ -362,6 +365,31 @@ void ChecksumsTest::anOldFileIsReadInTheBackground()
     QVERIFY2(sound.error().text.find("the checksum of section 'site values' is wrong") != std::string::npos,
              sound.error().text.c_str());
     QVERIFY(!extractPrefix(*damaged, damaged->siteCount()).ok());
+}
+
+/// An old file opens whether or not its thread has found the damage by then: there is a model that can be asked about
+/// it.
+void ChecksumsTest::aQuickThreadDoesNotDecideWhatOpens()
+{
+    const std::filesystem::path path = folder() / "tiny.tan";
+    writeModel(path, bumps(SampleType::UInt8, {2, 2, 2}));
+    FileParts parts(guardedBy(Guard::WholeSections, readBytes(path)));
+    parts.elements<std::byte>(SectionId::SiteValues)[3] ^= std::byte(64);
+    writeBytes(path, parts.content);
+    std::atomic<int> refused = 0;
+    std::atomic<int> believed = 0;
+    std::vector<std::jthread> threads; // so many that some are stopped while they open it
+    for (int i = 0; i < 16; ++i)
+        threads.emplace_back([&] {
+            for (int j = 0; j < 500; ++j)
+                if (const auto model = Model::open(path); !model)
+                    ++refused;
+                else if ((*model)->confirm())
+                    ++believed;
+        });
+    threads.clear();
+    QCOMPARE(refused.load(), 0);
+    QCOMPARE(believed.load(), 0);
 }
 
 void ChecksumsTest::filesOfTheVersionBefore_data()
