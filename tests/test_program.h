@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/waiting.h"
+
 #include <QTest>
 
 #if defined(QT_WIDGETS_LIB)
@@ -49,13 +51,4 @@ template <class Test, class Application> int runTestIn(int argc, char** argv)
 #define QTEST_MAIN(Test) TETRA_ADD_TEST(tetra::runTestIn<Test, QGuiApplication>)
 #else
 #define QTEST_MAIN(Test) QTEST_GUILESS_MAIN(Test)
-#endif
-
-/// Instrumented programs are slower: they wait ten times as long, and whether less would have been enough says nothing.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#undef QTRY_IMPL
-#define QTRY_IMPL(expr, timeout)                                                                                       \
-    {                                                                                                                  \
-        QTRY_LOOP_IMPL(expr, 10 * (timeout), 50)                                                                       \
-    }
 #endif

@@ -77,7 +77,7 @@ void DamagedModelWindowTest::nothingIsSavedOfAnOldFile()
     QSignalSpy saveFailed(&workbench, &Workbench::saveFailed);
     const auto isRefused = [&](const char* name, const std::function<void(const std::filesystem::path&)>& save) {
         save(path(name));
-        return QTest::qWaitFor([&] { return !saveFailed.isEmpty(); }) &&
+        return waitFor([&] { return !saveFailed.isEmpty(); }) &&
                saveFailed.takeFirst().first().toString() == damageMessage("own errors") &&
                !std::filesystem::exists(path(name));
     };
@@ -118,3 +118,4 @@ void DamagedModelWindowTest::anotherModelIsNotBlamed()
 
 QTEST_MAIN(DamagedModelWindowTest)
 #include "damaged_model_test.moc"
+#include "tests/waiting.h"

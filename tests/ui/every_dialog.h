@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/ui/window_fixture.h"
+#include "tests/waiting.h"
 #include "ui/window/leaving.h"
 
 #include <QAbstractButton>
@@ -32,7 +33,7 @@ inline std::vector<OpenableDialog> everyDialog(const QString& volume, const QStr
                 const auto* dialog = window.window.findChild<QWidget*>("importDialog");
                 return dialog != nullptr && dialog->isVisible();
             };
-            if (!QTest::qWaitFor(isOpen))
+            if (!waitFor(isOpen))
                 qFatal("%s is not asked about", qPrintable(path));
         };
     };

@@ -23,7 +23,7 @@ QImage GlViewportTest::pictureOf(BackendChoice backend, const QString& backendNa
         qFatal("the window does not appear");
     window.window.open(QString::fromStdString(model));
     const auto settled = [&] { return window.workbench.session().model() && window.settled(); };
-    if (!QTest::qWaitFor(settled, 60000))
+    if (!waitFor(settled, 60000))
         qFatal("the picture does not come");
     if (window.viewport().backendName() != backendName)
         qFatal("drawn with %s", qPrintable(window.viewport().backendName()));
@@ -56,3 +56,4 @@ void GlViewportTest::showsThePictureOfTheCpu()
 
 QTEST_MAIN(GlViewportTest)
 #include "gl_viewport_test.moc"
+#include "tests/waiting.h"

@@ -3,6 +3,7 @@
 /// itself (those of the sample are among ./dev screenshots). MODELS has bluntfin.tan and engine.tan. Each picture is of
 /// a window of its own; one that cannot be taken is named, and the exit code is 1.
 #include "tests/ui/window_fixture.h"
+#include "tests/waiting.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/legible_style.h"
 #include "ui/window/docks.h"
@@ -49,8 +50,7 @@ public:
     }
     void settle()
     {
-        if (!QTest::qWaitFor([this] { return session().model() && session().showsQuery() && fixture_.settled(); },
-                             patience))
+        if (!waitFor([this] { return session().model() && session().showsQuery() && fixture_.settled(); }, patience))
             failures_ += "it was not drawn in time";
         QTest::qWait(200); // panels that follow a little later: histograms, curves
     }

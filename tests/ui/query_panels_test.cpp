@@ -316,7 +316,7 @@ void QueryPanelsTest::theSurfacesAreSaved()
     const auto groups = [&](const char* name) {
         const QString path = window_->folder.filePath(name);
         window_->workbench.saveSurfaces(path.toStdString());
-        if (!QTest::qWaitFor([&] { return saved.count() == 1; }))
+        if (!waitFor([&] { return saved.count() == 1; }))
             return qsizetype(-1);
         saved.clear();
         QFile file(path);
@@ -400,3 +400,4 @@ void QueryPanelsTest::savingIsCancelledAndLeavesNoFile()
 
 QTEST_MAIN(QueryPanelsTest)
 #include "query_panels_test.moc"
+#include "tests/waiting.h"

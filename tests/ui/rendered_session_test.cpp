@@ -83,7 +83,7 @@ QImage RenderedSessionTest::savedPicture(const PictureSettings& settings) const
     PictureOrder order = pictureOrder(window_->workbench, window_->viewport(), settings);
     order.target = path("window.png").toStdString();
     window_->workbench.savePicture(order);
-    return QTest::qWaitFor([&] { return saved.count() == 1; }) ? QImage(path("window.png")) : QImage();
+    return waitFor([&] { return saved.count() == 1; }) ? QImage(path("window.png")) : QImage();
 }
 
 void RenderedSessionTest::asTheWindowDrawsIt_data()
@@ -218,3 +218,4 @@ void RenderedSessionTest::whatDoesNotGoTogether()
 
 QTEST_MAIN(RenderedSessionTest)
 #include "rendered_session_test.moc"
+#include "tests/waiting.h"

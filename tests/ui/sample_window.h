@@ -3,6 +3,7 @@
 
 #include "tests/ui/sample_files.h"
 #include "tests/ui/window_fixture.h"
+#include "tests/waiting.h"
 
 #include <QSettings>
 #include <QTest>
@@ -18,7 +19,7 @@ inline std::unique_ptr<WindowFixture> windowOnSample()
     fixture->window.show();
     const auto path = buildSampleModel(*fixture->host, sampleDataset(16), fixture->folderPath());
     fixture->window.open(QString::fromStdString(path));
-    if (!QTest::qWaitFor([&] { return fixture->workbench.session().model() && fixture->settled(); }))
+    if (!waitFor([&] { return fixture->workbench.session().model() && fixture->settled(); }))
         qFatal("the sample did not open");
     return fixture;
 }

@@ -100,7 +100,7 @@ void StatisticsTest::allOfItIsCopied()
     window_->find<QPushButton>("statistics.copy").click();
     const QString text = QGuiApplication::clipboard()->text();
     QVERIFY(text.contains("c60.tan"));
-    const auto& last = levelStatistics(*session().model(), std::nullopt).back();
+    const LevelStatistics last = levelStatistics(*session().model(), std::nullopt).back();
     QVERIFY2(text.contains('\t' + QLocale().toString(static_cast<qulonglong>(last.tetrahedra)) + '\t'),
              qPrintable(text));
     QVERIFY(text.contains("Triangles\t"));

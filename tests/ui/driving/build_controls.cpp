@@ -3,6 +3,7 @@
 #include "core/data/analytic_fields.h"
 #include "plugins/host/dataset_saving.h"
 #include "tests/ui/driving/driver.h"
+#include "tests/waiting.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -52,7 +53,7 @@ Driver::Step withGrid(const QString& builder)
         if (!grid || !saveDataset(*window.host, *grid, path))
             qFatal("the grid could not be made");
         window.workbench.importDataset(path, {}); // as if what the window asks were answered
-        if (!QTest::qWaitFor([&] { return window.workbench.dataset()->source.path == path; }, 30'000))
+        if (!waitFor([&] { return window.workbench.dataset()->source.path == path; }, 30'000))
             qFatal("the grid did not open");
         chooseBuilder(window, builder);
     };
@@ -119,10 +120,10 @@ void beginBuilding(DrivenWindow& window)
     window.workbench.closeModel();
     const auto path = writeNrrd(sampleDataset(largeSide), window.folderPath());
     window.window.open(QString::fromStdString(path));
-    const bool ready = QTest::qWaitFor([&] { return window.workbench.dataset()->source.path == path; }, 30'000);
+    const bool ready = waitFor([&] { return window.workbench.dataset()->source.path == path; }, 30'000);
     chooseBuilder(window, "refinement");
     window.press("build.start", Qt::Key_Space);
-    if (!ready || !QTest::qWaitFor([&] { return window.session().model() != nullptr; }, 60'000))
+    if (!ready || !waitFor([&] { return window.session().model() != nullptr; }, 60'000))
         qFatal("the build did not begin");
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/driving/driven_window.h"
+#include "tests/waiting.h"
 
 #include "ui/session/target_path.h"
 
@@ -16,9 +17,9 @@ namespace {
 
 constexpr int patience = 60'000; // milliseconds
 
-template <class Condition> void waitFor(const Condition& done, const char* what)
+template <class Condition> void waitUntil(const Condition& done, const char* what)
 {
-    if (!QTest::qWaitFor(done, patience))
+    if (!waitFor(done, patience))
         qFatal("waited in vain until %s", what);
 }
 
@@ -45,16 +46,16 @@ void DrivenWindow::startAnew()
 {
     closeDialogs();
     workbench.stopBuild(false);
-    waitFor([this] { return !workbench.building().running(); }, "no build runs");
+    waitUntil([this] { return !workbench.building().running(); }, "no build runs");
     find<MessageBar>("messages").clear();
     workbench.closeModel();
     workbench.views().forget(filePath(model_)); // as at first
     window.open(model_);
-    waitFor([this] { return session().model() && settled(); }, "the model is open");
+    waitUntil([this] { return session().model() && settled(); }, "the model is open");
     if (!workbench.dataset() || workbench.dataset()->source.path != volume_.toStdString()) {
         window.open(volume_);
-        waitFor([this] { return workbench.dataset() && workbench.dataset()->source.path == volume_.toStdString(); },
-                "the dataset is open");
+        waitUntil([this] { return workbench.dataset() && workbench.dataset()->source.path == volume_.toStdString(); },
+                  "the dataset is open");
     }
     while (session().view().isovalueCount() > 1)
         session().removeIsovalue(1);
@@ -106,7 +107,7 @@ void DrivenWindow::addTransferPoint() const
 
 void DrivenWindow::waitForPicture() const
 {
-    waitFor([this] { return settled(); }, "the picture comes");
+    waitUntil([this] { return settled(); }, "the picture comes");
 }
 
 bool DrivenWindow::isOpen(const QString& widget) const

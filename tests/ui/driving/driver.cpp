@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/driving/driver.h"
+#include "tests/waiting.h"
 
 #include <QAbstractButton>
 #include <QAbstractSlider>
@@ -68,7 +69,7 @@ QString drive(DrivenWindow& window, const Driver& driver, const std::function<vo
     if (driver.done(window))
         return "its effect is there before it is used";
     use();
-    if (!QTest::qWaitFor([&] { return driver.done(window); }, longestWait))
+    if (!waitFor([&] { return driver.done(window); }, longestWait))
         return "it has no effect";
     if (!driver.isEdit)
         return {};

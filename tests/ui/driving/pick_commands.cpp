@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the actions are driven that are about the value picked in the picture.
 #include "tests/ui/driving/driver.h"
+#include "tests/waiting.h"
 #include "ui/viewport/value_pick.h"
 
 namespace tetra {
@@ -22,7 +23,7 @@ void pickInTheMiddle(DrivenWindow& window)
 {
     showVolume(window);
     window.trigger("action.pickValue");
-    if (!QTest::qWaitFor([&] { return isPicked(window); }))
+    if (!waitFor([&] { return isPicked(window); }))
         qFatal("nothing is seen in the middle of the picture");
 }
 

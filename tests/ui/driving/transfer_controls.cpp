@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the controls of the dock Transfer are driven.
 #include "tests/ui/driving/driver.h"
+#include "tests/waiting.h"
 
 #include <QComboBox>
 #include <QInputDialog>
@@ -74,7 +75,7 @@ void keepPreset(DrivenWindow& window)
     dialog.accept();
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     openPresets(window);
-    if (!QTest::qWaitFor([&window] { return !hasNoOwnPreset(window); }))
+    if (!waitFor([&window] { return !hasNoOwnPreset(window); }))
         qFatal("the preset is not kept");
     window.find<QListWidget>("transfer.presetPopup.list").setCurrentRow(0);
 }

@@ -21,7 +21,7 @@ public:
     /// The one of this program, started when it is first asked for and ended with the application.
     static VtkProcess& running()
     {
-        auto* process = dynamic_cast<VtkProcess*>(qApp->findChild<QProcess*>("vtkProcess"));
+        auto* process = dynamic_cast<VtkProcess*>(QCoreApplication::instance()->findChild<QProcess*>("vtkProcess"));
         if (process && process->state() == QProcess::Running)
             return *process;
         delete process;
