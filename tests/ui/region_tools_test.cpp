@@ -51,6 +51,7 @@ void RegionToolsTest::init()
 {
     QSettings().clear();
     window_ = std::make_unique<WindowFixture>();
+    window_->window.resize(1280, 900); // room for drags
     window_->window.show();
     const auto path = buildSampleModel(*window_->host, sampleDataset(24), window_->folderPath());
     window_->window.open(QString::fromStdString(path));
