@@ -58,6 +58,8 @@ GlCanvas::GlCanvas(GlLevel level, QWidget* parent) : QOpenGLWidget(parent), leve
 GlCanvas::~GlCanvas()
 {
     release();
+    if (context() != nullptr) // QOpenGLWidget destroys it when this is no GlCanvas any more
+        disconnect(context(), nullptr, this, nullptr);
 }
 
 void GlCanvas::release()

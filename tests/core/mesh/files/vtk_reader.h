@@ -44,7 +44,7 @@ public:
     }
 
 private:
-    VtkProcess() : QProcess(qApp)
+    VtkProcess() : QProcess(QCoreApplication::instance())
     {
         setObjectName("vtkProcess");
         // The interpreter that Debian's packages belong to, whatever stands before it in the path.
