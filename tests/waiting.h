@@ -3,8 +3,10 @@
 
 #include <QTest>
 
-/// Tests wait until something holds, and not for ever: ten times as long as Qt would, because other programs and
-/// sanitizers slow them down, and whether less would have been enough says nothing.
+#include <algorithm>
+
+/// Tests wait until something holds, and not for ever: at least a minute, because other programs slow them down, and
+/// under a sanitizer ten times as long. Whether less would have been enough says nothing.
 namespace tetra {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -13,16 +15,22 @@ constexpr bool isInstrumented = true;
 constexpr bool isInstrumented = false;
 #endif
 
+/// Milliseconds to wait where these are enough on a quiet machine.
+constexpr int patiently(int milliseconds)
+{
+    return isInstrumented ? 10 * milliseconds : std::max(milliseconds, 60'000);
+}
+
 #undef QTRY_IMPL
 #define QTRY_IMPL(expr, timeout)                                                                                       \
     {                                                                                                                  \
-        QTRY_LOOP_IMPL(expr, 10 * (timeout), (timeout) < 350 ? (timeout) / 7 + 1 : 50)                                 \
+        QTRY_LOOP_IMPL(expr, tetra::patiently(timeout), (timeout) < 350 ? (timeout) / 7 + 1 : 50)                      \
     }
 
 /// False if it does not hold in time. Handles events meanwhile.
 template <class Predicate> bool waitFor(Predicate holds, int milliseconds = 5000)
 {
-    return QTest::qWaitFor(holds, 10 * milliseconds);
+    return QTest::qWaitFor(holds, patiently(milliseconds));
 }
 
 } // namespace tetra

@@ -130,7 +130,7 @@ Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& pa
         return checks.error();
     std::shared_ptr<const Model> model =
         std::make_shared<const MappedModel>(file.value(), *layout, std::move(description), *std::move(checks));
-    if (const Status unchanged = model->checkUnchanged(); !unchanged) // damage is for those who ask: see checkIntact()
+    if (const Status unchanged = model->checkUnchanged(); !unchanged) // of damage checkIntact() tells
         return unchanged.error();
     return model;
 }

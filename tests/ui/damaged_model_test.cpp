@@ -4,6 +4,7 @@
 #include "core/model/extraction.h"
 #include "tests/core/model/model_fixture.h"
 #include "tests/ui/sample_window.h"
+#include "tests/waiting.h"
 
 #include <QSignalSpy>
 
@@ -118,4 +119,3 @@ void DamagedModelWindowTest::anotherModelIsNotBlamed()
 
 QTEST_MAIN(DamagedModelWindowTest)
 #include "damaged_model_test.moc"
-#include "tests/waiting.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/pictures.h"
 #include "tests/ui/window_fixture.h"
+#include "tests/waiting.h"
 
 using namespace tetra;
 
@@ -56,4 +57,3 @@ void GlViewportTest::showsThePictureOfTheCpu()
 
 QTEST_MAIN(GlViewportTest)
 #include "gl_viewport_test.moc"
-#include "tests/waiting.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
+#include "tests/waiting.h"
 
 #include "ui/session/recent_files.h"
 #include "ui/session/target_path.h"
@@ -499,4 +500,3 @@ void LeavingTest::savesDoNotStopEachOther()
 
 QTEST_MAIN(LeavingTest)
 #include "leaving_test.moc"
-#include "tests/waiting.h"

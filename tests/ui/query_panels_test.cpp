@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
+#include "tests/waiting.h"
 #include "ui/session/accuracy_scale.h"
 
 #include <QCheckBox>
@@ -400,4 +401,3 @@ void QueryPanelsTest::savingIsCancelledAndLeavesNoFile()
 
 QTEST_MAIN(QueryPanelsTest)
 #include "query_panels_test.moc"
-#include "tests/waiting.h"

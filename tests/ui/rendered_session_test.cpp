@@ -3,6 +3,7 @@
 #include "core/graphics/palette.h"
 #include "tests/app/program.h"
 #include "tests/ui/sample_window.h"
+#include "tests/waiting.h"
 #include "ui/window/picture_orders.h"
 
 #include <QFileDialog>
@@ -218,4 +219,3 @@ void RenderedSessionTest::whatDoesNotGoTogether()
 
 QTEST_MAIN(RenderedSessionTest)
 #include "rendered_session_test.moc"
-#include "tests/waiting.h"

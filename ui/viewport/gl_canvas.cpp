@@ -58,7 +58,7 @@ GlCanvas::GlCanvas(GlLevel level, QWidget* parent) : QOpenGLWidget(parent), leve
 GlCanvas::~GlCanvas()
 {
     release();
-    if (context() != nullptr) // QOpenGLWidget destroys it when this is no GlCanvas any more
+    if (context() != nullptr) // QOpenGLWidget destroys it when this is no longer a GlCanvas
         disconnect(context(), nullptr, this, nullptr);
 }
 

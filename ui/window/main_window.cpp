@@ -99,7 +99,7 @@ MainWindow::~MainWindow()
     workbench_.host().whenRefused({});
     workbench_.setGate({});
     keptSession_->leave();
-    // A drag that is still under way ends with the panel it is in, when this is no window any more.
+    // A drag that is still under way ends when its panel is destroyed, and then this is no longer a MainWindow.
     const Session& session = workbench_.session();
     for (const QObject* source : std::initializer_list<const QObject*>{&workbench_, &session, &session.view()})
         source->disconnect(this);

@@ -69,7 +69,8 @@ void TransferCanvas::pressPoint(std::size_t point, QPointF place, Qt::KeyboardMo
         return was ? state_.select(toggled(state_.selection(), point)) : state_.addToSelection(point);
     }
     if (modifiers.testFlag(Qt::ShiftModifier)) {
-        const auto [from, to] = std::minmax({state_.currentPoint().value_or(point), point}); // by value
+        const auto [from, to] =
+            std::minmax({state_.currentPoint().value_or(point), point}); // a list: values, not references
         TransferSelection selection = state_.selection();
         for (std::size_t between = from; between <= to; ++between)
             selection.push_back(between);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/driving/driven_window.h"
-#include "tests/waiting.h"
 
+#include "tests/waiting.h"
 #include "ui/session/target_path.h"
 
 #include <QApplication>

@@ -378,7 +378,7 @@ void ChecksumsTest::aQuickThreadDoesNotDecideWhatOpens()
     writeBytes(path, parts.content);
     std::atomic<int> refused = 0;
     std::atomic<int> believed = 0;
-    std::vector<std::jthread> threads; // so many that some are stopped while they open it
+    std::vector<std::jthread> threads; // more than processors: some are interrupted while opening
     for (int i = 0; i < 16; ++i)
         threads.emplace_back([&] {
             for (int j = 0; j < 500; ++j)
