@@ -7,18 +7,16 @@
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QFutureWatcher>
 #include <QInputDialog>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QPromise>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollBar>
-#include <QThreadPool>
 
 #include <algorithm>
+#include <system_error>
 
 namespace tetra {
 namespace {
@@ -26,11 +24,6 @@ namespace {
 constexpr QSize previewSize(72, 18);
 constexpr QSize popupSize(340, 360);
 constexpr int widestList = 600; ///< names of the user's own may be long
-
-struct OwnPresets {
-    Status changed;
-    std::vector<Preset> presets;
-};
 
 } // namespace
 
@@ -78,31 +71,34 @@ PresetPopup::PresetPopup(EditorState& state, QWidget* parent)
     connect(delete_, &QPushButton::clicked, this, &PresetPopup::remove);
     addActions();
     fill();
-    files_.setMaxThreadCount(1);
     readOwn([] { return Status(); });
 }
 
 void PresetPopup::readOwn(const std::function<Status()>& change)
 {
-    const auto promise = std::make_shared<QPromise<OwnPresets>>();
-    auto* watcher = new QFutureWatcher<OwnPresets>(this);
-    connect(watcher, &QFutureWatcher<OwnPresets>::finished, this, [this, watcher, number = ++newest_] {
-        watcher->deleteLater();
-        const OwnPresets read = watcher->result();
-        if (!read.changed)
-            state_.host().tell(QString::fromStdString(read.changed.error().text));
-        if (number != newest_)
-            return;
-        own_ = read.presets;
-        fill();
-    });
-    watcher->setFuture(promise->future());
-    files_.start([promise, change] {
-        promise->start();
-        Status changed = change();
-        promise->addResult(OwnPresets{std::move(changed), ownPresets()});
-        promise->finish();
-    });
+    const auto read = [this, change, number = ++newest_] {
+        const Status changed = change();
+        QMetaObject::invokeMethod(
+            this,
+            [this, changed, presets = ownPresets(), number] {
+                if (!changed)
+                    state_.host().tell(QString::fromStdString(changed.error().text));
+                if (number != newest_)
+                    return;
+                own_ = presets;
+                fill();
+            },
+            Qt::QueuedConnection);
+    };
+    try {
+        files_ = std::jthread([read, before = std::move(files_)]() mutable {
+            if (before.joinable())
+                before.join();
+            read();
+        });
+    } catch (const std::system_error&) {
+        read(); // after the one before, which has ended by now
+    }
 }
 
 /// The supplied presets as commands.

@@ -7,9 +7,9 @@
 #include "core/base/result.h"
 
 #include <QFrame>
-#include <QThreadPool>
 
 #include <functional>
+#include <thread>
 
 class QComboBox;
 class QLineEdit;
@@ -50,13 +50,13 @@ private:
     EditorState& state_;
     std::vector<Preset> own_;     ///< as they were read last
     quint64 newest_ = 0;          ///< of the numbers of what is read
-    QThreadPool files_;           ///< one thread: who reads the folder sees what was saved before
     std::vector<Preset> presets_; ///< those and the supplied ones
     QLineEdit* search_;
     QComboBox* part_;
     QListWidget* list_;
     QPushButton* save_;
     QPushButton* delete_;
+    std::jthread files_; ///< waits for the one before: who reads the folder sees what was saved before
 };
 
 } // namespace tetra
