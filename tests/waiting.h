@@ -6,7 +6,7 @@
 #include <algorithm>
 
 /// Tests wait until something holds, and not for ever: at least a minute, because other programs slow them down, and
-/// under a sanitizer ten times as long. Whether less would have been enough says nothing.
+/// under a sanitizer five times as long. Whether less would have been enough says nothing.
 namespace tetra {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -18,7 +18,7 @@ constexpr bool isInstrumented = false;
 /// Milliseconds to wait where these are enough on a quiet machine.
 constexpr int patiently(int milliseconds)
 {
-    return isInstrumented ? 10 * milliseconds : std::max(milliseconds, 60'000);
+    return (isInstrumented ? 5 : 1) * std::max(milliseconds, 60'000);
 }
 
 #undef QTRY_IMPL
