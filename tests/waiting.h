@@ -9,10 +9,15 @@
 /// under a sanitizer five times as long. Whether less would have been enough says nothing.
 namespace tetra {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool isAddressSanitized = true;
+#else
+constexpr bool isAddressSanitized = false;
+#endif
+#if defined(__SANITIZE_THREAD__)
 constexpr bool isInstrumented = true;
 #else
-constexpr bool isInstrumented = false;
+constexpr bool isInstrumented = isAddressSanitized;
 #endif
 
 /// Milliseconds to wait where these are enough on a quiet machine.

@@ -8,6 +8,8 @@
 #include <QProcessEnvironment>
 #include <QStringList>
 
+#include <functional>
+
 namespace tetra {
 
 /// What a run of `tan` left.
@@ -32,8 +34,9 @@ inline Run collect(QProcess& process)
             process.readAllStandardError()};
 }
 
-/// Runs `tan` in `folder`, as a user would; `environment` adds variables.
-inline Run runTan(const QStringList& words, const QString& folder, const QMap<QString, QString>& environment = {})
+/// Runs `tan` in `folder`, as a user would; `environment` adds variables; `prepare` is called in its process before.
+inline Run runTan(const QStringList& words, const QString& folder, const QMap<QString, QString>& environment = {},
+                  const std::function<void()>& prepare = {})
 {
     constexpr int patience = 120'000;
     QProcess process;
@@ -42,6 +45,7 @@ inline Run runTan(const QStringList& words, const QString& folder, const QMap<QS
         variables.insert(at.key(), at.value());
     process.setProcessEnvironment(variables);
     process.setWorkingDirectory(folder);
+    process.setChildProcessModifier(prepare);
     process.start(tanProgram(), words);
     process.waitForFinished(patience);
     return collect(process);

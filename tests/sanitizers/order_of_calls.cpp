@@ -2,11 +2,10 @@
 /// The order of posted calls, for the thread sanitizer alone: Qt's libraries are not compiled for it, so that it would
 /// take each call that one thread posts to another for a race. What comes before QMetaObject::invokeMethod() comes
 /// before the call. This function takes the place of Qt's, and calls it.
+#include "tests/sanitizers/next_function.h"
+
 #include <QObject>
 
-#include <cstdlib>
-
-#include <dlfcn.h>
 #include <sanitizer/tsan_interface.h>
 
 namespace {
@@ -40,10 +39,7 @@ bool QMetaObject::invokeMethodImpl(QObject* object, QtPrivate::QSlotObjectBase* 
                                    void* result)
 {
     using Function = bool(QObject*, QtPrivate::QSlotObjectBase*, Qt::ConnectionType, void*);
-    static auto* const call = reinterpret_cast<Function*>(
-        dlsym(RTLD_NEXT,
-              "_ZN11QMetaObject16invokeMethodImplEP7QObjectPN9QtPrivate15QSlotObjectBaseEN2Qt14ConnectionTypeEPv"));
-    if (call == nullptr)
-        std::abort(); // another release of Qt
+    static auto* const call = tetra::nextFunction<Function>(
+        "_ZN11QMetaObject16invokeMethodImplEP7QObjectPN9QtPrivate15QSlotObjectBaseEN2Qt14ConnectionTypeEPv");
     return call(object, new OrderedCall(slot), type, result);
 }

@@ -3,31 +3,24 @@
 /// take whatever one thread prepares and another one does for a race. What comes before a task is spawned comes before
 /// it is executed, and what a task did comes before the end of the wait for it. These functions take the place of the
 /// library's, and call them.
+#include "tests/sanitizers/next_function.h"
+
 #include <tbb/cache_aligned_allocator.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 #include <tbb/tbb_allocator.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 
-#include <dlfcn.h>
 #include <sanitizer/tsan_interface.h>
 
 namespace tbb::detail {
 namespace {
 
 constexpr std::size_t lineBytes = 64; ///< at least: no two threads write one line of the cache
-
-/// The library's own function of this (mangled) name.
-template <class Function> Function* ofLibrary(const char* name)
-{
-    auto* const found = reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
-    if (found == nullptr)
-        std::abort(); // another release of TBB
-    return found;
-}
 
 /// Executes a task in the order described.
 class OrderedTask : public d1::task {
@@ -66,14 +59,14 @@ namespace r1 {
 
 void spawn(d1::task& task, d1::task_group_context& context)
 {
-    static auto* const call = ofLibrary<void(d1::task&, d1::task_group_context&)>(
+    static auto* const call = tetra::nextFunction<void(d1::task&, d1::task_group_context&)>(
         "_ZN3tbb6detail2r15spawnERNS0_2d14taskERNS2_18task_group_contextE");
     call(*new OrderedTask(task), context);
 }
 
 void spawn(d1::task& task, d1::task_group_context& context, d1::slot_id slot)
 {
-    static auto* const call = ofLibrary<void(d1::task&, d1::task_group_context&, d1::slot_id)>(
+    static auto* const call = tetra::nextFunction<void(d1::task&, d1::task_group_context&, d1::slot_id)>(
         "_ZN3tbb6detail2r15spawnERNS0_2d14taskERNS2_18task_group_contextEt");
     call(*new OrderedTask(task), context, slot);
 }
@@ -82,7 +75,7 @@ void execute_and_wait(d1::task& task, d1::task_group_context& context, d1::wait_
                       d1::task_group_context& waiting)
 {
     static auto* const call =
-        ofLibrary<void(d1::task&, d1::task_group_context&, d1::wait_context&, d1::task_group_context&)>(
+        tetra::nextFunction<void(d1::task&, d1::task_group_context&, d1::wait_context&, d1::task_group_context&)>(
             "_ZN3tbb6detail2r116execute_and_waitERNS0_2d14taskERNS2_18task_group_contextERNS2_12wait_contextES6_");
     call(task, context, ends, waiting);
     __tsan_acquire(endsOf(ends));
@@ -90,7 +83,7 @@ void execute_and_wait(d1::task& task, d1::task_group_context& context, d1::wait_
 
 void wait(d1::wait_context& ends, d1::task_group_context& waiting)
 {
-    static auto* const call = ofLibrary<void(d1::wait_context&, d1::task_group_context&)>(
+    static auto* const call = tetra::nextFunction<void(d1::wait_context&, d1::task_group_context&)>(
         "_ZN3tbb6detail2r14waitERNS0_2d112wait_contextERNS2_18task_group_contextE");
     call(ends, waiting);
     __tsan_acquire(endsOf(ends));
@@ -99,7 +92,7 @@ void wait(d1::wait_context& ends, d1::task_group_context& waiting)
 // The stages of a pipeline are ordered by locks within the library, so only their calls by one thread are looked at.
 void parallel_pipeline(d1::task_group_context& context, std::size_t /*tokens*/, const d1::filter_node& stages)
 {
-    static auto* const call = ofLibrary<void(d1::task_group_context&, std::size_t, const d1::filter_node&)>(
+    static auto* const call = tetra::nextFunction<void(d1::task_group_context&, std::size_t, const d1::filter_node&)>(
         "_ZN3tbb6detail2r117parallel_pipelineERNS0_2d118task_group_contextEmRKNS2_11filter_nodeE");
     d1::task_arena(1).execute([&] { call(context, 1, stages); });
 }

@@ -3,22 +3,19 @@
 
 #if defined(__SANITIZE_THREAD__)
 
+#include "tests/sanitizers/next_function.h"
+
 #include <cstdarg>
-#include <cstdlib>
+
 #include <sched.h>
 
-#include <dlfcn.h>
-
-/// For the thread sanitizer alone, to be included by a program's main source. Qt begins a process in the memory of its
-/// parent (vfork). What the sanitizer notes for the child then stands for the parent, too, which is taken for one that
-/// forked: it would not see the order of its threads any more. Here the child gets memory of its own. Takes the place
-/// of the sanitizer's function, and calls it.
+/// For the thread sanitizer alone, to be included by a program's main source. Qt starts a process in its parent's
+/// memory (vfork). The sanitizer notes there that it forked, so that from then on it does not see the order of the
+/// parent's threads. Here the child gets memory of its own. Takes the place of the sanitizer's function, and calls it.
 extern "C" int clone(int (*function)(void*), void* stack, int flags, void* argument, ...) noexcept
 {
     using Function = int(int (*)(void*), void*, int, void*, ...);
-    static auto* const call = reinterpret_cast<Function*>(dlsym(RTLD_NEXT, "clone"));
-    if (call == nullptr)
-        std::abort();
+    static auto* const call = tetra::nextFunction<Function>("clone");
     va_list more;
     va_start(more, argument);
     void* const parent = va_arg(more, void*);

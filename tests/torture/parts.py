@@ -41,43 +41,35 @@ def unexpected(ran, allowed):
     return []
 
 
-# --- Kills ---------------------------------------------------------------------------------------------------------------------
-
-# Old and new contents of what is written, by two commands.
-def kill_cases():
+def written_commands():
+    """The kinds of models that are built (query None), and the queries that write a file."""
     for kind in KINDS:
-        yield "build " + kind.name, kind, None
+        yield kind, None
     for name, query in QUERIES.items():
         if query[-1].startswith("OUT."):
-            yield name, KINDS[0], name
-    yield "session and settings", None, None
+            yield KINDS[0], name
 
 
-KILL_CASES = tuple(kill_cases())
+WRITTEN = tuple(written_commands())
 
+
+# --- Kills ---------------------------------------------------------------------------------------------------------------------
 
 def kill(bench, folder, chance, number):
     """kill -9 at a random moment: the old file or the new one is there, and the same command works again and leaves nothing."""
-    title, kind, query = KILL_CASES[number % len(KILL_CASES)]
-    if kind is None:
+    case = number % (len(WRITTEN) + 1)
+    if case == len(WRITTEN):
         return kill_session_writes(bench, folder, chance)
-    if query is None:
-        bench.put_sample(kind, folder)
-        arguments, target = bench.build_command(kind), "model.tan"
-        whole, seconds = bench.model(kind)
-        # Another model, so that old and new can be told apart.
-        old = bench.model(KINDS[(KINDS.index(kind) + 1) % len(KINDS)])[0]
-    else:
-        whole, seconds = bench.answer(kind, query)
-        (folder / "model.tan").write_bytes(bench.model(kind)[0])
-        arguments, target = bench.query(kind, query)
-        old = b"what was there before"
+    kind, query = WRITTEN[case]
+    arguments, target, whole, seconds = bench.prepare(kind, query, folder)
+    # Another model, so that old and new can be told apart.
+    old = b"what was there before" if query else bench.model(KINDS[(KINDS.index(kind) + 1) % len(KINDS)])[0]
     before = set(content(folder))
-    overwrites = chance.random() < 0.7 and target.endswith((".tan", ".png", ".vtu", ".stl"))
+    overwrites = chance.random() < 0.7
     if overwrites:
         (folder / target).write_bytes(old)
     process = bench.start(bench.command(arguments), folder)
-    time.sleep(chance.random() * 1.3 * seconds)
+    time.sleep(chance.random() * seconds)
     os.killpg(process.pid, signal.SIGKILL)
     process.communicate()
     found = (folder / target).read_bytes() if (folder / target).exists() else None
@@ -253,17 +245,6 @@ def mutated_file(bench, folder, chance, number):
 
 # --- Writes, allocations, limits -------------------------------------------------------------------------------------------------
 
-def written_commands():
-    for kind in KINDS:
-        yield kind, None
-    for name, query in QUERIES.items():
-        if query[-1].startswith("OUT."):
-            yield KINDS[0], name
-
-
-WRITTEN = tuple(written_commands())
-
-
 def write_failures(bench):
     """Each call that writes, of each command: (command, number of the call)."""
     def make():
@@ -272,7 +253,7 @@ def write_failures(bench):
             place = bench.whole / ("writes-%d" % which)
             shutil.rmtree(place, ignore_errors=True)
             place.mkdir(parents=True)
-            ran, _, _ = run_with_failure(bench, place, kind, query, 0)
+            ran, *_ = run_with_failure(bench, place, kind, query, 0)
             assert ran.code == DONE, ran.said()
             calls = int((place / "calls").read_text())
             found += [(which, call) for call in range(1, calls + 1)]
@@ -282,28 +263,22 @@ def write_failures(bench):
 
 def run_with_failure(bench, place, kind, query, call):
     """A command of which one call that writes fails as on a full disk; call 0: none does, and their number is in the file `calls`."""
-    if query is None:
-        bench.put_sample(kind, place)
-        arguments, target = bench.build_command(kind), "model.tan"
-    else:
-        (place / "model.tan").write_bytes(bench.model(kind)[0])
-        arguments, target = bench.query(kind, query)
+    arguments, target, whole, _ = bench.prepare(kind, query, place)
     before = content(place)
     library = bench.build / "tests/libtan-failing-writes.so"
     ran = bench.run(arguments, place, environment={"LD_PRELOAD": str(library), "TAN_FAILING_CALL": str(call),
                                                    "TAN_FAILING_FOLDER": str(place), "TAN_FAILING_COUNT": str(place / "calls")})
-    return ran, before, target
+    return ran, before, target, whole
 
 
 def failed_write(bench, folder, chance, number):
     """One call that writes fails as on a full disk: said with exit code 4, and nothing is left; or it did not matter."""
     which, call = write_failures(bench)[number]
     kind, query = WRITTEN[which]
-    ran, before, target = run_with_failure(bench, folder, kind, query, call)
+    ran, before, target, whole = run_with_failure(bench, folder, kind, query, call)
     failures = unexpected(ran, (DONE, OUT_OF_RESOURCE))
     (folder / "calls").unlink(missing_ok=True)
     after = content(folder)
-    whole = bench.model(kind)[0] if query is None else bench.answer(kind, query)[0]
     if ran.code == DONE and after.get(target) != whole:
         failures.append("exit code 0, but %s is not what it is without the failure" % target)
     # Where the folder cannot be synced after the renaming, the whole file is there and not certain to survive a power failure.
@@ -347,17 +322,10 @@ def failed_allocations(bench, folder, chance, number):
 def tight_limit(bench, folder, chance, number):
     """A limit of memory, file size or descriptors: the right answer, or exit code 4, and nothing left."""
     kind, query = WRITTEN[number % len(WRITTEN)]
-    if query is None:
-        bench.put_sample(kind, folder)
-        arguments, target = bench.build_command(kind), "model.tan"
-        whole = bench.model(kind)[0]
-    else:
-        whole = bench.answer(kind, query)[0]
-        (folder / "model.tan").write_bytes(bench.model(kind)[0])
-        arguments, target = bench.query(kind, query)
+    arguments, target, whole, _ = bench.prepare(kind, query, folder)
     before = content(folder)
     which = chance.choice(("memory", "size", "descriptors"))
-    limits = {"memory": {resource.RLIMIT_AS: chance.randrange(60 << 20, 1 << 30)},
+    limits = {"memory": {resource.RLIMIT_AS: chance.randrange(64 << 20, 128 << 20)},
               "size": {resource.RLIMIT_FSIZE: chance.randrange(0, 2 * len(whole))},
               "descriptors": {resource.RLIMIT_NOFILE: chance.randint(4, 40)}}[which]
     ran = bench.run(arguments, folder, limits=limits)
@@ -376,14 +344,7 @@ def tight_limit(bench, folder, chance, number):
 def interrupt(bench, folder, chance, number):
     """SIGINT, SIGTERM or SIGHUP at a random moment: done, or cancelled within a second, and nothing left."""
     kind, query = WRITTEN[number % len(WRITTEN)]
-    if query is None:
-        bench.put_sample(kind, folder)
-        arguments, target = bench.build_command(kind), "model.tan"
-        whole, seconds = bench.model(kind)
-    else:
-        whole, seconds = bench.answer(kind, query)
-        (folder / "model.tan").write_bytes(bench.model(kind)[0])
-        arguments, target = bench.query(kind, query)
+    arguments, target, whole, seconds = bench.prepare(kind, query, folder)
     before = content(folder)
     which = chance.choice((signal.SIGINT, signal.SIGTERM, signal.SIGHUP))
     process = bench.start(bench.command(arguments), folder)
@@ -409,14 +370,7 @@ def interrupt(bench, folder, chance, number):
 def race(bench, folder, chance, number):
     """Two programs write one file at once: it is whole, and what is said about losing is exit code 4."""
     kind, query = WRITTEN[number % len(WRITTEN)]
-    if query is None:
-        bench.put_sample(kind, folder)
-        arguments, target = bench.build_command(kind), "model.tan"
-        whole, seconds = bench.model(kind)
-    else:
-        whole, seconds = bench.answer(kind, query)
-        (folder / "model.tan").write_bytes(bench.model(kind)[0])
-        arguments, target = bench.query(kind, query)
+    arguments, target, whole, seconds = bench.prepare(kind, query, folder)
     before = set(content(folder))
     first = bench.start(bench.command(arguments), folder)
     time.sleep(chance.random() * seconds)
