@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/file_lock.h"
 
+#include "core/base/folder.h"
+
 #include <cerrno>
-#include <string>
 #include <system_error>
-#include <vector>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -46,14 +46,10 @@ FileLock lockFile(int descriptor, const std::filesystem::path& path) noexcept
 
 void removeLeftFiles(const std::filesystem::path& folder, const std::function<bool(std::string_view name)>& isOurs)
 {
-    std::vector<std::filesystem::path> found;
-    std::error_code problem;
-    for (std::filesystem::directory_iterator at(folder.empty() ? "." : folder, problem), end; !problem && at != end;
-         at.increment(problem))
-        if (isOurs(at->path().filename().native()))
-            found.push_back(at->path());
-    for (const std::filesystem::path& path : found)
-        removeIfLeft(path);
+    std::error_code ignored;
+    for (const std::filesystem::path& path : pathsIn(folder, ignored))
+        if (isOurs(path.filename().native()))
+            removeIfLeft(path);
 }
 
 } // namespace tetra

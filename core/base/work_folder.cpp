@@ -2,6 +2,7 @@
 #include "core/base/work_folder.h"
 
 #include "core/base/file_lock.h"
+#include "core/base/folder.h"
 #include "core/base/system_error.h"
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -30,26 +32,33 @@ Error cannotUse(const std::filesystem::path& path, const std::string& reason, co
 /// All but the lock.
 std::vector<std::filesystem::path> workContentOf(const std::filesystem::path& folder, std::error_code& problem)
 {
-    std::vector<std::filesystem::path> content;
-    for (std::filesystem::directory_iterator at(folder, problem), end; !problem && at != end; at.increment(problem))
-        if (at->path().filename() != lockName)
-            content.push_back(at->path());
+    std::vector<std::filesystem::path> content = pathsIn(folder, problem);
+    std::erase_if(content, [](const std::filesystem::path& path) { return path.filename() == lockName; });
     return content;
 }
 
-void removeContent(const std::filesystem::path& folder)
+/// Removes what is in an open folder but the lock, and closes it. Needs no memory, whose lack may be why it goes.
+void removeContent(int folder) noexcept
 {
-    std::error_code ignored;
-    for (const std::filesystem::path& path : workContentOf(folder, ignored))
-        std::filesystem::remove_all(path, ignored);
+    DIR* const opened = folder < 0 ? nullptr : ::fdopendir(folder);
+    if (opened == nullptr) {
+        if (folder >= 0)
+            ::close(folder);
+        return;
+    }
+    while (const dirent* const entry = ::readdir(opened)) {
+        const std::string_view name = entry->d_name;
+        if (name == "." || name == ".." || name == lockName || ::unlinkat(folder, entry->d_name, 0) == 0)
+            continue;
+        removeContent(::openat(folder, entry->d_name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+        ::unlinkat(folder, entry->d_name, AT_REMOVEDIR);
+    }
+    ::closedir(opened);
 }
 
-void removeFolder(const std::filesystem::path& folder)
+int openFolder(const std::filesystem::path& folder) noexcept
 {
-    removeContent(folder);
-    std::error_code ignored;
-    std::filesystem::remove(folder / lockName, ignored);
-    std::filesystem::remove(folder, ignored);
+    return ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
 }
 
 /// Whether the folder has content and no lock, so that it is none of these. Who works in one removes its content before
@@ -104,13 +113,14 @@ Result<WorkFolder> WorkFolder::open(const std::filesystem::path& path, Leftovers
             continue;
         }
         WorkFolder folder;
-        folder.lock_ = ::open((path / lockName).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        folder.lockPath_ = path / lockName;
+        folder.lock_ = ::open(folder.lockPath_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
         if (folder.lock_ < 0) {
             refusal = cannotBeUsedForWork(path, errno);
             continue;
         }
         // File systems that cannot lock are believed to have one user.
-        const FileLock lock = lockFile(folder.lock_, path / lockName);
+        const FileLock lock = lockFile(folder.lock_, folder.lockPath_);
         if (lock == FileLock::Busy)
             return inUse;
         if (lock == FileLock::Gone) {
@@ -119,7 +129,7 @@ Result<WorkFolder> WorkFolder::open(const std::filesystem::path& path, Leftovers
         }
         folder.path_ = path;
         if (leftovers == Leftovers::Remove)
-            removeContent(path);
+            removeContent(openFolder(path));
         return folder;
     }
     return refusal;
@@ -140,14 +150,18 @@ void WorkFolder::removeLeft(const std::filesystem::path& parent, std::string_vie
 
 WorkFolder::~WorkFolder()
 {
-    if (!path_.empty() && !keep_)
-        removeFolder(path_);
+    if (!path_.empty() && !keep_) {
+        removeContent(openFolder(path_));
+        ::unlink(lockPath_.c_str());
+        ::rmdir(path_.c_str());
+    }
     if (lock_ >= 0)
         ::close(lock_);
 }
 
 WorkFolder::WorkFolder(WorkFolder&& other) noexcept
-    : path_(std::exchange(other.path_, {})), lock_(std::exchange(other.lock_, -1)), keep_(other.keep_)
+    : path_(std::exchange(other.path_, {})), lockPath_(std::move(other.lockPath_)),
+      lock_(std::exchange(other.lock_, -1)), keep_(other.keep_)
 {
 }
 

@@ -35,6 +35,7 @@ private:
     WorkFolder() = default;
 
     std::filesystem::path path_; ///< empty if moved from
+    std::filesystem::path lockPath_;
     int lock_ = -1;
     bool keep_ = false;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/plugin_host.h"
 
+#include "core/base/folder.h"
 #include "core/base/mapped_file.h"
 #include "core/base/system_error.h"
 #include "plugins/host/dependency_order.h"
@@ -45,12 +46,11 @@ QString toQString(const fs::path& path)
 /// The shared libraries directly in `folder`, by name; none if it cannot be read.
 std::vector<fs::path> librariesIn(const fs::path& folder, std::error_code& problem)
 {
-    std::vector<fs::path> paths;
-    for (fs::directory_iterator at(folder, problem), end; !problem && at != end; at.increment(problem)) {
+    std::vector<fs::path> paths = pathsIn(folder, problem);
+    std::erase_if(paths, [](const fs::path& path) {
         std::error_code ignored;
-        if (!at->is_directory(ignored) && QLibrary::isLibrary(toQString(at->path())))
-            paths.push_back(at->path());
-    }
+        return fs::is_directory(path, ignored) || !QLibrary::isLibrary(toQString(path));
+    });
     std::ranges::sort(paths);
     return paths;
 }

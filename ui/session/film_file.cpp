@@ -2,6 +2,7 @@
 #include "ui/session/film_file.h"
 
 #include "core/base/file_writer.h"
+#include "core/base/folder.h"
 #include "core/base/system_error.h"
 #include "core/base/work_folder.h"
 #include "ui/session/target_path.h"
@@ -160,12 +161,11 @@ std::vector<std::filesystem::path> filesInTheWay(const std::filesystem::path& ta
     std::error_code failed;
     if (isVideoFile(target))
         return std::filesystem::exists(target, failed) ? std::vector{target} : std::vector<std::filesystem::path>();
-    const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
     const QString begin = pathText(target.stem()) + '_';
     const QString end = pathText(target.extension());
     std::vector<std::filesystem::path> files;
-    for (std::filesystem::directory_iterator at(folder, failed), none; !failed && at != none; at.increment(failed)) {
-        const QString name = pathText(at->path().filename());
+    for (const std::filesystem::path& path : pathsIn(target.parent_path(), failed)) {
+        const QString name = pathText(path.filename());
         if (!name.startsWith(begin) || !name.endsWith(end))
             continue;
         const int frame = name.mid(begin.size()).chopped(end.size()).toInt();

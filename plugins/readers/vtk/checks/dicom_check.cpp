@@ -2,6 +2,7 @@
 // The format: DICOM PS3.5 (data structures and encoding) and PS3.10 (files).
 #include "plugins/readers/vtk/checks/format_checks.h"
 
+#include "core/base/folder.h"
 #include "core/base/mapped_file.h"
 #include "plugins/readers/vtk/checks/slice_names.h"
 
@@ -179,27 +180,27 @@ Result<CheckedFile> checkDicom(const fs::path& path)
     };
     const std::vector<fs::path> slices = numberedBeside(path);
     std::error_code problem;
-    for (fs::directory_iterator at(path.parent_path(), problem), end; !problem && at != end; at.increment(problem)) {
+    for (const fs::path& beside : pathsIn(path.parent_path(), problem)) {
         std::error_code ignored;
-        if (!fs::is_regular_file(at->path(), ignored))
+        if (!fs::is_regular_file(beside, ignored))
             continue;
-        const bool isSlice = std::ranges::find(slices, at->path()) != slices.end();
-        const auto file = MappedFile::open(at->path());
+        const bool isSlice = std::ranges::find(slices, beside) != slices.end();
+        const auto file = MappedFile::open(beside);
         if (!file)
             return file.error();
         const std::string_view bytes(reinterpret_cast<const char*>((*file)->bytes().data()), (*file)->bytes().size());
         const auto image = DicomElements(bytes).read();
         if (!image || (!image->isDicom && isSlice))
-            return ofFile(at->path(), Error{ErrorKind::BadInput, "it ends too early. Copy the file again."});
+            return ofFile(beside, Error{ErrorKind::BadInput, "it ends too early. Copy the file again."});
         if (!image->isDicom || image->isDirectory || (!image->hasPixels && isWithoutPixels(image->modality)))
             continue;
         if (const Status whole = checkDicomImage(*image, bytes.size()); !whole)
-            return ofFile(at->path(), whole.error());
+            return ofFile(beside, whole.error());
         if (!first)
-            first.emplace(at->path(), *image);
+            first.emplace(beside, *image);
         if (image->shape() != first->second.shape())
             return Error{ErrorKind::BadInput, "its folder holds images of several sizes or types, such as " +
-                                                  nameOf(first->first) + " and " + nameOf(at->path()) +
+                                                  nameOf(first->first) + " and " + nameOf(beside) +
                                                   ". Put the images of one series alone into a folder."};
         checked.bytes = boundedSum(checked.bytes, bytes.size());
     }

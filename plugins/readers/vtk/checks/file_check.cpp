@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/checks/file_check.h"
 
+#include "core/base/folder.h"
 #include "plugins/readers/vtk/checks/format_checks.h"
 #include "plugins/readers/vtk/checks/slice_names.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace tetra {
 namespace {
@@ -19,15 +24,16 @@ std::uint64_t fileBytes(const fs::path& path)
 /// Of all files in a folder and those in it.
 std::uint64_t folderBytes(const fs::path& folder)
 {
-    constexpr int mostFiles = 100'000;
+    constexpr std::size_t mostFiles = 100'000;
     std::uint64_t sum = 0;
-    std::error_code problem;
-    int files = 0;
-    for (fs::recursive_directory_iterator at(folder, problem), end; !problem && at != end && files < mostFiles;
-         at.increment(problem), ++files) {
-        std::error_code ignored;
-        if (at->is_regular_file(ignored))
-            sum = boundedSum(sum, fileBytes(at->path()));
+    std::error_code ignored;
+    std::vector<fs::path> found = pathsIn(folder, ignored);
+    for (std::size_t at = 0; at < std::min(found.size(), mostFiles); ++at) {
+        if (fs::is_regular_file(found[at], ignored))
+            sum = boundedSum(sum, fileBytes(found[at]));
+        else if (fs::is_directory(fs::symlink_status(found[at], ignored)))
+            for (fs::path& inner : pathsIn(fs::path(found[at]), ignored))
+                found.push_back(std::move(inner));
     }
     return sum;
 }

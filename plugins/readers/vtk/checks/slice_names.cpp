@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/checks/slice_names.h"
 
+#include "core/base/folder.h"
+
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -38,10 +40,10 @@ std::vector<fs::path> numberedBeside(const fs::path& path)
     const NumberedName own = split(path.filename().string());
     std::vector<std::pair<std::string, fs::path>> found;
     std::error_code problem;
-    for (fs::directory_iterator at(path.parent_path(), problem), end; !problem && at != end; at.increment(problem)) {
-        NumberedName other = split(at->path().filename().string());
+    for (fs::path& beside : pathsIn(path.parent_path(), problem)) {
+        NumberedName other = split(beside.filename().string());
         if (!own.digits.empty() && !other.digits.empty() && other.before == own.before && other.after == own.after)
-            found.emplace_back(std::move(other.digits), at->path());
+            found.emplace_back(std::move(other.digits), std::move(beside));
     }
     if (found.empty())
         return {path};
