@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/test_program.h"
 
+#include "tests/sanitizers/leaks.h"
 #include "tests/sanitizers/processes.h"
 
 #include <cstdio>
