@@ -1,0 +1,355 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What TAn gives, kept, so that a change of its insides shows whether it changed anything else.
+
+    record.py BUILD [--only NAME;...] [--update]
+
+Of datasets of every kind, by each builder that takes them: hashes of the model (each section by its content, so that an added section
+hides nothing), of meshes, isosurfaces and pictures made of it; and the most memory and disk that the build took. All of it is compared
+with record.json beside this file; --update writes what was found there, and the commit says why it may.
+
+Datasets of ../shared/data that are not there are skipped, and said to be. Pictures are kept by instruction set, because each rounds
+sums of floats in its own way; a machine whose set is not in the record is told so."""
+import argparse
+import hashlib
+import json
+import os
+import pathlib
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import zlib
+from dataclasses import dataclass
+
+HERE = pathlib.Path(__file__).resolve().parent
+SOURCE = HERE.parents[1]
+DATA = SOURCE.parent / "shared" / "data"
+RECORD = HERE / "record.json"
+
+
+# --- What is made ----------------------------------------------------------------------------------------------------------------
+
+@dataclass(frozen=True)
+class Model:
+    """How a model is made, and whether it is drawn, too."""
+    name: str
+    dataset: str  # a file of ../shared/data, or "sample NAME SIZE"
+    options: tuple = ()
+    pictures: bool = False
+
+
+MODELS = (
+    Model("c60 sample", "sample c60 24 nrrd", pictures=True),
+    Model("c60 sample, decimated", "sample c60 20 nrrd", ("--builder", "decimation")),
+    Model("marschner-lobb sample in blocks", "sample marschner-lobb 33 nrrd", ("--block", "8")),
+    Model("hydrogen sample, paper's order", "sample hydrogen 16 nrrd", ("--builder", "decimation", "--order", "paper")),
+    Model("noise sample, weighted", "sample noise 16 nrrd", ("--weight", "point:8,8,8,5")),
+    Model("o-grid sample", "sample o-grid 17 xyz", pictures=True),
+    Model("o-grid sample, decimated", "sample o-grid 12 xyz", ("--builder", "decimation")),
+    Model("bent duct sample in blocks", "sample bent-duct 33 xyz", ("--block", "8")),
+    Model("part sample", "sample part 16 vtu", pictures=True),
+    Model("part sample, by rounds", "sample part 16 vtu", ("--order", "rounds")),
+    Model("scattered sample", "sample scattered 12 csv", pictures=True),
+    Model("bucky", "buckyball/bucky_32x32x32_uint8.nhdr", pictures=True),
+    Model("bucky, decimated", "buckyball/bucky_32x32x32_uint8.nhdr", ("--builder", "decimation")),
+    Model("fiji quakes", "scattered/fiji_quakes.csv"),
+    Model("spx", "irregular/spx.vtu", pictures=True),
+    Model("bracket", "irregular/bracket_57k.vtu"),
+    Model("BluntFin", "bluntfin/bluntfin.vts", pictures=True),
+    Model("BluntFin in blocks", "bluntfin/bluntfin.vts", ("--block", "16")),
+    Model("BluntFin, decimated", "bluntfin/bluntfin.vts", ("--builder", "decimation", "--finest", "0.2")),
+    Model("Post", "post/post.vts"),
+    Model("c60large", "buckyball/c60large_128x128x128_uint8.nhdr", ("--block", "none", "--error", "0.5")),
+    Model("c60large in blocks", "buckyball/c60large_128x128x128_uint8.nhdr", ("--block", "32", "--error", "0.5")),
+    Model("c60large, decimated", "buckyball/c60large_128x128x128_uint8.nhdr", ("--builder", "decimation", "--stride", "2")),
+)
+
+
+def box(bounds, low, high):
+    """A part of the bounding box, as the options take it."""
+    ends = [[bounds[axis] + part * (bounds[axis + 3] - bounds[axis]) for axis in range(3)] for part in (low, high)]
+    return ",".join("%.6g" % number for end in ends for number in end)
+
+
+def queries(bounds, values, budget, takes_insertion):
+    """name -> the words of the command, but for the model's name and the output."""
+    middle = "box:" + box(bounds, 0.4, 0.6)
+    isovalues = ["%.6g" % (values[0] + part * (values[1] - values[0])) for part in (0.35, 0.6)]
+    found = {
+        "finest": ("extract", "--error", "0"),
+        "uniform": ("extract", "--error", "2"),
+        "coarse": ("extract", "--error", "10"),
+        "window": ("extract", "--error", "2", "--window", box(bounds, 0.3, 0.7)),
+        "window, clipped": ("extract", "--error", "2", "--window", box(bounds, 0.3, 0.7), "--border", "clipped"),
+        "focus": ("extract", "--error", "8", "--focus", middle, "--focus-error", "1", "--method", "closed-set"),
+        "focus with a falloff": ("extract", "--error", "8", "--focus", middle, "--focus-error", "1",
+                                 "--falloff", "%.6g" % (0.2 * (bounds[3] - bounds[0]))),
+        "budget": ("extract", "--budget", budget),
+        "focus within a budget": ("extract", "--error", "8", "--focus", middle, "--focus-error", "0.5", "--budget", 2 * budget),
+        "values": ("extract", "--error", "2", "--values", ",".join(isovalues)),
+        "near an isovalue": ("extract", "--field", "isovalues(%s; 0.5, 8, %.6g)" % (isovalues[0], 0.2 * (values[1] - values[0]))),
+        "range": ("extract", "--range", "2,4"),
+        "isosurface": ("isosurface", "--error", "2", "--value", isovalues[0]),
+        "isosurfaces": ("isosurface", "--error", "0", "--value", ",".join(isovalues)),
+    }
+    if takes_insertion:
+        found["focus by insertion"] = ("extract", "--error", "8", "--focus", middle, "--focus-error", "1", "--method", "insertion")
+    return found
+
+
+def pictures(bounds, values):
+    isovalue = "%.6g:gold:0.6" % (values[0] + 0.4 * (values[1] - values[0]))
+    size = ("--size", "160x120", "--backend", "cpu", "--error", "2")
+    return {
+        "isosurface": ("--mode", "isosurface", "--isovalue", isovalue, *size),
+        "volume": ("--mode", "volume", *size),
+        "shaded volume": ("--mode", "volume", "--shaded", *size),
+        "hybrid": ("--mode", "hybrid", "--isovalue", isovalue, *size),
+        "focus": ("--mode", "focus", *size, "--focus", "box:" + box(bounds, 0.3, 0.6), "--focus-error", "0.5",
+                  "--falloff", "%.6g" % (0.1 * (bounds[3] - bounds[0]))),
+    }
+
+
+# --- How it is hashed ------------------------------------------------------------------------------------------------------------
+
+HEADER_FIELDS = slice(32, 200)  # what FORMAT.md says of the dataset and the mesh; before it sizes, after it checksums
+TEXT, CHECKSUMS = 1, 3
+SECTIONS = {2: "kind", 16: "points", 17: "values", 18: "running errors", 19: "stars", 20: "mesh sizes", 21: "groups", 22: "positions",
+            23: "samples", 24: "sample positions", 32: "other sites", 33: "destroyers", 34: "own errors", 35: "own warpings"}
+
+
+def short_hash(data):
+    return hashlib.sha256(data).hexdigest()[:16]
+
+
+def hashes_of_model(path):
+    """Of the header's fields and of each section's content."""
+    data = path.read_bytes()
+    found = {"header": short_hash(data[HEADER_FIELDS])}
+    for number in range(struct.unpack_from("<I", data, 20)[0]):
+        section, _, _, codec, offset, size = struct.unpack_from("<IIIIQQ", data, 256 + 64 * number)
+        if section in SECTIONS:
+            assert codec == 0, "section %d is packed: unpack it here first" % section
+            found[SECTIONS[section]] = short_hash(data[offset:offset + size])
+        elif section not in (TEXT, CHECKSUMS):
+            print("record: section %d is not looked at" % section)
+    return found
+
+
+def hash_of_picture(path):
+    """Of the pixels, however they are packed."""
+    data = path.read_bytes()
+    at, packed, header = 8, b"", b""
+    while at < len(data):
+        size, kind = struct.unpack_from(">I4s", data, at)
+        if kind == b"IHDR":
+            header = data[at + 8:at + 8 + size]
+        elif kind == b"IDAT":
+            packed += data[at + 8:at + 8 + size]
+        at += size + 12
+    return short_hash(header + zlib.decompress(packed))
+
+
+def instruction_set():
+    """That of the kernels of pictures which this machine takes (core/base/simd.h)."""
+    flags = set()
+    for line in open("/proc/cpuinfo", encoding="ascii", errors="replace"):
+        if line.startswith("flags"):
+            flags = set(line.split())
+            break
+    if not {"avx2", "fma", "bmi2", "abm", "movbe", "f16c"} <= flags:
+        return "x86-64"
+    return "x86-64-v4" if {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"} <= flags else "x86-64-v3"
+
+
+# --- How it is made --------------------------------------------------------------------------------------------------------------
+
+class Failure(Exception):
+    pass
+
+
+class Peak:
+    """The most disk that a folder takes while a program runs, looked at every 20 ms; and then the program's most memory."""
+
+    def __init__(self, folder):
+        self.folder, self.disk, self.ended = folder, 0, threading.Event()
+
+    def used(self):
+        total = 0
+        for path in self.folder.rglob("*"):
+            try:
+                total += path.stat().st_blocks * 512 if path.is_file() else 0
+            except OSError:
+                pass  # gone meanwhile
+        return total
+
+    def watch(self, process):
+        before = self.used()
+        looker = threading.Thread(target=self.look)
+        looker.start()
+        _, status, usage = os.wait4(process.pid, 0)
+        self.ended.set()
+        looker.join()
+        process.returncode = os.waitstatus_to_exitcode(status)
+        return {"memory": usage.ru_maxrss * 1024, "disk": max(self.disk, self.used()) - before}
+
+    def look(self):
+        while not self.ended.wait(0.02):
+            self.disk = max(self.disk, self.used())
+
+
+class Recorder:
+    def __init__(self, build, folder):
+        self.tan, self.folder = build / "bin/tan", folder
+        self.environment = dict(os.environ, LC_ALL="C.UTF-8", QT_QPA_PLATFORM="offscreen", HOME=str(folder))
+
+    def start(self, words, **how):
+        return subprocess.Popen([str(self.tan), *map(str, words)], cwd=self.folder, env=self.environment, stdin=subprocess.DEVNULL,
+                                stdout=subprocess.DEVNULL, stderr=open(self.folder / "messages", "wb"), **how)
+
+    def messages(self):
+        return (self.folder / "messages").read_text("utf-8", "replace").strip()[-300:]
+
+    def run(self, *words):
+        if self.start(words).wait() != 0:
+            raise Failure("tan %s: %s" % (" ".join(map(str, words)), self.messages()))
+
+    def tetrahedra(self, model, error):
+        """Of its mesh of this error."""
+        told = subprocess.run([str(self.tan), "info", str(model), "--lod", str(error), "--json"], env=self.environment, capture_output=True)
+        return json.loads(told.stdout)["levels"][0]["tetrahedra"]
+
+    def dataset(self, model):
+        """The file to read, or nothing where it is not there."""
+        if not model.dataset.startswith("sample "):
+            path = DATA / model.dataset
+            return path if path.is_file() else None
+        _, name, size, ending = model.dataset.split()
+        path = self.folder / ("%s%s.%s" % (name, size, ending))
+        if not path.is_file():
+            self.run("sample", name, "--size", size, "-o", path)
+        return path
+
+    def record(self, model, dataset):
+        """All that is kept of a model."""
+        built = self.folder / "model.tan"
+        built.unlink(missing_ok=True)
+        arguments = ("build", dataset, *model.options, "--threads", "2", "-o", built)
+        peak = Peak(self.folder)
+        process = self.start(arguments)
+        peaks = peak.watch(process)
+        if process.returncode != 0:
+            raise Failure("tan %s: %s" % (" ".join(map(str, arguments)), self.messages()))
+        with open(built, "rb") as file:
+            header = file.read(256)
+        kind, = struct.unpack_from("<I", header, 32)
+        values, bounds = struct.unpack_from("<2d", header, 112), struct.unpack_from("<6d", header, 128)
+        found = {"model": hashes_of_model(built), "peaks": peaks}
+        is_lattice = kind == 0
+        takes_insertion = is_lattice and not {"decimation", "--weight"} & set(model.options)
+        found["meshes"] = {}
+        for name, (command, *words) in queries(bounds, values, self.tetrahedra(built, 4), takes_insertion).items():
+            written = self.folder / "mesh.ply"
+            self.run(command, built, *words, "-o", written)
+            found["meshes"][name] = short_hash(written.read_bytes())
+        if model.pictures:
+            found["pictures"] = {}
+            for name, words in pictures(bounds, values).items():
+                written = self.folder / "picture.png"
+                self.run("render", built, *words, "-o", written)
+                found["pictures"][name] = hash_of_picture(written)
+        if is_lattice and "--block" in model.options and model.options[model.options.index("--block") + 1] != "none":
+            self.check_resuming(arguments, found["model"])
+        return found
+
+    def check_resuming(self, arguments, expected):
+        """A build in blocks that is killed again and again and goes on gives the same."""
+        built = arguments[-1]
+        built.unlink()
+        for part in (0.3, 0.6, None):
+            process = self.start([*arguments, "--resume"])
+            if part is not None:
+                time.sleep(part)
+                process.send_signal(signal.SIGTERM)
+            process.wait()
+        if process.returncode != 0:
+            raise Failure("going on with a build: " + self.messages())
+        if hashes_of_model(built) != expected:
+            raise Failure("a build that was interrupted and went on gives another model")
+
+
+# --- How it is compared ----------------------------------------------------------------------------------------------------------
+
+MORE, SLACK = 1.1, 16 << 20  # peaks may grow so much: what a machine's libraries and threads take differs
+
+
+def differences(found, kept):
+    """In words."""
+    told = []
+    for part in ("model", "meshes", "pictures"):
+        for name, value in found.get(part, {}).items():
+            if part in kept and kept[part].get(name) != value:
+                told.append("%s: %s %s" % (part, name, "is new" if name not in kept[part] else "differs"))
+        told += ["%s: %s is missing" % (part, name) for name in kept.get(part, {}) if name not in found.get(part, {})]
+    for name, most in kept["peaks"].items():
+        if found["peaks"][name] > MORE * most + SLACK:
+            told.append("peak of %s: %.1f MB, was %.1f" % (name, found["peaks"][name] / 1e6, most / 1e6))
+    return told
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("--only", default="", help="these models alone, separated by semicolons")
+    parser.add_argument("--update", action="store_true", help="keep what is found in place of what was")
+    options = parser.parse_args()
+    kept = json.loads(RECORD.read_text()) if RECORD.is_file() else {}
+    pictures_kept = kept.setdefault("pictures by instruction set", {})
+    on_this_machine = instruction_set()
+    wrong, skipped = [], []
+    with tempfile.TemporaryDirectory() as folder:
+        recorder = Recorder(options.build.resolve(), pathlib.Path(folder))
+        for model in MODELS:
+            if options.only and model.name not in options.only.split(";"):
+                continue
+            dataset = recorder.dataset(model)
+            if dataset is None:
+                skipped.append(model.name)
+                continue
+            began = time.monotonic()
+            try:
+                found = recorder.record(model, dataset)
+            except Failure as failure:
+                wrong.append("%s: %s" % (model.name, failure))
+                print("%s: FAILED" % model.name, flush=True)
+                continue
+            drawn = found.pop("pictures", None)
+            if options.update:
+                kept.setdefault("models", {})[model.name] = found
+                if drawn:
+                    pictures_kept.setdefault(on_this_machine, {})[model.name] = drawn
+            elif model.name not in kept.get("models", {}):
+                wrong.append("%s is not in the record" % model.name)
+            else:
+                expected = dict(kept["models"][model.name])
+                if drawn and model.name in pictures_kept.get(on_this_machine, {}):
+                    found["pictures"], expected["pictures"] = drawn, pictures_kept[on_this_machine][model.name]
+                elif drawn:
+                    print("skipped: no pictures of %s by %s" % (model.name, on_this_machine))
+                wrong += ["%s: %s" % (model.name, one) for one in differences(found, expected)]
+            print("%s: %.1f s, memory %.0f MB, disk %.1f MB" % (model.name, time.monotonic() - began, found["peaks"]["memory"] / 1e6,
+                                                               found["peaks"]["disk"] / 1e6), flush=True)
+    if options.update:
+        RECORD.write_text(json.dumps(kept, indent=1, sort_keys=True) + "\n")
+    for name in skipped:
+        print("%s skipped: no data" % name)
+    for one in wrong:
+        print(one)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
