@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <memory>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -98,6 +99,11 @@ Result<WorkFolder> WorkFolder::open(const std::filesystem::path& path, Leftovers
         cannotUse(path, "another program is building this model", "Wait for it, or give the model another name.");
     const Error foreign =
         cannotUse(path, "it holds something else", "Give the model another name, or move that folder away.");
+    // When memory runs out, too, no empty folder stays.
+    const auto removeIfEmpty = [](const std::filesystem::path* made) { ::rmdir(made->c_str()); };
+    const std::unique_ptr<const std::filesystem::path, decltype(removeIfEmpty)> made(&path, removeIfEmpty);
+    std::filesystem::path own = path;
+    std::filesystem::path lockPath = path / lockName;
     // What is found may be another program that is just coming or leaving, unless it is found again and again.
     Error refusal = inUse;
     for (int attempt = 0; attempt < 100; ++attempt) {
@@ -113,21 +119,21 @@ Result<WorkFolder> WorkFolder::open(const std::filesystem::path& path, Leftovers
             continue;
         }
         WorkFolder folder;
-        folder.lockPath_ = path / lockName;
-        folder.lock_ = ::open(folder.lockPath_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        folder.lock_ = ::open(lockPath.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
         if (folder.lock_ < 0) {
             refusal = cannotBeUsedForWork(path, errno);
             continue;
         }
         // File systems that cannot lock are believed to have one user.
-        const FileLock lock = lockFile(folder.lock_, folder.lockPath_);
+        const FileLock lock = lockFile(folder.lock_, lockPath);
         if (lock == FileLock::Busy)
             return inUse;
         if (lock == FileLock::Gone) {
             refusal = inUse;
             continue;
         }
-        folder.path_ = path;
+        folder.path_ = std::move(own);
+        folder.lockPath_ = std::move(lockPath);
         if (leftovers == Leftovers::Remove)
             removeContent(openFolder(path));
         return folder;

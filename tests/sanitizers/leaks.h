@@ -3,8 +3,9 @@
 
 #if defined(__SANITIZE_ADDRESS__)
 
-/// For the address sanitizer alone, to be included by a program's main source. The drivers of OpenGL are unloaded before
-/// leaks are looked for, which then are nobody's: here all libraries stay. Takes the place of the system's function.
+/// For the address sanitizer alone, to be included by a program's main source. The drivers of OpenGL are unloaded
+/// before leaks are looked for, which then are nobody's: here all libraries stay. Takes the place of the system's
+/// function.
 extern "C" int dlclose(void* /*library*/) noexcept
 {
     return 0;
