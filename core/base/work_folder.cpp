@@ -13,7 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -36,30 +35,6 @@ std::vector<std::filesystem::path> workContentOf(const std::filesystem::path& fo
     std::vector<std::filesystem::path> content = pathsIn(folder, problem);
     std::erase_if(content, [](const std::filesystem::path& path) { return path.filename() == lockName; });
     return content;
-}
-
-/// Removes what is in an open folder but the lock, and closes it. Needs no memory, whose lack may be why it goes.
-void removeContent(int folder) noexcept
-{
-    DIR* const opened = folder < 0 ? nullptr : ::fdopendir(folder);
-    if (opened == nullptr) {
-        if (folder >= 0)
-            ::close(folder);
-        return;
-    }
-    while (const dirent* const entry = ::readdir(opened)) {
-        const std::string_view name = entry->d_name;
-        if (name == "." || name == ".." || name == lockName || ::unlinkat(folder, entry->d_name, 0) == 0)
-            continue;
-        removeContent(::openat(folder, entry->d_name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-        ::unlinkat(folder, entry->d_name, AT_REMOVEDIR);
-    }
-    ::closedir(opened);
-}
-
-int openFolder(const std::filesystem::path& folder) noexcept
-{
-    return ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
 }
 
 /// Whether the folder has content and no lock, so that it is none of these. Who works in one removes its content before
@@ -99,16 +74,17 @@ Result<WorkFolder> WorkFolder::open(const std::filesystem::path& path, Leftovers
         cannotUse(path, "another program is building this model", "Wait for it, or give the model another name.");
     const Error foreign =
         cannotUse(path, "it holds something else", "Give the model another name, or move that folder away.");
-    // When memory runs out, too, no empty folder stays.
-    const auto removeIfEmpty = [](const std::filesystem::path* made) { ::rmdir(made->c_str()); };
-    const std::unique_ptr<const std::filesystem::path, decltype(removeIfEmpty)> made(&path, removeIfEmpty);
+    // One that was made here does not stay empty, whatever comes, lack of memory included.
+    const auto removeIfEmpty = [](const std::filesystem::path* empty) { ::rmdir(empty->c_str()); };
+    std::unique_ptr<const std::filesystem::path, decltype(removeIfEmpty)> made(nullptr, removeIfEmpty);
     std::filesystem::path own = path;
     std::filesystem::path lockPath = path / lockName;
     // What is found may be another program that is just coming or leaving, unless it is found again and again.
     Error refusal = inUse;
     for (int attempt = 0; attempt < 100; ++attempt) {
         std::error_code problem;
-        std::filesystem::create_directory(path, problem);
+        if (std::filesystem::create_directory(path, problem))
+            made.reset(&path);
         if (problem && problem != std::errc::file_exists)
             return cannotBeUsedForWork(path, problem.value());
         if (std::filesystem::is_symlink(path, problem))
@@ -135,7 +111,7 @@ Result<WorkFolder> WorkFolder::open(const std::filesystem::path& path, Leftovers
         folder.path_ = std::move(own);
         folder.lockPath_ = std::move(lockPath);
         if (leftovers == Leftovers::Remove)
-            removeContent(openFolder(path));
+            removeContent(path, lockName);
         return folder;
     }
     return refusal;
@@ -157,7 +133,7 @@ void WorkFolder::removeLeft(const std::filesystem::path& parent, std::string_vie
 WorkFolder::~WorkFolder()
 {
     if (!path_.empty() && !keep_) {
-        removeContent(openFolder(path_));
+        removeContent(path_, lockName);
         ::unlink(lockPath_.c_str());
         ::rmdir(path_.c_str());
     }

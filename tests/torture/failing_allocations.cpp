@@ -17,6 +17,7 @@
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <new>
 #include <string_view>
 
@@ -142,6 +143,17 @@ Status buildLatticeModel(const Dataset& dataset)
     return made ? Status() : made.error();
 }
 
+/// Made in a folder with other files, with content, and gone again.
+Status useWorkFolder(const Dataset&)
+{
+    const auto folder = WorkFolder::open("allocations.work", WorkFolder::Leftovers::Remove);
+    if (!folder)
+        return folder.error();
+    std::filesystem::create_directory(folder->path() / "inner");
+    std::ofstream(folder->path() / "inner" / "content") << "some";
+    return {};
+}
+
 Status buildModelInBlocks(const Dataset& dataset)
 {
     const auto folder = WorkFolder::open(modelPath.native() + ".work", WorkFolder::Leftovers::Remove);
@@ -212,13 +224,14 @@ Status askModel(const Dataset&)
 struct Case {
     Dataset dataset;
     Status (*run)(const Dataset&);
-    bool writes;
+    bool writes; ///< a model; else there is one
 };
 
 std::vector<Case> allCases()
 {
     const Dataset lattice = bumps(SampleType::UInt8, {5, 4, 4});
-    return {{lattice, buildLatticeModel, true},
+    return {{lattice, useWorkFolder, false},
+            {lattice, buildLatticeModel, true},
             {lattice, buildModelInBlocks, true},
             {bentBumps(SampleType::UInt8, {5, 4, 4}), buildCurvilinearModel, true},
             {randomIrregular(1), buildDecimatedModel, true},
