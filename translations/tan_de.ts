@@ -478,8 +478,8 @@
         <translation>Zeigt Volumendaten in jeder Genauigkeit.</translation>
     </message>
     <message>
-        <source>What draws the picture: auto, cpu, gl or gl33 (no newer OpenGL than 3.3).</source>
-        <translation>Was das Bild zeichnet: auto, cpu, gl oder gl33 (kein neueres OpenGL als 3.3).</translation>
+        <source>What draws the picture: auto, cpu or gl.</source>
+        <translation>Was das Bild zeichnet: auto, cpu oder gl.</translation>
     </message>
     <message>
         <source>A dataset, a .tan model or a session to open.</source>
@@ -3837,11 +3837,6 @@ Verwerfung %2</translation>
     <message>
         <source>OpenGL</source>
         <translation>OpenGL</translation>
-    </message>
-    <message>
-        <source>OpenGL %1</source>
-        <comment>a version</comment>
-        <translation>OpenGL %1</translation>
     </message>
 </context>
 <context>

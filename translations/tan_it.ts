@@ -478,8 +478,8 @@
         <translation>Mostra dati di volume con qualsiasi accuratezza.</translation>
     </message>
     <message>
-        <source>What draws the picture: auto, cpu, gl or gl33 (no newer OpenGL than 3.3).</source>
-        <translation>Che cosa disegna l&apos;immagine: auto, cpu, gl o gl33 (OpenGL non più recente di 3.3).</translation>
+        <source>What draws the picture: auto, cpu or gl.</source>
+        <translation>Che cosa disegna l&apos;immagine: auto, cpu o gl.</translation>
     </message>
     <message>
         <source>A dataset, a .tan model or a session to open.</source>
@@ -3837,11 +3837,6 @@ deformazione %2</translation>
     <message>
         <source>OpenGL</source>
         <translation>OpenGL</translation>
-    </message>
-    <message>
-        <source>OpenGL %1</source>
-        <comment>a version</comment>
-        <translation>OpenGL %1</translation>
     </message>
 </context>
 <context>

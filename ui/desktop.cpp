@@ -42,8 +42,7 @@ std::optional<BackendChoice> backendNamed(const QString& name)
 {
     static const std::map<QString, BackendChoice> names{{"auto", BackendChoice::Automatic},
                                                         {"cpu", BackendChoice::Cpu},
-                                                        {"gl", BackendChoice::Gl},
-                                                        {"gl33", BackendChoice::Gl33}};
+                                                        {"gl", BackendChoice::Gl}};
     const auto found = names.find(name);
     return found == names.end() ? std::nullopt : std::optional(found->second);
 }
@@ -100,7 +99,7 @@ int runDesktop(int argc, char** argv)
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addOption({"backend",
-                      Desktop::tr("What draws the picture: auto, cpu, gl or gl33 (no newer OpenGL than 3.3)."), "name",
+                      Desktop::tr("What draws the picture: auto, cpu or gl."), "name",
                       "auto"});
     QCommandLineOption screenshots("screenshots", "Makes pictures of all panels and dialogs in a folder.", "folder");
     screenshots.setFlags(QCommandLineOption::HiddenFromHelp); // for those who write the manual

@@ -39,8 +39,8 @@ double secondsSince(Clock::time_point start)
 
 Result<std::unique_ptr<RenderBackend>> makeBackend(const std::string& id)
 {
-    if (id == "gl" || id == "gl33")
-        return makeGlBackend(id == "gl" ? GlLevel::Gl43 : GlLevel::Gl33);
+    if (id == "gl")
+        return makeGlBackend();
     return makeCpuBackend();
 }
 
@@ -240,11 +240,7 @@ void addStatistics(QJsonObject& figures, const RenderBackend& backend)
     figures["order_seconds"] = statistics.orderSeconds;
     figures["set_up_seconds"] = statistics.setUpSeconds;
     figures["fill_seconds"] = statistics.fillSeconds;
-    figures["cells_on_card"] = statistics.cellsOnCard;
-    figures["order_on_card"] = statistics.orderOnCard;
     figures["sent_bytes"] = static_cast<qint64>(statistics.sentBytes);
-    if (const std::string note = backend.note(); !note.empty())
-        figures["backend_note"] = QString::fromStdString(note);
 }
 
 /// "19752 triangles and a volume of 222642 tetrahedra".

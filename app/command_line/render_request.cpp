@@ -124,10 +124,8 @@ std::vector<Option> pictureOptions()
          .explanation = "transparent, #rrggbb, or one of " + colourNames() + ".",
          .byDefault = "white"},
         {.name = "backend",
-         .placeholder = "cpu|gl|gl33",
-         .explanation =
-             "Rendering back end: the processor, or OpenGL. With OpenGL 4.3 the graphics card orders a volume's "
-             "cells, too, where it can; gl33 does without.",
+         .placeholder = "cpu|gl",
+         .explanation = "Rendering back end: the processor, or OpenGL 3.3.",
          .byDefault = std::string(defaultBackend)},
         threadsOption(),
         {.name = "depth",
@@ -153,9 +151,9 @@ Result<RenderRequest> renderRequestOf(const Arguments& arguments)
         return picture.error();
     request.picture = *picture;
     request.backend = arguments.value("backend").value_or(std::string(defaultBackend));
-    if (request.backend != "cpu" && request.backend != "gl" && request.backend != "gl33")
+    if (request.backend != "cpu" && request.backend != "gl")
         return Error{ErrorKind::WrongUsage,
-                     "'" + request.backend + "' does not fit '--backend': it takes cpu, gl or gl33."};
+                     "'" + request.backend + "' does not fit '--backend': it takes cpu or gl."};
     if (const Status files = checkFiles(request); !files)
         return files.error();
     return request;

@@ -19,7 +19,7 @@ struct RenderRequest {
     std::optional<std::filesystem::path> depth; ///< the file for the depths
     MeshQuery query;
     PictureOptions picture;
-    std::string backend; ///< "cpu", "gl" or "gl33"
+    std::string backend; ///< "cpu" or "gl"
 };
 
 /// --camera, --size, --samples, --background, --backend, --threads, --depth, --output.

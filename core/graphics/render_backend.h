@@ -35,13 +35,8 @@ struct RenderStatistics {
     double orderSeconds = 0;
     double setUpSeconds = 0; ///< projecting, binning
     double fillSeconds = 0;
-    bool cellsOnCard = false;  ///< compute shaders classified, projected and sorted them (OpenGL 4.3)
-    bool orderOnCard = false;  ///< and ordered them, in every volume
     std::size_t sentBytes = 0; ///< of cells and their order, to the graphics card; without the mesh, sent once
 };
-
-/// Which OpenGL is used at most: with 4.3 compute shaders order, classify, project and sort a volume's cells.
-enum class GlLevel { Gl33, Gl43 };
 
 /// Turns a scene into a picture (B4). The CPU back end is the reference; the OpenGL one draws the same within 2/255.
 /// One object is used from one thread at a time; it keeps what the next picture of the same scene can use.
@@ -53,14 +48,11 @@ public:
                                    const Progress& progress = {}) = 0;
     /// Of the last picture that was finished.
     virtual RenderStatistics statistics() const = 0;
-    /// Why the last picture was not drawn in the way that was asked for, though in another; empty if it was.
-    virtual std::string note() const { return {}; }
 };
 
 /// Needs nothing but memory.
 std::unique_ptr<RenderBackend> makeCpuBackend();
-/// OpenGL 3.3 or newer without a window, by EGL; the error says what is missing on this machine. Where `level` is more
-/// than it has, it draws the same picture with what there is (RenderBackend::note).
-Result<std::unique_ptr<RenderBackend>> makeGlBackend(GlLevel level = GlLevel::Gl43);
+/// OpenGL 3.3 or newer without a window, by EGL; the error says what is missing on this machine.
+Result<std::unique_ptr<RenderBackend>> makeGlBackend();
 
 } // namespace tetra

@@ -237,7 +237,6 @@ private slots:
         QTest::addColumn<QString>("backend");
         QTest::newRow("cpu") << "cpu";
         QTest::newRow("gl") << "gl";
-        QTest::newRow("gl33") << "gl33";
     }
     void renderDraws()
     {

@@ -90,7 +90,7 @@ private slots:
         QVERIFY(options.contains("--backend"));
         for (const QString& option : options)
             QVERIFY2(page.contains(option), qPrintable(option));
-        for (const char* backend : {"auto", "cpu", "gl", "gl33"})
+        for (const char* backend : {"auto", "cpu", "gl"})
             QVERIFY2(QRegularExpression(QString("\\b%1\\b").arg(backend)).match(page).hasMatch(), backend);
     }
 
@@ -109,7 +109,7 @@ private slots:
         QCOMPARE(offeredByBash({"tan", "re"}), QStringList({"render", "reproduce"}));
         for (const QString& subcommand : names)
             QCOMPARE(offeredByBash({"tan", subcommand, "--"}), optionsInHelp(tanHelp(subcommand)));
-        QCOMPARE(offeredByBash({"tan", "render", "a.tan", "--backend", ""}), QStringList({"cpu", "gl", "gl33"}));
+        QCOMPARE(offeredByBash({"tan", "render", "a.tan", "--backend", ""}), QStringList({"cpu", "gl"}));
         QCOMPARE(offeredByBash({"tan", "render", "a.tan", "-o", ""}), QStringList()); // files, by the shell itself
     }
 
@@ -130,7 +130,7 @@ private slots:
             found.sort();
             QCOMPARE(found, expected);
         }
-        QCOMPARE(offered("tan render --backend "), QStringList({"cpu", "gl", "gl33"}));
+        QCOMPARE(offered("tan render --backend "), QStringList({"cpu", "gl"}));
     }
 
     void zshKnowsEveryOption()

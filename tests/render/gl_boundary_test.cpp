@@ -2,7 +2,7 @@
 // Boundaries of meshes with holes on the OpenGL back end against the CPU's (B4), by TAN_GL_LEVEL at most: colours of
 // vertices, translucent ones in the volume, and without what faces the eye. Skipped where EGL gives no OpenGL 3.3.
 #include "tests/render/boundary_scenes.h"
-#include "tests/render/gl_level.h"
+#include "tests/render/gl_test.h"
 #include "tests/render/same_picture.h"
 
 #include <QTest>
@@ -14,7 +14,7 @@ class GlBoundaryTest : public GlTest {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { makeGl(levelOfTest()); }
+    void initTestCase() { makeGl(); }
 
     void sameAsTheCpu_data()
     {

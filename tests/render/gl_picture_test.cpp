@@ -6,7 +6,7 @@
 #include "core/graphics/picture_options.h"
 #include "core/graphics/render_backend.h"
 #include "tests/core/graphics/lattice_mesh.h"
-#include "tests/render/gl_level.h"
+#include "tests/render/gl_test.h"
 #include "tests/render/same_picture.h"
 #include "tests/render/scenes.h"
 
@@ -107,21 +107,11 @@ View viewNamed(const QString& name)
 
 } // namespace
 
-class GlPictureTest : public QObject {
+class GlPictureTest : public GlTest {
     Q_OBJECT
 
-private:
-    std::unique_ptr<RenderBackend> cpu_ = makeCpuBackend();
-    std::unique_ptr<RenderBackend> gl_;
-
 private slots:
-    void initTestCase()
-    {
-        if (const std::string reason = whyNoGl(GlLevel::Gl33); !reason.empty())
-            QSKIP(reason.c_str());
-        gl_ = glBackendOf(GlLevel::Gl43);
-        QCOMPARE(gl_->id(), std::string_view("gl"));
-    }
+    void initTestCase() { makeGl(); }
 
     void sameAsTheCpu_data()
     {

@@ -48,8 +48,6 @@ public:
     virtual ~Canvas() = default;
     virtual QWidget* widget() = 0;
     virtual QString backendName() const = 0;
-    /// Why the last picture was drawn in another way than what is best here; empty if it was not.
-    virtual QString backendNote() const { return {}; }
     virtual void show(const View& view) = 0;
     /// Pictures a second to hold while something moves.
     virtual void setFrameRate(double perSecond) = 0;

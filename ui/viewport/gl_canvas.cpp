@@ -49,7 +49,7 @@ bool isSoftware(const QString& renderer)
 
 } // namespace
 
-GlCanvas::GlCanvas(GlLevel level, QWidget* parent) : QOpenGLWidget(parent), level_(level)
+GlCanvas::GlCanvas(QWidget* parent) : QOpenGLWidget(parent)
 {
     setFormat(wantedFormat());
     pacer_.setFrameRate(usualFrameRate());
@@ -73,15 +73,7 @@ void GlCanvas::release()
 
 QString GlCanvas::backendName() const
 {
-    if (!painter_)
-        return tr("OpenGL");
-    const bool newest = painter_->level() == GlLevel::Gl43 && painter_->note().empty();
-    return tr("OpenGL %1", "a version").arg(newest ? "4.3" : "3.3");
-}
-
-QString GlCanvas::backendNote() const
-{
-    return painter_ ? translatedSentence(painter_->note()) : QString();
+    return tr("OpenGL");
 }
 
 void GlCanvas::show(const View& view)
@@ -103,11 +95,9 @@ void GlCanvas::initializeGL()
 {
     // The context goes when the widget moves to another window.
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlCanvas::release, Qt::UniqueConnection);
-    auto painter = ScenePainter::make(
-        [](const char* name) {
-            return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name));
-        },
-        level_);
+    auto painter = ScenePainter::make([](const char* name) {
+        return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name));
+    });
     if (painter)
         painter_ = *std::move(painter);
     else

@@ -15,13 +15,11 @@ class ScenePainter;
 class GlCanvas : public QOpenGLWidget, public Canvas {
     Q_OBJECT
 public:
-    /// `level`: the newest OpenGL that it may use.
-    explicit GlCanvas(GlLevel level, QWidget* parent = nullptr);
+    explicit GlCanvas(QWidget* parent = nullptr);
     ~GlCanvas() override;
 
     QWidget* widget() override { return this; }
     QString backendName() const override;
-    QString backendNote() const override;
     void show(const View& view) override;
     void setFrameRate(double perSecond) override { pacer_.setFrameRate(perSecond); }
     double usualFrameRate() const override { return 30; }
@@ -39,7 +37,6 @@ private:
     void giveUp(const QString& text);
     void release();
 
-    GlLevel level_;
     View view_;
     bool settled_ = false;
     bool smoothing_ = false;   ///< the fine picture of the view was drawn: now the smooth one

@@ -9,9 +9,8 @@ namespace tetra {
 Canvas* makeCanvas(BackendChoice choice)
 {
     const GlSupport support = choice == BackendChoice::Cpu ? GlSupport::None : glSupport();
-    const bool wanted = choice == BackendChoice::Gl || choice == BackendChoice::Gl33;
-    if (support == GlSupport::Hardware || (support == GlSupport::Software && wanted))
-        return new GlCanvas(choice == BackendChoice::Gl33 ? GlLevel::Gl33 : GlLevel::Gl43);
+    if (support == GlSupport::Hardware || (support == GlSupport::Software && choice == BackendChoice::Gl))
+        return new GlCanvas;
     return new CpuCanvas;
 }
 

@@ -286,11 +286,6 @@ QString Viewport::backendName() const
     return canvas_->backendName();
 }
 
-QString Viewport::backendNote() const
-{
-    return canvas_->backendNote();
-}
-
 bool Viewport::settled() const
 {
     return !view_.moving && glide_.state() != QAbstractAnimation::Running && canvas_->settled();

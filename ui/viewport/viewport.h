@@ -72,7 +72,6 @@ public:
     void setPerspective(bool perspective);
 
     QString backendName() const;
-    QString backendNote() const; ///< Canvas::backendNote()
     /// True once the fine picture of the present scene and camera is on the screen.
     bool settled() const;
     QImage picture() const;

@@ -331,7 +331,7 @@ void MainWindow::connectMessages()
 
 void MainWindow::showBackend()
 {
-    status_->setBackend(viewport_->backendName(), viewport_->backendNote());
+    status_->setBackend(viewport_->backendName());
 }
 
 void MainWindow::saveMesh()

@@ -114,11 +114,10 @@ QString StatusLine::movingText(const FrameReport& report)
     return parts.join(tr(", "));
 }
 
-void StatusLine::setBackend(const QString& name, const QString& note)
+void StatusLine::setBackend(const QString& name)
 {
-    const QString toolTip = tr("What draws the picture: OpenGL or the processor");
     backend_->setText(name);
-    backend_->setToolTip(note.isEmpty() ? toolTip : toolTip + "\n" + note);
+    backend_->setToolTip(tr("What draws the picture: OpenGL or the processor"));
     backend_->show();
 }
 

@@ -25,8 +25,7 @@ public:
     void clearScene();
     void setScene(const BuiltScene& scene);
     void setFrame(const FrameReport& report);
-    /// `note`: what there is to say of it, for the tool tip.
-    void setBackend(const QString& name, const QString& note);
+    void setBackend(const QString& name);
     /// The value that was picked in the picture and where it is; empty: none.
     void setPicked(const QString& text);
     void setBusy(bool busy);

@@ -61,12 +61,12 @@ public:
         painter_.reset();
     }
 
-    Status initialise(GlLevel level)
+    Status initialise()
     {
         const EglContext::Current current(*context_);
         if (!current.ok())
             return notCurrentError();
-        Result<std::unique_ptr<ScenePainter>> painter = ScenePainter::make(context_->getProcAddress(), level);
+        Result<std::unique_ptr<ScenePainter>> painter = ScenePainter::make(context_->getProcAddress());
         if (!painter)
             return painter.error();
         painter_ = std::move(*painter);
@@ -96,7 +96,6 @@ public:
     }
 
     RenderStatistics statistics() const override { return painter_->statistics(); }
-    std::string note() const override { return painter_->note(); }
 
 private:
     std::unique_ptr<EglContext> context_;
@@ -106,13 +105,13 @@ private:
 
 } // namespace
 
-Result<std::unique_ptr<RenderBackend>> makeGlBackend(GlLevel level)
+Result<std::unique_ptr<RenderBackend>> makeGlBackend()
 {
     Result<std::unique_ptr<EglContext>> context = EglContext::make();
     if (!context)
         return context.error();
     auto backend = std::make_unique<GlBackend>(std::move(*context));
-    if (Status status = backend->initialise(level); !status)
+    if (Status status = backend->initialise(); !status)
         return status.error();
     return std::unique_ptr<RenderBackend>(std::move(backend));
 }

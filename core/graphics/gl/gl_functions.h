@@ -58,7 +58,6 @@ inline constexpr unsigned renderer = 0x1F01;
 inline constexpr unsigned outOfMemory = 0x0505;
 inline constexpr unsigned vertexShader = 0x8B31;
 inline constexpr unsigned fragmentShader = 0x8B30;
-inline constexpr unsigned computeShader = 0x91B9; // OpenGL 4.3
 inline constexpr unsigned compileStatus = 0x8B81;
 inline constexpr unsigned linkStatus = 0x8B82;
 inline constexpr unsigned infoLogLength = 0x8B84;

@@ -54,14 +54,6 @@ Result<std::unique_ptr<GlProgram>> GlProgram::make(const GlFunctions& gl, const 
     return linked(std::move(program));
 }
 
-Result<std::unique_ptr<GlProgram>> GlProgram::makeCompute(const GlFunctions& gl, const char* computeShader)
-{
-    std::unique_ptr<GlProgram> program(new GlProgram(gl, gl.createProgram()));
-    if (Status status = attach(gl, program->name_, gl::computeShader, computeShader); !status)
-        return status.error();
-    return linked(std::move(program));
-}
-
 Result<std::unique_ptr<GlProgram>> GlProgram::linked(std::unique_ptr<GlProgram> program)
 {
     const GlFunctions& gl = program->gl_;

@@ -22,8 +22,6 @@ public:
     /// driver's own text.
     static Result<std::unique_ptr<GlProgram>> make(const GlFunctions& gl, const char* vertexShader,
                                                    std::span<const char* const> fragmentShaders);
-    /// From the text of a compute shader, in a context that has them.
-    static Result<std::unique_ptr<GlProgram>> makeCompute(const GlFunctions& gl, const char* computeShader);
     ~GlProgram();
     GlProgram(const GlProgram&) = delete;
     GlProgram& operator=(const GlProgram&) = delete;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/graphics/gl/painter_programs.h"
 
-#include "core/graphics/gl/volume_shaders.h"
-
 #include <array>
+#include <string>
 #include <tan_shaders.h>
 
 namespace tetra {
@@ -30,7 +29,10 @@ Result<PainterPrograms> makePainterPrograms(const GlFunctions& gl)
     make(programs.resolve, shaders::screenVert, std::array{shaders::resolveFrag});
     make(programs.saturated, shaders::screenVert, std::array{shaders::saturatedFrag});
     make(programs.bisect, shaders::screenVert, std::array{shaders::bisectFrag});
-    make(programs.volume, cellVertexShader(shaders::volumeVert).c_str(), volumeFragmentShaders());
+    const std::string volumeVertexShader = std::string("#version 330 core\n") + shaders::imageGlsl +
+                                           shaders::cellGlsl + shaders::facesGlsl + shaders::volumeVert;
+    make(programs.volume, volumeVertexShader.c_str(),
+         std::array{shaders::volumeFrag, shaders::slabFrag, shaders::focusFrag});
     if (!status)
         return status.error();
     return programs;

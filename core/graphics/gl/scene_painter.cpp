@@ -34,14 +34,13 @@ constexpr float farthestDepth = 1;
 
 class ScenePainter::Implementation {
 public:
-    explicit Implementation(const GetProcAddress& getProcAddress) : gl_(getProcAddress), volume_(gl_, getProcAddress) {}
+    explicit Implementation(const GetProcAddress& getProcAddress) : gl_(getProcAddress), volume_(gl_) {}
 
-    Status initialise(GlLevel level);
+    Status initialise();
     Status draw(const Scene& scene, const Camera& camera, const PictureOptions& options, unsigned framebuffer,
                 const Progress& progress);
     const std::string& rendererName() const noexcept { return rendererName_; }
     const RenderStatistics& statistics() const noexcept { return statistics_; }
-    const VolumePainter& volume() const noexcept { return volume_; }
     std::vector<float> takeDepth() noexcept { return std::move(depth_); }
 
 private:
@@ -70,7 +69,7 @@ private:
     std::vector<float> depth_;
 };
 
-Status ScenePainter::Implementation::initialise(GlLevel level)
+Status ScenePainter::Implementation::initialise()
 {
     if (!gl_.find.missing().empty())
         return Error{ErrorKind::OutOfResource, "The OpenGL driver has no function " + gl_.find.missing() +
@@ -94,8 +93,6 @@ Status ScenePainter::Implementation::initialise(GlLevel level)
     layerQuery_ = {gl_.genQueries, gl_.deleteQueries};
     fragmentQuery_ = {gl_.genQueries, gl_.deleteQueries};
     surfaces_.emplace(gl_, programs_);
-    if (level == GlLevel::Gl43)
-        volume_.useCompute();
     return {};
 }
 
@@ -315,10 +312,10 @@ ScenePainter::ScenePainter(std::unique_ptr<Implementation> implementation) : imp
 
 ScenePainter::~ScenePainter() = default;
 
-Result<std::unique_ptr<ScenePainter>> ScenePainter::make(const GetProcAddress& getProcAddress, GlLevel level)
+Result<std::unique_ptr<ScenePainter>> ScenePainter::make(const GetProcAddress& getProcAddress)
 {
     auto implementation = std::make_unique<Implementation>(getProcAddress);
-    if (Status status = implementation->initialise(level); !status)
+    if (Status status = implementation->initialise(); !status)
         return status.error();
     return std::unique_ptr<ScenePainter>(new ScenePainter(std::move(implementation)));
 }
@@ -337,16 +334,6 @@ Status ScenePainter::draw(const Scene& scene, const Camera& camera, const Pictur
 const std::string& ScenePainter::rendererName() const noexcept
 {
     return implementation_->rendererName();
-}
-
-GlLevel ScenePainter::level() const noexcept
-{
-    return implementation_->volume().level();
-}
-
-std::string ScenePainter::note() const
-{
-    return implementation_->volume().note();
 }
 
 RenderStatistics ScenePainter::statistics() const noexcept

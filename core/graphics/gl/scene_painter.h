@@ -14,8 +14,8 @@
 
 namespace tetra {
 
-/// Draws scenes with OpenGL 3.3, or 4.3 where there is that, into a framebuffer of a context that somebody else owns: a
-/// window's, or the picture back end's. It is the OpenGL half of RenderBackend: the same pictures as the CPU's within
+/// Draws scenes with OpenGL 3.3 into a framebuffer of a context that somebody else owns: a window's, or the picture back
+/// end's. It is the OpenGL half of RenderBackend: the same pictures as the CPU's within
 /// 2/255, but where an edge falls into another sample by rounding.
 ///
 /// Translucency is exact to the sample, by depth peeling from the front: each layer draws the translucent surfaces once
@@ -27,10 +27,8 @@ namespace tetra {
 /// Everything is called from one thread with the context current, the destructor, too.
 class ScenePainter {
 public:
-    /// Looks up the functions and compiles the shaders; those of OpenGL 4.3 if `level` allows and the driver has them.
-    /// Errors: no OpenGL 3.3, what the driver refuses of it.
-    static Result<std::unique_ptr<ScenePainter>> make(const GetProcAddress& getProcAddress,
-                                                      GlLevel level = GlLevel::Gl43);
+    /// Looks up the functions and compiles the shaders. Errors: no OpenGL 3.3, what the driver refuses of it.
+    static Result<std::unique_ptr<ScenePainter>> make(const GetProcAddress& getProcAddress);
     ~ScenePainter();
     ScenePainter(const ScenePainter&) = delete;
     ScenePainter& operator=(const ScenePainter&) = delete;
@@ -48,11 +46,6 @@ public:
     /// Picture::depth of the last picture, if it was wanted. It takes HalfLight::steps times as long as the picture.
     /// Where a hybrid's order is WithCell, too, depths are those of Exact.
     std::vector<float> takeDepth() noexcept;
-
-    /// What volumes are drawn with.
-    GlLevel level() const noexcept;
-    /// RenderBackend::note() of the last picture.
-    std::string note() const;
 
     /// The driver's name of what draws: "NVIDIA ...", "llvmpipe (LLVM ...)".
     const std::string& rendererName() const noexcept;

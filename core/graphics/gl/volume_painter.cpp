@@ -64,39 +64,6 @@ std::vector<Eigen::Vector4f> cutsOf(const std::vector<ClipPlane>& planes, const 
 
 } // namespace
 
-void VolumePainter::useCompute()
-{
-    levelNote_ = "Volumes are drawn with OpenGL 3.3. ";
-    if (Status status = checkCompute(gl_, computeFunctions_); !status) {
-        levelNote_ += status.error().text;
-        return;
-    }
-    Result<ComputePrograms> programs = makeComputePrograms(gl_);
-    if (programs) {
-        compute_ = std::move(*programs);
-        levelNote_.clear();
-    } else {
-        levelNote_ += programs.error().text;
-    }
-}
-
-Status VolumePainter::prepareOnCard(const Volume& volume, const KeptOrder::Request& order, int threads,
-                                    const Progress& progress, DrawnVolume& drawn)
-{
-    const auto setView = [&](const GlProgram& program) {
-        setUniforms(program);
-        setVolume(program, drawn);
-    };
-    CardVolume& onCard = drawn.keptOnCard.volumeOf(volume.mesh);
-    RenderStatistics statistics = statistics_;
-    Status status = onCard.prepare(context(), *compute_, {volume, order, threads, setView}, progress, statistics);
-    if (!status)
-        return status;
-    drawn.onCard = &onCard;
-    statistics_ = statistics;
-    return {};
-}
-
 Status VolumePainter::prepareBuffers(const Volume& volume, const KeptOrder::Request& order, int threads,
                                      const Progress& progress, DrawnVolume& drawn)
 {
@@ -105,7 +72,6 @@ Status VolumePainter::prepareBuffers(const Volume& volume, const KeptOrder::Requ
         return kept.error();
     drawn.buffers = *kept;
     VolumeBuffers& buffers = *drawn.buffers;
-    statistics_.cellsOnCard = statistics_.orderOnCard = false;
     Clock::time_point start = Clock::now();
     if (Status status = onThreads(threads, [&] { return buffers.order.prepare(order, progress); }); !status)
         return status;
@@ -132,27 +98,18 @@ Status VolumePainter::prepareVolume(const Volume& volume, const SampleView& view
         return Error{ErrorKind::WrongUsage, "A volume of the scene and its transfer function do not belong together."};
     drawn.shaded = volume.shaded;
     drawn.segments = scaleSegments(volume.transfer->segments, view_.unit);
-    drawn.onCard = nullptr;
     drawn.buffers = nullptr;
     fillSegments(gl_, drawn.segments, drawn.segmentBuffer);
     const KeptOrder::Request order{
         volume.mesh, view.camera, view_, {0, 0, view.width, view.height}, options.orderTolerance};
-    if (compute_) {
-        Status status = prepareOnCard(volume, order, options.threads, progress, drawn);
-        if (status || status.error().kind == ErrorKind::Cancelled)
-            return status;
-        pictureNote_ = "The volume is drawn with OpenGL 3.3. " + status.error().text;
-    }
     return prepareBuffers(volume, order, options.threads, progress, drawn);
 }
 
 Status VolumePainter::prepare(const Scene& scene, const SampleView& view, const PictureOptions& options,
                               const Progress& progress)
 {
-    pictureNote_.clear();
     statistics_ = {};
-    statistics_.orderReused = true;                                           // until a volume needs a new one
-    statistics_.cellsOnCard = statistics_.orderOnCard = compute_.has_value(); // until a volume does without
+    statistics_.orderReused = true; // until a volume needs a new one
     const Camera& camera = view.camera;
     view_ = makeVolumeView(camera, view.width, view.height, view.bounds);
     origin_ = camera.perspective ? eyePosition(camera) : camera.target;
@@ -238,45 +195,28 @@ void VolumePainter::setPartUniforms(const GlProgram& program, const DrawnVolume&
     setPart(program, part);
 }
 
-/// Makes a chunk ready for the program, which it leaves in use. How many cells it has.
-int VolumePainter::bindChunk(const GlProgram& program, const DrawnVolume& volume, std::size_t chunk) const
-{
-    if (volume.onCard != nullptr) {
-        CardCells& cells = volume.onCard->cells();
-        const int count = cells.setUpChunk(context(), *compute_, volume.onCard->mesh(), chunk);
-        program.use();
-        cells.bindChunk(program);
-        return count;
-    }
-    const CellChunk& bound = volume.buffers->chunks[chunk];
-    program.use();
-    program.setTexture("vertices", 3, volume.buffers->vertices.texture.name(), gl::textureBuffer);
-    program.setTexture("corners", 5, bound.corners.texture.name(), gl::textureBuffer);
-    program.setTexture("segmentsOfCell", 6, bound.segments.texture.name(), gl::textureBuffer);
-    return bound.count;
-}
-
 Status VolumePainter::drawPart(const PainterPrograms& programs, const SampleTargets& targets,
                                const VolumeLayers& layers, const VolumePart& part, const Progress& progress) const
 {
     const DrawnVolume& volume = part.fine ? fine_ : coarse_;
-    const bool onCard = volume.onCard != nullptr;
-    const GlProgram& program = onCard ? *compute_->draw : *programs.volume;
-    if (onCard)
-        setPartUniforms(*compute_->setUp, volume, part);
+    const GlProgram& program = *programs.volume;
     setPartUniforms(program, volume, part);
+    program.setTexture("vertices", 3, volume.buffers->vertices.texture.name(), gl::textureBuffer);
     program.set("layered", layers.behind != 0 ? 1 : 0);
     program.setTexture("opaqueDepth", 0, layers.opaqueDepth);
     program.setTexture("layerBefore", 1, layers.before);
     program.setTexture("layerBehind", 2, layers.behind);
-    const std::size_t chunks = onCard ? volume.onCard->cells().chunkCount() : volume.buffers->chunks.size();
-    const std::size_t chunksPerMark = (chunks + marks - 1) / marks;
-    for (std::size_t i = 0; i < chunks; ++i) {
+    const std::vector<CellChunk>& chunks = volume.buffers->chunks;
+    const std::size_t chunksPerMark = (chunks.size() + marks - 1) / marks;
+    for (std::size_t i = 0; i < chunks.size(); ++i) {
         if (progress.cancelled())
             return cancelledError(drawingVolume);
         if (i > 0 && i % chunksPerMark == 0)
             markSaturated(*programs.saturated, targets);
-        gl_.drawArrays(gl::triangles, 0, bindChunk(program, volume, i) * verticesPerCell);
+        program.use();
+        program.setTexture("corners", 5, chunks[i].corners.texture.name(), gl::textureBuffer);
+        program.setTexture("segmentsOfCell", 6, chunks[i].segments.texture.name(), gl::textureBuffer);
+        gl_.drawArrays(gl::triangles, 0, chunks[i].count * verticesPerCell);
     }
     return {};
 }

@@ -3,7 +3,6 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/graphics/gl/compute/card_volume.h"
 #include "core/graphics/gl/painter_programs.h"
 #include "core/graphics/gl/region_in_view.h"
 #include "core/graphics/gl/sample_targets.h"
@@ -12,7 +11,6 @@
 #include "core/graphics/render_backend.h"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace tetra {
@@ -28,9 +26,8 @@ struct VolumeLayers {
 /// faces of its that look away from the eye; each fragment computes the ray's way through the cell and its light in
 /// closed form, as the CPU back end does.
 ///
-/// With OpenGL 3.3 the order comes from the CPU and stays on the card while it fits; the vertex shader sets up each
-/// cell, for each of its corners. With 4.3 compute shaders choose, order and set up the cells, once a picture
-/// (CardVolume). What they cannot hold is drawn as with 3.3, so the picture is the same.
+/// The order comes from the CPU and stays on the card while it fits; the vertex shader sets up each cell, for each of
+/// its corners.
 ///
 /// A focus is drawn by parts of rays: before it, in its border layers of both volumes in turn by their weights, in it,
 /// and behind it. Each part is a drawing of the cells that may have something in it.
@@ -38,17 +35,7 @@ struct VolumeLayers {
 /// The context must be current for everything, also when it goes; `gl` must outlive it.
 class VolumePainter {
 public:
-    /// Draws with OpenGL 3.3 until useCompute().
-    VolumePainter(const GlFunctions& gl, const GetProcAddress& getProcAddress)
-        : gl_(gl), computeFunctions_(getProcAddress), coarse_(gl), fine_(gl)
-    {
-    }
-
-    /// Takes compute shaders from now on, if the context has them; else note() says why not.
-    void useCompute();
-    GlLevel level() const noexcept { return compute_ ? GlLevel::Gl43 : GlLevel::Gl33; }
-    /// RenderBackend::note() of what prepare() did.
-    const std::string& note() const noexcept { return pictureNote_.empty() ? levelNote_ : pictureNote_; }
+    explicit VolumePainter(const GlFunctions& gl) : gl_(gl), coarse_(gl), fine_(gl) {}
 
     /// Makes ready to draw the scene's volume, which there must be. Errors: parts that do not belong together, more
     /// vertices than the driver allows, no memory, cancelled.
@@ -64,10 +51,8 @@ public:
     /// Frees the buffers of meshes that nobody holds any more.
     void dropDead()
     {
-        for (DrawnVolume* drawn : {&coarse_, &fine_}) {
-            drawn->kept.dropDead();
-            drawn->keptOnCard.dropDead();
-        }
+        coarse_.kept.dropDead();
+        fine_.kept.dropDead();
     }
 
     /// Of what prepare() did.
@@ -78,37 +63,26 @@ private:
     struct DrawnVolume {
         explicit DrawnVolume(const GlFunctions& gl) : kept(gl) {}
         VolumeBufferCache kept;
-        CardVolumeCache keptOnCard;
         TextureBuffer segmentBuffer;
-        // Of the picture being drawn: one of these.
+        // Of the picture being drawn.
         VolumeBuffers* buffers = nullptr;
-        CardVolume* onCard = nullptr;
         ScaledSegments segments;
         bool shaded = false;
     };
 
     Status prepareVolume(const Volume& volume, const SampleView& view, const PictureOptions& options,
                          const Progress& progress, DrawnVolume& drawn);
-    Status prepareOnCard(const Volume& volume, const KeptOrder::Request& order, int threads, const Progress& progress,
-                         DrawnVolume& drawn);
     Status prepareBuffers(const Volume& volume, const KeptOrder::Request& order, int threads, const Progress& progress,
                           DrawnVolume& drawn);
     void setUniforms(const GlProgram& program) const;
     void setVolume(const GlProgram& program, const DrawnVolume& volume) const;
     Status drawPart(const PainterPrograms& programs, const SampleTargets& targets, const VolumeLayers& layers,
                     const VolumePart& part, const Progress& progress) const;
-    int bindChunk(const GlProgram& program, const DrawnVolume& volume, std::size_t chunk) const;
     void setPartUniforms(const GlProgram& program, const DrawnVolume& volume, const VolumePart& part) const;
     void markSaturated(const GlProgram& program, const SampleTargets& targets) const;
     void setCellState() const;
 
-    ComputeContext context() const { return {gl_, computeFunctions_}; }
-
     const GlFunctions& gl_;
-    ComputeFunctions computeFunctions_;
-    std::optional<ComputePrograms> compute_;
-    std::string levelNote_;
-    std::string pictureNote_;
     DrawnVolume coarse_;
     DrawnVolume fine_;
     RenderStatistics statistics_;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/graphics/gl/egl_context.h"
+#include "core/graphics/render_backend.h"
+
+#include <QObject>
+#include <QTest>
+
+#include <memory>
+#include <string>
+
+namespace tetra::testing {
+
+/// A test of OpenGL's back end against the CPU's.
+class GlTest : public QObject {
+protected:
+    /// For initTestCase(), which it must end: skips the whole test where the driver has no OpenGL. Where it has, a back
+    /// end that cannot be made has failed.
+    void makeGl()
+    {
+        if (const auto context = EglContext::make(); !context)
+            QSKIP(("skipped: " + context.error().text).c_str());
+        auto backend = makeGlBackend();
+        if (!backend)
+            qFatal("%s", backend.error().text.c_str());
+        gl_ = std::move(*backend);
+    }
+
+    std::unique_ptr<RenderBackend> cpu_ = makeCpuBackend();
+    std::unique_ptr<RenderBackend> gl_;
+};
+
+} // namespace tetra::testing
