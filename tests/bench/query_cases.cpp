@@ -90,36 +90,6 @@ BenchCase focusCase(const std::shared_ptr<const Model>& model, const QString& na
 
 } // namespace
 
-std::vector<BenchCase> accuracyChangeCases(const std::shared_ptr<const Model>& model, const QString& name, int repeats)
-{
-    std::vector<BenchCase> cases;
-    for (const double error : {1.0, 0.5}) {
-        const std::array<double, 2> ends = {error, 0.9 * error};
-        MeshExtractor moving(model);
-        extracted(moving, bothWithin(error));
-        std::array<std::vector<double>, 2> moves;
-        std::array<std::vector<double>, 2> fresh;
-        std::array<std::uint32_t, 2> sites{};
-        for (int i = 0; i < repeats; ++i)
-            for (const int end : {1, 0}) {
-                moves[end].push_back(
-                    secondsOf([&] { sites[end] = extracted(moving, bothWithin(ends[end]))->wholeSites; }));
-                MeshExtractor another(model);
-                fresh[end].push_back(secondsOf([&] { extracted(another, bothWithin(ends[end])); }));
-            }
-        for (const int end : {1, 0}) {
-            BenchCase one;
-            one.name = name + QString(", from %1 to %2 %").arg(ends[1 - end]).arg(ends[end]);
-            one.seconds = median(moves[end]);
-            one.yardstick = "extracting it afresh";
-            one.yardstickSeconds = median(fresh[end]);
-            one.more = {{"sites_before", qint64(sites[1 - end])}, {"sites", qint64(sites[end])}};
-            cases.push_back(one);
-        }
-    }
-    return cases;
-}
-
 std::vector<BenchCase> focusBoxCases(const std::shared_ptr<const Model>& model, const QString& name, int repeats)
 {
     std::vector<BenchCase> cases;

@@ -10,9 +10,6 @@
 
 namespace tetra {
 
-/// Changing the accuracy by a tenth of its value, up and down, over extracting that mesh afresh.
-std::vector<BenchCase> accuracyChangeCases(const std::shared_ptr<const Model>& model, const QString& name, int repeats);
-
 /// Boxes of 1 to 25 % of the domain's volume at its centre, .5 % inside and 4 % outside, as closed sets and by the
 /// automatic choice, over extracting the uniform fine mesh afresh; with the tetrahedra over those of the uniform fine
 /// mesh that meet the box and those of the coarse mesh that do not.

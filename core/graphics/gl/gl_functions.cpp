@@ -26,7 +26,6 @@ static_assert(gl::rgba32f == GL_RGBA32F && gl::rgba32ui == GL_RGBA32UI && gl::rg
 static_assert(gl::depthComponent32f == GL_DEPTH_COMPONENT32F);
 static_assert(gl::majorVersion == GL_MAJOR_VERSION && gl::minorVersion == GL_MINOR_VERSION);
 static_assert(gl::renderer == GL_RENDERER && gl::outOfMemory == GL_OUT_OF_MEMORY);
-static_assert(gl::computeShader == GL_COMPUTE_SHADER);
 static_assert(gl::vertexShader == GL_VERTEX_SHADER && gl::fragmentShader == GL_FRAGMENT_SHADER);
 static_assert(gl::compileStatus == GL_COMPILE_STATUS && gl::linkStatus == GL_LINK_STATUS);
 static_assert(gl::infoLogLength == GL_INFO_LOG_LENGTH);

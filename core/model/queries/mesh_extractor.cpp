@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/queries/mesh_extractor.h"
 
+#include "core/model/extraction.h"
 #include "core/model/queries/budget_search.h"
 #include "core/model/queries/closed_set.h"
 #include "core/model/queries/field_judge.h"
 #include "core/model/queries/history_links.h"
 #include "core/model/queries/lifted_focus.h"
 #include "core/model/queries/mesh_filters.h"
-#include "core/model/queries/prefix_mesh.h"
 #include "core/model/queries/query_check.h"
 #include "core/model/queries/set_mesh.h"
 #include "core/model/queries/sharp_focus.h"
@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <atomic>
 #include <new>
+#include <numeric>
 #include <optional>
 #include <string>
 
@@ -73,23 +74,23 @@ private:
     Status extractByInsertion(const MeshQuery& query, const Progress& progress);
     Status extractWithinBudget(const MeshQuery& query, const Progress& progress);
     Status coverSites(std::uint32_t sites);
-    void makeWritable(bool keepContent);
-
     /// A mesh that goes to a caller and comes back when nobody holds it any more.
     struct LendableMesh {
         ExtractedMesh content;
         std::atomic<bool> lent = false;
     };
     static std::shared_ptr<const ExtractedMesh> lend(const std::shared_ptr<LendableMesh>& mesh);
+    bool isLent() const { return !whole_ || whole_->lent.load(std::memory_order_acquire); }
+    ExtractedMesh& startWhole();
 
     std::shared_ptr<const Model> model_;
     SitePlaces places_;
     HistoryLinks links_;
-    PrefixMesh prefix_;
     std::optional<SharpFocus> focus_;        ///< of a regular lattice
     std::optional<LiftedFocus> liftedFocus_; ///< of a curvilinear grid
     bool insertionFitsHistory_ = true;       ///< as far as is known: its meshes are Delaunay
     std::shared_ptr<LendableMesh> whole_;    ///< the last mesh before values and window; null after an error
+    std::uint32_t uniformSites_ = 0;         ///< of that, if it is uniform; else 0
 };
 
 Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::Work::extract(const MeshQuery& query,
@@ -104,7 +105,6 @@ Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::Work::extract(const 
         found = intact;
     if (!found) {
         whole_.reset();
-        prefix_.forget();
         return found.error();
     }
     ExtractedMesh& whole = whole_->content;
@@ -157,18 +157,26 @@ Status MeshExtractor::Work::extractUniform(const MeshQuery& query, const Progres
             return within.error();
         size = *within;
     }
-    if (const Status covered = coverSites(size.sites); !covered)
-        return covered;
-    makeWritable(true);
-    if (const Status moved = prefix_.moveTo(*model_, size.sites, places_, progress, whole_->content); !moved)
-        return moved;
+    if (isLent() || uniformSites_ != size.sites) {
+        ExtractedMesh& out = startWhole();
+        auto extracted = extractPrefix(*model_, size.sites, progress, std::move(out.mesh));
+        if (!extracted)
+            return extracted.error();
+        out.mesh = *std::move(extracted);
+        out.sites.resize(size.sites);
+        std::iota(out.sites.begin(), out.sites.end(), 0);
+        out.points.clear();
+        out.wholeSites = size.sites;
+        out.wholeTetrahedra = out.mesh.tetrahedra.size();
+        out.method = VariableMethod::ClosedSet;
+        uniformSites_ = size.sites;
+    }
     whole_->content.scale = scaleReached(size, asked);
     return {};
 }
 
 Status MeshExtractor::Work::extractClosedSet(const MeshQuery& query, const Progress& progress)
 {
-    prefix_.forget();
     FieldJudge judge(*model_, query, places_);
     const std::uint32_t finest = meshSizeAt(*model_, judge.finest()).sites;
     constexpr unsigned all = Model::Batches | Model::Stars | Model::OwnBounds;
@@ -185,8 +193,7 @@ Status MeshExtractor::Work::extractClosedSet(const MeshQuery& query, const Progr
                                              progress.part(0.3, 0.8));
     if (!set)
         return set.error();
-    makeWritable(false);
-    return extractSet(*model_, *set, places_, progress.part(0.8, 1), whole_->content);
+    return extractSet(*model_, *set, places_, progress.part(0.8, 1), startWhole());
 }
 
 /// Why a query cannot be answered by insertion, as the end of a sentence; null if, without looking, it can.
@@ -254,21 +261,20 @@ Status MeshExtractor::Work::extractByInsertion(const MeshQuery& query, const Pro
 {
     if (query.budget)
         return extractWithinBudget(query, progress);
-    prefix_.forget();
-    makeWritable(false);
+    ExtractedMesh& out = startWhole();
     const bool lifted = model_->description().domain == DomainClass::Curvilinear;
     if (lifted && !liftedFocus_)
         liftedFocus_.emplace(*model_);
     if (!lifted && !focus_)
         focus_.emplace(*model_);
-    auto found = lifted ? liftedFocus_->extract(query, progress, std::move(whole_->content))
-                        : focus_->extract(*query.error.asSpaceRamp(), false, progress, std::move(whole_->content));
+    auto found = lifted ? liftedFocus_->extract(query, progress, std::move(out))
+                        : focus_->extract(*query.error.asSpaceRamp(), false, progress, std::move(out));
     if (!found) {
         // Of another builder: only looking at its meshes tells.
         insertionFitsHistory_ &= found.error().kind != ErrorKind::WrongUsage;
         return found.error();
     }
-    whole_->content = std::move(*found);
+    out = *std::move(found);
     return {};
 }
 
@@ -292,15 +298,13 @@ std::shared_ptr<const ExtractedMesh> MeshExtractor::Work::lend(const std::shared
     return {&mesh->content, [mesh](const ExtractedMesh*) { mesh->lent.store(false, std::memory_order_release); }};
 }
 
-/// The last mesh may be in others' hands.
-void MeshExtractor::Work::makeWritable(bool keepContent)
+/// To be overwritten: the last mesh, so that its memory is used again, or another one if it is in others' hands.
+ExtractedMesh& MeshExtractor::Work::startWhole()
 {
-    if (whole_ && !whole_->lent.load(std::memory_order_acquire))
-        return;
-    auto fresh = std::make_shared<LendableMesh>();
-    if (keepContent && whole_)
-        fresh->content = whole_->content;
-    whole_ = std::move(fresh);
+    if (isLent())
+        whole_ = std::make_shared<LendableMesh>();
+    uniformSites_ = 0;
+    return whole_->content;
 }
 
 MeshExtractor::MeshExtractor(std::shared_ptr<const Model> model) : work_(std::make_unique<Work>(std::move(model))) {}

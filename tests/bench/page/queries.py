@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The section of the page about meshes out of models: extraction, changes of accuracy, foci."""
+"""The section of the page about meshes out of models: extraction, foci."""
 from figures import AskedPlot, Figure, Section
 from results import Source
 
@@ -10,11 +10,6 @@ FOCI = ("1", "2", "5", "12.5", "25")
 
 def of(kind, case, key, scale=1.0):
     return Source("extraction", f"c60 {{large}}^3 {kind}, {case}", key, scale=scale)
-
-
-def changes():
-    return tuple(Figure(f"{kind}, from {start} to {end} %", of(kind, f"from {start} to {end} %", "ratio"), 0.2)
-                 for kind in TYPES for start, end in (("1", "0.9"), ("0.9", "1"), ("0.5", "0.45"), ("0.45", "0.5")))
 
 
 def closed_sets():
@@ -33,14 +28,11 @@ def foci(what, key, asked):
 
 QUERIES = Section(
     "Meshes out of a model",
-    "From the model of C60 at {large}^3, one thread, the file's pages in memory. Extraction stands beside copying as many bytes; a change of "
-    "accuracy beside making the mesh afresh; a focus (0.5 % in a box, 4 % elsewhere; the box's share of the volume is given) beside "
-    "extracting the uniform mesh of 0.5 % into fresh buffers.",
+    "From the model of C60 at {large}^3, one thread, the file's pages in memory. Extraction stands beside copying as many bytes; a focus "
+    "(0.5 % in a box, 4 % elsewhere; the box's share of the volume is given) beside extracting the uniform mesh of 0.5 % into fresh buffers.",
     (AskedPlot("extraction", "Extraction beside memcpy", "Share of the bandwidth of copying as many bytes; larger is better.", "% of memcpy",
                tuple(Figure(f"{kind}, mesh of {error} %", of(kind, f"extraction at {error} %", "share_of_copy_bandwidth", 100), 60, least=True)
                      for kind in TYPES for error in ("1", "0"))),
-     AskedPlot("accuracy", "Changing the accuracy", "Time of going from one mesh to the next over making that afresh; smaller is better.",
-               "seconds / seconds afresh", changes()),
      AskedPlot("closed-sets", "Closed sets", "Meshes whose accuracy varies, out of the history alone; larger is better.",
                "million sites a second", closed_sets()),
      AskedPlot("focus", "A focus, afresh", "Time over that of the uniform fine mesh; smaller is better.", "seconds / seconds of the uniform mesh",

@@ -82,7 +82,7 @@ private slots:
         }
     }
 
-    /// From each accuracy to any other, by what differs: the mesh is that of the prefix.
+    /// From each accuracy to any other: the mesh is that of the prefix.
     void uniformMeshesMove()
     {
         std::mt19937 random(3);
