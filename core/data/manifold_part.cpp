@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/data/manifold_part.h"
 
+#include "core/base/disjoint_sets.h"
+
 #include <algorithm>
 #include <numeric>
 #include <optional>
@@ -11,23 +13,6 @@ namespace tetra {
 namespace {
 
 using PartCell = std::array<std::uint32_t, 4>;
-
-/// Sets that are joined; the members are 0 to n - 1.
-class PointGroups {
-public:
-    explicit PointGroups(std::size_t members) : parent_(members) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-    std::uint32_t of(std::uint32_t member)
-    {
-        while (parent_[member] != member)
-            member = parent_[member] = parent_[parent_[member]];
-        return member;
-    }
-    void join(std::uint32_t a, std::uint32_t b) { parent_[of(a)] = of(b); }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
 
 bool hasCorner(const PartCell& corners, std::uint32_t point)
 {
@@ -79,7 +64,7 @@ public:
     /// The tetrahedra that must go for the boundary to be a manifold here; empty if it is.
     std::vector<std::uint32_t> superfluous() const
     {
-        PointGroups parts = joined([](const Edge&) { return true; });
+        DisjointSets parts = joined([](const Edge&) { return true; });
         if (auto cells = allButTheLargest(parts, cells_); !cells.empty())
             return cells;
         const std::vector<Edge> rim = rimEdges();
@@ -108,9 +93,9 @@ private:
     }
 
     /// Triangles that share an edge which `counts`.
-    template <class Counts> PointGroups joined(const Counts& counts) const
+    template <class Counts> DisjointSets joined(const Counts& counts) const
     {
-        PointGroups groups(cells_.size());
+        DisjointSets groups(cells_.size());
         for (std::size_t i = 1; i < edges_.size(); ++i)
             if (edges_[i].sameAs(edges_[i - 1]) && counts(edges_[i]))
                 groups.join(edges_[i].triangle, edges_[i - 1].triangle);
@@ -152,18 +137,18 @@ private:
         const auto number = [&](std::uint32_t point) {
             return static_cast<std::uint32_t>(std::ranges::lower_bound(points, point) - points.begin());
         };
-        PointGroups loops(points.size());
+        DisjointSets loops(points.size());
         for (const Edge& edge : rim)
             loops.join(number(edge.a), number(edge.b));
         std::size_t count = 0;
         for (std::uint32_t i = 0; i < points.size(); ++i)
-            count += loops.of(i) == i ? 1 : 0;
+            count += loops.root(i) == i ? 1 : 0;
         return count <= 1;
     }
 
     std::vector<std::uint32_t> aroundEdge(std::uint32_t other) const
     {
-        PointGroups fans = joined([other](const Edge& edge) { return edge.a == other || edge.b == other; });
+        DisjointSets fans = joined([other](const Edge& edge) { return edge.a == other || edge.b == other; });
         std::vector<std::uint32_t> around;
         for (const std::uint32_t cell : cells_)
             if (hasCorner(all_[cell], other))
@@ -172,12 +157,12 @@ private:
     }
 
     /// Of the cells `among`, those that are not in the group with most of them.
-    std::vector<std::uint32_t> allButTheLargest(PointGroups& groups, const std::vector<std::uint32_t>& among) const
+    std::vector<std::uint32_t> allButTheLargest(DisjointSets& groups, const std::vector<std::uint32_t>& among) const
     {
         std::vector<std::pair<std::uint32_t, std::uint32_t>> members; // group and cell
         for (std::uint32_t i = 0; i < cells_.size(); ++i)
             if (std::ranges::find(among, cells_[i]) != among.end())
-                members.emplace_back(groups.of(i), cells_[i]);
+                members.emplace_back(groups.root(i), cells_[i]);
         std::ranges::sort(members);
         std::uint32_t largest = 0;
         std::ptrdiff_t most = 0;

@@ -12,7 +12,7 @@ void HistoryBatch::start(std::uint32_t firstSite, std::uint32_t firstTetrahedron
     firstSite_ = firstSite;
     firstTetrahedron_ = firstTetrahedron;
     points_.clear();
-    parents_.clear();
+    groups_.reset(0);
     tetrahedra_.clear();
 }
 
@@ -20,60 +20,48 @@ void HistoryBatch::add(const HistoryStep& step)
 {
     const std::uint32_t local = siteCount();
     points_.push_back(step.point);
-    parents_.push_back(local);
+    groups_.add();
     for (const HistoryTetrahedron& made : step.star) {
         tetrahedra_.push_back(
             {{firstSite_ + local, made.sites[0], made.sites[1], made.sites[2]}, made.error, made.warping});
         for (const std::uint32_t site : made.sites)
             if (site >= firstSite_)
-                unite(local, site - firstSite_);
+                groups_.join(local, site - firstSite_);
     }
     for (const std::uint32_t destroyed : step.destroyed)
         if (destroyed >= firstTetrahedron_) {
             Tetrahedron& tetrahedron = tetrahedra_[destroyed - firstTetrahedron_];
             tetrahedron.dropped = true;
-            unite(local, tetrahedron.sites[0] - firstSite_);
+            groups_.join(local, tetrahedron.sites[0] - firstSite_);
         }
 }
 
 void HistoryBatch::uniteAll()
 {
     for (std::uint32_t local = 1; local < siteCount(); ++local)
-        unite(0, local);
+        groups_.join(0, local);
 }
 
 void HistoryBatch::arrange()
 {
     const std::uint32_t count = siteCount();
-    for (std::uint32_t local = 0; local < count; ++local)
-        parents_[local] = root(local);
+    firsts_.resize(count);
+    std::iota(firsts_.begin(), firsts_.end(), 0u);
+    for (std::uint32_t local = 0; local < count; ++local) {
+        std::uint32_t& first = firsts_[groups_.root(local)];
+        if (points_[local] < points_[first])
+            first = local;
+    }
+    for (std::uint32_t local = count; local-- > 0;) // roots last: none is greater than its sites
+        firsts_[local] = firsts_[groups_.root(local)];
     order_.resize(count);
     std::iota(order_.begin(), order_.end(), 0u);
     if (count > 1)
         std::ranges::sort(order_, {},
-                          [this](std::uint32_t local) { return std::pair(points_[parents_[local]], points_[local]); });
+                          [this](std::uint32_t local) { return std::pair(points_[firsts_[local]], points_[local]); });
     places_.resize(count);
     for (std::uint32_t place = 0; place < count; ++place)
         places_[order_[place]] = place;
-}
-
-std::uint32_t HistoryBatch::root(std::uint32_t local)
-{
-    while (parents_[local] != local) {
-        parents_[local] = parents_[parents_[local]];
-        local = parents_[local];
-    }
-    return local;
-}
-
-void HistoryBatch::unite(std::uint32_t first, std::uint32_t second)
-{
-    first = root(first);
-    second = root(second);
-    if (points_[first] < points_[second])
-        parents_[second] = first;
-    else
-        parents_[first] = second;
 }
 
 std::array<std::uint32_t, 4> latestFirst(const std::array<std::uint32_t, 4>& sites)

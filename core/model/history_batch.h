@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/disjoint_sets.h"
 #include "core/mesh/history.h"
 
 #include <array>
@@ -42,19 +43,17 @@ public:
     /// Whether the site at the next place belongs to the same group.
     bool groupGoesOn(std::uint32_t place) const
     {
-        return place + 1 < siteCount() && parents_[order_[place]] == parents_[order_[place + 1]];
+        return place + 1 < siteCount() && firsts_[order_[place]] == firsts_[order_[place + 1]];
     }
     /// Where a site of this batch went.
     std::uint32_t placeOf(std::uint32_t site) const { return places_[site - firstSite_]; }
 
 private:
-    std::uint32_t root(std::uint32_t local);
-    void unite(std::uint32_t first, std::uint32_t second);
-
     std::uint32_t firstSite_ = 0;
     std::uint32_t firstTetrahedron_ = 0;
     std::vector<std::uint64_t> points_;
-    std::vector<std::uint32_t> parents_; ///< towards the group's first point; after arrange() that one itself
+    DisjointSets groups_;
+    std::vector<std::uint32_t> firsts_; ///< of each site, after arrange(): the site of its group's first point
     std::vector<std::uint32_t> order_;
     std::vector<std::uint32_t> places_;
     std::vector<Tetrahedron> tetrahedra_;

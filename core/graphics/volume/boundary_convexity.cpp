@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/graphics/volume/boundary_convexity.h"
 
+#include "core/base/disjoint_sets.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 namespace tetra {
@@ -49,13 +50,6 @@ double heightOver(const TetrahedralMesh& mesh, const BoundaryEdge& one, const Bo
     return (other.forwards ? 1 : -1) * normal.dot(at(one.third) - start);
 }
 
-std::uint32_t rootOf(std::vector<std::uint32_t>& parents, std::uint32_t face)
-{
-    while (parents[face] != face)
-        face = parents[face] = parents[parents[face]];
-    return face;
-}
-
 } // namespace
 
 bool hasConvexBoundary(const TetrahedralMesh& mesh, const FaceAdjacency& adjacency)
@@ -68,19 +62,17 @@ bool hasConvexBoundary(const TetrahedralMesh& mesh, const FaceAdjacency& adjacen
         bounds.extend(mesh.positions[edge.third]);
     const double dent = deepestDent * bounds.diagonal().norm();
 
-    std::vector<std::uint32_t> parents(edges.size() / 3);
-    std::iota(parents.begin(), parents.end(), 0u);
+    DisjointSets surfaces(edges.size() / 3);
     for (std::size_t i = 0; i < edges.size(); i += 2) {
         const BoundaryEdge &one = edges[i], &other = edges[i + 1];
         const bool pair = one.low == other.low && one.high == other.high && one.forwards != other.forwards;
         const bool alone = i + 2 == edges.size() || edges[i + 2].low != one.low || edges[i + 2].high != one.high;
         if (!pair || !alone || !(heightOver(mesh, one, other) <= dent))
             return false;
-        parents[rootOf(parents, one.face)] = rootOf(parents, other.face);
+        surfaces.join(one.face, other.face);
     }
-    const std::uint32_t root = rootOf(parents, 0);
-    for (std::uint32_t face = 1; face < parents.size(); ++face)
-        if (rootOf(parents, face) != root)
+    for (std::uint32_t face = 1; face < surfaces.size(); ++face)
+        if (surfaces.root(face) != 0)
             return false;
     return true;
 }

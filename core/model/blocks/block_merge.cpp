@@ -99,24 +99,14 @@ void BlockMerge::takeOnlyPart()
 void BlockMerge::unite()
 {
     std::ranges::sort(entries_, {}, [](const Entry& entry) { return std::pair(entry.point, entry.slot); });
-    parents_.resize(batch_.parts.size());
-    std::iota(parents_.begin(), parents_.end(), 0u);
+    groups_.reset(batch_.parts.size());
     const bool initial = std::isinf(batch_.runningKey); // the mesh that they start from has no parts
     for (std::size_t i = 1; i < entries_.size(); ++i)
         if (initial || entries_[i].point == entries_[i - 1].point)
-            parents_[root(entries_[i].part)] = root(entries_[i - 1].part);
+            groups_.join(entries_[i].part, entries_[i - 1].part);
     numberGroups();
     placeSites();
     sortParts();
-}
-
-std::uint32_t BlockMerge::root(std::uint32_t part)
-{
-    while (parents_[part] != part) {
-        parents_[part] = parents_[parents_[part]];
-        part = parents_[part];
-    }
-    return part;
 }
 
 /// By their first points, which is the order in which sorted entries show them.
@@ -126,7 +116,7 @@ void BlockMerge::numberGroups()
         part.group = noGroup;
     groupSizes_.clear();
     for (std::size_t i = 0; i < entries_.size(); ++i) {
-        MergedBatch::Part& first = batch_.parts[root(entries_[i].part)];
+        MergedBatch::Part& first = batch_.parts[groups_.root(entries_[i].part)];
         if (first.group == noGroup) {
             first.group = static_cast<std::uint32_t>(groupSizes_.size());
             groupSizes_.push_back(0);
@@ -135,7 +125,7 @@ void BlockMerge::numberGroups()
             ++groupSizes_[first.group];
     }
     for (std::uint32_t part = 0; part < batch_.parts.size(); ++part)
-        batch_.parts[part].group = batch_.parts[root(part)].group;
+        batch_.parts[part].group = batch_.parts[groups_.root(part)].group;
 }
 
 void BlockMerge::placeSites()

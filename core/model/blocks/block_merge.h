@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/disjoint_sets.h"
 #include "core/model/blocks/run_batches.h"
 
 #include <cstdint>
@@ -64,7 +65,6 @@ private:
     Status readBatch(std::uint32_t block);
     void unite();
     void takeOnlyPart();
-    std::uint32_t root(std::uint32_t part);
     void numberGroups();
     void placeSites();
     void sortParts();
@@ -75,7 +75,7 @@ private:
     bool started_ = false;
     MergedBatch batch_;
     std::vector<Entry> entries_;
-    std::vector<std::uint32_t> parents_;    ///< of the parts
+    DisjointSets groups_;                   ///< of the parts
     std::vector<std::uint32_t> groupSizes_; ///< in sites, then where each group's next site goes
 };
 
