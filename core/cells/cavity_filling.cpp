@@ -3,6 +3,7 @@
 
 #include "core/cells/cell_orientation.h"
 #include "core/mesh/face_adjacency.h"
+#include "core/mesh/topology.h"
 
 #include <algorithm>
 

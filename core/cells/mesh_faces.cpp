@@ -3,6 +3,7 @@
 
 #include "core/mesh/face_adjacency.h"
 #include "core/mesh/face_matching.h"
+#include "core/mesh/topology.h"
 
 #include <algorithm>
 

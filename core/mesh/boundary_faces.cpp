@@ -2,6 +2,7 @@
 #include "core/mesh/boundary_faces.h"
 
 #include "core/mesh/face_adjacency.h"
+#include "core/mesh/topology.h"
 
 namespace tetra {
 

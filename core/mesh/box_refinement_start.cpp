@@ -2,6 +2,7 @@
 #include "core/mesh/box_refinement.h"
 
 #include "core/mesh/rounding.h"
+#include "core/mesh/topology.h"
 
 #include <algorithm>
 #include <limits>
@@ -72,10 +73,8 @@ Status BoxRefinement::addCorners()
             const auto latest = static_cast<std::size_t>(std::ranges::max_element(sites) - sites.begin());
             if (sites[latest] != siteCount_)
                 continue;
-            // An even permutation brings the latest to the front.
-            constexpr std::uint8_t order[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-            starHistory_.push_back(
-                {{sites[order[latest][0]], sites[order[latest][1]], sites[order[latest][2]]}, startErrors_[slot]});
+            const auto& [a, b, c] = cornersOfFace[latest];
+            starHistory_.push_back({{sites[a], sites[b], sites[c]}, startErrors_[slot]});
             slots_[slot].history = static_cast<std::uint32_t>(tetrahedronCount_++);
         }
         if (Status status = sink_->add({wholeIndex(point), std::numeric_limits<float>::infinity(), starHistory_, {}});

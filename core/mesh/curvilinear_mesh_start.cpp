@@ -2,6 +2,7 @@
 #include "core/mesh/curvilinear_mesh.h"
 
 #include "core/mesh/lattice_walk.h"
+#include "core/mesh/topology.h"
 
 #include <algorithm>
 #include <limits>
@@ -101,10 +102,8 @@ Status CurvilinearMesh::addCorners(HistorySink& sink)
         for (std::size_t i = 0; i < 4; ++i)
             sites[i] = siteOfPoint_[index(delaunay_[slot].vertices[i])] - 1;
         const auto latest = static_cast<std::size_t>(std::ranges::max_element(sites) - sites.begin());
-        // An even permutation brings the latest to the front.
-        constexpr std::uint8_t order[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-        tetrahedra.push_back(
-            {sites[latest], slot, {sites[order[latest][0]], sites[order[latest][1]], sites[order[latest][2]]}});
+        const auto& [a, b, c] = cornersOfFace[latest];
+        tetrahedra.push_back({sites[latest], slot, {sites[a], sites[b], sites[c]}});
     }
     std::ranges::stable_sort(tetrahedra, {}, &Born::creator);
     for (const std::uint32_t corner : corners) {

@@ -10,7 +10,7 @@
 
 namespace tetra {
 
-/// Which face lies against which (R2). Face f of a cell is the one opposite to its corner f.
+/// Which face lies against which (R2). Faces are numbered as in topology.h.
 struct FaceAdjacency {
     static constexpr std::uint32_t none = 0xffffffff; ///< on the boundary
     /// For each cell and each of its faces: cell * 4 + face of the face on the other side, or none.
@@ -23,10 +23,6 @@ struct FaceAdjacency {
 
 /// The most cells that adjacency can number.
 inline constexpr std::size_t largestAdjacentCellCount = std::size_t(1) << 30;
-
-/// The corners of a cell's faces; seen from outside a positive cell they run counterclockwise.
-inline constexpr std::array<std::array<std::uint8_t, 3>, 4> cornersOfFace = {
-    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 /// Matches the faces of tetrahedra whose corners exist. A face that more than two cells share, which no sound mesh
 /// has, is matched in pairs, and what is left over is on the boundary. First among the cells just before, by a small

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/interpolation_error.h"
 
+#include "core/mesh/topology.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -46,10 +48,9 @@ Sum<Real> errorIn(const InterpolatingCell& cell, const Eigen::Vector3d& position
         for (int axis = 0; axis < 3; ++axis)
             to[corner][static_cast<std::size_t>(axis)] =
                 static_cast<Real>(cell.corners[corner][axis]) - static_cast<Real>(position[axis]);
-    constexpr std::array<std::array<std::size_t, 3>, 4> others = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
     Real volume = 0, difference = 0, doubt = 0, largest = 0;
     for (std::size_t corner = 0; corner < 4; ++corner) {
-        const auto& [a, b, c] = others[corner];
+        const auto& [a, b, c] = cornersOfFace[corner];
         const Sum<Real> weight = determinant(to[a], to[b], to[c]);
         const Real step = static_cast<Real>(cell.values[corner]) - static_cast<Real>(value);
         volume += weight.value;

@@ -3,6 +3,7 @@
 
 #include "core/base/simd.h"
 #include "core/mesh/lattice_walk.h"
+#include "core/mesh/topology.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +13,6 @@
 namespace tetra {
 
 namespace {
-
-/// The vertices of the face opposite to each vertex, so that (point beyond the vertex's side, face) is positive.
-constexpr std::uint8_t faceVertices[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
 /// Slots for every tetrahedron that can be alive at once: six to seven a vertex, with room to spare.
 std::uint64_t slotCapacity(const std::array<std::uint32_t, 3>& size)
@@ -88,9 +86,9 @@ std::uint32_t LatticeDelaunay::addBox(const LatticeBox& box, bool centreAtOrigin
 
 bool LatticeDelaunay::onHullPlane(PackedPoint point, const DelaunayTetrahedron& tetrahedron, std::uint32_t face) const
 {
-    const PackedPoint a = tetrahedron.vertices[faceVertices[face][0]];
-    const PackedPoint b = tetrahedron.vertices[faceVertices[face][1]];
-    const PackedPoint c = tetrahedron.vertices[faceVertices[face][2]];
+    const PackedPoint a = tetrahedron.vertices[cornersOfFace[face][0]];
+    const PackedPoint b = tetrahedron.vertices[cornersOfFace[face][1]];
+    const PackedPoint c = tetrahedron.vertices[cornersOfFace[face][2]];
     const auto inPlane = [&](auto coordinate) {
         const std::int32_t plane = coordinate(point);
         return coordinate(a) == plane && coordinate(b) == plane && coordinate(c) == plane;
@@ -238,7 +236,7 @@ std::uint32_t LatticeDelaunay::faceTowards(PackedPoint point, std::uint32_t slot
 {
     const std::array<PackedPoint, 4>& vertices = at(slot).vertices;
     for (std::uint32_t face = 0; face < 4; ++face) {
-        const auto& [a, b, c] = faceVertices[face];
+        const auto& [a, b, c] = cornersOfFace[face];
         if (!onInnerSide(lattice_, point, {vertices[face], vertices[a], vertices[b], vertices[c]}))
             return face;
     }
@@ -255,7 +253,7 @@ TETRA_SIMD_CLONES void LatticeDelaunay::gatherStar(PackedPoint point)
         face.outsideFace = static_cast<std::uint32_t>((back[1] == face.inside) | 2 * (back[2] == face.inside) |
                                                       3 * (back[3] == face.inside));
         const std::array<PackedPoint, 4>& vertices = at(face.inside).vertices;
-        const auto& order = faceVertices[face.insideFace];
+        const auto& order = cornersOfFace[face.insideFace];
         starFaces_[i] = {vertices[order[0]], vertices[order[1]], vertices[order[2]]};
     }
     star_.set(point, starFaces_, weights_);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/lattice_walk.h"
 
+#include "core/mesh/topology.h"
+
 namespace tetra {
 
 bool onInnerSide(const PackedLattice& lattice, PackedPoint point, const std::array<PackedPoint, 4>& vertices)
@@ -17,15 +19,11 @@ bool onInnerSide(const PackedLattice& lattice, PackedPoint point, const std::arr
 
 std::uint32_t walkTo(const LatticeDelaunay& delaunay, PackedPoint point, std::uint32_t slot)
 {
-    constexpr std::uint8_t evenOrders[4][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 0, 1, 3}, {3, 0, 2, 1}};
     for (;;) {
         const DelaunayTetrahedron& tetrahedron = delaunay[slot];
         std::uint32_t next = slot;
         for (std::size_t face = 0; face < 4 && next == slot; ++face) {
-            std::array<PackedPoint, 4> vertices{};
-            for (std::size_t i = 0; i < 4; ++i)
-                vertices[i] = tetrahedron.vertices[evenOrders[face][i]];
-            if (!onInnerSide(delaunay.lattice(), point, vertices))
+            if (!onInnerSide(delaunay.lattice(), point, withCornerFirst(tetrahedron.vertices, face)))
                 next = tetrahedron.neighbours[face];
         }
         if (next == slot)

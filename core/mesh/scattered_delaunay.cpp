@@ -2,6 +2,8 @@
 // All of CGAL is in this source: its headers are heavy, and it is compiled with -frounding-math.
 #include "core/mesh/scattered_delaunay.h"
 
+#include "core/mesh/topology.h"
+
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_cell_base_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -94,13 +96,10 @@ struct ScatteredDelaunay::Mesh {
         freeSlots.pop_back();
         cells[slot] = handle;
         handle->info() = slot;
-        // Even permutations keep the cell positive.
-        constexpr std::array<std::array<int, 4>, 4> order = {{{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 0, 1, 3}, {3, 0, 2, 1}}};
-        const auto front = static_cast<std::size_t>(handle->index(first));
-        Cell cell{slot, {}};
+        std::array<std::uint32_t, 4> points{};
         for (std::size_t i = 0; i < 4; ++i)
-            cell.points[i] = handle->vertex(order[front][i])->info();
-        return cell;
+            points[i] = handle->vertex(static_cast<int>(i))->info();
+        return {slot, withCornerFirst(points, static_cast<std::size_t>(handle->index(first)))};
     }
 };
 

@@ -4,6 +4,7 @@
 #include "core/mesh/interpolation_error.h"
 #include "core/mesh/rounding.h"
 #include "core/mesh/scattered_delaunay.h"
+#include "core/mesh/topology.h"
 
 #include <algorithm>
 #include <limits>
@@ -184,11 +185,8 @@ Status Refinement::addHull()
         for (const std::uint32_t slot : slotsOfLatest[siteCount_]) {
             CellState& cell = cells_[slot];
             const auto latest = static_cast<std::size_t>(std::ranges::find(cell.points, point) - cell.points.begin());
-            // An even permutation brings the latest to the front.
-            constexpr std::uint8_t order[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-            star_.push_back({{siteOf(cell.points[order[latest][0]]), siteOf(cell.points[order[latest][1]]),
-                              siteOf(cell.points[order[latest][2]])},
-                             cell.error});
+            const auto& [a, b, c] = cornersOfFace[latest];
+            star_.push_back({{siteOf(cell.points[a]), siteOf(cell.points[b]), siteOf(cell.points[c])}, cell.error});
             cell.history = static_cast<std::uint32_t>(tetrahedronCount_++);
         }
         if (Status status = sink_.add({point, std::numeric_limits<float>::infinity(), star_, {}}); !status)

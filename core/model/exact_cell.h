@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/mesh/topology.h"
+
 #include <array>
 #include <cstdint>
 
@@ -44,11 +46,10 @@ class BarycentricPlanes {
 public:
     constexpr explicit BarycentricPlanes(const CellCorners& c) noexcept
     {
-        constexpr std::array<std::array<int, 3>, 4> faces = {{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
         for (int corner = 0; corner < 4; ++corner) {
-            const LatticePoint& origin = c[faces[corner][0]];
-            normals_[corner] =
-                crossProduct(difference(c[faces[corner][1]], origin), difference(c[faces[corner][2]], origin));
+            const auto& [first, second, third] = cornersOfFace[corner];
+            const LatticePoint& origin = c[first];
+            normals_[corner] = crossProduct(difference(c[third], origin), difference(c[second], origin)); // inwards
             origins_[corner] = origin;
         }
     }

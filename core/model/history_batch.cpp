@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/history_batch.h"
 
+#include "core/mesh/topology.h"
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -52,7 +54,7 @@ void HistoryBatch::arrange()
         if (points_[local] < points_[first])
             first = local;
     }
-    for (std::uint32_t local = count; local-- > 0;) // roots last: none is greater than its sites
+    for (std::uint32_t local = 0; local < count; ++local)
         firsts_[local] = firsts_[groups_.root(local)];
     order_.resize(count);
     std::iota(order_.begin(), order_.end(), 0u);
@@ -66,10 +68,7 @@ void HistoryBatch::arrange()
 
 std::array<std::uint32_t, 4> latestFirst(const std::array<std::uint32_t, 4>& sites)
 {
-    // Even permutations.
-    constexpr std::uint8_t orders[4][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 0, 1, 3}, {3, 0, 2, 1}};
-    const auto& order = orders[std::ranges::max_element(sites) - sites.begin()];
-    return {sites[order[0]], sites[order[1]], sites[order[2]], sites[order[3]]};
+    return withCornerFirst(sites, static_cast<std::size_t>(std::ranges::max_element(sites) - sites.begin()));
 }
 
 } // namespace tetra

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/point_tree.h"
 
+#include "core/mesh/topology.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -34,11 +36,11 @@ void PointTree::build(std::size_t node, std::uint32_t first, std::uint32_t end)
 
 PointTree::Planes::Planes(const std::array<Eigen::Vector3d, 4>& corners)
 {
-    constexpr std::array<std::array<std::size_t, 3>, 4> faces = {{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
     for (std::size_t face = 0; face < 4; ++face) {
-        const Eigen::Vector3d& origin = corners[faces[face][0]];
-        const Eigen::Vector3d a = corners[faces[face][1]] - origin;
-        const Eigen::Vector3d b = corners[faces[face][2]] - origin;
+        const auto& [first, second, third] = cornersOfFace[face];
+        const Eigen::Vector3d& origin = corners[first];
+        const Eigen::Vector3d a = corners[third] - origin; // inwards
+        const Eigen::Vector3d b = corners[second] - origin;
         origins_[face] = origin;
         normals_[face] = a.cross(b);
         const Eigen::Vector3d p = a.cwiseAbs(), q = b.cwiseAbs();

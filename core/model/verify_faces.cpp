@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/topology.h"
 #include "core/model/findings.h"
 #include "core/model/level_cells.h"
 #include "core/model/shared_progress.h"
@@ -34,8 +35,7 @@ struct LevelFace {
 /// Face `opposite` of a cell, with its normal outwards before it was sorted.
 LevelFace faceOf(const std::array<std::uint32_t, 4>& s, int opposite, std::uint32_t cell)
 {
-    constexpr std::array<std::array<int, 3>, 4> corners = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
-    const auto& c = corners[static_cast<std::size_t>(opposite)];
+    const auto& c = cornersOfFace[static_cast<std::size_t>(opposite)];
     LevelFace face{{s[c[0]], s[c[1]], s[c[2]]}, false, cell};
     for (const auto& [first, second] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{0, 1}})
         if (face.vertices[first] > face.vertices[second]) {

@@ -2,6 +2,7 @@
 #include "core/graphics/sight/volume_slabs.h"
 
 #include "core/graphics/volume/volume_mesh.h"
+#include "core/mesh/topology.h"
 
 #include <algorithm>
 #include <array>
@@ -51,9 +52,8 @@ bool allOnOneSide(const Four& numbers)
 /// Where the line passes through the faces of a cell that is seen along it. Nothing if it passes beside, or touches.
 std::optional<RayInterval> passageOf(const Four& right, const Four& up, const Four& along, const Four& values)
 {
-    constexpr std::array<std::array<std::size_t, 3>, 4> faces{{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
     RayInterval passage{{SightPart{}.to, SightPart{}.from}, 0, 0};
-    for (const auto& face : faces) {
+    for (const auto& face : cornersOfFace) {
         std::array<double, 3> weights{};
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t next = face[(i + 1) % 3], last = face[(i + 2) % 3];

@@ -2,6 +2,7 @@
 #include "core/graphics/volume/boundary_convexity.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/mesh/topology.h"
 
 #include <Eigen/Geometry>
 

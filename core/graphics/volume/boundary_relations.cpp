@@ -2,6 +2,7 @@
 #include "core/graphics/volume/boundary_relations.h"
 
 #include "core/graphics/volume/sample_box.h"
+#include "core/mesh/topology.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

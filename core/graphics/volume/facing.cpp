@@ -4,6 +4,7 @@
 #include "core/graphics/volume/cell_geometry.h"
 #include "core/mesh/exact_orientation.h"
 #include "core/mesh/face_adjacency.h"
+#include "core/mesh/topology.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

@@ -2,6 +2,7 @@
 #include "core/mesh/decimation/collapse_log.h"
 
 #include "core/base/buffer.h"
+#include "core/mesh/topology.h"
 
 #include <algorithm>
 #include <limits>
@@ -106,12 +107,10 @@ Status emitCoarsest(std::span<const CollapseLog::Coarsest> coarsest, std::span<c
     auto next = born.begin();
     for (std::uint32_t site = 0; site < points.size(); ++site) {
         for (; next != born.end() && next->creator == site; ++next) {
-            // An even permutation brings the latest to the front.
-            constexpr std::uint8_t order[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
             const CollapseLog::Coarsest& tetrahedron = coarsest[next->number];
             std::array<std::uint32_t, 3> others{};
             for (std::size_t i = 0; i < 3; ++i)
-                others[i] = tetrahedron.vertices[order[next->latest][i]];
+                others[i] = tetrahedron.vertices[cornersOfFace[next->latest][i]];
             emission.add(others, tetrahedron.error, tetrahedron.warping, tetrahedron.madeBy);
         }
         if (Status status = emission.step(points[site], std::numeric_limits<float>::infinity(), noVertex, 0); !status)

@@ -3,6 +3,7 @@
 
 #include "core/mesh/decimation/index_pool.h"
 #include "core/mesh/face_adjacency.h"
+#include "core/mesh/topology.h"
 
 #include <array>
 #include <cstdint>

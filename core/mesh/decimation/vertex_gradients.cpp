@@ -2,6 +2,7 @@
 #include "core/mesh/decimation/vertex_gradients.h"
 
 #include "core/mesh/face_adjacency.h"
+#include "core/mesh/topology.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

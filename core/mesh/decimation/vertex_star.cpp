@@ -3,6 +3,7 @@
 
 #include "core/base/simd.h"
 #include "core/mesh/face_adjacency.h"
+#include "core/mesh/topology.h"
 
 #include <algorithm>
 #include <cstring>

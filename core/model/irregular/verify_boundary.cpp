@@ -2,6 +2,7 @@
 #include "core/model/irregular/verify_boundary.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/mesh/topology.h"
 #include "core/model/findings.h"
 #include "core/model/irregular/face_meeting.h"
 #include "core/model/scattered_cells.h"
@@ -36,8 +37,6 @@ std::vector<std::uint32_t> cellsOf(std::span<const BoundaryFace> faces)
     std::ranges::transform(faces, cells.begin(), &BoundaryFace::cell);
     return cells;
 }
-
-constexpr std::array<std::array<std::size_t, 3>, 4> cornersOfFaces = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 Eigen::AlignedBox3d boxOfPlaced(const PlacedCell& cell)
 {
@@ -233,7 +232,7 @@ bool BoundaryCheck::isUndivided(std::size_t cell) const
     std::array<PointTriangle, 4> faces;
     for (std::size_t face = 0; face < 4; ++face)
         for (std::size_t i = 0; i < 3; ++i)
-            faces[face][i] = cells_.point(c[cornersOfFaces[face][i]]);
+            faces[face][i] = cells_.point(c[cornersOfFace[face][i]]);
     bool undivided = true;
     boundary_.tree.visitMeeting(boxOfPlaced(corners), [&](std::uint32_t number) {
         const PointTriangle& other = boundary_.triangles[number];

@@ -2,6 +2,7 @@
 #include "core/model/irregular/verify_related.h"
 
 #include "core/base/half.h"
+#include "core/mesh/topology.h"
 #include "core/model/point_check.h"
 #include "core/model/scattered_cells.h"
 #include "core/model/verify_each.h"
@@ -172,14 +173,13 @@ void RelatedCheck::checkOutside(const Related& related)
 /// cells, for the few that need it.
 bool RelatedCheck::isGrantedNextToIt(const Related& related) const
 {
-    constexpr std::array<std::array<std::size_t, 3>, 4> faces = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
     for (std::size_t number = 0; number < mesh_.cells.size(); ++number) {
         const PlacedCell cell = placedCell(original_.points.positions, mesh_.cells, number);
-        const auto isBefore = [&](const std::array<std::size_t, 3>& face) {
+        const auto isBefore = [&](const std::array<std::uint8_t, 3>& face) {
             const Eigen::Vector3d normal = (cell[face[1]] - cell[face[0]]).cross(cell[face[2]] - cell[face[0]]);
             return normal.dot(related.place - cell[face[0]]) > original_.allowance * normal.norm();
         };
-        if (std::ranges::any_of(faces, isBefore))
+        if (std::ranges::any_of(cornersOfFace, isBefore))
             continue;
         std::array<double, 4> values{};
         std::ranges::transform(mesh_.cells.vertices(number), values.begin(), [&](std::uint32_t vertex) {

@@ -3,6 +3,7 @@
 #include "core/cells/cell_orientation.h"
 #include "core/cells/cell_split.h"
 #include "core/mesh/face_adjacency.h"
+#include "core/mesh/topology.h"
 #include "tests/core/cells/reference_cells.h"
 
 #include <QTest>

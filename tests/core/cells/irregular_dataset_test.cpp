@@ -3,6 +3,7 @@
 #include "core/cells/cell_orientation.h"
 #include "core/cells/irregular_check.h"
 #include "core/mesh/face_adjacency.h"
+#include "core/mesh/topology.h"
 #include "tests/core/cells/cell_cases.h"
 
 #include <QTest>

@@ -3,6 +3,7 @@
 
 #include "core/mesh/exact_orientation.h"
 #include "core/mesh/scattered_delaunay.h"
+#include "core/mesh/topology.h"
 
 #include <QtGlobal>
 

@@ -5,6 +5,7 @@
 #include "core/graphics/volume/volume_renderer.h"
 #include "core/mesh/exact_orientation.h"
 #include "core/mesh/spatial_order.h"
+#include "core/mesh/topology.h"
 #include "tests/core/graphics/lattice_mesh.h"
 #include "tests/core/graphics/volume/exact_order.h"
 #include "tests/core/graphics/volume/volume_meshes.h"

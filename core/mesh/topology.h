@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace tetra {
+
+/// The corners of a tetrahedron's faces. Face f is the one opposite to corner f; seen from outside a positive
+/// tetrahedron its corners run counterclockwise.
+inline constexpr std::array<std::array<std::uint8_t, 3>, 4> cornersOfFace = {
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+/// The same tetrahedron with this corner first, as positive as before: corner f and then face f is an even permutation.
+template <class Corner>
+constexpr std::array<Corner, 4> withCornerFirst(const std::array<Corner, 4>& corners, std::size_t first)
+{
+    const auto& [a, b, c] = cornersOfFace[first];
+    return {corners[first], corners[a], corners[b], corners[c]};
+}
+
+} // namespace tetra
