@@ -40,9 +40,8 @@ void loadTranslations(QApplication& application, QTranslator& ours, QTranslator&
 
 std::optional<BackendChoice> backendNamed(const QString& name)
 {
-    static const std::map<QString, BackendChoice> names{{"auto", BackendChoice::Automatic},
-                                                        {"cpu", BackendChoice::Cpu},
-                                                        {"gl", BackendChoice::Gl}};
+    static const std::map<QString, BackendChoice> names{
+        {"auto", BackendChoice::Automatic}, {"cpu", BackendChoice::Cpu}, {"gl", BackendChoice::Gl}};
     const auto found = names.find(name);
     return found == names.end() ? std::nullopt : std::optional(found->second);
 }
@@ -98,9 +97,7 @@ int runDesktop(int argc, char** argv)
     parser.setApplicationDescription(Desktop::tr("Shows volume data at any accuracy."));
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addOption({"backend",
-                      Desktop::tr("What draws the picture: auto, cpu or gl."), "name",
-                      "auto"});
+    parser.addOption({"backend", Desktop::tr("What draws the picture: auto, cpu or gl."), "name", "auto"});
     QCommandLineOption screenshots("screenshots", "Makes pictures of all panels and dialogs in a folder.", "folder");
     screenshots.setFlags(QCommandLineOption::HiddenFromHelp); // for those who write the manual
     parser.addOption(screenshots);

@@ -152,8 +152,7 @@ Result<RenderRequest> renderRequestOf(const Arguments& arguments)
     request.picture = *picture;
     request.backend = arguments.value("backend").value_or(std::string(defaultBackend));
     if (request.backend != "cpu" && request.backend != "gl")
-        return Error{ErrorKind::WrongUsage,
-                     "'" + request.backend + "' does not fit '--backend': it takes cpu or gl."};
+        return Error{ErrorKind::WrongUsage, "'" + request.backend + "' does not fit '--backend': it takes cpu or gl."};
     if (const Status files = checkFiles(request); !files)
         return files.error();
     return request;

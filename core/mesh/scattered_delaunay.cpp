@@ -96,10 +96,10 @@ struct ScatteredDelaunay::Mesh {
         freeSlots.pop_back();
         cells[slot] = handle;
         handle->info() = slot;
-        std::array<std::uint32_t, 4> points{};
+        std::array<std::uint32_t, 4> corners{};
         for (std::size_t i = 0; i < 4; ++i)
-            points[i] = handle->vertex(static_cast<int>(i))->info();
-        return {slot, withCornerFirst(points, static_cast<std::size_t>(handle->index(first)))};
+            corners[i] = handle->vertex(static_cast<int>(i))->info();
+        return {slot, withCornerFirst(corners, static_cast<std::size_t>(handle->index(first)))};
     }
 };
 

@@ -157,8 +157,7 @@ std::vector<BenchCase> measureModel(const std::filesystem::path& path, const QSt
     const std::shared_ptr<const Model> model = Model::open(path).value();
     for (const double error : {1.0, 0.0})
         cases.push_back(measureExtraction(*model, name, error, repeats));
-    for (const auto& some : {focusBoxCases(model, name, repeats),
-                             fieldCases(model, name, repeats)})
+    for (const auto& some : {focusBoxCases(model, name, repeats), fieldCases(model, name, repeats)})
         cases.insert(cases.end(), some.begin(), some.end());
     for (BenchCase& one : SharpFocus::fits(*model) ? measureFocus(*model, name, repeats) : std::vector<BenchCase>())
         cases.push_back(std::move(one));

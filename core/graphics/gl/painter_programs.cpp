@@ -29,8 +29,8 @@ Result<PainterPrograms> makePainterPrograms(const GlFunctions& gl)
     make(programs.resolve, shaders::screenVert, std::array{shaders::resolveFrag});
     make(programs.saturated, shaders::screenVert, std::array{shaders::saturatedFrag});
     make(programs.bisect, shaders::screenVert, std::array{shaders::bisectFrag});
-    const std::string volumeVertexShader = std::string("#version 330 core\n") + shaders::imageGlsl +
-                                           shaders::cellGlsl + shaders::facesGlsl + shaders::volumeVert;
+    const std::string volumeVertexShader = std::string("#version 330 core\n") + shaders::imageGlsl + shaders::cellGlsl +
+                                           shaders::facesGlsl + shaders::volumeVert;
     make(programs.volume, volumeVertexShader.c_str(),
          std::array{shaders::volumeFrag, shaders::slabFrag, shaders::focusFrag});
     if (!status)

@@ -14,9 +14,9 @@
 
 namespace tetra {
 
-/// Draws scenes with OpenGL 3.3 into a framebuffer of a context that somebody else owns: a window's, or the picture back
-/// end's. It is the OpenGL half of RenderBackend: the same pictures as the CPU's within
-/// 2/255, but where an edge falls into another sample by rounding.
+/// Draws scenes with OpenGL 3.3 into a framebuffer of a context that somebody else owns: a window's, or the picture
+/// back end's. It is the OpenGL half of RenderBackend: the same pictures as the CPU's within 2/255, but where an edge
+/// falls into another sample by rounding.
 ///
 /// Translucency is exact to the sample, by depth peeling from the front: each layer draws the translucent surfaces once
 /// more, until a layer is empty. Sorting triangles would be cheaper, but wrong where they cross, and OpenGL 3.3 has no

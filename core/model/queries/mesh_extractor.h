@@ -13,7 +13,8 @@ namespace tetra {
 /// Answers query after query to one model. What variable queries look at again and again is kept: places and values of
 /// the sites, and links of the part of the history that was looked at, never more than 8 bytes for each tetrahedron of
 /// that. A uniform mesh is kept, too, so that another window or other values of it cost only the filter. Used from one
-/// thread at a time. Results live on without it. If the last result is not held by anybody else its memory is used again.
+/// thread at a time. Results live on without it. If the last result is not held by anybody else its memory is used
+/// again.
 class MeshExtractor {
 public:
     explicit MeshExtractor(std::shared_ptr<const Model> model);
