@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/graphics/scene_check.h"
 
-#include "core/graphics/volume/volume_mesh.h"
-
 #include <algorithm>
 
 namespace tetra {
@@ -36,11 +34,6 @@ bool hasVolume(const Scene& scene)
 bool hasFocus(const Scene& scene)
 {
     return hasVolume(scene) && scene.focus && scene.focus->fine.mesh && scene.focus->fine.transfer;
-}
-
-Eigen::AlignedBox3d drawnBounds(const Scene& scene)
-{
-    return hasVolume(scene) ? scene.bounds.merged(scene.volume->mesh->bounds) : scene.bounds;
 }
 
 } // namespace tetra

@@ -16,7 +16,5 @@ Status checkLines(const LineSet& lines);
 bool hasVolume(const Scene& scene);
 /// That volume has a focus with a fine volume.
 bool hasFocus(const Scene& scene);
-/// Of all that is drawn: near and far must be those of surfaces and volume alike.
-Eigen::AlignedBox3d drawnBounds(const Scene& scene);
 
 } // namespace tetra

@@ -6,6 +6,7 @@
 #include "core/graphics/picture_options.h"
 #include "core/graphics/render_backend.h"
 #include "core/graphics/scene_check.h"
+#include "core/graphics/volume/volume_mesh.h"
 #include "core/graphics/volume/projected_volume.h"
 
 #include <algorithm>

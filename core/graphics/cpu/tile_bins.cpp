@@ -35,13 +35,6 @@ void forEachTile(const DrawList& list, const ScreenTriangle& triangle, const Til
 
 } // namespace
 
-SampleRectangle TileGrid::tile(std::size_t index) const noexcept
-{
-    const int left = static_cast<int>(index % static_cast<std::size_t>(columns())) * side;
-    const int top = static_cast<int>(index / static_cast<std::size_t>(columns())) * side;
-    return {left, top, std::min(left + side, width), std::min(top + side, height)};
-}
-
 TileBins::TileBins(const DrawList& list, const TileGrid& grid) : first_(grid.count() + 1, 0)
 {
     const std::size_t chunks = chunkCount(list.triangles.size(), grid.count());

@@ -3,6 +3,7 @@
 
 #include "core/base/buffer.h"
 #include "core/graphics/cpu/draw_list.h"
+#include "core/graphics/cpu/tile_grid.h"
 #include "core/graphics/sample_rectangle.h"
 
 #include <algorithm>
@@ -11,21 +12,6 @@
 #include <vector>
 
 namespace tetra {
-
-/// A picture of samples cut into square tiles, row by row from the top.
-struct TileGrid {
-    int width = 0; ///< in samples, like height and side
-    int height = 0;
-    int side = 64;
-
-    int columns() const noexcept { return (width + side - 1) / side; }
-    int rows() const noexcept { return (height + side - 1) / side; }
-    std::size_t count() const noexcept
-    {
-        return static_cast<std::size_t>(columns()) * static_cast<std::size_t>(rows());
-    }
-    SampleRectangle tile(std::size_t index) const noexcept;
-};
 
 /// Which triangles each tile may show, in the order of the draw list.
 class TileBins {

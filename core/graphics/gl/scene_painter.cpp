@@ -11,6 +11,7 @@
 #include "core/graphics/gl/volume_painter.h"
 #include "core/graphics/picture_options.h"
 #include "core/graphics/scene_check.h"
+#include "core/graphics/volume/volume_mesh.h"
 
 #include <chrono>
 #include <new>

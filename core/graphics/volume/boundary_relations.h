@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/graphics/cpu/tile_bins.h"
+#include "core/graphics/cpu/tile_grid.h"
 #include "core/graphics/volume/projected_vertices.h"
 #include "core/graphics/volume/visibility_order.h"
 #include "core/graphics/volume/volume_view.h"

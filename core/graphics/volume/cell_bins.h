@@ -3,7 +3,7 @@
 
 #include "core/base/buffer.h"
 #include "core/base/progress.h"
-#include "core/graphics/cpu/tile_bins.h"
+#include "core/graphics/cpu/tile_grid.h"
 #include "core/graphics/volume/cell_classes.h"
 #include "core/graphics/volume/projected_vertices.h"
 

@@ -2,13 +2,17 @@
 #pragma once
 
 #include "core/base/simd.h"
-#include "core/graphics/volume/projected_vertices.h"
 
 #include <array>
 #include <cstdint>
 #include <cstring>
 
 namespace tetra {
+
+/// A vertex in the picture: its image (VolumeView) and its scaled value (ScaledSegments).
+struct alignas(16) ProjectedVertex {
+    float u, v, w, value;
+};
 
 /// The corners of eight cells, a lane each.
 struct CellCorners {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/buffer.h"
+#include "core/graphics/volume/cell_geometry.h"
 #include "core/graphics/volume/scaled_segments.h"
 #include "core/graphics/volume/volume_view.h"
 #include "core/mesh/tetrahedral_mesh.h"
@@ -10,11 +11,6 @@
 #include <cstdint>
 
 namespace tetra {
-
-/// A vertex in the picture: its image (VolumeView) and its scaled value (ScaledSegments).
-struct alignas(16) ProjectedVertex {
-    float u, v, w, value;
-};
 
 /// The first sample that does not lie before a vertex, by column and row; `behind` if it is nearer than the near plane.
 struct VertexSample {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/graphics/cpu/tile_bins.h"
+#include "core/graphics/cpu/tile_grid.h"
 #include "core/graphics/volume/cell_bins.h"
 #include "core/graphics/volume/cell_setup.h"
 #include "core/graphics/volume/volume_mesh.h"

@@ -4,7 +4,7 @@
 #include "core/base/progress.h"
 #include "core/graphics/cpu/clip_bounds.h"
 #include "core/graphics/cpu/surface_fragments.h"
-#include "core/graphics/cpu/tile_bins.h"
+#include "core/graphics/cpu/tile_grid.h"
 #include "core/graphics/volume/border_fragments.h"
 #include "core/graphics/volume/cell_bins.h"
 #include "core/graphics/volume/cell_setup.h"

@@ -72,4 +72,9 @@ Result<VolumeTransfer> makeVolumeTransfer(const TetrahedralMesh& mesh, const Tra
     }
 }
 
+Eigen::AlignedBox3d drawnBounds(const Scene& scene)
+{
+    return hasVolume(scene) ? scene.bounds.merged(scene.volume->mesh->bounds) : scene.bounds;
+}
+
 } // namespace tetra

@@ -3,6 +3,7 @@
 
 #include "core/base/buffer.h"
 #include "core/base/result.h"
+#include "core/graphics/scene.h"
 #include "core/graphics/volume/cell_classes.h"
 #include "core/mesh/face_adjacency.h"
 #include "core/mesh/tetrahedral_mesh.h"
@@ -35,5 +36,8 @@ struct VolumeTransfer {
 
 /// O(cells). Errors: no transfer function (checkTransferFunction), too many points, not enough memory.
 Result<VolumeTransfer> makeVolumeTransfer(const TetrahedralMesh& mesh, const TransferFunction& function);
+
+/// Of all that is drawn: near and far must be those of surfaces and volume alike.
+Eigen::AlignedBox3d drawnBounds(const Scene& scene);
 
 } // namespace tetra
