@@ -26,7 +26,7 @@ DEVELOPERS = [
     ("docs/developers.md", "developers"),
     ("CONTRIBUTING.md", "contributing"),
     ("docs/tetrahedral-graphics.md", "tetrahedral-graphics"),
-    ("core/model/FORMAT.md", "model-file"),
+    ("core/history/FORMAT.md", "model-file"),
     ("docs/reliability.md", "reliability"),
     ("docs/measured.md", "measured"),
     ("docs/performance.md", "performance"),

@@ -3,7 +3,7 @@
 
 #include "app/command_line/subcommand.h"
 #include "core/data/dataset.h"
-#include "core/model/model.h"
+#include "core/history/model.h"
 #include "plugins/host/import_options.h"
 
 #include <filesystem>

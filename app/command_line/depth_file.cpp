@@ -2,7 +2,7 @@
 #include "app/command_line/depth_file.h"
 
 #include "app/command_line/png_file.h"
-#include "core/base/number_text.h"
+#include "core/base/text.h"
 
 #include <QImage>
 

@@ -5,10 +5,10 @@
 #include "app/command_line/query_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
-#include "core/mesh/files/surface_file.h"
-#include "core/model/mesh_claims.h"
-#include "core/model/queries/mesh_extractor.h"
+#include "core/history/query/mesh_extractor.h"
+#include "core/verify/mesh_claims.h"
 #include "plugins/host/output_check.h"
+#include "plugins/writers/surface_file.h"
 
 #include <QFile>
 

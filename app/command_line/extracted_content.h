@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mesh/files/mesh_file.h"
-#include "core/model/queries/history_part.h"
-#include "core/model/queries/mesh_query.h"
+#include "core/history/query/history_part.h"
+#include "core/history/query/mesh_query.h"
+#include "plugins/writers/mesh_file.h"
 
 #include <vector>
 

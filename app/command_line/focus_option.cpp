@@ -2,7 +2,7 @@
 #include "app/command_line/focus_option.h"
 
 #include "app/command_line/option_values.h"
-#include "core/base/number_text.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <array>

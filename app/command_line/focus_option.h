@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/command_line/arguments.h"
-#include "core/model/queries/error_field.h"
+#include "core/history/query/error_field.h"
 
 #include <string_view>
 #include <vector>

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/graphics/isosurface.h"
+#include "core/render/isosurface/isosurface.h"
 
 #include "app/command_line/model_mesh.h"
 #include "app/command_line/option_values.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
-#include "core/base/byte_text.h"
 #include "core/base/memory.h"
-#include "core/base/number_text.h"
-#include "core/graphics/palette.h"
-#include "core/mesh/files/surface_file.h"
+#include "core/base/text.h"
+#include "core/render/picture.h"
 #include "plugins/host/output_check.h"
+#include "plugins/writers/surface_file.h"
 
 #include <QFile>
 

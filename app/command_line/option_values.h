@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/command_line/arguments.h"
-#include "core/model/extraction.h"
+#include "core/history/extraction.h"
 
 #include <cstdint>
 #include <limits>

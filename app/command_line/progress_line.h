@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/base/remaining_time.h"
 
 #include <chrono>
 #include <mutex>

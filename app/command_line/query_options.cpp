@@ -3,7 +3,7 @@
 
 #include "app/command_line/focus_option.h"
 #include "app/command_line/option_values.h"
-#include "core/model/queries/error_field_text.h"
+#include "core/history/query/error_field_text.h"
 
 #include <algorithm>
 #include <array>

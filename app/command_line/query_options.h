@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/command_line/arguments.h"
-#include "core/model/queries/mesh_query.h"
+#include "core/history/query/mesh_query.h"
 
 #include <string_view>
 #include <vector>

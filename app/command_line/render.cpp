@@ -10,7 +10,7 @@
 #include "app/command_line/render_request.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
-#include "core/model/queries/two_resolutions.h"
+#include "core/history/query/mesh_query.h"
 #include "plugins/host/output_check.h"
 #include "ui/session/field_extent.h"
 #include "ui/session/picture_texts.h"

@@ -4,8 +4,8 @@
 #include "app/command_line/camera_option.h"
 #include "app/command_line/option_values.h"
 #include "app/command_line/query_options.h"
-#include "core/base/number_text.h"
-#include "core/graphics/picture_options.h"
+#include "core/base/text.h"
+#include "core/render/scene_check.h"
 #include "plugins/host/colour_text.h"
 #include "plugins/host/output_check.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/command_line/arguments.h"
-#include "core/graphics/render_backend.h"
-#include "core/model/queries/mesh_query.h"
+#include "core/history/query/mesh_query.h"
+#include "core/render/render_backend.h"
 
 #include <filesystem>
 #include <optional>

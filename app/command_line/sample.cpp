@@ -4,7 +4,7 @@
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
-#include "core/data/analytic_fields.h"
+#include "core/data/samples.h"
 #include "plugins/host/dataset_saving.h"
 
 #include <QFile>

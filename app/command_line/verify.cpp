@@ -5,10 +5,10 @@
 #include "app/command_line/query_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
-#include "core/model/mesh_claims.h"
-#include "core/model/queries/mesh_extractor.h"
-#include "core/model/verification.h"
-#include "core/model/verify_mesh.h"
+#include "core/history/query/mesh_extractor.h"
+#include "core/verify/mesh_claims.h"
+#include "core/verify/verification.h"
+#include "core/verify/verify_mesh.h"
 #include "plugins/host/dataset_opening.h"
 
 #include <QJsonArray>

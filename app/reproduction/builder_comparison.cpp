@@ -3,7 +3,7 @@
 
 #include "core/base/memory.h"
 #include "core/base/system_error.h"
-#include "core/model/extraction.h"
+#include "core/history/extraction.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/model_building.h"
 

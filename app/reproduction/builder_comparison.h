@@ -3,8 +3,8 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/data/domain_class.h"
-#include "core/model/model.h"
+#include "core/data/lattice.h"
+#include "core/history/model.h"
 #include "plugins/api/parameter.h"
 #include "plugins/host/plugin_host.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reproduction/drawing_times.h"
 
-#include "core/graphics/render_backend.h"
-#include "core/graphics/volume/volume_histogram.h"
+#include "core/render/render_backend.h"
+#include "core/render/value_statistics.h"
 #include "plugins/api/scene_parameters.h"
 
 #include <algorithm>

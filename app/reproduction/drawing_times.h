@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/history/model.h"
 #include "core/mesh/tetrahedral_mesh.h"
-#include "core/model/model.h"
 #include "plugins/host/plugin_host.h"
 
 #include <memory>

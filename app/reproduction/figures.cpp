@@ -4,7 +4,7 @@
 #include "app/reproduction/chart.h"
 #include "app/reproduction/drawing_file.h"
 #include "app/reproduction/sites_curve.h"
-#include "core/model/extraction.h"
+#include "core/history/extraction.h"
 
 #include <QPainter>
 

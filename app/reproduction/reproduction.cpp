@@ -2,8 +2,8 @@
 #include "app/reproduction/reproduction.h"
 
 #include "core/base/system_error.h"
-#include "core/graphics/isosurface.h"
-#include "core/model/extraction.h"
+#include "core/history/extraction.h"
+#include "core/render/isosurface/isosurface.h"
 #include "plugins/host/model_building.h"
 
 #include <chrono>

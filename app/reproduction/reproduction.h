@@ -5,7 +5,7 @@
 #include "app/reproduction/experiment.h"
 #include "app/reproduction/paper_tables.h"
 #include "core/base/progress.h"
-#include "core/model/model.h"
+#include "core/history/model.h"
 
 #include <memory>
 #include <optional>

@@ -2,7 +2,7 @@
 #include "app/reproduction/subsampling.h"
 
 #include "core/base/checksum.h"
-#include "core/data/sample_buffer.h"
+#include "core/data/scalar_field.h"
 
 namespace tetra {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/file_writer.h"
 
-#include "core/base/file_lock.h"
+#include "core/base/folder.h"
 #include "core/base/system_error.h"
 
 #include <algorithm>

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/mapped_file.h"
 
-#include "core/base/mapping_guard.h"
+#include "core/base/memory.h"
 #include "core/base/system_error.h"
 
+#include <atomic>
 #include <cerrno>
+#include <csignal>
+#include <cstdint>
+#include <limits>
+#include <mutex>
 #include <string>
 
 #include <fcntl.h>
@@ -13,6 +18,114 @@
 #include <unistd.h>
 
 namespace tetra {
+
+namespace {
+
+constexpr std::uintptr_t noAddress = std::numeric_limits<std::uintptr_t>::max();
+
+/// One guarded mapping. `begin` is written last and taken back first, so that the handler never matches half an entry.
+struct GuardedRange {
+    std::atomic<bool> taken{false};
+    std::atomic<std::uintptr_t> begin{noAddress};
+    std::atomic<std::uintptr_t> end{0};
+    std::atomic<bool> damaged{false};
+};
+static_assert(std::atomic<std::uintptr_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
+
+constexpr int capacity = 1024;
+constinit GuardedRange table[capacity];
+struct sigaction previousAction {};
+std::uintptr_t pageMask = 0; ///< set before the handler is installed
+
+/// Puts zero pages where the file has gone. Only async-signal-safe things happen here (mmap is a bare system call).
+bool replaceByZeros(std::uintptr_t address) noexcept
+{
+    for (GuardedRange& entry : table) {
+        const std::uintptr_t begin = entry.begin.load(std::memory_order_acquire);
+        const std::uintptr_t end = entry.end.load(std::memory_order_acquire);
+        if (address < begin || address >= end || entry.begin.load(std::memory_order_acquire) != begin)
+            continue;
+        const std::uintptr_t page = address & pageMask;
+        entry.damaged.store(true, std::memory_order_release);
+        void* const zeros = ::mmap(reinterpret_cast<void*>(page), end - page, PROT_READ,
+                                   MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED | MAP_NORESERVE, -1, 0);
+        return zeros != MAP_FAILED;
+    }
+    return false;
+}
+
+void passOn(int signal, siginfo_t* information, void* context)
+{
+    if (previousAction.sa_flags & SA_RESETHAND) // it counts on being called once: a second error ends the program
+        ::signal(signal, SIG_DFL);
+    if (previousAction.sa_flags & SA_SIGINFO) {
+        previousAction.sa_sigaction(signal, information, context);
+        return;
+    }
+    const bool sentByAProcess = information->si_code <= 0;
+    if (previousAction.sa_handler == SIG_IGN && sentByAProcess)
+        return;
+    if (previousAction.sa_handler != SIG_DFL && previousAction.sa_handler != SIG_IGN) {
+        previousAction.sa_handler(signal);
+        return;
+    }
+    // The default: returning repeats the access that failed, which now ends the program as it would have.
+    ::signal(signal, SIG_DFL);
+    if (sentByAProcess)
+        ::raise(signal);
+}
+
+void handleBusError(int signal, siginfo_t* information, void* context)
+{
+    const int systemError = errno;
+    if (information->si_code <= 0 || !replaceByZeros(reinterpret_cast<std::uintptr_t>(information->si_addr)))
+        passOn(signal, information, context);
+    errno = systemError;
+}
+
+void installHandler()
+{
+    static std::once_flag installed;
+    std::call_once(installed, [] {
+        pageMask = ~(static_cast<std::uintptr_t>(pageSize()) - 1);
+        struct sigaction action {};
+        action.sa_sigaction = handleBusError;
+        action.sa_flags = SA_SIGINFO | SA_ONSTACK | SA_NODEFER;
+        ::sigemptyset(&action.sa_mask);
+        ::sigaction(SIGBUS, &action, &previousAction);
+    });
+}
+
+} // namespace
+
+int guardMapping(std::span<const std::byte> mapping)
+{
+    installHandler();
+    for (int index = 0; index < capacity; ++index) {
+        GuardedRange& entry = table[index];
+        bool taken = false;
+        if (!entry.taken.compare_exchange_strong(taken, true))
+            continue;
+        const auto begin = reinterpret_cast<std::uintptr_t>(mapping.data());
+        entry.damaged.store(false, std::memory_order_relaxed);
+        entry.end.store(begin + mapping.size(), std::memory_order_release);
+        entry.begin.store(begin, std::memory_order_release);
+        return index;
+    }
+    return -1;
+}
+
+void unguardMapping(int index) noexcept
+{
+    table[index].begin.store(noAddress, std::memory_order_release);
+    table[index].end.store(0, std::memory_order_release);
+    table[index].taken.store(false, std::memory_order_release);
+}
+
+bool isMappingDamaged(int index) noexcept
+{
+    return table[index].damaged.load(std::memory_order_acquire);
+}
 
 namespace {
 

@@ -11,6 +11,16 @@
 
 namespace tetra {
 
+/// The part of MappedFile that lives beside the signal handler: which mappings there are and which of them are damaged.
+/// All functions are thread-safe.
+
+/// Guards `mapping`, page-aligned and not empty, until unguardMapping(). Returns its index, or -1 if the table is full.
+int guardMapping(std::span<const std::byte> mapping);
+/// No thread may still be reading the mapping. Comes before munmap.
+void unguardMapping(int index) noexcept;
+/// True if a read in the mapping found no file behind it.
+bool isMappingDamaged(int index) noexcept;
+
 /// A file mapped read-only. Its pages come into memory when they are read and leave it when memory is short, so a file
 /// may be larger than the machine. Safe to read from any number of threads.
 ///

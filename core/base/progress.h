@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/result.h"
+
+#include <algorithm>
+#include <cstdint>
 #include <functional>
+#include <mutex>
+#include <optional>
 #include <stop_token>
+#include <string>
 #include <string_view>
 
 namespace tetra {
@@ -59,6 +66,86 @@ private:
     Callback callback_;
     double first_ = 0;
     double last_ = 1;
+};
+
+/// Progress of work that many threads do in pieces: adds up what they have done and reports it in order.
+class SharedProgress {
+public:
+    SharedProgress(const Progress& progress, std::uint64_t total, std::string activity)
+        : progress_(progress), total_(std::max<std::uint64_t>(total, 1)), activity_(std::move(activity))
+    {
+    }
+
+    bool cancelled() const noexcept { return progress_.cancelled(); }
+    /// From any thread.
+    void done(std::uint64_t amount)
+    {
+        const std::lock_guard lock(mutex_);
+        done_ += amount;
+        progress_.report(static_cast<double>(done_) / static_cast<double>(total_), activity_);
+    }
+
+private:
+    const Progress& progress_;
+    std::uint64_t total_;
+    std::string activity_;
+    std::mutex mutex_;
+    std::uint64_t done_ = 0;
+};
+
+/// Pieces of work that run at once and are of no use without each other: the first that fails, by an Error or by an
+/// exception, stops the others.
+class FirstFailure {
+public:
+    /// What a piece asks and tells: `progress`, cancelled by the first failure, too.
+    Progress watching(const Progress& progress) const { return progress.alsoCancelledBy(stop_.get_token()); }
+    /// Whether a piece has failed: those that were not begun need not be.
+    bool happened() const noexcept { return stop_.stop_requested(); }
+
+    /// Does a piece, `Status piece()`, on the calling thread. Its exceptions go on to the caller.
+    template <class Piece> void run(Piece&& piece)
+    {
+        try {
+            if (const Status status = piece(); !status)
+                note(status);
+        } catch (...) {
+            stop_.request_stop();
+            throw;
+        }
+    }
+
+    /// The first Error, when all pieces have ended.
+    const Status& status() const noexcept { return status_; }
+
+private:
+    void note(const Status& status)
+    {
+        const std::lock_guard lock(mutex_);
+        if (status_)
+            status_ = status;
+        stop_.request_stop();
+    }
+
+    std::stop_source stop_;
+    std::mutex mutex_;
+    Status status_;
+};
+
+/// Guesses how long work will still take from the fractions that it reports. Recent speed counts most, so that a slow
+/// second half is noticed; a short stall moves the guess little. Knows no clock: the caller says what time it is.
+class RemainingTime {
+public:
+    /// `fraction` in [0, 1] was reached `seconds` after the start. Calls that go back in either are ignored.
+    void update(double fraction, double seconds) noexcept;
+
+    /// Seconds left after the last update; nothing until a second has passed and something was done.
+    std::optional<double> seconds() const noexcept;
+
+private:
+    double fraction_ = 0;
+    double seconds_ = 0;
+    double speed_ = 0;  ///< fraction a second, recent intervals weighing more
+    double weight_ = 0; ///< how much of speed_ is measured; the rest is still the zero that it started from
 };
 
 } // namespace tetra

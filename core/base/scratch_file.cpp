@@ -7,6 +7,7 @@
 #include <string>
 
 #include <fcntl.h>
+#include <stdlib.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -46,6 +47,62 @@ Result<ScratchFile> ScratchFile::create(const std::filesystem::path& folder, std
                                              [bytes](std::byte* memory) { ::munmap(memory, bytes); });
     file.size_ = bytes;
     return file;
+}
+
+SpoolFile::~SpoolFile()
+{
+    if (descriptor_ >= 0)
+        ::close(descriptor_);
+}
+
+Error SpoolFile::failed(int systemError) const
+{
+    return {isLackOfResources(systemError) ? ErrorKind::OutOfResource : ErrorKind::CannotWrite,
+            "A temporary file in '" + folder_.string() + "' cannot be used: " + systemErrorText(systemError) + ". " +
+                diskRemedy(systemError)};
+}
+
+Status SpoolFile::open()
+{
+    std::string name = (folder_ / "spool-XXXXXX").string();
+    descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
+    if (descriptor_ < 0)
+        return failed(errno);
+    ::unlink(name.c_str());
+    return {};
+}
+
+Result<std::uint64_t> SpoolFile::append(std::span<const std::byte> bytes)
+{
+    if (status_ && descriptor_ < 0)
+        status_ = open();
+    const std::uint64_t offset = size_;
+    while (status_ && !bytes.empty()) {
+        const ssize_t written = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(size_));
+        if (written > 0) {
+            size_ += static_cast<std::uint64_t>(written);
+            bytes = bytes.subspan(static_cast<std::size_t>(written));
+        } else if (written == 0 || errno != EINTR) {
+            status_ = failed(written == 0 ? ENOSPC : errno);
+        }
+    }
+    if (!status_)
+        return status_.error();
+    return offset;
+}
+
+Status SpoolFile::read(std::uint64_t offset, std::span<std::byte> bytes) const
+{
+    while (!bytes.empty()) {
+        const ssize_t count = ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+        if (count > 0) {
+            offset += static_cast<std::uint64_t>(count);
+            bytes = bytes.subspan(static_cast<std::size_t>(count));
+        } else if (count == 0 || errno != EINTR) {
+            return failed(count == 0 ? EIO : errno);
+        }
+    }
+    return {};
 }
 
 } // namespace tetra

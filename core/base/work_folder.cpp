@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/work_folder.h"
 
-#include "core/base/file_lock.h"
 #include "core/base/folder.h"
 #include "core/base/system_error.h"
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/data/domain_class.h"
 #include "core/data/lattice.h"
 #include "core/data/scalar_field.h"
 
@@ -45,7 +44,7 @@ std::uint64_t contentHash(const ScalarField& values, const PointPositions& posit
 /// space, with spacing 1 and origin 0, and `positions` the physical one. Scattered: `positions` alone; the lattice's
 /// size is {points, 1, 1} and says nothing more. Irregular: as scattered, and `tetrahedra` fill the domain: a
 /// conforming mesh that uses every point, of one or more components, whose boundary is a manifold (checkIrregular() in
-/// core/cells/irregular_check.h).
+/// core/data/cells/irregular_check.h).
 struct Dataset {
     DomainClass domain = DomainClass::RegularLattice;
     Lattice lattice;

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/data/dataset_part.h"
 
-#include "core/data/grid_handedness.h"
-#include "core/data/part_of_points.h"
-#include "core/data/sample_buffer.h"
+#include "core/base/text.h"
+#include "core/data/dataset_checks.h"
+#include "core/data/scalar_field.h"
+#include "core/mesh/manifold.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <new>
 #include <utility>
+#include <vector>
 
 namespace tetra {
 
@@ -218,6 +222,185 @@ try {
     return result;
 } catch (const std::bad_alloc&) {
     return Error{ErrorKind::OutOfResource, "Not enough memory for this part. Take a smaller one."};
+}
+
+namespace {
+
+std::vector<std::string_view> entriesOf(std::string_view text)
+{
+    std::vector<std::string_view> entries;
+    for (;;) {
+        const auto end = text.find(',');
+        entries.push_back(text.substr(0, end));
+        if (end == std::string_view::npos)
+            return entries;
+        text.remove_prefix(end + 1);
+    }
+}
+
+} // namespace
+
+std::string regionText(const DatasetPart& part)
+{
+    std::string text;
+    if (part.region)
+        for (const Eigen::Vector3d& corner : {Eigen::Vector3d(part.region->min()), Eigen::Vector3d(part.region->max())})
+            for (const double number : corner)
+                text += (text.empty() ? "" : ",") + formatNumber(number);
+    return text;
+}
+
+std::string strideText(const DatasetPart& part)
+{
+    const auto& stride = part.stride;
+    if (stride[0] == stride[1] && stride[1] == stride[2])
+        return stride[0] == 1 ? std::string() : std::to_string(stride[0]);
+    return std::to_string(stride[0]) + "," + std::to_string(stride[1]) + "," + std::to_string(stride[2]);
+}
+
+Result<std::optional<Eigen::AlignedBox3d>> parseRegion(std::string_view text)
+{
+    if (text.empty())
+        return std::optional<Eigen::AlignedBox3d>();
+    const auto wrong = [&](const std::string& what) {
+        return Error{ErrorKind::WrongUsage, "The region '" + std::string(text) + "' " + what};
+    };
+    const auto entries = entriesOf(text);
+    if (entries.size() != 6)
+        return wrong("is not understood. Give six numbers separated by commas: the first corner's and the last one's, "
+                     "as in 0,0,0,31,31,15.");
+    std::array<double, 6> numbers{};
+    for (std::size_t i = 0; i < 6; ++i) {
+        const auto number = parseNumber<double>(entries[i]);
+        if (!number || !std::isfinite(*number))
+            return wrong("holds '" + std::string(entries[i]) + "', which is no number.");
+        numbers[i] = *number;
+    }
+    const Eigen::Vector3d first(numbers[0], numbers[1], numbers[2]);
+    const Eigen::Vector3d last(numbers[3], numbers[4], numbers[5]);
+    if ((first.array() > last.array()).any())
+        return wrong("ends before it begins. Give the smaller numbers first.");
+    return std::optional(Eigen::AlignedBox3d(first, last));
+}
+
+Result<std::array<std::uint32_t, 3>> parseStride(std::string_view text)
+{
+    std::array<std::uint32_t, 3> stride{1, 1, 1};
+    if (text.empty())
+        return stride;
+    const auto entries = entriesOf(text);
+    for (std::size_t axis = 0; axis < 3 && (entries.size() == 1 || entries.size() == 3); ++axis) {
+        const auto number = parseNumber<std::uint32_t>(entries[entries.size() == 1 ? 0 : axis]);
+        stride[axis] = number.value_or(0);
+    }
+    if ((entries.size() != 1 && entries.size() != 3) || stride[0] == 0 || stride[1] == 0 || stride[2] == 0)
+        return Error{ErrorKind::WrongUsage, "The stride '" + std::string(text) +
+                                                "' is not understood. Give one whole number from 1, or three "
+                                                "separated by commas, as in 2,2,1."};
+    return stride;
+}
+
+namespace {
+
+constexpr std::uint32_t notTaken = std::numeric_limits<std::uint32_t>::max();
+
+Error nothingInside(const std::string& what)
+{
+    return {ErrorKind::WrongUsage, "The region holds " + what +
+                                       ". Take a larger one; 'bounds' of 'tan info' says where "
+                                       "the points lie."};
+}
+
+/// The points that are taken, in their order, and the number that each point has there.
+struct Chosen {
+    std::vector<std::uint32_t> points;
+    std::vector<std::uint32_t> numbers;
+};
+
+template <class IsTaken> Chosen choose(std::uint64_t points, const IsTaken& isTaken)
+{
+    Chosen chosen;
+    chosen.numbers.resize(points, notTaken);
+    for (std::uint32_t point = 0; point < points; ++point)
+        if (isTaken(point)) {
+            chosen.numbers[point] = static_cast<std::uint32_t>(chosen.points.size());
+            chosen.points.push_back(point);
+        }
+    return chosen;
+}
+
+Result<Dataset> ofPoints(const Dataset& dataset, const std::vector<std::uint32_t>& points)
+{
+    const SampleType type = dataset.values.type();
+    auto samples = allocateSamples(type, points.size());
+    if (!samples)
+        return samples.error();
+    auto positions = std::make_shared<std::vector<Eigen::Vector3d>>();
+    positions->reserve(points.size());
+    visitSampleType(type, [&]<class T>() {
+        T* to = reinterpret_cast<T*>(samples->get());
+        for (const std::uint32_t point : points) {
+            *to++ = dataset.values.as<T>()[point];
+            positions->push_back((*dataset.positions)[point]);
+        }
+    });
+    Dataset result = dataset;
+    result.values = ScalarField(type, points.size(), *std::move(samples));
+    result.positions = std::move(positions);
+    result.lattice.size = {static_cast<std::uint32_t>(points.size()), 1, 1};
+    result.mappedFile = nullptr;
+    result.remarks.push_back("A part of " + std::to_string(points.size()) + " of the " +
+                             std::to_string(dataset.pointCount()) + " points.");
+    return result;
+}
+
+Result<Dataset> partOfIrregular(const Dataset& dataset, const Eigen::AlignedBox3d& box, const Progress& progress)
+{
+    const auto& all = *dataset.tetrahedra;
+    std::vector<std::uint8_t> taken(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+        taken[i] =
+            std::ranges::all_of(all[i], [&](std::uint32_t point) { return box.contains((*dataset.positions)[point]); });
+    if (progress.cancelled())
+        return cancelledError("Reading");
+    const std::uint64_t removed = restrictToManifold(all, static_cast<std::uint32_t>(dataset.positions->size()), taken);
+    std::vector<std::uint8_t> isUsed(dataset.positions->size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+        for (const std::uint32_t point : all[i])
+            isUsed[point] |= taken[i];
+    const Chosen chosen = choose(isUsed.size(), [&](std::uint32_t point) { return isUsed[point] != 0; });
+    if (chosen.points.empty())
+        return nothingInside("no whole tetrahedron");
+    auto result = ofPoints(dataset, chosen.points);
+    if (!result)
+        return result;
+    auto tetrahedra = std::make_shared<std::vector<std::array<std::uint32_t, 4>>>();
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (taken[i] != 0)
+            tetrahedra->push_back({chosen.numbers[all[i][0]], chosen.numbers[all[i][1]], chosen.numbers[all[i][2]],
+                                   chosen.numbers[all[i][3]]});
+    result->tetrahedra = std::move(tetrahedra);
+    if (removed > 0)
+        result->remarks.push_back(std::to_string(removed) +
+                                  (removed == 1
+                                       ? " tetrahedron inside the region was left out: it touches the others"
+                                       : " tetrahedra inside the region were left out: they touch the others") +
+                                  " only at a vertex or an edge.");
+    return result;
+}
+
+} // namespace
+
+Result<Dataset> partOfPoints(const Dataset& dataset, const Eigen::AlignedBox3d& box, const Progress& progress)
+{
+    if (dataset.tetrahedra)
+        return partOfIrregular(dataset, box, progress);
+    constexpr std::size_t leastPoints = 4;
+    const Chosen chosen =
+        choose(dataset.pointCount(), [&](std::uint32_t point) { return box.contains((*dataset.positions)[point]); });
+    if (chosen.points.size() < leastPoints)
+        return nothingInside(std::to_string(chosen.points.size()) + " points, and a volume needs four");
+    return ofPoints(dataset, chosen.points);
 }
 
 } // namespace tetra

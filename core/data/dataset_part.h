@@ -50,4 +50,7 @@ Result<std::optional<Eigen::AlignedBox3d>> parseRegion(std::string_view text);
 /// One whole number or three separated by commas; 1 for an empty text.
 Result<std::array<std::uint32_t, 3>> parseStride(std::string_view text);
 
+/// takePart() for scattered and irregular data, without name and hash.
+Result<Dataset> partOfPoints(const Dataset& dataset, const Eigen::AlignedBox3d& box, const Progress& progress);
+
 } // namespace tetra

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/spatial_order.h"
 
-#include "core/mesh/spatial_keys.h"
+#include "core/geometry/hilbert_order.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -15,6 +15,7 @@
 #include <vector>
 
 namespace tetra {
+
 namespace {
 
 constexpr std::string_view orderingMesh = "Ordering the mesh";
@@ -206,6 +207,17 @@ Buffer<ChunkRange> chunkRanges(const TetrahedralMesh& mesh)
             ranges[c] = rangeOf(mesh, c * rangedChunkSize, std::min(total, (c + 1) * rangedChunkSize));
     });
     return ranges;
+}
+
+Result<std::shared_ptr<const TetrahedralMesh>> OrderedMesh::ordered(const Progress& progress)
+{
+    if (!ordered_) {
+        auto made = inSpatialOrder(*original_, progress);
+        if (!made)
+            return made.error();
+        ordered_ = std::make_shared<const TetrahedralMesh>(*std::move(made));
+    }
+    return ordered_;
 }
 
 } // namespace tetra

@@ -5,6 +5,8 @@
 #include "core/base/result.h"
 #include "core/mesh/tetrahedral_mesh.h"
 
+#include <memory>
+
 namespace tetra {
 
 /// The same mesh with what lies near in space near in memory: vertices along a Hilbert curve (corners are renumbered,
@@ -33,5 +35,21 @@ inline constexpr std::size_t rangedChunkSize = 64;
 /// The values of each run of rangedChunkSize tetrahedra, in order. O(tetrahedra), on all threads of the current arena.
 /// May throw std::bad_alloc.
 Buffer<ChunkRange> chunkRanges(const TetrahedralMesh& mesh);
+
+/// A mesh and, from when it is first asked for, the same mesh in spatial order. Share it between all that use the mesh.
+/// Used from one thread at a time.
+class OrderedMesh {
+public:
+    explicit OrderedMesh(std::shared_ptr<const TetrahedralMesh> mesh) : original_(std::move(mesh)) {}
+
+    const std::shared_ptr<const TetrahedralMesh>& original() const noexcept { return original_; }
+    bool isOrdered() const noexcept { return ordered_ != nullptr; }
+    /// Errors: those of inSpatialOrder().
+    Result<std::shared_ptr<const TetrahedralMesh>> ordered(const Progress& progress = {});
+
+private:
+    std::shared_ptr<const TetrahedralMesh> original_;
+    std::shared_ptr<const TetrahedralMesh> ordered_;
+};
 
 } // namespace tetra

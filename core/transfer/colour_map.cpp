@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/transfer/colour_map.h"
 
-#include "core/transfer/paraview/colour_space.h"
+#include "core/transfer/colour_space.h"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/transfer/default_transfer_functions.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 namespace tetra {
+
 namespace {
 
 /// Over values in [0, 1]; spreads them over the range.
@@ -48,6 +51,130 @@ TransferFunction divergingTransferFunction(double smallest, double largest, doub
         {1, {0.835f, 0.369f, 0.000f}, 0.6f},
     };
     return spread(blueToOrange, smallest, largest, unitDistance);
+}
+
+namespace {
+
+constexpr std::size_t intervals = 16;       ///< between the points
+constexpr double pathLength = 20;           ///< in unit distances: half of the diagonal
+constexpr double wantedDepth = 5.5;         ///< the mean optical depth of such a path
+constexpr double mostOpaque = 0.9;          ///< of a unit distance
+constexpr double dominating = 2.5;          ///< times its share if all values were equally frequent
+constexpr double leastWeightOfSmall = 0.15; ///< of the smallest value against the largest
+
+double positionOf(std::size_t index)
+{
+    return static_cast<double>(index) / static_cast<double>(intervals);
+}
+
+/// The share of the volume near each point against what it would be if all values were equally frequent: the mean over
+/// an interval to both sides, weighted by nearness.
+std::vector<double> frequencies(const ValueHistogram& volumes)
+{
+    const double parts = static_cast<double>(volumes.counts.size());
+    std::vector<double> sums(intervals + 1), weights(intervals + 1);
+    for (std::size_t part = 0; part < volumes.counts.size(); ++part) {
+        const double place = (static_cast<double>(part) + 0.5) / parts * static_cast<double>(intervals);
+        const auto below = static_cast<std::size_t>(place);
+        const double nearness = place - static_cast<double>(below);
+        for (const auto& [point, weight] : {std::pair(below, 1 - nearness), std::pair(below + 1, nearness)}) {
+            sums[point] += weight * static_cast<double>(volumes.counts[part]);
+            weights[point] += weight;
+        }
+    }
+    const double mean =
+        static_cast<double>(std::reduce(volumes.counts.begin(), volumes.counts.end(), std::uint64_t(0))) / parts;
+    for (std::size_t point = 0; point < sums.size(); ++point)
+        sums[point] = weights[point] > 0 ? sums[point] / (weights[point] * mean) : 0;
+    return sums;
+}
+
+double rarity(double frequency)
+{
+    return 1 / (1 + frequency * frequency);
+}
+
+/// How opaque the points are against each other.
+std::vector<double> valueWeights(const std::vector<double>& frequency)
+{
+    const double most = std::ranges::max(frequency);
+    const double hidden = most > dominating ? rarity(most) : 0;
+    std::vector<double> weights;
+    for (std::size_t point = 0; point < frequency.size(); ++point)
+        weights.push_back(std::max(rarity(frequency[point]) - hidden, 0.0) *
+                          std::lerp(leastWeightOfSmall, 1.0, positionOf(point)));
+    return weights;
+}
+
+double extinctionAt(double weight, double scale)
+{
+    return std::min(weight * scale, extinctionOf(mostOpaque, 1));
+}
+
+/// The part of the volume that is seen at all: what little of it is weighs little.
+double seenShare(const std::vector<double>& weights, const std::vector<double>& frequency)
+{
+    const double most = std::ranges::max(weights);
+    double seen = 0;
+    for (std::size_t point = 0; point < weights.size(); ++point)
+        seen += most > 0 ? frequency[point] * std::min(1.0, 4 * weights[point] / most) : 0;
+    return seen / std::reduce(frequency.begin(), frequency.end());
+}
+
+/// The factor at which a path of mean length through the domain has the wanted optical depth, as far as it can be had.
+/// Where only a part of the domain is seen, a path meets as much less of it.
+double scaleFor(const std::vector<double>& weights, const std::vector<double>& frequency)
+{
+    const double total = std::reduce(frequency.begin(), frequency.end());
+    const double wanted = wantedDepth * seenShare(weights, frequency);
+    const auto depth = [&](double scale) {
+        double sum = 0;
+        for (std::size_t point = 0; point < weights.size(); ++point)
+            sum += frequency[point] / total * extinctionAt(weights[point], scale);
+        return sum * pathLength;
+    };
+    double low = 0, high = 1e3;
+    for (int turn = 0; turn < 60; ++turn) {
+        const double middle = (low + high) / 2;
+        (depth(middle) < wanted ? low : high) = middle;
+    }
+    return high;
+}
+
+/// Where each point lies in the colours, [0, 1]: half by its value, half by how much of what is seen lies below.
+std::vector<double> places(const std::vector<double>& weights, const std::vector<double>& frequency)
+{
+    std::vector<double> seen(weights.size());
+    for (std::size_t point = 1; point < weights.size(); ++point)
+        seen[point] = seen[point - 1] + (weights[point - 1] * frequency[point - 1] + weights[point] * frequency[point]);
+    for (std::size_t point = 0; point < weights.size(); ++point) {
+        const double rank = seen.back() > 0 ? seen[point] / seen.back() : positionOf(point);
+        seen[point] = (rank + positionOf(point)) / 2;
+    }
+    return seen;
+}
+
+} // namespace
+
+TransferFunction fittedTransferFunction(const ValueHistogram& volumes, double unitDistance)
+{
+    if (volumes.highest() == 0 || !(volumes.least < volumes.largest))
+        return sequentialTransferFunction(volumes.least, volumes.largest, unitDistance);
+    const std::vector<double> frequency = frequencies(volumes);
+    const std::vector<double> weights = valueWeights(frequency);
+    const double scale = scaleFor(weights, frequency);
+    const std::vector<double> place = places(weights, frequency);
+    const TransferFunction colours = sequentialTransferFunction(0, 1, 1);
+    TransferFunction function{{}, unitDistance};
+    for (std::size_t point = 0; point < weights.size(); ++point) {
+        const TransferSample look = evaluate(colours, place[point]);
+        TransferPoint& added = function.points.emplace_back();
+        added.value = std::lerp(volumes.least, volumes.largest, positionOf(point));
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            added.colour[channel] = static_cast<float>(std::clamp(look.colour[channel], 0.0, 1.0));
+        added.opacity = static_cast<float>(-std::expm1(-extinctionAt(weights[point], scale)));
+    }
+    return function;
 }
 
 } // namespace tetra

@@ -2,8 +2,7 @@
 #include "core/transfer/transfer_text.h"
 
 #include "core/base/json.h"
-#include "core/base/number_text.h"
-#include "core/base/shown_text.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <initializer_list>

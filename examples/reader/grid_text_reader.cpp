@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <plugins/api/reader.h>
 
-#include <core/data/sample_buffer.h>
+#include <core/data/scalar_field.h>
 
 #include <QFile>
 #include <QObject>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/graphics/boundary_maker.h"
+#include "core/render/boundary_surface.h"
 #include "plugins/api/scene_parameters.h"
 
 namespace tetra {

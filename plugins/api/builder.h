@@ -4,8 +4,8 @@
 #include "core/base/progress.h"
 #include "core/data/dataset.h"
 #include "core/data/site_density.h"
+#include "core/history/planned_model_writer.h"
 #include "core/mesh/history.h"
-#include "core/model/planned_model_writer.h"
 #include "plugins/api/parameter.h"
 
 #include <QtPlugin>

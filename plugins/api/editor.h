@@ -3,7 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/data/scalar_field.h"
-#include "core/graphics/isovalue.h"
+#include "core/render/isosurface/isovalue.h"
 #include "core/transfer/transfer_function.h"
 #include "core/transfer/value_histogram.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/graphics/isovalue.h"
+#include "core/render/isosurface/isovalue.h"
 #include "core/transfer/transfer_function.h"
 
 #include <algorithm>

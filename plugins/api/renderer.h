@@ -4,9 +4,9 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/data/scalar_field.h"
-#include "core/graphics/camera.h"
-#include "core/graphics/scene.h"
 #include "core/mesh/tetrahedral_mesh.h"
+#include "core/render/camera.h"
+#include "core/render/scene.h"
 #include "core/transfer/value_histogram.h"
 #include "plugins/api/parameter.h"
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/graphics/clip_plane_text.h"
-#include "core/graphics/palette.h"
-#include "core/graphics/scene.h"
+#include "core/render/picture.h"
+#include "core/render/scene.h"
 #include "core/transfer/default_transfer_functions.h"
-#include "core/transfer/fitted_transfer_function.h"
 #include "plugins/api/renderer.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/graphics/picture.h"
+#include "core/render/picture.h"
 
 #include <string>
 #include <string_view>

@@ -3,7 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/data/dataset_part.h"
-#include "core/model/model.h"
+#include "core/history/model.h"
 #include "plugins/api/parameter.h"
 
 #include <optional>
@@ -21,7 +21,7 @@ struct ImportOptions {
     DatasetPart part{};                  ///< of what the reader gives
 };
 
-/// The names under which a model keeps, among its parameters, how its dataset was opened (core/model/FORMAT.md):
+/// The names under which a model keeps, among its parameters, how its dataset was opened (core/history/FORMAT.md):
 /// importPrefix and "reader", "region", "stride", or "value." and a parameter's id.
 inline constexpr std::string_view importPrefix = "import.";
 

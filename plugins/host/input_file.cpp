@@ -2,7 +2,7 @@
 #include "plugins/host/input_file.h"
 
 #include "core/base/system_error.h"
-#include "core/model/format.h"
+#include "core/history/format.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/live_build.h"
 
-#include "core/model/model_writer.h"
+#include "core/history/model_writer.h"
 
 #include <span>
 

@@ -3,8 +3,8 @@
 
 #include "core/base/result.h"
 #include "core/data/dataset.h"
+#include "core/history/model.h"
 #include "core/mesh/history.h"
-#include "core/model/model.h"
 
 #include <filesystem>
 #include <limits>

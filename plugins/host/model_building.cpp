@@ -4,7 +4,7 @@
 #include "core/base/file_writer.h"
 #include "core/base/memory.h"
 #include "core/base/work_folder.h"
-#include "core/model/model_writer.h"
+#include "core/history/model_writer.h"
 #include "plugins/host/output_check.h"
 #include "plugins/host/parameter_text.h"
 #include "plugins/host/parameter_values.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/model/model.h"
+#include "core/history/model.h"
 
 #include <filesystem>
 #include <span>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/packed_file.h"
 
-#include "core/base/byte_text.h"
 #include "core/base/system_error.h"
+#include "core/base/text.h"
 #include "core/base/work_folder.h"
 #include "plugins/host/input_file.h"
 

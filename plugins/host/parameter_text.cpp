@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/parameter_text.h"
 
-#include "core/base/number_text.h"
+#include "core/base/text.h"
 #include "core/transfer/transfer_text.h"
 #include "plugins/host/colour_text.h"
 

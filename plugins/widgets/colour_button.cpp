@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/widgets/colour_button.h"
 
-#include "core/graphics/palette.h"
+#include "core/render/picture.h"
 
 #include <QColorDialog>
 #include <QCoreApplication>

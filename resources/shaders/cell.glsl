@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What volume.frag needs of a cell, as core/graphics/volume/cell_setup.cpp makes it; after image.glsl.
+// What volume.frag needs of a cell, as core/render/volume/cell_setup.cpp makes it; after image.glsl.
 uniform int focusPart;        // these as in focus.frag
 uniform vec3 regionSize;
 uniform bool ball;

@@ -1,9 +1,9 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of a ray before a focus, in layers of its border, in it and behind it: core/graphics/volume/focus_rays.cpp.
+// The parts of a ray before a focus, in layers of its border, in it and behind it: core/render/volume/border_fragments.cpp.
 // Lengths are in units of w, places count from the middle of the region.
 uniform bool perspective;
-uniform int focusPart;          // VolumePart in core/graphics/gl/region_in_view.h
+uniform int focusPart;          // VolumePart in core/render/gl/volume_painter.h
 uniform bool fine;              // the volume that is drawn now is the one in the focus
 uniform vec2 borderShares;      // where a layer of the border begins and ends, of its way on one side
 uniform bool ball;

@@ -15,7 +15,7 @@
 namespace tetra {
 namespace {
 
-/// Where the major version stands in a .tan file (core/model/FORMAT.md).
+/// Where the major version stands in a .tan file (core/history/FORMAT.md).
 constexpr qsizetype majorVersionOffset = 8;
 
 QByteArray contentOf(const QString& path)

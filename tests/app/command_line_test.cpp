@@ -2,7 +2,7 @@
 /// `tan` as a program, from sample to picture: JSON keys, exit codes, what goes to which stream.
 #include "tests/app/program.h"
 #include "tests/app/sample_files.h"
-#include "tests/core/mesh/files/vtk_reader.h"
+#include "tests/plugins/writers/vtk_reader.h"
 
 #include <QImage>
 #include <QJsonArray>

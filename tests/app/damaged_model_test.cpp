@@ -3,7 +3,7 @@
 /// one, or they end with exit code 3, say what to do, and leave nothing.
 #include "tests/app/program.h"
 #include "tests/app/sample_files.h"
-#include "tests/core/model/model_fixture.h"
+#include "tests/core/history/model_fixture.h"
 
 #include <QDir>
 #include <QTemporaryDir>

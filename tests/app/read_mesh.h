@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tests/core/mesh/files/vtk_reader.h"
+#include "tests/plugins/writers/vtk_reader.h"
 
 #include <array>
 #include <cstdint>

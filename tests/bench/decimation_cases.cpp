@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/decimation_cases.h"
 
-#include "core/data/analytic_fields.h"
-#include "core/mesh/decimation/decimation.h"
-#include "core/mesh/decimation/lattice_tetrahedra.h"
+#include "core/data/samples.h"
+#include "core/decimate/decimation.h"
+#include "core/decimate/lattice_tetrahedra.h"
 #include "tests/bench/cgal_bulk_insertion.h"
 #include "tests/bench/mesh_judge.h"
 #include "tests/bench/vtk_decimation.h"
-#include "tests/core/mesh/recorded_history.h"
+#include "tests/core/refine/recorded_history.h"
 
 #include <QFile>
 

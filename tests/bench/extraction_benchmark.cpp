@@ -9,11 +9,11 @@
 #include "tests/bench/query_cases.h"
 
 #include "core/base/memory.h"
-#include "core/data/analytic_fields.h"
-#include "core/mesh/lattice_refinement.h"
-#include "core/model/extraction.h"
-#include "core/model/model_writer.h"
-#include "core/model/queries/sharp_focus.h"
+#include "core/data/samples.h"
+#include "core/history/extraction.h"
+#include "core/history/model_writer.h"
+#include "core/history/query/sharp_focus.h"
+#include "core/refine/lattice/lattice_refinement.h"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>

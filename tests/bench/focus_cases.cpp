@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/focus_cases.h"
 
-#include "core/model/queries/sharp_focus.h"
+#include "core/history/query/sharp_focus.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,10 +3,10 @@
 
 #include "tests/bench/vtk_yardstick.h"
 
-#include "core/graphics/isosurface.h"
-#include "core/graphics/volume/visibility_order.h"
-#include "core/graphics/volume/volume_mesh.h"
 #include "core/mesh/spatial_order.h"
+#include "core/render/isosurface/isosurface.h"
+#include "core/render/order/visibility_order.h"
+#include "core/render/volume/volume_mesh.h"
 
 #include <tbb/task_arena.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/mesh_judge.h"
 
-#include "core/mesh/exact_orientation.h"
+#include "core/geometry/orientation.h"
 #include "tests/bench/box_tree.h"
 
 #include <algorithm>

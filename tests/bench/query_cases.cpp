@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/query_cases.h"
 
-#include "core/model/queries/mesh_filters.h"
+#include "core/history/query/window.h"
 
 #include <cmath>
 #include <cstdio>

@@ -3,7 +3,7 @@
 
 #include "tests/bench/bench_report.h"
 
-#include "core/model/queries/mesh_extractor.h"
+#include "core/history/query/mesh_extractor.h"
 
 #include <memory>
 #include <vector>

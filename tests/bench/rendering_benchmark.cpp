@@ -9,7 +9,7 @@
 #include "tests/bench/rendering_scenes.h"
 #include "tests/bench/vtk_yardstick.h"
 
-#include "core/graphics/volume/volume_renderer.h"
+#include "core/render/volume/volume_renderer.h"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/rendering_scenes.h"
 
-#include "core/data/analytic_functions.h"
-#include "tests/core/mesh/plot3d_data.h"
+#include "core/data/samples.h"
+#include "tests/core/refine/plot3d_data.h"
 
 #include <algorithm>
 #include <cmath>

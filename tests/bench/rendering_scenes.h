@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/graphics/camera.h"
 #include "core/mesh/tetrahedral_mesh.h"
+#include "core/render/camera.h"
 #include "core/transfer/transfer_function.h"
 
 #include <QString>

@@ -3,7 +3,7 @@
 
 #include "tests/bench/bench_report.h"
 
-#include "core/data/analytic_fields.h"
+#include "core/data/samples.h"
 #include "plugins/host/model_building.h"
 
 #include <tbb/global_control.h>

@@ -16,7 +16,7 @@ def run_with(line):
     with tempfile.TemporaryDirectory() as folder:
         copy = pathlib.Path(folder) / "copy"
         shutil.copytree(source / "docs", copy / "docs")
-        for name in ("CONTRIBUTING.md", "README.md", "core/model/FORMAT.md", "core/README.md"):
+        for name in ("CONTRIBUTING.md", "README.md", "core/history/FORMAT.md", "core/README.md"):
             (copy / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(source / name, copy / name)
         with open(copy / "docs/recipes.md", "a", encoding="utf-8") as page:

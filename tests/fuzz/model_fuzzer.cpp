@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Takes arbitrary bytes for a .tan file, with checksums made right where there is room for them: opens it, extracts by
 // every method, verifies.
-#include "core/model/queries/history_part.h"
-#include "core/model/queries/mesh_extractor.h"
-#include "core/model/verification.h"
-#include "tests/core/model/model_fixture.h"
+#include "core/history/query/history_part.h"
+#include "core/history/query/mesh_extractor.h"
+#include "core/verify/verification.h"
+#include "tests/core/history/model_fixture.h"
 #include "tests/fuzz/fuzz_folder.h"
 #include "tests/fuzz/fuzz_input.h"
 #include "tests/fuzz/small_part.h"

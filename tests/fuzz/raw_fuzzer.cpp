@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Feeds the reader of raw volumes with a line of what the user says of the file, fields separated by '|', and the file
 // behind it; and, where the line is not that, with the lines up to an empty one as a detached NRRD header.
-#include "core/base/number_text.h"
+#include "core/base/text.h"
 #include "plugins/readers/lattice/lattice_reader.h"
 #include "tests/fuzz/fuzz_folder.h"
 #include "tests/fuzz/fuzz_input.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes what the fuzzers start from: small valid inputs, a folder for each fuzzer in the folder that is named.
-#include "core/graphics/camera_text.h"
-#include "core/model/queries/error_field_text.h"
+#include "core/history/query/error_field_text.h"
+#include "core/render/camera.h"
 #include "core/transfer/transfer_text.h"
 #include "plugins/readers/cells/vtu_writer.h"
-#include "tests/core/model/irregular/irregular_models.h"
-#include "tests/core/model/model_fixture.h"
-#include "tests/core/model/queries/some_models.h"
+#include "tests/core/history/irregular/irregular_models.h"
+#include "tests/core/history/model_fixture.h"
+#include "tests/core/history/query/some_models.h"
 #include "tests/fuzz/small_part.h"
 #include "tests/plugins/readers/cells/vtu_text.h"
 #include "tests/plugins/readers/lattice/volume_files.h"

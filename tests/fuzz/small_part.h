@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tests/core/mesh/decimation/test_meshes.h"
-#include "tests/core/model/irregular/irregular_models.h"
+#include "tests/core/decimate/test_meshes.h"
+#include "tests/core/history/irregular/irregular_models.h"
 
 namespace tetra {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Takes arbitrary bytes for the text of a camera and of clip planes; what is read comes back from its text.
-#include "core/graphics/camera_text.h"
-#include "core/graphics/clip_plane_text.h"
+#include "core/render/camera.h"
+#include "core/render/scene.h"
 #include "tests/fuzz/fuzz_input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)

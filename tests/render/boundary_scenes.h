@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/graphics/boundary_maker.h"
-#include "core/graphics/camera.h"
-#include "core/graphics/volume/volume_maker.h"
-#include "tests/core/graphics/holed_mesh.h"
+#include "core/render/boundary_surface.h"
+#include "core/render/camera.h"
+#include "core/render/volume/volume_mesh.h"
+#include "tests/core/render/holed_mesh.h"
 
 #include <QString>
 #include <QtGlobal>

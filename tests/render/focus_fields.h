@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mesh/region.h"
+#include "core/geometry/region.h"
 #include "core/transfer/transfer_function.h"
 
 #include <Eigen/Core>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is said where OpenGL is missing or too old.
-#include "core/graphics/gl/egl_context.h"
-#include "core/graphics/gl/scene_painter.h"
+#include "core/render/gl/egl_context.h"
+#include "core/render/gl/scene_painter.h"
 
 #include <QTest>
 

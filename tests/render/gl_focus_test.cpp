@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A finer volume inside a region, blended at its border (R24, S18), by OpenGL against the CPU back end (B4). Skipped
 // where EGL gives no OpenGL 3.3.
-#include "tests/core/graphics/lattice_mesh.h"
+#include "tests/core/render/lattice_mesh.h"
 #include "tests/render/focus_fields.h"
 #include "tests/render/gl_test.h"
 #include "tests/render/same_picture.h"

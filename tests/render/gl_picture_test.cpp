@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the OpenGL back end against the CPU's, the reference (B4). Skipped where EGL gives no OpenGL 3.3.
-#include "core/graphics/gl/egl_context.h"
-#include "core/graphics/gl/scene_painter.h"
-#include "core/graphics/isosurface.h"
-#include "core/graphics/picture_options.h"
-#include "core/graphics/render_backend.h"
-#include "tests/core/graphics/lattice_mesh.h"
+#include "core/render/gl/egl_context.h"
+#include "core/render/gl/scene_painter.h"
+#include "core/render/isosurface/isosurface.h"
+#include "core/render/render_backend.h"
+#include "core/render/scene_check.h"
+#include "tests/core/render/lattice_mesh.h"
 #include "tests/render/gl_test.h"
 #include "tests/render/same_picture.h"
 #include "tests/render/scenes.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/graphics/gl/egl_context.h"
-#include "core/graphics/render_backend.h"
+#include "core/render/gl/egl_context.h"
+#include "core/render/render_backend.h"
 
 #include <QObject>
 #include <QTest>

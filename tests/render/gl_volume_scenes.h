@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/graphics/camera.h"
-#include "core/graphics/isosurface.h"
-#include "core/graphics/scene.h"
-#include "core/graphics/volume/volume_mesh.h"
-#include "tests/core/graphics/volume/volume_meshes.h"
+#include "core/render/camera.h"
+#include "core/render/isosurface/isosurface.h"
+#include "core/render/scene.h"
+#include "core/render/volume/volume_mesh.h"
+#include "tests/core/render/volume/volume_meshes.h"
 #include "tests/render/picture_check.h"
 #include "tests/render/scenes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Volumes and hybrids of the OpenGL back end against the CPU's (B4, R20, R21), by TAN_GL_LEVEL at most: run for both.
 // Skipped where EGL gives no OpenGL 3.3.
-#include "tests/core/graphics/lattice_mesh.h"
+#include "tests/core/render/lattice_mesh.h"
 #include "tests/render/gl_test.h"
 #include "tests/render/gl_volume_scenes.h"
 #include "tests/render/same_picture.h"

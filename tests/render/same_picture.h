@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/graphics/render_backend.h"
+#include "core/render/render_backend.h"
 #include "tests/render/picture_check.h"
 
 #include <QString>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the CPU back end does with scenes that have a volume (B4): samples, depth, parts, orders, statistics.
-#include "core/graphics/render_backend.h"
+#include "core/render/render_backend.h"
 #include "tests/render/picture_check.h"
 #include "tests/render/scenes.h"
 #include "tests/render/volume_scenes.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/graphics/isosurface.h"
-#include "core/graphics/scene.h"
-#include "core/graphics/shading.h"
-#include "core/graphics/volume/volume_mesh.h"
-#include "tests/core/graphics/lattice_mesh.h"
-#include "tests/core/graphics/volume/ray_integrator.h"
-#include "tests/core/graphics/volume/volume_meshes.h"
+#include "core/render/isosurface/isosurface.h"
+#include "core/render/scene.h"
+#include "core/render/shading.h"
+#include "core/render/volume/volume_mesh.h"
+#include "tests/core/render/lattice_mesh.h"
+#include "tests/core/render/volume/ray_integrator.h"
+#include "tests/core/render/volume/volume_meshes.h"
 
 #include <QtGlobal>
 

@@ -5,8 +5,10 @@
 #include <array>
 #include <fstream>
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <regex>
+#include <set>
 #include <string_view>
 
 namespace tetra {
@@ -16,7 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view licenceLine = "// SPDX-License-Identifier: GPL-3.0-or-later";
 
-/// A folder and the other folders that its files may include.
+/// A folder, without those of its sub-folders that are rooms themselves, and what else its files may include: rooms, or
+/// folders with all rooms in them. A room may include only what stands before it, so that all arrows point one way.
 struct Room {
     std::string_view folder;
     std::vector<std::string_view> mayInclude;
@@ -26,12 +29,30 @@ const std::vector<Room>& rooms()
 {
     static const std::vector<Room> all = {
         {"core/base", {}},
-        {"core/data", {"core/base"}},
-        {"core/mesh", {"core/base"}},
-        {"core/cells", {"core/base", "core/data", "core/mesh"}},
+        {"core/geometry", {"core/base"}},
+        {"core/mesh", {"core/base", "core/geometry"}},
+        {"core/data", {"core/base", "core/mesh"}},
+        {"core/data/cells", {"core/base", "core/geometry", "core/mesh", "core/data"}},
+        {"core/refine/lattice", {"core/base", "core/mesh"}},
+        {"core/refine/curvilinear", {"core/base", "core/geometry", "core/mesh", "core/refine/lattice"}},
+        {"core/refine/free", {"core/base", "core/mesh"}},
+        {"core/refine/insertion", {"core/base", "core/refine/lattice", "core/refine/curvilinear"}},
+        {"core/decimate", {"core/base", "core/geometry", "core/mesh"}},
         {"core/transfer", {"core/base"}},
-        {"core/model", {"core/base", "core/data", "core/mesh", "core/transfer"}},
-        {"core/graphics", {"core/base", "core/mesh", "core/transfer"}},
+        {"core/transfer/import", {"core/base", "core/transfer"}},
+        {"core/history", {"core/base", "core/mesh", "core/data"}},
+        {"core/history/blocks", {"core/base", "core/refine/lattice", "core/history"}},
+        {"core/history/query",
+         {"core/base", "core/geometry", "core/mesh", "core/data", "core/refine/lattice", "core/refine/insertion",
+          "core/history"}},
+        {"core/verify", {"core/base", "core/geometry", "core/mesh", "core/data", "core/history", "core/history/query"}},
+        {"core/render", {"core/base", "core/geometry", "core/mesh", "core/transfer"}},
+        {"core/render/isosurface", {"core/base", "core/mesh", "core/render"}},
+        {"core/render/order", {"core/base", "core/geometry", "core/mesh", "core/render"}},
+        {"core/render/volume", {"core/base", "core/mesh", "core/transfer", "core/render", "core/render/order"}},
+        {"core/render/cpu", {"core/base", "core/render", "core/render/volume"}},
+        {"core/render/gl", {"core/base", "core/render", "core/render/volume"}},
+        {"core/render/picking", {"core/base", "core/mesh", "core/render", "core/render/volume"}},
         {"plugins/api", {"core"}},
         {"plugins/host", {"core", "plugins/api"}},
         {"plugins/builders", {"core", "plugins/api"}},
@@ -40,34 +61,46 @@ const std::vector<Room>& rooms()
         {"plugins/editors", {"core", "plugins/api", "plugins/widgets"}},
         {"plugins/readers", {"core", "plugins/api"}},
         {"plugins/writers", {"core", "plugins/api"}},
-        {"ui", {"core", "plugins/api", "plugins/host", "plugins/widgets"}},
-        {"app", {"core", "plugins/api", "plugins/host", "plugins/widgets", "ui"}},
+        {"ui", {"core", "plugins/api", "plugins/host", "plugins/widgets", "plugins/writers"}},
+        {"app", {"core", "plugins/api", "plugins/host", "plugins/widgets", "plugins/writers", "ui"}},
         {"tests", {"core", "plugins", "ui", "app"}},
     };
     return all;
 }
+
+/// A folder of more sources than this (a header and its source counted once) is a heap, not a room.
+constexpr std::size_t mostUnits = 25;
 
 bool liesIn(std::string_view path, std::string_view folder)
 {
     return path.size() > folder.size() && path.starts_with(folder) && path[folder.size()] == '/';
 }
 
+const Room* roomOf(std::string_view path)
+{
+    const Room* found = nullptr;
+    for (const Room& room : rooms())
+        if (liesIn(path, room.folder) && (found == nullptr || room.folder.size() > found->folder.size()))
+            found = &room;
+    return found;
+}
+
 /// The folder inside which files may include each other: the room, or for a plugin its own folder inside the room.
 std::string homeOf(std::string_view path, const Room& room)
 {
-    constexpr std::array<std::string_view, 5> kinds = {"plugins/builders", "plugins/renderers", "plugins/editors",
-                                                       "plugins/readers", "plugins/writers"};
+    constexpr std::array<std::string_view, 4> kinds = {"plugins/builders", "plugins/renderers", "plugins/editors",
+                                                       "plugins/readers"};
     if (std::ranges::find(kinds, room.folder) == kinds.end())
         return std::string(room.folder);
     const auto end = path.find('/', room.folder.size() + 1);
     return std::string(path.substr(0, end));
 }
 
-const Room* roomOf(std::string_view path)
+/// Whether `folder` stands for `room`: it is that one, or is no room and holds it.
+bool standsFor(std::string_view folder, const Room& room)
 {
-    const auto room =
-        std::ranges::find_if(rooms(), [&](const Room& candidate) { return liesIn(path, candidate.folder); });
-    return room == rooms().end() ? nullptr : &*room;
+    const bool isRoom = std::ranges::any_of(rooms(), [&](const Room& other) { return other.folder == folder; });
+    return folder == room.folder || (!isRoom && liesIn(room.folder, folder));
 }
 
 struct Include {
@@ -113,9 +146,9 @@ std::optional<std::string> includeBreach(const std::string& path, const Include&
     const Room* target = roomOf(name);
     if (target == nullptr || !fs::exists(root / name))
         return "includes \"" + name + "\", which is no file of this repository by its path from the root";
-    const bool atHome = liesIn(name, homeOf(path, *room));
+    const bool atHome = room == target && liesIn(name, homeOf(path, *room));
     if (!atHome &&
-        std::ranges::none_of(room->mayInclude, [&](std::string_view folder) { return liesIn(name, folder); }))
+        std::ranges::none_of(room->mayInclude, [&](std::string_view folder) { return standsFor(folder, *target); }))
         return "may not include " + name;
     return std::nullopt;
 }
@@ -173,9 +206,28 @@ std::vector<std::string> sourcesUnder(const fs::path& root)
 std::vector<std::string> houseBreaches(const fs::path& root)
 {
     std::vector<std::string> breaches;
-    for (const auto& path : sourcesUnder(root))
+    std::map<std::string, std::set<std::string>> unitsOf;
+    for (const auto& path : sourcesUnder(root)) {
         readFile(root, path, breaches);
+        if (liesIn(path, "core"))
+            unitsOf[fs::path(path).parent_path()].insert(fs::path(path).stem());
+    }
+    for (const auto& [folder, units] : unitsOf)
+        if (units.size() > mostUnits)
+            breaches.push_back(folder + ": " + std::to_string(units.size()) + " units, more than " +
+                               std::to_string(mostUnits) + "; divide the folder, or join what is one idea");
     return breaches;
+}
+
+std::vector<std::string> arrowsBack()
+{
+    std::vector<std::string> found;
+    for (auto room = rooms().begin(); room != rooms().end(); ++room)
+        for (auto later = room; later != rooms().end(); ++later)
+            for (const std::string_view folder : room->mayInclude)
+                if (standsFor(folder, *later))
+                    found.push_back(std::string(room->folder) + " may include " + std::string(later->folder));
+    return found;
 }
 
 } // namespace tetra

@@ -10,12 +10,15 @@ namespace tetra {
 /// Reads every .h and .cpp under app, core, plugins, tests and ui of `root` and says, one sentence a breach and in the
 /// order of the paths, where they break the rules of the house:
 /// - who may include whom (core <- plugins/api <- plugins/*; core, plugins/api, plugins/host <- ui <- app; core <-
-///   plugins/widgets <- plugins/editors, ui; no plugin includes another; inside core base <- data, mesh, transfer <-
-///   model, and graphics <- base, mesh, transfer);
+///   plugins/widgets <- plugins/editors, ui; no plugin includes another; inside core as the table of the source says);
+/// - a folder of core holds 25 units at most, a header and its source being one;
 /// - own headers are included by their path from the root and exist;
 /// - core includes no Qt, and its headers neither OpenGL nor CGAL;
 /// - what the system says of an error comes from systemErrorText(), which is English in every locale;
 /// - the first line is the licence's SPDX line, and headers have `#pragma once`.
 std::vector<std::string> houseBreaches(const std::filesystem::path& root);
+
+/// Where those rules themselves let a folder include one that stands after it, so that arrows could go both ways.
+std::vector<std::string> arrowsBack();
 
 } // namespace tetra

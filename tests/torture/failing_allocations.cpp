@@ -3,14 +3,14 @@
 // that allocation failing. The case must say so, as an error or an exception, or be right without it; nothing may leak
 // (3 runs in a row say so: caches grow once) and no file be left.
 #include "core/base/work_folder.h"
-#include "core/graphics/isosurface.h"
-#include "core/mesh/curvilinear_refinement.h"
-#include "core/mesh/lattice_refinement.h"
-#include "core/model/blocks/lattice_runs.h"
-#include "core/model/blocks/merged_model.h"
-#include "core/model/extraction.h"
-#include "core/model/model_writer.h"
-#include "tests/core/model/irregular/irregular_models.h"
+#include "core/history/blocks/lattice_runs.h"
+#include "core/history/blocks/merged_model.h"
+#include "core/history/extraction.h"
+#include "core/history/model_writer.h"
+#include "core/refine/curvilinear/curvilinear_refinement.h"
+#include "core/refine/lattice/lattice_refinement.h"
+#include "core/render/isosurface/isosurface.h"
+#include "tests/core/history/irregular/irregular_models.h"
 
 #include <tbb/global_control.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window on models whose files are damaged: it says so whatever part is damaged and whoever notices, and saves
 // nothing that may be wrong.
-#include "core/model/extraction.h"
-#include "tests/core/model/model_fixture.h"
+#include "core/history/extraction.h"
+#include "tests/core/history/model_fixture.h"
 #include "tests/ui/sample_window.h"
 #include "tests/waiting.h"
 

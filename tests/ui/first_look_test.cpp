@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/data/sample_buffer.h"
-#include "core/graphics/render_backend.h"
+#include "core/data/scalar_field.h"
+#include "core/render/render_backend.h"
 #include "plugins/host/dataset_opening.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/session/picture_image.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A volume in a widget's own OpenGL context and framebuffer, as the window's canvas draws it. Needs an X display.
-#include "core/graphics/gl/scene_painter.h"
+#include "core/render/gl/scene_painter.h"
 #include "tests/render/gl_volume_scenes.h"
 #include "tests/render/same_picture.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/data/analytic_fields.h"
-#include "core/model/verification.h"
+#include "core/data/samples.h"
+#include "core/verify/verification.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/dataset_saving.h"
 #include "tests/ui/window_fixture.h"

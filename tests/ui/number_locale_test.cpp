@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/graphics/camera_text.h"
+#include "core/render/camera.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/session/session_document.h"
 

@@ -3,12 +3,10 @@
 
 #include "core/transfer/colour_map.h"
 #include "core/transfer/default_transfer_functions.h"
-#include "core/transfer/editing/arranging.h"
-#include "core/transfer/editing/copying.h"
-#include "core/transfer/editing/moving.h"
-#include "core/transfer/editing/peak.h"
-#include "core/transfer/editing/simplification.h"
-#include "core/transfer/editing/whole_function.h"
+#include "plugins/widgets/curves/arranging.h"
+#include "plugins/widgets/curves/copying.h"
+#include "plugins/widgets/curves/moving.h"
+#include "plugins/widgets/curves/reshaping.h"
 
 #include <cmath>
 #include <limits>

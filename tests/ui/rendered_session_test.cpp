@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window and `tan render` draw the same picture of the same state, pixel for pixel.
-#include "core/graphics/palette.h"
+#include "core/render/picture.h"
 #include "tests/app/program.h"
 #include "tests/ui/sample_window.h"
 #include "tests/waiting.h"

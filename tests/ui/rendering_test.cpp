@@ -2,7 +2,7 @@
 #include "plugins/widgets/colour_button.h"
 #include "tests/ui/window_fixture.h"
 
-#include "core/graphics/camera_text.h"
+#include "core/render/camera.h"
 #include "core/transfer/default_transfer_functions.h"
 
 #include <QCheckBox>

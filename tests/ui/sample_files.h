@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/data/dataset.h"
-#include "core/model/model.h"
+#include "core/history/model.h"
 #include "plugins/host/plugin_host.h"
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 #include "tests/ui/sample_files.h"
 #include "ui/session/scene_builder.h"
 
-#include "core/model/extraction.h"
+#include "core/history/extraction.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>

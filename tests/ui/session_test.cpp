@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/graphics/palette.h"
+#include "core/render/picture.h"
 #include "tests/ui/sample_files.h"
 #include "ui/session/session.h"
 

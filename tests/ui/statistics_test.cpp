@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/graphics/volume/volume_mesh.h"
-#include "core/model/extraction.h"
+#include "core/history/extraction.h"
+#include "core/render/volume/volume_mesh.h"
 #include "core/transfer/default_transfer_functions.h"
 #include "plugins/widgets/number_text.h"
 #include "tests/ui/sample_window.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/data/analytic_fields.h"
+#include "core/data/samples.h"
 #include "plugins/host/dataset_saving.h"
 #include "tests/ui/pictures.h"
 #include "tests/ui/window_fixture.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/annotations/annotation_content.h"
 
-#include "core/model/model.h"
+#include "core/history/model.h"
 #include "ui/annotations/field_name.h"
 #include "ui/session/look.h"
 #include "ui/session/mesh_text.h"

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/data/scalar_field.h"
-#include "core/graphics/camera.h"
-#include "core/graphics/isovalue.h"
-#include "core/graphics/picture.h"
+#include "core/render/camera.h"
+#include "core/render/isosurface/isovalue.h"
+#include "core/render/picture.h"
 #include "core/transfer/transfer_function.h"
 #include "ui/session/animation.h"
 #include "ui/session/annotation_state.h"

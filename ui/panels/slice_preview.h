@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/sample_slice.h"
+#include "core/data/scalar_field.h"
 #include "ui/work/latest_job.h"
 
 #include <QImage>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/view_panel.h"
 
-#include "core/graphics/camera_text.h"
+#include "core/render/camera.h"
 #include "plugins/widgets/colour_button.h"
 #include "plugins/widgets/number_text.h"
 #include "plugins/widgets/scrolled_column.h"

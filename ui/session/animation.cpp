@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/animation.h"
 
-#include "core/graphics/animation/blending.h"
-#include "core/graphics/animation/camera_path.h"
+#include "ui/animation/blending.h"
+#include "ui/animation/camera_path.h"
 #include "ui/session/query_state.h"
 
 #include <algorithm>

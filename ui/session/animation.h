@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/graphics/animation/turntable.h"
-#include "core/graphics/isovalue.h"
+#include "core/render/isosurface/isovalue.h"
 #include "core/transfer/transfer_function.h"
+#include "ui/animation/camera_path.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/draft_builder.h"
 
-#include "core/graphics/progressive/frame_plan.h"
-#include "core/model/queries/mesh_extractor.h"
+#include "core/history/query/mesh_extractor.h"
+#include "ui/viewport/frame_pacer.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/field_extent.h"
 
-#include "core/graphics/surface_value.h"
-#include "core/graphics/volume/volume_histogram.h"
-#include "core/model/queries/mesh_query.h"
-#include "core/model/queries/uniform_budget.h"
+#include "core/history/query/mesh_extractor.h"
+#include "core/history/query/mesh_query.h"
+#include "core/render/value_statistics.h"
 
 #include <new>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/data/dataset_part.h"
-#include "core/data/sample_slice.h"
+#include "core/data/scalar_field.h"
 #include "plugins/api/parameter.h"
 #include "plugins/host/build_estimate.h"
 

@@ -9,7 +9,7 @@
 namespace tetra {
 
 /// An isovalue to add to `existing`: in the middle of the widest part of `range` that has none, in the first of the
-/// distinct colours (core/graphics/palette.h) that is not in use. Translucent unless it is the only one.
+/// distinct colours (core/render/picture.h) that is not in use. Translucent unless it is the only one.
 Isovalue nextIsovalue(const std::vector<Isovalue>& existing, const ValueRange& range);
 
 } // namespace tetra

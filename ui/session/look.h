@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/domain_class.h"
+#include "core/data/lattice.h"
 #include "plugins/api/parameter.h"
 #include "plugins/host/plugin_host.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/mesh_saving.h"
 
-#include "core/base/number_text.h"
-#include "core/graphics/isosurface_set.h"
-#include "core/mesh/files/mesh_file.h"
-#include "core/mesh/files/surface_file.h"
-#include "core/model/queries/mesh_extractor.h"
+#include "core/base/text.h"
+#include "core/history/query/mesh_extractor.h"
+#include "core/render/isosurface/isosurface_cache.h"
+#include "plugins/writers/mesh_file.h"
+#include "plugins/writers/surface_file.h"
 
 #include <algorithm>
 #include <iterator>

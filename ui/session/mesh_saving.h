@@ -3,9 +3,9 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/graphics/isovalue.h"
-#include "core/model/model.h"
-#include "core/model/queries/mesh_query.h"
+#include "core/history/model.h"
+#include "core/history/query/mesh_query.h"
+#include "core/render/isosurface/isovalue.h"
 
 #include <filesystem>
 #include <memory>

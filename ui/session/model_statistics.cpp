@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/model_statistics.h"
 
-#include "core/model/extraction.h"
+#include "core/history/extraction.h"
 #include "plugins/widgets/number_text.h"
 #include "ui/session/accuracy_scale.h"
 #include "ui/session/mesh_text.h"

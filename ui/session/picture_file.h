@@ -3,9 +3,9 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/graphics/camera.h"
-#include "core/graphics/render_backend.h"
-#include "core/graphics/scene.h"
+#include "core/render/camera.h"
+#include "core/render/render_backend.h"
+#include "core/render/scene.h"
 
 #include <QImage>
 #include <QString>

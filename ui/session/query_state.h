@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/data/scalar_field.h"
-#include "core/model/extraction.h"
-#include "core/model/model.h"
-#include "core/model/queries/mesh_query.h"
+#include "core/history/extraction.h"
+#include "core/history/model.h"
+#include "core/history/query/mesh_query.h"
 
 #include <Eigen/Core>
 

@@ -2,8 +2,8 @@
 #include "ui/session/sample_models.h"
 
 #include "core/base/system_error.h"
-#include "core/data/analytic_fields.h"
-#include "core/model/model.h"
+#include "core/data/samples.h"
+#include "core/history/model.h"
 #include "plugins/api/boundary_parameters.h"
 #include "plugins/api/scene_parameters.h"
 #include "plugins/host/dataset_opening.h"

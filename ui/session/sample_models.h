@@ -19,7 +19,7 @@ std::filesystem::path sampleFolder();
 /// Whether the file lies there.
 bool isOfSample(const std::filesystem::path& file);
 
-/// The model of a sample (analytic_fields.h) in the folder; makes dataset and model there unless it is there already,
+/// The model of a sample (core/data/samples.h) in the folder; makes dataset and model there unless it is there already,
 /// in a size that takes a few seconds. Call from a worker thread. Errors: as of making, saving, reading and building.
 Result<std::filesystem::path> sampleModel(PluginHost& host, const std::string& name,
                                           const std::filesystem::path& folder, const Progress& progress = {});

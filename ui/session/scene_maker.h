@@ -3,10 +3,10 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/graphics/scene.h"
-#include "core/model/model.h"
-#include "core/model/queries/mesh_extractor.h"
-#include "core/model/queries/two_resolutions.h"
+#include "core/history/model.h"
+#include "core/history/query/mesh_extractor.h"
+#include "core/history/query/mesh_query.h"
+#include "core/render/scene.h"
 #include "plugins/api/renderer.h"
 #include "ui/session/shown_mesh.h"
 

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* formatName = "tan-session";
 constexpr int formatVersion = 1;
 /// Of the checksum in a model's header (FORMAT.md).
-constexpr std::size_t headerChecksum = 248;
+constexpr std::size_t headerChecksumOffset = 248;
 
 Error wrong(const std::string& what)
 {
@@ -60,7 +60,7 @@ Result<QJsonObject> objectOf(std::string_view text)
 std::uint64_t modelIdentity(const Model& model)
 {
     std::uint64_t identity = 0;
-    std::memcpy(&identity, model.fileBytes().data() + headerChecksum, sizeof identity);
+    std::memcpy(&identity, model.fileBytes().data() + headerChecksumOffset, sizeof identity);
     return identity;
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/data/scalar_field.h"
-#include "core/graphics/camera.h"
-#include "core/graphics/picture.h"
+#include "core/render/camera.h"
+#include "core/render/picture.h"
 #include "ui/session/animation.h"
 #include "ui/session/annotation_state.h"
 #include "ui/session/look.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/model/queries/mesh_query.h"
+#include "core/history/query/mesh_query.h"
 #include "core/transfer/value_histogram.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/view_json.h"
 
-#include "core/graphics/camera_text.h"
+#include "core/render/camera.h"
 #include "core/transfer/transfer_text.h"
 
 #include <QJsonDocument>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/graphics/camera.h"
+#include "core/render/camera.h"
 #include "ui/session/json_fields.h"
 #include "ui/session/look.h"
 #include "ui/session/query_state.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/graphics/camera.h"
-#include "core/graphics/progressive/frame_pacer.h"
-#include "core/graphics/scene.h"
+#include "core/render/camera.h"
+#include "core/render/scene.h"
+#include "ui/viewport/frame_pacer.h"
 
 #include <QImage>
 #include <QString>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/gl_canvas.h"
 
-#include "core/graphics/gl/scene_painter.h"
+#include "core/render/gl/scene_painter.h"
 #include "ui/session/sentences.h"
 
 #include <QGuiApplication>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/graphics/render_backend.h"
+#include "core/render/render_backend.h"
 #include "ui/viewport/canvas.h"
 #include "ui/viewport/frame_clock.h"
 

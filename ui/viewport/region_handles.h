@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/graphics/scene.h"
+#include "core/render/scene.h"
 #include "ui/session/query_state.h"
 #include "ui/viewport/picture_projection.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/graphics/scene.h"
-#include "core/graphics/sight/seen_place.h"
+#include "core/render/picking/picking.h"
+#include "core/render/scene.h"
 #include "ui/work/latest_job.h"
 
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/transfer_drag.h"
 
-#include "core/transfer/editing/whole_function.h"
+#include "plugins/widgets/curves/reshaping.h"
 #include "ui/viewport/viewport.h"
 
 #include <QMouseEvent>

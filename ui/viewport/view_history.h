@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/graphics/camera.h"
-#include "core/graphics/picture.h"
+#include "core/render/camera.h"
+#include "core/render/picture.h"
 
 #include <QObject>
 

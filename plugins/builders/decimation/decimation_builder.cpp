@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/builders/decimation/decimation_builder.h"
 
-#include "core/base/byte_text.h"
 #include "core/base/memory.h"
-#include "core/base/number_text.h"
+#include "core/base/text.h"
 #include "core/data/weighting.h"
-#include "core/mesh/decimation/decimation.h"
+#include "core/decimate/decimation.h"
 #include "plugins/api/threshold_parameters.h"
 #include "plugins/api/weights_parameter.h"
 #include "plugins/builders/decimation/decimation_input.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/builders/decimation/decimation_input.h"
 
-#include "core/data/grid_handedness.h"
-#include "core/mesh/exact_orientation.h"
+#include "core/data/dataset_checks.h"
+#include "core/geometry/orientation.h"
 #include "plugins/builders/decimation/decimation_need.h"
 
 #include <new>

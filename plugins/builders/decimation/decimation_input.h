@@ -5,7 +5,7 @@
 #include "core/base/result.h"
 #include "core/data/dataset.h"
 #include "core/data/weighting.h"
-#include "core/mesh/decimation/decimation.h"
+#include "core/decimate/decimation.h"
 
 #include <Eigen/Core>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/builders/decimation/decimation_need.h"
 
-#include "core/base/byte_text.h"
-#include "core/mesh/decimation/decimation.h"
+#include "core/base/text.h"
+#include "core/decimate/decimation.h"
 
 #include <string>
 

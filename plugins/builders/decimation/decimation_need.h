@@ -3,7 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/data/dataset.h"
-#include "core/mesh/decimation/lattice_tetrahedra.h"
+#include "core/decimate/lattice_tetrahedra.h"
 #include "plugins/api/builder.h"
 
 #include <cstdint>

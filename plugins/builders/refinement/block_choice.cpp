@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/builders/refinement/block_choice.h"
 
-#include "core/base/number_text.h"
-#include "core/data/domain_class.h"
-#include "core/mesh/lattice_metric.h"
+#include "core/base/text.h"
+#include "core/data/lattice.h"
+#include "core/refine/lattice/packed_lattice.h"
 
 namespace tetra {
 

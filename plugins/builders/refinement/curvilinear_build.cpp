@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/builders/refinement/curvilinear_build.h"
 
-#include "core/mesh/curvilinear_refinement.h"
-#include "core/mesh/lattice_metric.h"
+#include "core/refine/curvilinear/curvilinear_refinement.h"
+#include "core/refine/lattice/packed_lattice.h"
 
 namespace tetra {
 

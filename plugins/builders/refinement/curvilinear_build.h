@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/data/weighting.h"
-#include "core/mesh/curvilinear_mesh.h"
+#include "core/refine/curvilinear/curvilinear_mesh.h"
 #include "plugins/api/builder.h"
 #include "plugins/api/threshold_parameters.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/builders/refinement/disk_need.h"
 
-#include "core/base/byte_text.h"
-#include "core/model/planned_model_writer.h"
+#include "core/base/text.h"
+#include "core/history/planned_model_writer.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/data/sample_type.h"
-#include "core/model/blocks/lattice_runs.h"
+#include "core/data/scalar_field.h"
+#include "core/history/blocks/lattice_runs.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -2,10 +2,10 @@
 #include "plugins/builders/refinement/lattice_blocks.h"
 
 #include "core/base/checksum.h"
-#include "core/base/number_text.h"
+#include "core/base/text.h"
 #include "core/base/work_folder.h"
-#include "core/model/blocks/lattice_runs.h"
-#include "core/model/blocks/merged_model.h"
+#include "core/history/blocks/lattice_runs.h"
+#include "core/history/blocks/merged_model.h"
 #include "plugins/builders/refinement/disk_need.h"
 
 #include <string>

@@ -2,7 +2,7 @@
 #include "plugins/builders/refinement/lattice_build.h"
 
 #include "core/base/memory.h"
-#include "core/mesh/lattice_refinement.h"
+#include "core/refine/lattice/lattice_refinement.h"
 #include "plugins/builders/refinement/block_choice.h"
 #include "plugins/builders/refinement/lattice_blocks.h"
 

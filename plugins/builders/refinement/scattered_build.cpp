@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/builders/refinement/scattered_build.h"
 
-#include "core/mesh/scattered_refinement.h"
+#include "core/refine/free/scattered_refinement.h"
 
 #include <cmath>
 #include <new>

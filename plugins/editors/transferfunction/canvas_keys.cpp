@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What keys do in the editor's plot.
-#include "core/transfer/editing/copying.h"
 #include "plugins/editors/transferfunction/point_clipboard.h"
 #include "plugins/editors/transferfunction/transfer_canvas.h"
+#include "plugins/widgets/curves/copying.h"
 
 #include <QKeyEvent>
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/editors/transferfunction/edit_menu.h"
 
-#include "core/transfer/editing/arranging.h"
-#include "core/transfer/editing/logarithmic_course.h"
-#include "core/transfer/editing/peak.h"
-#include "core/transfer/editing/simplification.h"
-#include "core/transfer/editing/whole_function.h"
 #include "plugins/editors/transferfunction/point_clipboard.h"
+#include "plugins/widgets/curves/arranging.h"
+#include "plugins/widgets/curves/reshaping.h"
 
 #include <QActionGroup>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/editors/transferfunction/editor_state.h"
 
-#include "core/transfer/editing/whole_function.h"
+#include "plugins/widgets/curves/reshaping.h"
 
 #include <algorithm>
 #include <cmath>

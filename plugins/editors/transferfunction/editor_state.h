@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/transfer/editing/moving.h"
-#include "core/transfer/editing/opacity_axis.h"
-#include "core/transfer/editing/selection.h"
 #include "plugins/api/editor.h"
+#include "plugins/widgets/curves/axes.h"
+#include "plugins/widgets/curves/moving.h"
+#include "plugins/widgets/curves/selection.h"
 
 #include <QObject>
 

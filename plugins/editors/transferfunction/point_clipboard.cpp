@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/editors/transferfunction/point_clipboard.h"
 
-#include "core/transfer/editing/copying.h"
+#include "plugins/widgets/curves/copying.h"
 
 #include <QClipboard>
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/transfer/transfer_import.h"
+#include "core/transfer/import/transfer_import.h"
 #include "plugins/editors/transferfunction/editor_state.h"
 
 #include <QWidget>

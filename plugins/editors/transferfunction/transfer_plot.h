@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/transfer/editing/opacity_axis.h"
-#include "core/transfer/editing/value_axis.h"
+#include "plugins/widgets/curves/axes.h"
 
 #include <QPointF>
 #include <QRectF>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/cells/cell_complex.h"
+#include "core/data/cells/cell_complex.h"
 #include "plugins/api/reader.h"
 
 #include <string>

@@ -2,7 +2,7 @@
 #include "plugins/readers/cells/cells_reader.h"
 
 #include "core/base/mapped_file.h"
-#include "core/base/shown_text.h"
+#include "core/base/text.h"
 #include "plugins/readers/cells/cells_file.h"
 
 #include <algorithm>

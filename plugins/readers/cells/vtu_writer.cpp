@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/cells/vtu_writer.h"
 
-#include "core/mesh/files/mesh_output.h"
+#include "core/mesh/mesh_output.h"
 
 #include <algorithm>
 #include <new>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/data/sample_type.h"
+#include "core/data/scalar_field.h"
 
 #include <bit>
 #include <string_view>

@@ -2,7 +2,7 @@
 #include "plugins/readers/lattice/nrrd_writer.h"
 
 #include "core/base/file_writer.h"
-#include "core/base/number_text.h"
+#include "core/base/text.h"
 #include "plugins/readers/lattice/field_text.h"
 #include "plugins/readers/lattice/gzip_encoding.h"
 

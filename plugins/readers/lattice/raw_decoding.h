@@ -3,7 +3,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/data/sample_type.h"
+#include "core/data/scalar_field.h"
 
 #include <bit>
 #include <cstddef>

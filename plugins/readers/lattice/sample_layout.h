@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/data/lattice.h"
-#include "core/data/sample_type.h"
+#include "core/data/scalar_field.h"
 #include "plugins/readers/lattice/nrrd_types.h"
 
 #include <bit>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/plot3d/plot3d_reader.h"
 
-#include "core/data/grid_checks.h"
-#include "core/data/sample_buffer.h"
+#include "core/data/dataset_checks.h"
+#include "core/data/scalar_field.h"
 #include "plugins/readers/plot3d/plot3d_arrays.h"
 #include "plugins/readers/plot3d/plot3d_names.h"
 

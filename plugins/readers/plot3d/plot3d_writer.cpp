@@ -2,7 +2,7 @@
 #include "plugins/readers/plot3d/plot3d_writer.h"
 
 #include "core/base/file_writer.h"
-#include "core/data/grid_handedness.h"
+#include "core/data/dataset_checks.h"
 
 #include <algorithm>
 #include <bit>

@@ -2,7 +2,7 @@
 #include "plugins/readers/points/csv_writer.h"
 
 #include "core/base/file_writer.h"
-#include "core/base/number_text.h"
+#include "core/base/text.h"
 
 #include <new>
 

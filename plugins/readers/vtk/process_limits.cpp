@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/process_limits.h"
 
-#include "core/base/byte_text.h"
 #include "core/base/memory.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,7 @@
 // The format: Tecplot 360 Data Format Guide, ASCII data.
 #include "plugins/readers/vtk/tecplot_text.h"
 
-#include "core/base/number_text.h"
-#include "core/base/shown_text.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <charconv>

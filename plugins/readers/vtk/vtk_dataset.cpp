@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/vtk_dataset.h"
 
-#include "core/base/shown_text.h"
-#include "core/data/grid_checks.h"
-#include "core/data/lattice_checks.h"
+#include "core/base/text.h"
+#include "core/data/dataset_checks.h"
 #include "core/data/merged_points.h"
 
 #include <cmath>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/buffer.h"
-#include "core/cells/cell_complex.h"
-#include "core/data/sample_type.h"
+#include "core/data/cells/cell_complex.h"
+#include "core/data/scalar_field.h"
 #include "plugins/readers/vtk/vtk_format.h"
 
 #include <Eigen/Core>

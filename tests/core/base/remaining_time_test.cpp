@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/remaining_time.h"
+#include "core/base/progress.h"
 
 #include "core/base/memory.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/reserved_array.h"
+#include "core/base/buffer.h"
 
 #include <QtTest>
 

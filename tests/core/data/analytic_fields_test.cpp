@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/checksum.h"
-#include "core/data/analytic_fields.h"
+#include "core/data/samples.h"
 
 #include <QTest>
 

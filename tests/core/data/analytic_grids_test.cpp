@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The curvilinear samples have the troubles that they promise: collapsed axes, seams, a left hand (R1, S6).
-#include "core/data/analytic_fields.h"
-#include "core/data/grid_handedness.h"
+#include "core/data/dataset_checks.h"
+#include "core/data/samples.h"
 
 #include <QTest>
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/data/analytic_part.h"
+#include "core/data/samples.h"
 
-#include "core/cells/irregular_check.h"
-#include "core/data/analytic_fields.h"
+#include "core/data/cells/irregular_check.h"
 
 #include <QTest>
 

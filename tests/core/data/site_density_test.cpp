@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/data/site_density.h"
 
-#include "core/data/analytic_fields.h"
+#include "core/data/samples.h"
 
 #include <QTest>
 

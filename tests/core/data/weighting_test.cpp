@@ -2,7 +2,7 @@
 /// R6: what counts, where and how much, and its text.
 #include "core/data/weighting.h"
 
-#include "core/data/analytic_fields.h"
+#include "core/data/samples.h"
 
 #include <QTest>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Meshes in spatial order, and the ranges of values of their chunks.
-#include "core/mesh/spatial_keys.h"
+#include "core/geometry/hilbert_order.h"
 #include "core/mesh/spatial_order.h"
-#include "tests/core/graphics/lattice_mesh.h"
+#include "tests/core/render/lattice_mesh.h"
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>

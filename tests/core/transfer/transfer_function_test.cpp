@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The transfer function as a value (R18): steps, extinction, segments, and what to begin with.
 #include "core/transfer/default_transfer_functions.h"
-#include "core/transfer/transfer_segments.h"
+#include "core/transfer/transfer_function.h"
 
 #include <QTest>
 

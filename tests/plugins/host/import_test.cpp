@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Opening parts of datasets, what models keep of it, and what a build is expected to take.
-#include "core/data/analytic_fields.h"
-#include "core/model/verification.h"
+#include "core/data/samples.h"
+#include "core/verify/verification.h"
 #include "plugins/host/build_estimate.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/dataset_saving.h"

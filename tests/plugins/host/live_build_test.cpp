@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Looking at a model while it is built (B8): every look is a model that keeps its word, and never less than the last.
-#include "core/data/analytic_fields.h"
-#include "core/model/verification.h"
+#include "core/data/samples.h"
+#include "core/verify/verification.h"
 #include "plugins/host/live_build.h"
 #include "plugins/host/model_building.h"
 

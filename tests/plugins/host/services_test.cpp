@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Opening, saving and building through the plugins of this program.
-#include "core/data/analytic_fields.h"
-#include "core/model/model.h"
+#include "core/data/samples.h"
+#include "core/history/model.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/dataset_saving.h"
 #include "plugins/host/input_file.h"

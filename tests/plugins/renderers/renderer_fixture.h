@@ -2,7 +2,7 @@
 #pragma once
 
 #include "plugins/api/renderer.h"
-#include "tests/core/graphics/lattice_mesh.h"
+#include "tests/core/render/lattice_mesh.h"
 
 #include <QJsonObject>
 #include <QPluginLoader>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the actions of the editor of transfer functions are driven: its menus and its presets.
-#include "core/transfer/editing/moving.h"
+#include "plugins/widgets/curves/moving.h"
 #include "tests/ui/driving/driver.h"
 
 #include <QAbstractButton>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/base/shown_text.h"
+#include "core/base/text.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -2,7 +2,7 @@
 #include "plugins/readers/vtk/checks/format_checks.h"
 
 #include "core/base/mapped_file.h"
-#include "core/base/number_text.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/leaves.h"
 
-#include "core/base/number_text.h"
+#include "core/base/text.h"
 
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/builders/decimation/decimation_builder.h"
 
-#include "core/mesh/decimation/lattice_tetrahedra.h"
+#include "core/decimate/lattice_tetrahedra.h"
 #include "plugins/builders/decimation/decimation_input.h"
 #include "plugins/builders/decimation/decimation_need.h"
-#include "tests/core/mesh/recorded_history.h"
+#include "tests/core/refine/recorded_history.h"
 
 #include <QTest>
 

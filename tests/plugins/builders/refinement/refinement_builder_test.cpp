@@ -2,9 +2,9 @@
 #include "plugins/builders/refinement/refinement_builder.h"
 
 #include "core/base/checksum.h"
-#include "core/data/analytic_fields.h"
-#include "core/model/model_writer.h"
-#include "core/model/verification.h"
+#include "core/data/samples.h"
+#include "core/history/model_writer.h"
+#include "core/verify/verification.h"
 #include "plugins/host/plugin_host.h"
 
 #include <QTemporaryDir>

@@ -2,10 +2,10 @@
 /// R1, B3: models of scattered points, from the table to the proof; and what is wrong with damaged ones is found.
 #include "plugins/builders/refinement/refinement_builder.h"
 
-#include "core/model/model_writer.h"
-#include "core/model/verification.h"
+#include "core/history/model_writer.h"
+#include "core/verify/verification.h"
 #include "plugins/readers/points/point_reader.h"
-#include "tests/core/model/model_fixture.h"
+#include "tests/core/history/model_fixture.h"
 
 #include <QFile>
 #include <QTemporaryDir>

@@ -2,10 +2,10 @@
 /// R6: a build with weights puts its sites where they count, and the checker proves what it claims.
 #include "plugins/builders/refinement/refinement_builder.h"
 
-#include "core/data/analytic_fields.h"
+#include "core/data/samples.h"
 #include "core/data/weighting.h"
-#include "core/model/model_writer.h"
-#include "core/model/verification.h"
+#include "core/history/model_writer.h"
+#include "core/verify/verification.h"
 
 #include <QTemporaryDir>
 #include <QtTest>

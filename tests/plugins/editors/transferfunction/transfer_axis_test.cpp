@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/data/sample_buffer.h"
-#include "core/transfer/editing/logarithmic_course.h"
+#include "core/data/scalar_field.h"
 #include "plugins/editors/transferfunction/value_text.h"
+#include "plugins/widgets/curves/reshaping.h"
 #include "tests/plugins/editors/transferfunction/editor_fixture.h"
 
 #include <QAbstractItemModel>

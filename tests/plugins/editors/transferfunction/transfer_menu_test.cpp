@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/transfer/editing/arranging.h"
-#include "core/transfer/editing/copying.h"
-#include "core/transfer/editing/simplification.h"
+#include "plugins/widgets/curves/arranging.h"
+#include "plugins/widgets/curves/copying.h"
+#include "plugins/widgets/curves/reshaping.h"
 #include "tests/plugins/editors/transferfunction/editor_fixture.h"
 
 #include <QClipboard>

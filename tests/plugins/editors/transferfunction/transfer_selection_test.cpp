@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/transfer/editing/moving.h"
+#include "plugins/widgets/curves/moving.h"
 #include "tests/plugins/editors/transferfunction/editor_fixture.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is written is read back bit for bit, and a write that fails leaves the target as it was.
-#include "core/data/analytic_fields.h"
+#include "core/data/samples.h"
 #include "plugins/readers/lattice/lattice_reader.h"
 #include "plugins/readers/lattice/nrrd_writer.h"
 #include "tests/core/base/small_disk.h"

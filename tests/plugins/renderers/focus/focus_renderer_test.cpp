@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The focus renderer: two meshes become two volumes of one transfer function (R24).
-#include "core/graphics/volume/volume_mesh.h"
+#include "core/render/volume/volume_mesh.h"
 #include "plugins/renderers/focus/focus_renderer.h"
 #include "tests/plugins/renderers/renderer_fixture.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The hybrid renderer: surfaces and volume of one mesh in one scene.
-#include "core/graphics/volume/volume_mesh.h"
 #include "core/mesh/spatial_order.h"
+#include "core/render/volume/volume_mesh.h"
 #include "plugins/renderers/hybrid/hybrid_renderer.h"
 #include "tests/plugins/renderers/renderer_fixture.h"
 

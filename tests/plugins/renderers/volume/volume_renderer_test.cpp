@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The volume renderer: its parameters become a scene; what is costly is made once.
-#include "core/graphics/volume/volume_mesh.h"
 #include "core/mesh/spatial_order.h"
+#include "core/render/volume/volume_mesh.h"
 #include "plugins/renderers/volume/volume_renderer.h"
 #include "tests/plugins/renderers/renderer_fixture.h"
 

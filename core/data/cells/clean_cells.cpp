@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/data/cells/clean_cells.h"
+
+#include "core/data/cells/cell_complex.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string_view>
+#include <unordered_map>
+
+namespace tetra {
+
+namespace {
+
+class Remarks {
+public:
+    /// "3 cells were left out: ..." or "1 cell was left out: ..."
+    void add(std::uint64_t count, std::string_view one, std::string_view several, std::string_view rest)
+    {
+        if (count > 0)
+            sentences.push_back(std::to_string(count) + " " + std::string(count == 1 ? one : several) +
+                                std::string(rest));
+    }
+    std::vector<std::string> sentences;
+};
+
+} // namespace
+
+std::vector<std::string> mendingRemarks(const Mending& mending)
+{
+    Remarks remarks;
+    if (mending.cellValues)
+        remarks.sentences.emplace_back("The values belong to cells: each point got the mean of the cells around it.");
+    remarks.add(mending.flatShapes, "cell is", "cells are",
+                " a vertex, line or polygon without volume and not part of the mesh.");
+    remarks.add(mending.blanked, "cell is", "cells are", " blanked out in the file: a hole.");
+    remarks.add(mending.notFinite, "cell has", "cells have", " a value that is not finite and became a hole.");
+    remarks.add(mending.repeated, "cell names a corner twice, has no volume and was",
+                "cells name a corner twice, have no volume and were", " left out.");
+    remarks.add(mending.flat, "cell without volume was", "cells without volume were", " left out.");
+    if (mending.turned > 0 && mending.turned == mending.cells)
+        remarks.sentences.emplace_back("All cells had inverted orientation and were corrected.");
+    else
+        remarks.add(mending.turned, "cell had inverted orientation and was", "cells had inverted orientation and were",
+                    " corrected.");
+    remarks.add(mending.welded, "point", "points", " on the place of another one joined with it.");
+    remarks.add(mending.conflicting, "place had", "places had", " different values and got their mean.");
+    remarks.add(mending.middles, "node in the middle of an edge or face was",
+                "nodes in the middle of edges and faces were",
+                " left out: not all cells there have them, or cells bend too much.");
+    remarks.add(mending.recut, "cell was", "cells were", " cut along other diagonals, because the faces are not flat.");
+    remarks.add(mending.warped, "cell was", "cells were",
+                " left out: too warped to be cut into tetrahedra without a new point.");
+    remarks.add(mending.duplicates, "tetrahedron was", "tetrahedra were", " there twice.");
+    remarks.add(mending.pinching, "tetrahedron was", "tetrahedra were",
+                " left out where parts of the mesh touched in an edge or a point only.");
+    remarks.add(mending.unused, "point is", "points are", " of no cell: left out.");
+    return std::move(remarks.sentences);
+}
+
+namespace {
+
+std::uint64_t hashOf(const Eigen::Vector3d& position)
+{
+    std::uint64_t hash = 0;
+    for (const double coordinate : position) {
+        hash ^= std::bit_cast<std::uint64_t>(coordinate + 0.0); // -0 and 0 are the same place
+        hash *= 0x9e3779b97f4a7c15;
+        hash ^= hash >> 32;
+    }
+    return hash * 0xbf58476d1ce4e5b9;
+}
+
+} // namespace
+
+std::vector<std::uint32_t> firstOnPlace(std::span<const Eigen::Vector3d> positions, const std::vector<bool>& used)
+{
+    constexpr std::uint32_t nobody = 0xffffffff;
+    std::vector<std::uint32_t> first(positions.size());
+    std::iota(first.begin(), first.end(), 0);
+    const std::uint64_t room = std::bit_ceil(positions.size() + positions.size() / 2 + 2);
+    const int shift = 64 - std::countr_zero(room);
+    std::vector<std::uint32_t> table(room, nobody);
+    for (std::uint32_t point = 0; point < positions.size(); ++point) {
+        if (!used[point])
+            continue;
+        std::uint64_t place = hashOf(positions[point]) >> shift;
+        while (table[place] != nobody && positions[table[place]] != positions[point])
+            place = (place + 1) & (room - 1);
+        if (table[place] == nobody)
+            table[place] = point;
+        first[point] = table[place];
+    }
+    return first;
+}
+
+namespace {
+
+Error badCells(std::string text)
+{
+    return {ErrorKind::BadInput, std::move(text)};
+}
+
+std::span<const std::uint64_t> cornersOf(const CellComplex& complex, std::size_t cell)
+{
+    return std::span(complex.corners).subspan(complex.offsets[cell], complex.offsets[cell + 1] - complex.offsets[cell]);
+}
+
+Status checkArrays(const CellComplex& complex, const ComplexValues& values)
+{
+    const std::size_t cells = complex.shapes.size();
+    if (cells == 0 || complex.positions.empty())
+        return badCells("The mesh has no cells or no points.");
+    if (complex.positions.size() >= std::numeric_limits<std::uint32_t>::max())
+        return Error{ErrorKind::OutOfResource, "The mesh has " + std::to_string(complex.positions.size()) +
+                                                   " points; at most 4294967294 can be numbered. Take a part of it."};
+    if (complex.offsets.size() != cells + 1 || complex.offsets.front() != 0 ||
+        complex.offsets.back() != complex.corners.size() || !std::ranges::is_sorted(complex.offsets))
+        return badCells("The cells' lists of corners do not fit together: their offsets do not rise from 0 to the "
+                        "number of corners.");
+    if (!complex.blanked.empty() && complex.blanked.size() != cells)
+        return badCells("The mesh has " + std::to_string(cells) + " cells, but says of " +
+                        std::to_string(complex.blanked.size()) + " whether they are blanked out.");
+    const std::size_t wanted = values.perCell ? cells : complex.positions.size();
+    if (values.values.size() != wanted)
+        return badCells("The mesh has " + std::to_string(wanted) + (values.perCell ? " cells" : " points") + ", but " +
+                        std::to_string(values.values.size()) + " values.");
+    return {};
+}
+
+/// One that counts the cells that cannot be used, and names the first.
+class Refusals {
+public:
+    void add(std::size_t cell)
+    {
+        if (count_++ == 0)
+            first_ = cell;
+    }
+    bool any() const { return count_ > 0; }
+    std::string text(std::string_view what) const
+    {
+        return std::to_string(count_) + (count_ == 1 ? " cell " : " cells ") + std::string(what) +
+               ", the first is cell " + std::to_string(first_) + ". ";
+    }
+
+private:
+    std::uint64_t count_ = 0;
+    std::size_t first_ = 0;
+};
+
+bool hasValue(const CellComplex& complex, const ComplexValues& values, std::size_t cell)
+{
+    if (values.perCell)
+        return std::isfinite(values.values[cell]);
+    return std::ranges::all_of(cornersOf(complex, cell),
+                               [&](std::uint64_t point) { return std::isfinite(values.values[point]); });
+}
+
+/// The eight corners of the parts of a triquadratic hexahedron among its nodes on a grid of 3 x 3 x 3, x fastest.
+constexpr std::array<std::uint8_t, 27> triquadraticGrid = {0,  8,  1,  11, 24, 9,  3, 10, 2,  16, 22, 17, 20, 26,
+                                                           21, 19, 23, 18, 4,  12, 5, 15, 25, 13, 7,  14, 6};
+
+class Preparing {
+public:
+    Preparing(const CellComplex& complex, const ComplexValues& values, Mending& mending)
+        : complex_(complex), values_(values), mending_(mending)
+    {
+    }
+
+    Result<PreparedCells> run()
+    {
+        if (const Status sound = choose(); !sound)
+            return sound.error();
+        const std::vector<std::uint32_t> first = weld();
+        const auto isTriquadratic = [&](std::size_t cell) {
+            return complex_.shapes[cell] == CellShape::TriquadraticHexahedron;
+        };
+        // Other cells have no nodes in the middle of faces to agree with.
+        allTriquadratic_ = std::ranges::all_of(chosen_, isTriquadratic);
+        for (const std::size_t cell : chosen_)
+            add(cell, first);
+        return std::move(cells_);
+    }
+
+private:
+    Status choose()
+    {
+        Refusals polyhedra, counts, range, places;
+        for (std::size_t cell = 0; cell < complex_.shapes.size(); ++cell) {
+            const CellShape shape = complex_.shapes[cell];
+            const auto corners = cornersOf(complex_, cell);
+            if (!complex_.blanked.empty() && complex_.blanked[cell] != 0)
+                ++mending_.blanked;
+            else if (shape == CellShape::Flat)
+                ++mending_.flatShapes;
+            else if (shape == CellShape::Polyhedron)
+                polyhedra.add(cell);
+            else if (corners.size() != nodeCount(shape))
+                counts.add(cell);
+            else if (std::ranges::any_of(corners, [&](std::uint64_t p) { return p >= complex_.positions.size(); }))
+                range.add(cell);
+            else if (!hasValue(complex_, values_, cell))
+                ++mending_.notFinite;
+            else if (!std::ranges::all_of(corners, [&](std::uint64_t p) { return complex_.positions[p].allFinite(); }))
+                places.add(cell);
+            else
+                chosen_.push_back(cell);
+        }
+        if (range.any())
+            return badCells(range.text("name points that do not exist") + "The mesh has " +
+                            std::to_string(complex_.positions.size()) + " points, the file is damaged.");
+        if (counts.any())
+            return badCells(counts.text("have another number of corners than their shape") + "The file is damaged.");
+        if (polyhedra.any())
+            return badCells(polyhedra.text("are polyhedra with any number of faces") +
+                            "Cut them into tetrahedra first (in ParaView the filter Tetrahedralize).");
+        if (places.any())
+            return badCells(places.text("have a corner whose place is not finite") +
+                            "Correct the points, or blank the cells.");
+        if (chosen_.empty())
+            return badCells("No cell of the mesh has a volume and finite values: nothing is left.");
+        return {};
+    }
+
+    std::vector<std::uint32_t> weld()
+    {
+        std::vector<bool> used(complex_.positions.size());
+        for (const std::size_t cell : chosen_)
+            for (const std::uint64_t point : cornersOf(complex_, cell))
+                used[point] = true;
+        std::vector<std::uint32_t> first = firstOnPlace(complex_.positions, used);
+        for (std::size_t point = 0; point < first.size(); ++point)
+            mending_.welded += first[point] != point;
+        return first;
+    }
+
+    void add(std::size_t cell, const std::vector<std::uint32_t>& first)
+    {
+        const CellShape shape = complex_.shapes[cell];
+        const auto corners = cornersOf(complex_, cell);
+        if (shape == CellShape::TriquadraticHexahedron) {
+            if (allTriquadratic_)
+                addParts(cell, corners, first);
+            else
+                addWithoutCentres(cell, corners, first);
+            return;
+        }
+        cells_.shapes.push_back(shape == CellShape::Voxel ? CellShape::Hexahedron : shape);
+        for (std::uint32_t i = 0; i < corners.size(); ++i)
+            cells_.nodes.push_back(first[corners[shape == CellShape::Voxel ? hexahedronCorner(i) : i]]);
+        close(cell);
+    }
+
+    void addParts(std::size_t cell, std::span<const std::uint64_t> corners, const std::vector<std::uint32_t>& first)
+    {
+        constexpr std::uint32_t row = 3, plane = 9;
+        for (std::uint32_t part = 0; part < 8; ++part) {
+            const std::uint32_t origin = (part & 1) + row * (part >> 1 & 1) + plane * (part >> 2);
+            cells_.shapes.push_back(CellShape::Hexahedron);
+            for (std::uint32_t i = 0; i < 8; ++i) {
+                const std::uint32_t voxel = hexahedronCorner(i);
+                const std::uint32_t node = origin + (voxel & 1) + row * (voxel >> 1 & 1) + plane * (voxel >> 2);
+                cells_.nodes.push_back(first[corners[triquadraticGrid[node]]]);
+            }
+            close(cell);
+        }
+    }
+
+    void addWithoutCentres(std::size_t cell, std::span<const std::uint64_t> corners,
+                           const std::vector<std::uint32_t>& first)
+    {
+        const std::uint32_t kept = nodeCount(CellShape::QuadraticHexahedron);
+        cells_.shapes.push_back(CellShape::QuadraticHexahedron);
+        for (const std::uint64_t point : corners.first(kept))
+            cells_.nodes.push_back(first[point]);
+        mending_.middles += corners.size() - kept;
+        close(cell);
+    }
+
+    void close(std::size_t cell)
+    {
+        cells_.offsets.push_back(cells_.nodes.size());
+        cells_.origins.push_back(cell);
+    }
+
+    const CellComplex& complex_;
+    const ComplexValues& values_;
+    Mending& mending_;
+    std::vector<std::size_t> chosen_;
+    bool allTriquadratic_ = false;
+    PreparedCells cells_;
+};
+
+std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b)
+{
+    return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
+}
+
+/// The shape with the same corners and straight edges.
+CellShape withoutMiddles(CellShape shape)
+{
+    switch (shape) {
+    case CellShape::QuadraticTetrahedron: return CellShape::Tetrahedron;
+    case CellShape::QuadraticPyramid: return CellShape::Pyramid;
+    case CellShape::QuadraticPrism: return CellShape::Prism;
+    case CellShape::Voxel:
+    case CellShape::QuadraticHexahedron:
+    case CellShape::TriquadraticHexahedron: return CellShape::Hexahedron;
+    default: return shape;
+    }
+}
+
+} // namespace
+
+Result<PreparedCells> prepareCells(const CellComplex& complex, const ComplexValues& values, Mending& mending)
+{
+    if (const Status fits = checkArrays(complex, values); !fits)
+        return fits.error();
+    return Preparing(complex, values, mending).run();
+}
+
+void dropMiddles(PreparedCells& cells, Mending& mending)
+{
+    PreparedCells linear;
+    linear.shapes.reserve(cells.count());
+    std::vector<std::uint32_t> dropped;
+    for (std::size_t cell = 0; cell < cells.count(); ++cell) {
+        const CellTopology& topology = cellTopology(cells.shapes[cell]);
+        const auto nodes = cells.nodesOf(cell);
+        linear.shapes.push_back(withoutMiddles(cells.shapes[cell]));
+        linear.nodes.insert(linear.nodes.end(), nodes.begin(), nodes.begin() + topology.cornerCount);
+        dropped.insert(dropped.end(), nodes.begin() + topology.cornerCount, nodes.end());
+        linear.offsets.push_back(linear.nodes.size());
+    }
+    std::ranges::sort(dropped);
+    mending.middles += static_cast<std::uint64_t>(std::ranges::unique(dropped).begin() - dropped.begin());
+    linear.origins = std::move(cells.origins);
+    cells = std::move(linear);
+}
+
+bool dropMiddlesIfMixed(PreparedCells& cells, Mending& mending)
+{
+    if (std::ranges::none_of(cells.shapes, isQuadratic))
+        return false;
+    constexpr std::uint32_t noMiddle = 0xffffffff;
+    std::unordered_map<std::uint64_t, std::uint32_t> middles;
+    for (std::size_t cell = 0; cell < cells.count(); ++cell) {
+        const CellTopology& topology = cellTopology(cells.shapes[cell]);
+        const auto nodes = cells.nodesOf(cell);
+        for (std::size_t edge = 0; edge < topology.edges.size(); ++edge) {
+            const auto [a, b] = topology.edges[edge];
+            if (nodes[a] == nodes[b])
+                continue;
+            const std::uint32_t middle =
+                isQuadratic(cells.shapes[cell]) ? nodes[topology.cornerCount + edge] : noMiddle;
+            if (middles.try_emplace(edgeKey(nodes[a], nodes[b]), middle).first->second != middle) {
+                dropMiddles(cells, mending);
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+} // namespace tetra

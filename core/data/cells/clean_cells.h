@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/data/cells/cell_complex.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tetra {
+
+/// What was changed to make a sound mesh of cells as they came.
+struct Mending {
+    std::uint64_t flatShapes = 0;  ///< vertices, lines and polygons, left out
+    std::uint64_t blanked = 0;     ///< cells that the file hides
+    std::uint64_t notFinite = 0;   ///< cells without a finite value
+    std::uint64_t repeated = 0;    ///< cells with a repeated corner that have no volume
+    std::uint64_t flat = 0;        ///< cells without volume
+    std::uint64_t turned = 0;      ///< cells numbered the other way round
+    std::uint64_t cells = 0;       ///< that were left
+    std::uint64_t welded = 0;      ///< points joined with another on their place
+    std::uint64_t conflicting = 0; ///< places whose points had different values
+    std::uint64_t unused = 0;      ///< points of no cell
+    std::uint64_t middles = 0;     ///< nodes in the middle of edges and faces that were not used
+    std::uint64_t recut = 0;       ///< cells with other diagonals than the rule's
+    std::uint64_t warped = 0;      ///< cells that have no cut, left out
+    std::uint64_t duplicates = 0;  ///< tetrahedra that were there twice
+    std::uint64_t pinching = 0;    ///< tetrahedra left out where parts touched in an edge or a point
+    bool cellValues = false;       ///< brought to the points
+};
+
+/// In sentences for the user; what did not happen is not said.
+std::vector<std::string> mendingRemarks(const Mending& mending);
+
+/// For each point, the first of those on exactly its place (so its own number if it is the first, or alone); only
+/// points with `used` count, the others get their own. O(points), by a hash table; fewer than 2^32 - 1 points.
+std::vector<std::uint32_t> firstOnPlace(std::span<const Eigen::Vector3d> positions, const std::vector<bool>& used);
+
+/// Cells whose numbers are sound and few kinds: voxels are hexahedra, triquadratic cells eight of them, what has no
+/// value, no volume or no place in the domain is gone.
+struct PreparedCells {
+    std::vector<CellShape> shapes;
+    std::vector<std::uint64_t> offsets{0}; ///< the nodes of cell c are nodes[offsets[c]] up to nodes[offsets[c + 1]]
+    std::vector<std::uint32_t> nodes;
+    std::vector<std::uint64_t> origins; ///< the cell of the complex that each comes from
+
+    std::size_t count() const { return shapes.size(); }
+    std::span<const std::uint32_t> nodesOf(std::size_t cell) const
+    {
+        return std::span(nodes).subspan(offsets[cell], offsets[cell + 1] - offsets[cell]);
+    }
+};
+
+/// Sorts out what irregularDataset() cannot use and joins points on one place. `mending` is told. Errors: BadInput for
+/// arrays that do not fit together, numbers of points out of range, polyhedra, points of cells at places that are not
+/// finite; OutOfResource for more points than 32 bits number.
+Result<PreparedCells> prepareCells(const CellComplex& complex, const ComplexValues& values, Mending& mending);
+
+/// Leaves out the nodes in the middle of edges where cells do not agree on them: all of them, so that the mesh
+/// conforms. Returns whether there were such cells.
+bool dropMiddlesIfMixed(PreparedCells& cells, Mending& mending);
+/// Makes all cells linear.
+void dropMiddles(PreparedCells& cells, Mending& mending);
+
+} // namespace tetra

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/data/cells/irregular_dataset.h"
+
+#include "core/base/text.h"
+#include "core/data/cells/cell_complex.h"
+#include "core/data/cells/clean_cells.h"
+#include "core/data/cells/cut_cells.h"
+#include "core/data/cells/irregular_check.h"
+#include "core/data/cells/pinch_repair.h"
+#include "core/data/scalar_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+
+namespace tetra {
+
+namespace {
+
+/// Sums for each point, as means that do not overflow.
+class Means {
+public:
+    explicit Means(std::size_t points) : means_(points), counts_(points) {}
+    void add(std::size_t point, double value)
+    {
+        const double count = ++counts_[point];
+        means_[point] = means_[point] * ((count - 1) / count) + value / count;
+    }
+    std::uint32_t count(std::size_t point) const { return counts_[point]; }
+    double mean(std::size_t point) const { return means_[point]; }
+    std::vector<double> take() { return std::move(means_); }
+
+private:
+    std::vector<double> means_;
+    std::vector<std::uint32_t> counts_;
+};
+
+std::vector<double> valuesOfCells(const CellComplex& complex, const ComplexValues& values, const PreparedCells& cells,
+                                  const CutCells& cut)
+{
+    constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
+    std::vector<bool> kept(cells.count());
+    for (const std::uint32_t cell : cut.cells)
+        kept[cell] = true;
+    Means means(complex.positions.size());
+    std::vector<std::uint64_t> lastCell(complex.positions.size(), none); // a cell counts once, in however many parts
+    for (std::size_t cell = 0; cell < cells.count(); ++cell) {
+        if (!kept[cell])
+            continue;
+        const std::uint64_t origin = cells.origins[cell];
+        for (const std::uint32_t node : cells.nodesOf(cell))
+            if (std::exchange(lastCell[node], origin) != origin)
+                means.add(node, values.values[origin]);
+    }
+    return means.take();
+}
+
+std::vector<double> valuesOfPoints(const CellComplex& complex, const ComplexValues& values, const PreparedCells& cells,
+                                   Mending& mending)
+{
+    if (mending.welded == 0)
+        return values.values;
+    std::vector<bool> used(complex.positions.size());
+    for (const std::uint64_t origin : cells.origins)
+        for (std::uint64_t i = complex.offsets[origin]; i < complex.offsets[origin + 1]; ++i)
+            used[complex.corners[i]] = true;
+    const std::vector<std::uint32_t> first = firstOnPlace(complex.positions, used);
+    Means means(complex.positions.size());
+    std::vector<bool> conflict(complex.positions.size());
+    for (std::size_t point = 0; point < first.size(); ++point) {
+        if (!used[point])
+            continue;
+        conflict[first[point]] = conflict[first[point]] || values.values[point] != values.values[first[point]];
+        means.add(first[point], values.values[point]);
+    }
+    mending.conflicting = static_cast<std::uint64_t>(std::ranges::count(conflict, true));
+    std::vector<double> result = values.values;
+    for (std::size_t point = 0; point < result.size(); ++point)
+        if (conflict[point])
+            result[point] = means.mean(point);
+    return result;
+}
+
+} // namespace
+
+std::vector<double> pointValues(const CellComplex& complex, const ComplexValues& values, const PreparedCells& cells,
+                                const CutCells& cut, Mending& mending)
+{
+    mending.cellValues = values.perCell;
+    return values.perCell ? valuesOfCells(complex, values, cells, cut)
+                          : valuesOfPoints(complex, values, cells, mending);
+}
+
+SampleType typeOfPointValues(const ComplexValues& values, const Mending& mending, const std::vector<double>& usedValues)
+{
+    const auto exceeds = [&](double largest) {
+        return std::ranges::any_of(usedValues, [&](double value) { return std::abs(value) > largest; });
+    };
+    SampleType type = values.type;
+    if (isInteger(type)) {
+        const bool fits = visitSampleType(type, [&]<class T>() {
+            return std::ranges::all_of(usedValues, [](double value) {
+                return value >= static_cast<double>(std::numeric_limits<T>::lowest()) &&
+                       value <= static_cast<double>(std::numeric_limits<T>::max());
+            });
+        });
+        if (fits && !values.perCell && mending.conflicting == 0)
+            return type;
+        type = sampleSize(type) > sizeof(std::uint16_t) ? SampleType::Float64 : SampleType::Float32;
+    }
+    const bool tooLarge = type == SampleType::Float32 && exceeds(std::numeric_limits<float>::max());
+    return tooLarge ? SampleType::Float64 : type;
+}
+
+namespace {
+
+using Tetrahedra = std::vector<std::array<std::uint32_t, 4>>;
+
+/// Holes that cells too warped to be cut leave are said; with more than one in so many the mesh is another one.
+constexpr std::uint64_t cellsPerWarpedOne = 100;
+
+Status checkWarped(const CellComplex& complex, const PreparedCells& cells, const CutCells& cutChecked, Mending& mending)
+{
+    mending.warped = cutChecked.warped.size();
+    if (cutChecked.warped.size() * cellsPerWarpedOne <= cells.count())
+        return {};
+    const std::uint64_t origin = cells.origins[cutChecked.warped.front()];
+    const Eigen::Vector3d& place = complex.positions[complex.corners[complex.offsets[origin]]];
+    return Error{ErrorKind::BadInput,
+                 std::to_string(cutChecked.warped.size()) +
+                     " cells are folded or so warped that no tetrahedra fill them; the first is cell " +
+                     std::to_string(origin) + " at (" + formatNumber(place[0]) + ", " + formatNumber(place[1]) + ", " +
+                     formatNumber(place[2]) + "). Repair the mesh in the program that made it."};
+}
+
+Result<CutCells> cutChecked(const CellComplex& complex, PreparedCells& cells, Mending& mending,
+                            const Progress& progress)
+{
+    const Mending before = mending;
+    dropMiddlesIfMixed(cells, mending);
+    auto result = cutCells(complex.positions, cells, mending, progress);
+    if (!result || result->warped.empty() || mending.middles > before.middles)
+        return result;
+    Mending again = before;
+    dropMiddles(cells, again);
+    if (again.middles == before.middles)
+        return result;
+    mending = again;
+    return cutCells(complex.positions, cells, mending, progress);
+}
+
+/// Without holes that the file has or that were made, parts that touch in an edge or a point are the mesh's own, and
+/// so is what would be taken away: no more than one in so many tetrahedra.
+constexpr std::uint64_t tetrahedraPerPinchingOne = 100;
+
+Status mendMesh(std::span<const Eigen::Vector3d> positions, CutCells& cutChecked, Mending& mending,
+                const Progress& progress)
+{
+    MeshFaces faces = findMeshFaces(cutChecked.tetrahedra);
+    mending.duplicates = removeDuplicates(cutChecked, faces);
+    const bool holes = mending.blanked + mending.notFinite + mending.warped > 0;
+    const std::uint64_t count = cutChecked.tetrahedra.size();
+    mending.pinching =
+        removePinches(cutChecked, faces, holes ? count : count / tetrahedraPerPinchingOne, progress.part(0, 0.3));
+    return checkTetrahedra(positions, cutChecked.tetrahedra, faces, progress.part(0.3, 1));
+}
+
+/// Numbers the points that are used from 0, in their order. Returns which they were.
+std::vector<std::uint32_t> renumber(Tetrahedra& tetrahedra, std::size_t points)
+{
+    constexpr std::uint32_t unused = 0xffffffff;
+    std::vector<std::uint32_t> numbers(points, unused);
+    for (const auto& tetrahedron : tetrahedra)
+        for (const std::uint32_t point : tetrahedron)
+            numbers[point] = 0;
+    std::vector<std::uint32_t> used;
+    for (std::size_t point = 0; point < points; ++point)
+        if (numbers[point] != unused) {
+            numbers[point] = static_cast<std::uint32_t>(used.size());
+            used.push_back(static_cast<std::uint32_t>(point));
+        }
+    for (auto& tetrahedron : tetrahedra)
+        for (std::uint32_t& point : tetrahedron)
+            point = numbers[point];
+    return used;
+}
+
+Result<ScalarField> fieldOf(const std::vector<double>& values, SampleType type)
+{
+    auto samples = allocateSamples(type, values.size());
+    if (!samples)
+        return samples.error();
+    visitSampleType(type, [&]<class T>() {
+        std::ranges::transform(values, reinterpret_cast<T*>(samples->get()),
+                               [](double value) { return static_cast<T>(value); });
+    });
+    return ScalarField(type, values.size(), *std::move(samples));
+}
+
+} // namespace
+
+Result<Dataset> irregularDataset(const CellComplex& complex, const ComplexValues& values, const Source& source,
+                                 const Progress& progress)
+try {
+    Mending mending;
+    auto cells = prepareCells(complex, values, mending);
+    if (!cells)
+        return cells.error();
+    auto cutting = cutChecked(complex, *cells, mending, progress.part(0, 0.5));
+    if (!cutting)
+        return cutting.error();
+    if (const Status sound = checkWarped(complex, *cells, *cutting, mending); !sound)
+        return sound.error();
+    if (cutting->tetrahedra.empty())
+        return Error{ErrorKind::BadInput, "No cell of the mesh has a volume: nothing is left."};
+    const std::vector<double> all = pointValues(complex, values, *cells, *cutting, mending);
+    if (const Status sound = mendMesh(complex.positions, *cutting, mending, progress.part(0.5, 0.95)); !sound)
+        return sound.error();
+    Tetrahedra tetrahedra = std::move(cutting->tetrahedra);
+
+    const std::vector<std::uint32_t> used = renumber(tetrahedra, complex.positions.size());
+    std::vector<double> usedValues(used.size());
+    auto positions = std::make_shared<std::vector<Eigen::Vector3d>>(used.size());
+    for (std::size_t point = 0; point < used.size(); ++point) {
+        (*positions)[point] = complex.positions[used[point]];
+        usedValues[point] = all[used[point]];
+    }
+    const auto field = fieldOf(usedValues, typeOfPointValues(values, mending, usedValues));
+    if (!field)
+        return field.error();
+    const std::uint64_t explained = used.size() + mending.welded + mending.middles;
+    mending.unused = complex.positions.size() - std::min<std::uint64_t>(explained, complex.positions.size());
+
+    Dataset dataset;
+    dataset.domain = DomainClass::Irregular;
+    dataset.lattice.size = {static_cast<std::uint32_t>(used.size()), 1, 1};
+    dataset.positions = std::move(positions);
+    dataset.values = *field;
+    dataset.tetrahedra = std::make_shared<const Tetrahedra>(std::move(tetrahedra));
+    dataset.source = source;
+    dataset.source.hash = contentHash(dataset.values, dataset.positions, dataset.tetrahedra);
+    dataset.remarks = mendingRemarks(mending);
+    return dataset;
+} catch (const std::bad_alloc&) {
+    return Error{ErrorKind::OutOfResource, "Not enough memory for the mesh. Take a part of it."};
+}
+
+} // namespace tetra

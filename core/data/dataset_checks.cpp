@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/data/dataset_checks.h"
+
+#include "core/base/text.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace tetra {
+
+namespace {
+
+std::uint64_t firstNotFinite(const ScalarField& values)
+{
+    return visitSampleType(values.type(), [&]<class T>() {
+        const auto samples = values.as<T>();
+        const auto found =
+            std::ranges::find_if(samples, [](T sample) { return !std::isfinite(static_cast<double>(sample)); });
+        return static_cast<std::uint64_t>(found - samples.begin());
+    });
+}
+
+} // namespace
+
+std::string sizeText(const std::array<std::uint64_t, 3>& size)
+{
+    return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
+}
+
+Status checkLatticeSize(const std::array<std::uint64_t, 3>& size)
+{
+    if (std::ranges::any_of(size, [](std::uint64_t points) { return points < 2; }))
+        return Error{ErrorKind::BadInput, "it has " + sizeText(size) +
+                                              " points. A volume needs at least 2 along each axis: put several slices "
+                                              "together, or repeat the one there is."};
+    constexpr std::uint64_t largestBytes = std::uint64_t(1) << 62;
+    std::uint64_t room = largestBytes / sizeof(double);
+    for (const std::uint64_t points : size) {
+        room = points > std::numeric_limits<std::uint32_t>::max() ? 0 : room / points;
+        if (room == 0)
+            return Error{ErrorKind::BadInput, "it claims to have " + sizeText(size) +
+                                                  " points, more than any machine can hold. Its description is "
+                                                  "wrong: check the sizes."};
+    }
+    return {};
+}
+
+Status checkLatticePlacement(const Lattice& lattice)
+{
+    const auto text = [](const Eigen::Vector3d& vector) {
+        return formatNumber(vector[0]) + ", " + formatNumber(vector[1]) + ", " + formatNumber(vector[2]);
+    };
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(lattice.spacing[axis] > 0) || !std::isfinite(lattice.spacing[axis]))
+            return Error{ErrorKind::BadInput, "its spacing is " + text(lattice.spacing) +
+                                                  ". The distance of neighbouring points must be a positive number "
+                                                  "along each axis."};
+    const Eigen::AlignedBox3d bounds = lattice.bounds();
+    if (!lattice.origin.allFinite() || !bounds.max().allFinite())
+        return Error{ErrorKind::BadInput, "its origin " + text(lattice.origin) + " and spacing " +
+                                              text(lattice.spacing) +
+                                              " give positions that are no finite numbers. Check both."};
+    const Eigen::Vector3d beforeLast = lattice.position(lattice.size[0] - 2, lattice.size[1] - 2, lattice.size[2] - 2);
+    if ((bounds.max().array() <= beforeLast.array()).any() ||
+        (lattice.position(1, 1, 1).array() <= lattice.origin.array()).any())
+        return Error{ErrorKind::BadInput, "its origin " + text(lattice.origin) + " is so far away for the spacing " +
+                                              text(lattice.spacing) +
+                                              " that neighbouring points fall together. Move the origin nearer to 0."};
+    return {};
+}
+
+Status checkFinite(const Lattice& lattice, const ScalarField& values)
+{
+    if (values.notFiniteCount() == 0)
+        return {};
+    const auto [i, j, k] = lattice.coordinates(firstNotFinite(values));
+    return Error{ErrorKind::BadInput,
+                 std::to_string(values.notFiniteCount()) + " of its " + std::to_string(values.count()) +
+                     " samples are NaN or infinite, the first at point (" + std::to_string(i) + ", " +
+                     std::to_string(j) + ", " + std::to_string(k) + "). Replace them by numbers first."};
+}
+
+namespace {
+
+/// Counts the corners of the cell whose first corner is (i, j, k).
+void countCell(const Dataset& dataset, std::uint32_t i, std::uint32_t j, std::uint32_t k, CellCornerSigns& signs)
+{
+    const auto at = [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) -> const Eigen::Vector3d& {
+        return (*dataset.positions)[dataset.lattice.index(i + x, j + y, k + z)];
+    };
+    for (std::uint32_t corner = 0; corner < 8; ++corner) {
+        const std::uint32_t x = corner & 1;
+        const std::uint32_t y = corner >> 1 & 1;
+        const std::uint32_t z = corner >> 2;
+        // Edges along the axes, whichever end the corner is at.
+        const Eigen::Vector3d alongX = at(1, y, z) - at(0, y, z);
+        const Eigen::Vector3d alongY = at(x, 1, z) - at(x, 0, z);
+        const Eigen::Vector3d alongZ = at(x, y, 1) - at(x, y, 0);
+        const double volume = alongX.dot(alongY.cross(alongZ));
+        signs.positive += volume > 0 ? 1 : 0;
+        signs.negative += volume < 0 ? 1 : 0;
+    }
+}
+
+} // namespace
+
+CellCornerSigns cellCornerSigns(const Dataset& dataset)
+{
+    const auto& size = dataset.lattice.size;
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::uint32_t>(0, size[2] - 1), CellCornerSigns(),
+        [&](const auto& layers, CellCornerSigns signs) {
+            for (std::uint32_t k = layers.begin(); k != layers.end(); ++k)
+                for (std::uint32_t j = 0; j + 1 < size[1]; ++j)
+                    for (std::uint32_t i = 0; i + 1 < size[0]; ++i)
+                        countCell(dataset, i, j, k, signs);
+            return signs;
+        },
+        [](const CellCornerSigns& a, const CellCornerSigns& b) {
+            return CellCornerSigns{a.positive + b.positive, a.negative + b.negative};
+        });
+}
+
+bool isLeftHanded(const Dataset& dataset)
+{
+    const CellCornerSigns signs = cellCornerSigns(dataset);
+    return signs.negative > signs.positive;
+}
+
+bool fitFloats(const std::vector<Eigen::Vector3d>& positions)
+{
+    return std::ranges::all_of(
+        positions, [](const Eigen::Vector3d& position) { return position.cast<float>().cast<double>() == position; });
+}
+
+namespace {
+
+constexpr double farthestCoordinate = 1e100; ///< volumes of such coordinates are still numbers
+
+std::string pointText(const Lattice& lattice, std::uint64_t point)
+{
+    const auto c = lattice.coordinates(point);
+    return "(" + std::to_string(c[0]) + ", " + std::to_string(c[1]) + ", " + std::to_string(c[2]) + ")";
+}
+
+} // namespace
+
+Status checkGrid(const Dataset& dataset)
+{
+    for (std::uint64_t point = 0; point < dataset.pointCount(); ++point)
+        if (!((*dataset.positions)[point].cwiseAbs().maxCoeff() <= farthestCoordinate) ||
+            !(*dataset.positions)[point].allFinite())
+            return Error{ErrorKind::BadInput, "the position of point " + pointText(dataset.lattice, point) +
+                                                  " is no number, or far beyond what can be reckoned with. Repair the "
+                                                  "file."};
+    if (dataset.values.notFiniteCount() > 0)
+        return Error{ErrorKind::BadInput, std::to_string(dataset.values.notFiniteCount()) +
+                                              " values are too large for single precision, or no numbers. Choose "
+                                              "another array."};
+    const CellCornerSigns signs = cellCornerSigns(dataset);
+    if (signs.positive == 0 && signs.negative == 0)
+        return Error{ErrorKind::BadInput,
+                     "all its points lie in a plane or closer, so that no cell has a volume. TAn takes volumes."};
+    return {};
+}
+
+} // namespace tetra

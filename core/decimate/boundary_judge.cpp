@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/decimate/boundary_judge.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetra {
+
+void BoundaryPoints::clear(std::uint32_t triangle)
+{
+    pool_.release(at(triangle).outside);
+    pool_.release(at(triangle).ofBoundary);
+    at(triangle) = {};
+}
+
+void BoundaryPoints::addOutside(std::uint32_t triangle, std::uint32_t point, float error, float warping)
+{
+    Relation& relation = at(triangle);
+    relation.outside = pool_.appended(relation.outside, {&point, 1});
+    relation.error = std::max(relation.error, error);
+    relation.warping = std::max(relation.warping, warping);
+}
+
+void BoundaryPoints::addOfBoundary(std::uint32_t triangle, std::uint32_t point, float warping)
+{
+    Relation& relation = at(triangle);
+    relation.ofBoundary = pool_.appended(relation.ofBoundary, {&point, 1});
+    relation.warping = std::max(relation.warping, warping);
+}
+
+void BoundaryPoints::takeOutside(std::uint32_t triangle, std::uint32_t point)
+{
+    Relation& relation = at(triangle);
+    relation.outside = pool_.without(relation.outside, point);
+}
+
+std::array<double, 3> nearestWeights(const std::array<std::array<double, 3>, 3>& corners)
+{
+    const Eigen::Map<const Eigen::Vector3d> a(corners[0].data()), b(corners[1].data()), c(corners[2].data());
+    const Eigen::Vector3d ab = b - a, ac = c - a;
+    const double abA = -ab.dot(a), acA = -ac.dot(a);
+    if (abA <= 0 && acA <= 0)
+        return {1, 0, 0};
+    const double abB = -ab.dot(b), acB = -ac.dot(b);
+    if (abB >= 0 && acB <= abB)
+        return {0, 1, 0};
+    const double besideC = abA * acB - abB * acA;
+    if (besideC <= 0 && abA >= 0 && abB <= 0) {
+        const double t = abA / (abA - abB);
+        return {1 - t, t, 0};
+    }
+    const double abC = -ab.dot(c), acC = -ac.dot(c);
+    if (acC >= 0 && abC <= acC)
+        return {0, 0, 1};
+    const double besideB = abC * acA - abA * acC;
+    if (besideB <= 0 && acA >= 0 && acC <= 0) {
+        const double t = acA / (acA - acC);
+        return {1 - t, 0, t};
+    }
+    const double besideA = abB * acC - abC * acB;
+    if (besideA <= 0 && acB - abB >= 0 && abC - acC >= 0) {
+        const double t = (acB - abB) / ((acB - abB) + (abC - acC));
+        return {0, 1 - t, t};
+    }
+    const double all = besideA + besideB + besideC;
+    return {1 - besideB / all - besideC / all, besideB / all, besideC / all};
+}
+
+namespace {
+
+/// How far outside of a tetrahedron, as a share of it, a place may seem by rounding.
+constexpr double insideTolerance = 1e-11;
+
+} // namespace
+
+void BoundaryJudge::set(const CollapsibleMesh& mesh, const VertexStar& star, std::span<const std::uint32_t> inside,
+                        const BoundaryPoints& relations)
+{
+    vertex_ = star.vertex();
+    findRing(mesh, star);
+    least_ = greatest_ = {};
+    for (std::uint32_t place = 0; place < star.link().size(); ++place)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            least_[axis] = std::min(least_[axis], star.place(place)[axis]);
+            greatest_[axis] = std::max(greatest_[axis], star.place(place)[axis]);
+        }
+    points_.clear();
+    ofBoundary_.clear();
+    for (const std::uint32_t point : inside)
+        addPoint(point, none, false, points_);
+    addPoint(vertex_, none, false, ofBoundary_);
+    for (const VertexStar::RimTriangle& rim : star.rim()) {
+        for (const std::uint32_t point : relations.outside(rim.triangle))
+            addPoint(point, none, false, points_);
+        for (const std::uint32_t point : relations.ofBoundary(rim.triangle))
+            addPoint(point, none, false, ofBoundary_);
+    }
+    for (const Triangle& triangle : ring_)
+        for (const std::uint32_t point : relations.outside(triangle.number))
+            addPoint(point, isKept(triangle.number) ? triangle.number : none, true, points_);
+    dropDoubles();
+}
+
+/// What a tetrahedron has by itself may be related to a triangle, too: once is enough, where it stays if it can.
+void BoundaryJudge::dropDoubles()
+{
+    ranks_.clear();
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        const Point& point = points_[i];
+        const std::uint64_t behind = (point.keptBy == none ? 2U : 0U) + (point.ofRing ? 1U : 0U);
+        ranks_.push_back({std::uint64_t(point.point) << 2 | behind, i});
+    }
+    std::ranges::sort(ranks_);
+    const auto surplus = std::ranges::unique(ranks_, {}, [](const auto& rank) { return rank.first >> 2; });
+    ranks_.erase(surplus.begin(), surplus.end());
+    distinct_.clear();
+    for (const auto& [rank, place] : ranks_)
+        distinct_.push_back(points_[place]);
+    points_.swap(distinct_);
+}
+
+/// Whether the box around the star has the place, or nearly.
+bool BoundaryJudge::mayBeInStar(const Vector& place) const
+{
+    constexpr double beyondRounding = 1e-9;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double margin = beyondRounding * (greatest_[axis] - least_[axis]);
+        if (place[axis] < least_[axis] - margin || place[axis] > greatest_[axis] + margin)
+            return false;
+    }
+    return true;
+}
+
+/// The boundary triangles that share a vertex with those of the star's vertex.
+void BoundaryJudge::findRing(const CollapsibleMesh& mesh, const VertexStar& star)
+{
+    ring_.clear();
+    kept_.clear();
+    for (const VertexStar::RimTriangle& rim : star.rim()) {
+        // Each vertex around is once the first corner.
+        const std::uint32_t around = star.link()[rim.corners[0]];
+        for (const std::uint32_t slot : mesh.star(around)) {
+            const CollapsibleMesh::Four& neighbours = mesh.neighbours(slot);
+            for (std::size_t i = 0; i < 4; ++i)
+                if (CollapsibleMesh::isTriangle(neighbours[i]) && mesh.vertices(slot)[i] != around)
+                    addToRing(neighbours[i], mesh.cornersOfFaceOf(slot, i));
+        }
+    }
+    std::ranges::sort(ring_, {}, &Triangle::number);
+    for (const Triangle& triangle : ring_)
+        if (std::ranges::find(star.tetrahedra(), mesh.slotOfTriangle(triangle.number)) != star.tetrahedra().end())
+            kept_.push_back(triangle);
+}
+
+void BoundaryJudge::addToRing(std::uint32_t triangle, const std::array<std::uint32_t, 3>& corners)
+{
+    if (std::ranges::find(corners, vertex_) == corners.end() &&
+        std::ranges::find(ring_, triangle, &Triangle::number) == ring_.end())
+        ring_.push_back(triangleOf(triangle, corners));
+}
+
+BoundaryJudge::Triangle BoundaryJudge::triangleOf(std::uint32_t number,
+                                                  const std::array<std::uint32_t, 3>& corners) const
+{
+    Triangle triangle;
+    triangle.number = number;
+    for (std::size_t i = 0; i < 3; ++i) {
+        triangle.corners[i] = placeOf(corners[i]);
+        triangle.values[i] = input_.values[corners[i]];
+    }
+    const auto& [a, b, c] = triangle.corners;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        triangle.least[axis] = std::min({a[axis], b[axis], c[axis]});
+        triangle.greatest[axis] = std::max({a[axis], b[axis], c[axis]});
+    }
+    return triangle;
+}
+
+void BoundaryJudge::addPoint(std::uint32_t point, std::uint32_t keptBy, bool ofRing, std::vector<Point>& to)
+{
+    to.push_back({point, keptBy, ofRing, placeOf(point)});
+}
+
+BoundaryJudge::Vector BoundaryJudge::placeOf(std::uint32_t vertex) const
+{
+    const Eigen::Vector3d place = input_.positions[vertex] - input_.positions[vertex_];
+    return {place.x(), place.y(), place.z()};
+}
+
+/// Takes the triangle, if it is nearer.
+void BoundaryJudge::approach(const Triangle& triangle, const Vector& place, Nearest& nearest) const
+{
+    double fromBox = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double away = std::max({triangle.least[axis] - place[axis], place[axis] - triangle.greatest[axis], 0.0});
+        fromBox += away * away;
+    }
+    if (fromBox >= nearest.squaredDistance)
+        return;
+    std::array<Vector, 3> corners{};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            corners[i][axis] = triangle.corners[i][axis] - place[axis];
+    const auto weights = nearestWeights(corners);
+    double squaredDistance = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double away =
+            weights[0] * corners[0][axis] + weights[1] * corners[1][axis] + weights[2] * corners[2][axis];
+        squaredDistance += away * away;
+    }
+    if (squaredDistance >= nearest.squaredDistance)
+        return;
+    nearest = {squaredDistance, 0, triangle.number};
+    for (std::size_t i = 0; i < 3; ++i)
+        nearest.value += weights[i] * triangle.values[i];
+}
+
+/// On the boundary triangles of the tetrahedra that the collapse makes.
+BoundaryJudge::Nearest BoundaryJudge::onFan(const Point& point) const
+{
+    Nearest nearest;
+    for (const auto& triangles : {std::span(fresh_), std::span(kept_)})
+        for (const Triangle& triangle : triangles)
+            approach(triangle, point.place, nearest);
+    return nearest;
+}
+
+double BoundaryJudge::warpingOf(const Point& point, const Nearest& projection) const
+{
+    const double distance = std::sqrt(projection.squaredDistance);
+    return distance > measure_.leastWarping ? weight(point.point) * distance : 0;
+}
+
+double BoundaryJudge::errorOf(const Point& point, double interpolated) const
+{
+    const double residual = std::abs(input_.values[point.point] - interpolated);
+    return residual > measure_.leastError ? weight(point.point) * residual : 0;
+}
+
+double BoundaryJudge::judgeError(const Point& point, const ApexFan& fan)
+{
+    Vector place{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        place[axis] = point.place[axis] - fan.apex()[axis];
+    Error error{point.point, point.keptBy, none, none, 0, 0};
+    if (mayBeInStar(point.place))
+        error.inFan = faceAt(fan, place, insideTolerance);
+    if (error.inFan != none) {
+        error.error = errorOf(point, fan.interpolated(error.inFan, 0, fan.weightsAt(error.inFan, place)));
+    } else {
+        if (point.ofRing)
+            return 0;
+        const Nearest projection = onFan(point);
+        error.triangle = projection.triangle;
+        error.error = errorOf(point, projection.value);
+        error.warping = warpingOf(point, projection);
+    }
+    errors_.push_back(error);
+    return std::max(error.error, measure_.warpingWeight * error.warping);
+}
+
+double BoundaryJudge::judgeWarping(const Point& point)
+{
+    const Nearest projection = onFan(point);
+    warpings_.push_back({point.point, projection.triangle, warpingOf(point, projection)});
+    return measure_.warpingWeight * warpings_.back().warping;
+}
+
+double BoundaryJudge::evaluate(const VertexStar& star, std::uint32_t linkPlace, const ApexFan& fan, double bound)
+{
+    fresh_.clear();
+    for (const VertexStar::RimTriangle& rim : star.rim())
+        if (comesWithTetrahedron(star, rim, linkPlace))
+            fresh_.push_back(triangleOf(
+                rim.triangle, {star.link()[linkPlace], star.link()[rim.corners[0]], star.link()[rim.corners[1]]}));
+    errors_.clear();
+    warpings_.clear();
+    double largest = 0;
+    for (auto point = ofBoundary_.begin(); point != ofBoundary_.end() && largest <= bound; ++point)
+        largest = std::max(largest, judgeWarping(*point));
+    for (auto point = points_.begin(); point != points_.end() && largest <= bound; ++point)
+        largest = std::max(largest, judgeError(*point, fan));
+    return largest;
+}
+
+} // namespace tetra

@@ -1,0 +1,508 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/decimate/collapse_orders.h"
+
+#include "core/mesh/face_adjacency.h"
+#include "core/mesh/topology.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace tetra {
+
+namespace {
+
+bool comesAfter(const CollapseQueue::Entry& one, const CollapseQueue::Entry& other)
+{
+    return one.comesAfter(other);
+}
+
+} // namespace
+
+std::size_t CollapseQueue::classOf(float key)
+{
+    return std::bit_cast<std::uint32_t>(key) >> classBits & (classCount - 1);
+}
+
+void CollapseQueue::push(const Entry& entry)
+{
+    ++size_;
+    const std::size_t own = classOf(entry.key);
+    if (own > open_) {
+        classes_[own].push_back(entry);
+        return;
+    }
+    late_.push_back(entry);
+    std::ranges::push_heap(late_, comesAfter);
+}
+
+float CollapseQueue::leastKey()
+{
+    if (sorted_.empty() && late_.empty())
+        openNextClass();
+    return lateIsFirst() ? late_.front().key : sorted_.back().key;
+}
+
+CollapseQueue::Entry CollapseQueue::pop()
+{
+    if (sorted_.empty() && late_.empty())
+        openNextClass();
+    --size_;
+    std::vector<Entry>& from = lateIsFirst() ? late_ : sorted_;
+    if (&from == &late_)
+        std::ranges::pop_heap(late_, comesAfter);
+    const Entry first = from.back();
+    from.pop_back();
+    return first;
+}
+
+/// One of the two is not empty.
+bool CollapseQueue::lateIsFirst() const
+{
+    return sorted_.empty() || (!late_.empty() && sorted_.back().comesAfter(late_.front()));
+}
+
+void CollapseQueue::openNextClass()
+{
+    while (classes_[open_].empty())
+        ++open_;
+    sorted_ = std::move(classes_[open_]);
+    classes_[open_] = {};
+    std::ranges::sort(sorted_, comesAfter);
+}
+
+namespace {
+
+/// How much larger the key at hand is when vertices are looked at again that could not go.
+constexpr float patience = 1.02F;
+
+constexpr std::uint32_t workBetweenReports = 1024;
+
+using Entry = CollapseQueue::Entry; // the best collapse of a vertex, when it was looked at
+
+class ExactOrder {
+public:
+    ExactOrder(DecimatedMesh& mesh, double stopKey) : mesh_(mesh), stopKey_(stopKey), states_(mesh.vertexCount()) {}
+
+    Status run(const Progress& progress);
+
+private:
+    struct VertexState {
+        std::uint32_t version = 0; ///< of the vertex's newest entry
+        bool queued = true;        ///< whether that is in the queue, or the first look is still to come
+        bool changed = false;      ///< whether something around the vertex has changed since it was made
+    };
+
+    Entry evaluated(std::uint32_t vertex, DecimatedMesh::Legality legality);
+    void collapse(const Entry& entry);
+    void fetchAhead() const;
+
+    void look(std::uint32_t vertex);
+    void takeFirst();
+    float leastKey();
+    Status lookAtAll(const Progress& progress);
+
+    DecimatedMesh& mesh_;
+    double stopKey_;
+    std::vector<VertexState> states_;
+    CollapseQueue queue_;
+    bool allLookedAt_ = false;
+};
+
+/// The vertex is queued then if it can go; the entry is still to be pushed.
+Entry ExactOrder::evaluated(std::uint32_t vertex, DecimatedMesh::Legality legality)
+{
+    const DecimatedMesh::Candidate candidate = mesh_.best(vertex, legality);
+    VertexState& state = states_[vertex];
+    ++state.version;
+    state.changed = false;
+    state.queued = candidate.exists() && static_cast<double>(candidate.key) <= stopKey_;
+    return {candidate.key, vertex, candidate.target, state.version};
+}
+
+void ExactOrder::collapse(const Entry& entry)
+{
+    if (!mesh_.collapse(entry.vertex, entry.target)) {
+        const Entry other = evaluated(entry.vertex, DecimatedMesh::Legality::Whole);
+        if (states_[entry.vertex].queued)
+            queue_.push(other);
+        return;
+    }
+    states_[entry.vertex].queued = false;
+    for (const std::uint32_t vertex : mesh_.touched())
+        __builtin_prefetch(&states_[vertex]);
+    for (const std::uint32_t vertex : mesh_.touched()) {
+        VertexState& state = states_[vertex];
+        state.changed = true;
+        if (state.queued)
+            continue;
+        // What could not go may be able to now. Its turn to be looked at comes a little later, after more has changed.
+        state.queued = true;
+        queue_.push({patience * entry.key, vertex, DecimatedMesh::none, ++state.version});
+    }
+}
+
+/// What the entries to come need, each time what the last time's told where to find.
+void ExactOrder::fetchAhead() const
+{
+    const auto at = [this](std::size_t distance) { return queue_.vertexAhead(distance, DecimatedMesh::none); };
+    if (const std::uint32_t vertex = at(7); vertex != DecimatedMesh::none)
+        __builtin_prefetch(&states_[vertex]);
+    for (int step = 0; step < DecimatedMesh::fetchSteps; ++step) {
+        const std::uint32_t vertex = at(static_cast<std::size_t>(DecimatedMesh::fetchSteps - step));
+        if (vertex != DecimatedMesh::none && states_[vertex].queued)
+            mesh_.fetchAhead(vertex, step);
+    }
+}
+
+/// No collapse that is known has a smaller key. While some were not looked at, they may have any.
+float ExactOrder::leastKey()
+{
+    if (!allLookedAt_)
+        return 0;
+    return queue_.empty() ? std::numeric_limits<float>::infinity() : queue_.leastKey();
+}
+
+/// Looks at a vertex whose entry has come to the head, and does what it may if nothing else should come first.
+void ExactOrder::look(std::uint32_t vertex)
+{
+    const Entry entry = evaluated(vertex, DecimatedMesh::Legality::OfStar);
+    if (!states_[vertex].queued)
+        return;
+    if (entry.key <= leastKey())
+        collapse(entry);
+    else
+        queue_.push(entry);
+}
+
+/// What does no harm goes at once: then what is around it is looked at once.
+Status ExactOrder::lookAtAll(const Progress& progress)
+{
+    const std::uint32_t vertices = mesh_.vertexCount();
+    for (std::uint32_t vertex = 0; vertex < vertices; ++vertex) {
+        if (vertex % workBetweenReports == 0) {
+            if (progress.cancelled())
+                return cancelledError("The decimation");
+            progress.report(.2 * vertex / vertices, "Evaluating vertices");
+        }
+        const Entry entry = evaluated(vertex, DecimatedMesh::Legality::OfStar);
+        if (!states_[vertex].queued)
+            continue;
+        if (entry.key == 0)
+            collapse(entry);
+        else
+            queue_.push(entry);
+        while (!queue_.empty() && queue_.leastKey() == 0)
+            takeFirst();
+    }
+    allLookedAt_ = true;
+    return {};
+}
+
+/// Does what the first entry asks for, if it still holds.
+void ExactOrder::takeFirst()
+{
+    const Entry entry = queue_.pop();
+    fetchAhead();
+    const VertexState& state = states_[entry.vertex];
+    if (state.version != entry.version || !state.queued)
+        return;
+    if (state.changed)
+        look(entry.vertex);
+    else
+        collapse(entry);
+}
+
+Status ExactOrder::run(const Progress& progress)
+{
+    if (Status status = lookAtAll(progress); !status)
+        return status;
+    const std::uint32_t vertices = mesh_.vertexCount();
+    std::uint32_t work = 0;
+    while (!queue_.empty()) {
+        if (++work % workBetweenReports == 0) {
+            if (progress.cancelled())
+                return cancelledError("The decimation");
+            progress.report(.2 + .8 * mesh_.log().collapseCount() / vertices, "Collapsing");
+        }
+        takeFirst();
+    }
+    return {};
+}
+
+} // namespace
+
+Status decimateByExactError(DecimatedMesh& mesh, double stopKey, const Progress& progress)
+{
+    return ExactOrder(mesh, stopKey).run(progress);
+}
+
+Eigen::Vector3d vertexGradient(const CollapsibleMesh& mesh, std::span<const Eigen::Vector3d> positions,
+                               std::span<const double> values, std::uint32_t vertex)
+{
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double angles = 0;
+    for (const std::uint32_t slot : mesh.star(vertex)) {
+        const auto& vertices = mesh.vertices(slot);
+        const auto& others = cornersOfFace[indexOf(vertices, vertex)];
+        Eigen::Matrix3d edges;
+        Eigen::Vector3d steps;
+        for (int i = 0; i < 3; ++i) {
+            const std::uint32_t other = vertices[others[static_cast<std::size_t>(i)]];
+            edges.row(i) = positions[other] - positions[vertex];
+            steps[i] = values[other] - values[vertex];
+        }
+        const Eigen::Vector3d a = edges.row(0), b = edges.row(1), c = edges.row(2);
+        const double angle =
+            2 * std::atan2(std::abs(edges.determinant()), a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() +
+                                                              a.dot(c) * b.norm() + b.dot(c) * a.norm());
+        sum += angle * (edges.inverse() * steps);
+        angles += angle;
+    }
+    return angles > 0 ? Eigen::Vector3d(sum / angles) : sum;
+}
+
+double distanceFromBoundaryPlane(const CollapsibleMesh& mesh, std::span<const Eigen::Vector3d> positions,
+                                 std::uint32_t vertex)
+{
+    std::vector<std::uint32_t> around;
+    for (const std::uint32_t slot : mesh.star(vertex))
+        for (const std::uint32_t neighbour : mesh.neighbours(slot)) {
+            if (!CollapsibleMesh::isTriangle(neighbour))
+                continue;
+            const auto corners = mesh.cornersOf(neighbour);
+            if (std::ranges::find(corners, vertex) != corners.end())
+                std::ranges::copy_if(corners, std::back_inserter(around), [vertex](auto c) { return c != vertex; });
+        }
+    std::ranges::sort(around);
+    around.erase(std::ranges::unique(around).begin(), around.end());
+    if (around.empty())
+        return 0;
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const std::uint32_t other : around)
+        middle += positions[other];
+    middle /= static_cast<double>(around.size());
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const std::uint32_t other : around)
+        spread += (positions[other] - middle) * (positions[other] - middle).transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+    return std::abs(axes.eigenvectors().col(0).dot(positions[vertex] - middle));
+}
+
+namespace {
+
+/// What a collapse is estimated to do, and onto which neighbour.
+struct Estimate {
+    double measure;
+    std::uint32_t vertex;
+    std::uint32_t target;
+    std::uint32_t version;
+    bool operator<(const Estimate& other) const
+    {
+        return std::tie(other.measure, other.vertex) < std::tie(measure, vertex);
+    }
+};
+
+class PaperOrder {
+public:
+    PaperOrder(DecimatedMesh& mesh, double warpingWeight, double stopKey)
+        : mesh_(mesh), warpingWeight_(warpingWeight), stopKey_(stopKey), gradients_(mesh.vertexCount()),
+          versions_(mesh.vertexCount(), 0)
+    {
+    }
+
+    Status run(const Progress& progress);
+
+private:
+    void findGradient(std::uint32_t vertex)
+    {
+        gradients_[vertex] = vertexGradient(mesh_.tetrahedra(), mesh_.input().positions, mesh_.input().values, vertex);
+    }
+    void estimate(std::uint32_t vertex);
+    void attempt(const Estimate& estimate);
+
+    DecimatedMesh& mesh_;
+    double warpingWeight_;
+    double stopKey_;
+    std::vector<Eigen::Vector3d> gradients_;
+    std::vector<std::uint32_t> versions_; ///< of each vertex's newest estimate
+    std::priority_queue<Estimate> queue_;
+};
+
+/// The neighbour of the most similar gradient is the target; the difference times the distance is what the field may
+/// change by.
+void PaperOrder::estimate(std::uint32_t vertex)
+{
+    const DecimationMesh& input = mesh_.input();
+    Estimate best{std::numeric_limits<double>::infinity(), vertex, DecimatedMesh::none, ++versions_[vertex]};
+    for (const std::uint32_t slot : mesh_.tetrahedra().star(vertex))
+        for (const std::uint32_t other : mesh_.tetrahedra().vertices(slot)) {
+            if (other == vertex || !mesh_.mayMove(vertex, other))
+                continue;
+            const double measure = (gradients_[vertex] - gradients_[other]).norm() *
+                                   (input.positions[vertex] - input.positions[other]).norm();
+            if (std::tie(measure, other) < std::tie(best.measure, best.target)) {
+                best.measure = measure;
+                best.target = other;
+            }
+        }
+    if (best.target == DecimatedMesh::none)
+        return;
+    if (!input.box && mesh_.onBoundary(vertex))
+        best.measure = std::max(
+            best.measure, warpingWeight_ * distanceFromBoundaryPlane(mesh_.tetrahedra(), input.positions, vertex));
+    queue_.push(best);
+}
+
+void PaperOrder::attempt(const Estimate& estimated)
+{
+    // What cannot go is out of the queue, which is the paper's tag, until its star changes.
+    const DecimatedMesh::Candidate candidate = mesh_.judge(estimated.vertex, estimated.target);
+    if (!candidate.exists() || static_cast<double>(candidate.key) > stopKey_ ||
+        !mesh_.collapse(estimated.vertex, candidate.target))
+        return;
+    ++versions_[estimated.vertex];
+    for (const std::uint32_t vertex : mesh_.touched())
+        findGradient(vertex);
+    for (const std::uint32_t vertex : mesh_.touched())
+        estimate(vertex);
+}
+
+Status PaperOrder::run(const Progress& progress)
+{
+    constexpr std::uint32_t workBetweenReports = 1024;
+    for (std::uint32_t vertex = 0; vertex < mesh_.vertexCount(); ++vertex)
+        findGradient(vertex);
+    for (std::uint32_t vertex = 0; vertex < mesh_.vertexCount(); ++vertex)
+        estimate(vertex);
+    std::uint32_t work = 0;
+    while (!queue_.empty()) {
+        if (++work % workBetweenReports == 0) {
+            if (progress.cancelled())
+                return cancelledError("The decimation");
+            progress.report(static_cast<double>(mesh_.log().collapseCount()) / mesh_.vertexCount(), "Collapsing");
+        }
+        const Estimate next = queue_.top();
+        queue_.pop();
+        if (versions_[next.vertex] == next.version)
+            attempt(next);
+    }
+    return {};
+}
+
+} // namespace
+
+Status decimateByEstimates(DecimatedMesh& mesh, double warpingWeight, double stopKey, const Progress& progress)
+{
+    return PaperOrder(mesh, warpingWeight, stopKey).run(progress);
+}
+
+namespace {
+
+class Rounds {
+public:
+    Rounds(DecimatedMesh& mesh, double stopKey)
+        : mesh_(mesh), stopKey_(stopKey), candidates_(mesh.vertexCount()), stale_(mesh.vertexCount(), true)
+    {
+        for (std::uint32_t vertex = 0; vertex < mesh.vertexCount(); ++vertex)
+            left_.push_back(vertex);
+    }
+
+    Status run(const Progress& progress);
+
+private:
+    Status lookAtStale(const Progress& progress);
+    void collapseUpTo(double bound);
+    double leastKey() const;
+
+    DecimatedMesh& mesh_;
+    double stopKey_;
+    std::vector<std::uint32_t> left_; ///< vertices that were not removed
+    std::vector<DecimatedMesh::Candidate> candidates_;
+    std::vector<bool> stale_; ///< whether the candidate must be found again
+};
+
+Status Rounds::lookAtStale(const Progress& progress)
+{
+    constexpr std::uint32_t verticesBetweenReports = 1024;
+    std::uint32_t looks = 0;
+    for (const std::uint32_t vertex : left_) {
+        if (!stale_[vertex])
+            continue;
+        candidates_[vertex] = mesh_.best(vertex);
+        stale_[vertex] = false;
+        if (++looks % verticesBetweenReports != 0)
+            continue;
+        if (progress.cancelled())
+            return cancelledError("The decimation");
+        progress.report(static_cast<double>(mesh_.log().collapseCount()) / mesh_.vertexCount(), "Collapsing in rounds");
+    }
+    return {};
+}
+
+/// What a collapse makes stale waits for the next round, so that no two stars meet.
+void Rounds::collapseUpTo(double bound)
+{
+    std::vector<std::uint32_t> chosen;
+    for (const std::uint32_t vertex : left_)
+        if (candidates_[vertex].exists() && static_cast<double>(candidates_[vertex].key) <= bound)
+            chosen.push_back(vertex);
+    std::ranges::sort(chosen, {}, [this](std::uint32_t vertex) { return std::tuple(candidates_[vertex].key, vertex); });
+    std::vector<bool> removed(mesh_.vertexCount(), false);
+    for (const std::uint32_t vertex : chosen) {
+        if (stale_[vertex])
+            continue;
+        if (!mesh_.collapse(vertex, candidates_[vertex].target)) {
+            stale_[vertex] = true;
+            continue;
+        }
+        removed[vertex] = true;
+        for (const std::uint32_t touched : mesh_.touched())
+            stale_[touched] = true;
+    }
+    std::erase_if(left_, [&removed](std::uint32_t vertex) { return removed[vertex]; });
+}
+
+/// The smallest key of all candidates, infinity if there are none.
+double Rounds::leastKey() const
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t vertex : left_)
+        if (candidates_[vertex].exists())
+            least = std::min(least, static_cast<double>(candidates_[vertex].key));
+    return least;
+}
+
+Status Rounds::run(const Progress& progress)
+{
+    double bound = 0;
+    for (;;) {
+        if (Status status = lookAtStale(progress); !status)
+            return status;
+        const double least = leastKey();
+        if (least == std::numeric_limits<double>::infinity() || least > stopKey_)
+            return {};
+        if (least > bound)
+            bound = std::min(2 * least, stopKey_);
+        collapseUpTo(bound);
+    }
+}
+
+} // namespace
+
+Status decimateInRounds(DecimatedMesh& mesh, double stopKey, const Progress& progress)
+{
+    return Rounds(mesh, stopKey).run(progress);
+}
+
+} // namespace tetra

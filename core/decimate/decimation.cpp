@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/decimate/decimation.h"
+
+#include "core/decimate/collapse_orders.h"
+#include "core/decimate/decimated_mesh.h"
+#include "core/geometry/hilbert_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <string>
+
+namespace tetra {
+
+namespace {
+
+Error cannotDecimate(const std::string& text)
+{
+    return {ErrorKind::BadInput, "The mesh cannot be decimated: " + text};
+}
+
+Status checkSizes(const DecimationMesh& mesh)
+{
+    const std::size_t points = mesh.positions.size();
+    if (points >= 0xffffffff || mesh.tetrahedra.size() >= std::size_t(1) << 30)
+        return Error{
+            ErrorKind::OutOfResource,
+            "Meshes of more than 4294967294 points or 1073741823 tetrahedra cannot be decimated. Take a part."};
+    if (mesh.tetrahedra.empty())
+        return cannotDecimate("it has no tetrahedra.");
+    if (mesh.values.size() != points || (!mesh.lifted.empty() && mesh.lifted.size() != points) ||
+        (!mesh.weights.empty() && mesh.weights.size() != points))
+        return cannotDecimate("it has not one value, weight and place for each of its " + std::to_string(points) +
+                              " points.");
+    return {};
+}
+
+Status checkNumbers(const DecimationMesh& mesh)
+{
+    const auto finite = [](const Eigen::Vector3d& position) { return position.allFinite(); };
+    for (const auto& positions : {mesh.positions, mesh.lifted})
+        if (const auto bad = std::ranges::find_if_not(positions, finite); bad != positions.end())
+            return cannotDecimate("point " + std::to_string(bad - positions.begin()) + " has no finite place.");
+    if (const auto bad = std::ranges::find_if_not(mesh.values, [](double value) { return std::isfinite(value); });
+        bad != mesh.values.end())
+        return cannotDecimate("point " + std::to_string(bad - mesh.values.begin()) + " has no finite value.");
+    if (!std::ranges::all_of(mesh.weights, [](float weight) { return weight > 0 && weight <= 1; }))
+        return cannotDecimate("weights must be above 0 and at most 1.");
+    std::vector<bool> used(mesh.positions.size(), false);
+    for (const auto& tetrahedron : mesh.tetrahedra)
+        for (const std::uint32_t vertex : tetrahedron) {
+            if (vertex >= used.size())
+                return cannotDecimate("a tetrahedron has vertex " + std::to_string(vertex) + ", which does not exist.");
+            used[vertex] = true;
+        }
+    if (const auto alone = std::ranges::find(used, false); alone != used.end())
+        return cannotDecimate("point " + std::to_string(alone - used.begin()) + " is in no tetrahedron. Leave it out.");
+    return {};
+}
+
+Status checkDecimationOptions(const DecimationMesh& mesh, const DecimationOptions& options)
+{
+    const bool warps = !mesh.box || !mesh.lifted.empty();
+    if (!(options.warpingWeight >= 0) || !std::isfinite(options.warpingWeight) || (warps && options.warpingWeight == 0))
+        return Error{ErrorKind::WrongUsage, "The weight of the warping must be a positive number."};
+    if (!(options.stopKey >= 0))
+        return Error{ErrorKind::WrongUsage, "The error to stop at must not be negative."};
+    return {};
+}
+
+Status collapseInOrder(DecimatedMesh& mesh, const DecimationOptions& options, const Progress& progress)
+{
+    switch (options.order) {
+    case DecimationOrder::PaperEstimates:
+        return decimateByEstimates(mesh, options.warpingWeight, options.stopKey, progress);
+    case DecimationOrder::IndependentRounds: return decimateInRounds(mesh, options.stopKey, progress);
+    case DecimationOrder::ExactError: break;
+    }
+    return decimateByExactError(mesh, options.stopKey, progress);
+}
+
+Result<DecimationResult> decimateSound(const DecimationMesh& mesh, const DecimationOptions& options, HistorySink& sink,
+                                       const Progress& progress)
+{
+    const RenumberedMesh renumbered(mesh);
+    DecimatedMesh decimated(renumbered.view(), options);
+    if (Status status = collapseInOrder(decimated, options, progress.part(0, .9)); !status)
+        return status.error();
+    const bool warps = !mesh.box || !mesh.lifted.empty();
+    if (Status status = sink.begin({.warpingWeight = warps ? options.warpingWeight : 0, .delaunay = false}); !status)
+        return status.error();
+    const CollapseLog& log = decimated.log();
+    const std::vector<CollapseLog::Coarsest> coarsest = decimated.coarsest();
+    if (Status status = log.replay(renumbered.originals(), coarsest, 0, sink, progress.part(.9, 1)); !status)
+        return status.error();
+    const auto pointCount = static_cast<std::uint32_t>(mesh.positions.size());
+    return DecimationResult{pointCount, pointCount - log.collapseCount(), log.tetrahedronCount() + coarsest.size(),
+                            decimated.evaluations()};
+}
+
+} // namespace
+
+Result<DecimationResult> decimate(const DecimationMesh& mesh, const DecimationOptions& options, HistorySink& sink,
+                                  const Progress& progress)
+{
+    for (const Status& status : {checkSizes(mesh), checkDecimationOptions(mesh, options)})
+        if (!status)
+            return status.error();
+    try {
+        if (Status status = checkNumbers(mesh); !status)
+            return status.error();
+        return decimateSound(mesh, options, sink, progress);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorKind::OutOfResource, "Not enough memory to decimate this mesh. Close other programs, use a "
+                                               "machine with more memory, or take a part of the data."};
+    }
+}
+
+std::uint64_t decimationBytes(std::uint64_t points, std::uint64_t tetrahedra)
+{
+    // Measured on lattices, grids and irregular meshes: two thirds of it are the log, some 18 tetrahedra a point.
+    constexpr std::uint64_t bytesPerPoint = 800, bytesPerTetrahedron = 110;
+    return points * bytesPerPoint + tetrahedra * bytesPerTetrahedron;
+}
+
+namespace {
+
+using Tetrahedra = std::vector<std::array<std::uint32_t, 4>>;
+
+std::vector<std::uint32_t> alongCurve(std::span<const Eigen::Vector3d> positions)
+{
+    std::vector<Eigen::Vector3f> places;
+    places.reserve(positions.size());
+    for (const Eigen::Vector3d& position : positions)
+        places.push_back(position.cast<float>());
+    Buffer<KeyedIndex> keys = spatialKeys(places);
+    radixSort(keys, spatialKeyBits);
+    std::vector<std::uint32_t> order;
+    order.reserve(keys.size());
+    for (const KeyedIndex& key : keys)
+        order.push_back(key.index);
+    return order;
+}
+
+/// With other numbers, by the smallest of them.
+Tetrahedra renumbered(std::span<const std::array<std::uint32_t, 4>> tetrahedra, std::span<const std::uint32_t> numbers)
+{
+    const auto firstOf = [numbers](const std::array<std::uint32_t, 4>& t) {
+        return std::min({numbers[t[0]], numbers[t[1]], numbers[t[2]], numbers[t[3]]});
+    };
+    std::vector<std::uint32_t> places(numbers.size() + 1, 0);
+    for (const auto& tetrahedron : tetrahedra)
+        ++places[firstOf(tetrahedron) + 1];
+    for (std::size_t i = 1; i < places.size(); ++i)
+        places[i] += places[i - 1];
+    Tetrahedra result(tetrahedra.size());
+    for (const auto& tetrahedron : tetrahedra) {
+        auto& to = result[places[firstOf(tetrahedron)]++];
+        for (std::size_t i = 0; i < 4; ++i)
+            to[i] = numbers[tetrahedron[i]];
+    }
+    return result;
+}
+
+template <class Number>
+std::vector<Number> reordered(std::span<const Number> numbers, std::span<const std::uint32_t> order)
+{
+    std::vector<Number> result;
+    if (numbers.empty())
+        return result;
+    result.reserve(order.size());
+    for (const std::uint32_t index : order)
+        result.push_back(numbers[index]);
+    return result;
+}
+
+} // namespace
+
+RenumberedMesh::RenumberedMesh(const DecimationMesh& mesh)
+    : originals_(alongCurve(mesh.positions)), positions_(reordered(mesh.positions, originals_)),
+      lifted_(reordered(mesh.lifted, originals_)), values_(reordered(mesh.values, originals_)),
+      weights_(reordered(mesh.weights, originals_)), box_(mesh.box), leftHanded_(mesh.leftHanded)
+{
+    std::vector<std::uint32_t> numbers(originals_.size());
+    for (std::uint32_t number = 0; number < originals_.size(); ++number)
+        numbers[originals_[number]] = number;
+    tetrahedra_ = renumbered(mesh.tetrahedra, numbers);
+}
+
+} // namespace tetra

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/mesh/history.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace tetra {
+
+/// A conforming mesh to be decimated, with a value at each point. Owns nothing.
+struct DecimationMesh {
+    /// Where the points lie in the space that tetrahedra are positive and errors are measured in: of lattices and
+    /// curvilinear grids the computational one (R5).
+    std::span<const Eigen::Vector3d> positions;
+    /// Of curvilinear data where the points lie in physical space, that warpings are measured in (R4); else empty.
+    std::span<const Eigen::Vector3d> lifted;
+    std::span<const double> values; ///< finite, one for each point
+    std::span<const float> weights; ///< that errors and warpings are multiplied by (R6), in (0, 1]; empty: 1
+    std::span<const std::array<std::uint32_t, 4>> tetrahedra; ///< positive, every point in one of them
+    /// Whether the domain is the box of the positions, as of lattices and curvilinear grids: its boundary is kept
+    /// exactly, so that there is no warping but that of `lifted`.
+    bool box = false;
+    /// Of curvilinear data: most corners of the grid's cells are negative in physical space, so that tetrahedra which
+    /// are positive there are inverted (S5).
+    bool leftHanded = false;
+};
+
+/// In what order vertices go (3.1.2).
+enum class DecimationOrder {
+    ExactError,       ///< the smallest key that the mesh around gets, kept up to date: the fewest sites
+    PaperEstimates,   ///< by gradients and best-fitting planes (R11), the exact key as the judge
+    IndependentRounds ///< rounds of vertices whose stars do not touch, an octave of keys each: shallow dependencies
+};
+
+struct DecimationOptions {
+    DecimationOrder order = DecimationOrder::ExactError;
+    /// Units of the values for a unit of length: the key of a mesh is the larger of its error and this times its
+    /// warping (S4). Positive if there can be warping.
+    double warpingWeight = 0;
+    /// No collapse lets the key rise above it. Infinite: down to the coarsest mesh.
+    double stopKey = std::numeric_limits<double>::infinity();
+};
+
+struct DecimationResult {
+    std::uint32_t sites = 0;        ///< all points
+    std::uint32_t initialSites = 0; ///< of the coarsest mesh
+    std::uint64_t tetrahedra = 0;   ///< all that ever lived
+    std::uint64_t evaluations = 0;  ///< collapses that were tried out
+};
+
+/// Half-edge collapse judged by the exact resulting error and warping (R11, S11, S12), to the end or to `stopKey`; the
+/// history of vertex splits, coarse first, then goes to `sink` with delaunay = false, and sink.finish(). Every mesh on
+/// the way is conforming, positive, keeps the domain's components, holes and cavities, and its boundary does not meet
+/// itself. One thread. Errors: numbers out of range, more than 2^32 - 2 points, refused memory (decimationBytes()
+/// beforehand), the sink's, cancelled.
+Result<DecimationResult> decimate(const DecimationMesh& mesh, const DecimationOptions& options, HistorySink& sink,
+                                  const Progress& progress = {});
+
+/// About the largest memory that decimate() takes for a mesh of this size, besides its input.
+std::uint64_t decimationBytes(std::uint64_t points, std::uint64_t tetrahedra);
+
+/// A copy of a mesh in which what lies near in space lies near in memory: points along a Hilbert curve, tetrahedra by
+/// their first point. Looking at a star then waits for memory a third as long.
+class RenumberedMesh {
+public:
+    /// May throw std::bad_alloc.
+    explicit RenumberedMesh(const DecimationMesh& mesh);
+
+    /// Refers to this.
+    DecimationMesh view() const { return {positions_, lifted_, values_, weights_, tetrahedra_, box_, leftHanded_}; }
+    /// For each point its number in the mesh that was copied.
+    const std::vector<std::uint32_t>& originals() const noexcept { return originals_; }
+
+private:
+    std::vector<std::uint32_t> originals_;
+    std::vector<Eigen::Vector3d> positions_;
+    std::vector<Eigen::Vector3d> lifted_;
+    std::vector<double> values_;
+    std::vector<float> weights_;
+    std::vector<std::array<std::uint32_t, 4>> tetrahedra_;
+    bool box_;
+    bool leftHanded_;
+};
+
+} // namespace tetra

@@ -1,0 +1,447 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/history/file_layout.h"
+
+#include "core/base/checksum.h"
+#include "core/data/dataset_checks.h"
+#include "core/history/format.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <set>
+#include <string>
+
+namespace tetra {
+
+namespace {
+
+using format::Header;
+using format::Section;
+using format::SectionId;
+
+const std::string update = " Install a later version of TAn.";
+const std::string copyAgain = " Copy the file again, or build it again.";
+
+/// The bytes of one element of each section that every model needs; 0 for the type of the samples.
+struct Expected {
+    SectionId id;
+    std::uint32_t elementBytes;
+};
+constexpr Expected perSite[] = {{SectionId::SitePoints, 4},        {SectionId::SiteValues, 0},
+                                {SectionId::SiteRunningErrors, 4}, {SectionId::StarOffsets, 8},
+                                {SectionId::MeshSizes, 4},         {SectionId::SiteGroups, 1}};
+constexpr Expected perTetrahedron[] = {
+    {SectionId::OtherSites, 12}, {SectionId::Destroyers, 4}, {SectionId::OwnErrors, 2}};
+constexpr std::uint32_t positionBytesInFloats = 12;
+constexpr std::uint32_t positionBytesInDoubles = 24;
+
+bool isDomain(const Header& header, DomainClass domain)
+{
+    return header.domainClass == static_cast<std::uint32_t>(domain);
+}
+
+/// Reads the layout of one file; every member gives the first thing that is wrong.
+class LayoutReader {
+public:
+    LayoutReader(std::span<const std::byte> file, const std::filesystem::path& path)
+        : file_(file), name_("'" + path.string() + "'")
+    {
+    }
+
+    Result<FileLayout> read();
+
+private:
+    Status readHeader();
+    Status readTable();
+    Status checkWhatItHolds() const;
+    Status checkLattice() const;
+    Status checkValues() const;
+    Status checkPlace() const;
+    Status checkBounds() const;
+    Status checkCodecs() const;
+    Status checkCounts() const;
+    Status checkPositions() const;
+    Status checkSamples() const;
+    std::uint32_t positionBytes() const;
+    Status checkCount(Expected expected, std::uint64_t count) const;
+
+    Error bad(const std::string& text) const { return {ErrorKind::BadInput, name_ + " " + text}; }
+    Error damaged(const std::string& what) const { return bad("is damaged: " + what + "." + copyAgain); }
+    Error cutShort(std::uint64_t expectedBytes) const
+    {
+        return bad("is cut short: it has " + std::to_string(file_.size()) + " bytes and should have " +
+                   std::to_string(expectedBytes) + "." + copyAgain);
+    }
+
+    std::span<const std::byte> file_;
+    std::string name_;
+    FileLayout layout_;
+};
+
+Result<FileLayout> LayoutReader::read()
+{
+    for (const auto step : {&LayoutReader::readHeader, &LayoutReader::readTable})
+        if (const Status status = (this->*step)(); !status)
+            return status.error();
+    for (const auto check : {&LayoutReader::checkWhatItHolds, &LayoutReader::checkLattice, &LayoutReader::checkValues,
+                             &LayoutReader::checkPlace, &LayoutReader::checkBounds, &LayoutReader::checkCodecs,
+                             &LayoutReader::checkCounts, &LayoutReader::checkPositions, &LayoutReader::checkSamples})
+        if (const Status status = (this->*check)(); !status)
+            return status.error();
+    return std::move(layout_);
+}
+
+Status LayoutReader::readHeader()
+{
+    Header& header = layout_.header;
+    const std::size_t available = std::min(file_.size(), sizeof(Header));
+    if (available == 0)
+        return bad("is empty. Models are made by 'tan build'.");
+    std::memcpy(static_cast<void*>(&header), file_.data(), available);
+    if (available < sizeof header.magic || header.magic != format::magic)
+        return bad("is not a TAn model: it does not begin like one. Models are made by 'tan build'.");
+    if (available < sizeof(Header))
+        return cutShort(sizeof(Header));
+    if (header.byteOrderMark == format::byteOrderMarkReversed)
+        return bad("was written with the other byte order. Build it again on this machine.");
+    if (header.majorVersion > format::majorVersion)
+        return bad("has format version " + std::to_string(header.majorVersion) + "." +
+                   std::to_string(header.minorVersion) + "; this program reads up to version " +
+                   std::to_string(format::majorVersion) + "." + update);
+    if (header.majorVersion == 0 || header.byteOrderMark != format::byteOrderMark ||
+        header.headerBytes != sizeof(Header) || header.sectionCount > format::mostSections)
+        return damaged("its header makes no sense");
+    return {};
+}
+
+Status LayoutReader::readTable()
+{
+    const Header& header = layout_.header;
+    const std::uint64_t tableBytes = std::uint64_t(header.sectionCount) * sizeof(Section);
+    if (file_.size() < sizeof(Header) + tableBytes)
+        return cutShort(std::max(header.fileBytes, sizeof(Header) + tableBytes));
+    const std::span<const std::byte> table = file_.subspan(sizeof(Header), tableBytes);
+    if (headerChecksum(header, table) != header.checksum)
+        return damaged("the checksum of its header is wrong");
+    if (file_.size() < header.fileBytes)
+        return cutShort(header.fileBytes);
+    if (file_.size() > header.fileBytes)
+        return damaged("it has " + std::to_string(file_.size()) + " bytes and should have " +
+                       std::to_string(header.fileBytes));
+    layout_.sections.resize(header.sectionCount);
+    if (!table.empty())
+        std::memcpy(static_cast<void*>(layout_.sections.data()), table.data(), table.size());
+    return {};
+}
+
+Status LayoutReader::checkWhatItHolds() const
+{
+    const Header& header = layout_.header;
+    if (header.domainClass > static_cast<std::uint32_t>(DomainClass::Scattered))
+        return bad("is a model of domain class " + std::to_string(header.domainClass) +
+                   ", which this version cannot read." + update);
+    if (header.sampleType > static_cast<std::uint32_t>(SampleType::Float64))
+        return bad("has samples of type " + std::to_string(header.sampleType) + ", which this version cannot read." +
+                   update);
+    return {};
+}
+
+Status LayoutReader::checkLattice() const
+{
+    const Header& header = layout_.header;
+    const bool onLattice = isOnLattice(DomainClass(header.domainClass));
+    std::uint64_t points = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (const std::uint32_t size = header.latticeSize[axis];
+            size < (onLattice ? 2u : 1u) || (!onLattice && axis > 0 && size > 1) ||
+            __builtin_mul_overflow(points, std::uint64_t(size), &points) || points > (1ull << 32))
+            return damaged("a lattice of " + std::to_string(header.latticeSize[0]) + " x " +
+                           std::to_string(header.latticeSize[1]) + " x " + std::to_string(header.latticeSize[2]) +
+                           " points cannot be");
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(header.spacing[axis] > 0) || !std::isfinite(header.spacing[axis]) || !std::isfinite(header.origin[axis]))
+            return damaged("the spacing or the origin of its lattice makes no sense");
+    const std::uint32_t fewest = onLattice ? 8 : 4;
+    if (header.siteCount < fewest || header.siteCount > points || header.siteCount == Model::never ||
+        header.tetrahedronCount == 0)
+        return damaged("a " + std::string(onLattice ? "lattice" : "set") + " of " + std::to_string(points) +
+                       " points cannot have " + std::to_string(header.siteCount) + " sites and " +
+                       std::to_string(header.tetrahedronCount) + " tetrahedra");
+    return {};
+}
+
+Status LayoutReader::checkValues() const
+{
+    const Header& header = layout_.header;
+    if (!std::isfinite(header.valueRange[0]) || !std::isfinite(header.valueRange[1]) ||
+        header.valueRange[0] > header.valueRange[1] || !(header.finalError >= 0) || !std::isfinite(header.finalError))
+        return damaged("its value range or its final error makes no sense");
+    return {};
+}
+
+Status LayoutReader::checkPlace() const
+{
+    const Header& header = layout_.header;
+    for (int axis = 0; axis < 3; ++axis)
+        if (!std::isfinite(header.boundingBox[axis]) || !std::isfinite(header.boundingBox[axis + 3]) ||
+            header.boundingBox[axis] > header.boundingBox[axis + 3])
+            return damaged("its bounding box makes no sense");
+    const bool warps = canWarp(DomainClass(header.domainClass));
+    if (!(header.warpingWeight >= 0) || !std::isfinite(header.warpingWeight) || warps != (header.warpingWeight > 0) ||
+        header.leftHanded > (isDomain(header, DomainClass::Curvilinear) ? 1u : 0u))
+        return damaged("its warping weight or its handedness makes no sense");
+    return {};
+}
+
+Status LayoutReader::checkBounds() const
+{
+    std::uint64_t end = sizeof(Header) + layout_.sections.size() * sizeof(Section);
+    std::set<std::uint32_t> ids;
+    for (const Section& section : layout_.sections) {
+        const std::string name(format::sectionName(section.id));
+        if (!ids.insert(section.id).second)
+            return damaged("section '" + name + "' is there twice");
+        if (section.offset % format::alignment != 0 || section.offset < end)
+            return damaged("section '" + name + "' begins where it cannot, at byte " + std::to_string(section.offset));
+        if (__builtin_add_overflow(section.offset, section.bytes, &end) || end > file_.size())
+            return damaged("section '" + name + "' reaches beyond the end of the file");
+    }
+    if (end != file_.size())
+        return damaged("its last section ends at byte " + std::to_string(end) + " of " + std::to_string(file_.size()));
+    return {};
+}
+
+Status LayoutReader::checkCodecs() const
+{
+    for (const Section& section : layout_.sections) {
+        const bool known = format::sectionName(section.id) != "unknown";
+        if (!known && (section.flags & format::required))
+            return bad("needs section " + std::to_string(section.id) + ", which this version does not know." + update);
+        if (known && section.codec != static_cast<std::uint32_t>(format::Codec::None))
+            return bad("packs its " + std::string(format::sectionName(section.id)) + " with codec " +
+                       std::to_string(section.codec) + ", which this version does not know." + update);
+    }
+    return {};
+}
+
+Status LayoutReader::checkCounts() const
+{
+    const Header& header = layout_.header;
+    for (const Expected& expected : perSite) {
+        const bool oneMore = expected.id == SectionId::StarOffsets;
+        if (const Status status = checkCount(expected, std::uint64_t(header.siteCount) + (oneMore ? 1 : 0)); !status)
+            return status;
+    }
+    for (const Expected& expected : perTetrahedron)
+        if (const Status status = checkCount(expected, header.tetrahedronCount); !status)
+            return status;
+    if (canWarp(DomainClass(header.domainClass)))
+        if (const Status status = checkCount({SectionId::OwnWarpings, 2}, header.tetrahedronCount); !status)
+            return status;
+    // Irregular meshes are nowhere Delaunay ones.
+    if (layout_.has(SectionId::HistoryKind) || isDomain(header, DomainClass::Irregular))
+        if (const Status status = checkCount({SectionId::HistoryKind, 4}, 1); !status)
+            return status;
+    const auto text = std::ranges::find(layout_.sections, std::uint32_t(SectionId::Text), &Section::id);
+    if (text == layout_.sections.end() || text->bytes > format::longestText)
+        return damaged("its text section is missing or too long");
+    return {};
+}
+
+/// Floats where they hold every coordinate exactly, else doubles; none for a lattice that says where its points are.
+Status LayoutReader::checkPositions() const
+{
+    if (isDomain(layout_.header, DomainClass::RegularLattice))
+        return {};
+    return checkCount({SectionId::SitePositions, positionBytes()}, layout_.header.siteCount);
+}
+
+std::uint32_t LayoutReader::positionBytes() const
+{
+    const auto section = std::ranges::find(layout_.sections, std::uint32_t(SectionId::SitePositions), &Section::id);
+    const bool doubles = section != layout_.sections.end() && section->elementBytes == positionBytesInDoubles;
+    return doubles ? positionBytesInDoubles : positionBytesInFloats;
+}
+
+Status LayoutReader::checkSamples() const
+{
+    const auto& size = layout_.header.latticeSize;
+    const std::uint64_t points = std::uint64_t(size[0]) * size[1] * size[2];
+    const bool lifted = isDomain(layout_.header, DomainClass::Curvilinear);
+    if (!layout_.has(SectionId::Samples) || !isOnLattice(DomainClass(layout_.header.domainClass)))
+        return {};
+    if (lifted)
+        if (const Status counted = checkCount({SectionId::SamplePositions, positionBytes()}, points); !counted)
+            return counted;
+    return checkCount({SectionId::Samples, 0}, points);
+}
+
+Status LayoutReader::checkCount(Expected expected, std::uint64_t count) const
+{
+    const std::string name(format::sectionName(static_cast<std::uint32_t>(expected.id)));
+    const auto section = std::ranges::find(layout_.sections, static_cast<std::uint32_t>(expected.id), &Section::id);
+    if (section == layout_.sections.end())
+        return damaged("section '" + name + "' is missing");
+    const std::uint64_t elementBytes =
+        expected.elementBytes != 0 ? expected.elementBytes : sampleSize(SampleType(layout_.header.sampleType));
+    std::uint64_t bytes = 0;
+    if (section->elementBytes != elementBytes || __builtin_mul_overflow(elementBytes, count, &bytes) ||
+        section->bytes != bytes)
+        return damaged("section '" + name + "' has " + std::to_string(section->bytes) + " bytes in elements of " +
+                       std::to_string(section->elementBytes) + " instead of " + std::to_string(count) +
+                       " elements of " + std::to_string(elementBytes));
+    return {};
+}
+
+} // namespace
+
+const format::Section& FileLayout::section(SectionId id) const
+{
+    return *std::ranges::find(sections, static_cast<std::uint32_t>(id), &Section::id);
+}
+
+bool FileLayout::has(SectionId id) const
+{
+    return std::ranges::find(sections, static_cast<std::uint32_t>(id), &Section::id) != sections.end();
+}
+
+Result<FileLayout> readLayout(std::span<const std::byte> file, const std::filesystem::path& path)
+{
+    return LayoutReader(file, path).read();
+}
+
+std::uint64_t headerChecksum(const Header& header, std::span<const std::byte> table)
+{
+    Checksum checksum;
+    checksum.add(std::as_bytes(std::span(&header, 1)).first(offsetof(Header, checksum)));
+    checksum.add(table);
+    return checksum.value();
+}
+
+ModelDescription descriptionOf(const Header& header)
+{
+    ModelDescription description;
+    description.domain = static_cast<DomainClass>(header.domainClass);
+    description.lattice.size = header.latticeSize;
+    description.lattice.spacing = Eigen::Vector3d(header.spacing.data());
+    description.lattice.origin = Eigen::Vector3d(header.origin.data());
+    description.sampleType = static_cast<SampleType>(header.sampleType);
+    description.range = {header.valueRange[0], header.valueRange[1]};
+    description.bounds = {Eigen::Vector3d(header.boundingBox.data()), Eigen::Vector3d(header.boundingBox.data() + 3)};
+    description.warpingWeight = header.warpingWeight;
+    description.leftHanded = header.leftHanded != 0;
+    description.sourceHash = header.sourceHash;
+    return description;
+}
+
+Header headerOf(const ModelDescription& description)
+{
+    const Lattice& lattice = description.lattice;
+    const Eigen::AlignedBox3d& box = description.bounds;
+    Header header;
+    header.domainClass = static_cast<std::uint32_t>(description.domain);
+    header.sampleType = static_cast<std::uint32_t>(description.sampleType);
+    header.latticeSize = lattice.size;
+    std::copy_n(lattice.spacing.data(), 3, header.spacing.begin());
+    std::copy_n(lattice.origin.data(), 3, header.origin.begin());
+    header.valueRange = {description.range.minimum, description.range.maximum};
+    std::copy_n(box.min().data(), 3, header.boundingBox.begin());
+    std::copy_n(box.max().data(), 3, header.boundingBox.begin() + 3);
+    header.warpingWeight = description.warpingWeight;
+    header.leftHanded = description.leftHanded ? 1 : 0;
+    header.sourceHash = description.sourceHash;
+    return header;
+}
+
+namespace {
+
+constexpr std::string_view parameterPrefix = "parameter.";
+
+std::string escaped(std::string_view text, bool isKey)
+{
+    std::string result;
+    for (const char character : text) {
+        if (character == '\\')
+            result += "\\\\";
+        else if (character == '\n')
+            result += "\\n";
+        else if (character == '=' && isKey)
+            result += "\\e";
+        else
+            result += character;
+    }
+    return result;
+}
+
+std::string unescaped(std::string_view text)
+{
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '\\' || i + 1 == text.size()) {
+            result += text[i];
+            continue;
+        }
+        ++i;
+        result += text[i] == 'n' ? '\n' : text[i] == 'e' ? '=' : text[i];
+    }
+    return result;
+}
+
+void appendLine(std::string& text, std::string_view key, std::string_view value)
+{
+    text += escaped(key, true) + "=" + escaped(value, false) + "\n";
+}
+
+void readLine(std::string_view line, ModelDescription& description)
+{
+    const std::size_t separator = line.find('=');
+    if (separator == std::string_view::npos)
+        return;
+    const std::string key = unescaped(line.substr(0, separator));
+    std::string value = unescaped(line.substr(separator + 1));
+    if (key == "source")
+        description.sourceName = std::move(value);
+    else if (key == "builder")
+        description.builder = std::move(value);
+    else if (key.starts_with(parameterPrefix))
+        description.parameters.emplace_back(key.substr(parameterPrefix.size()), std::move(value));
+}
+
+} // namespace
+
+void describeSource(ModelDescription& description, const Dataset& dataset)
+{
+    description.domain = dataset.domain;
+    description.lattice = dataset.lattice;
+    description.bounds = dataset.bounds();
+    description.leftHanded = dataset.domain == DomainClass::Curvilinear && isLeftHanded(dataset);
+    description.sampleType = dataset.values.type();
+    description.range = dataset.values.range();
+    description.sourceName = dataset.source.name;
+    description.sourceHash = dataset.source.hash;
+}
+
+Result<std::string> textOf(const ModelDescription& description, const std::filesystem::path& target)
+{
+    std::string text;
+    appendLine(text, "source", description.sourceName);
+    appendLine(text, "builder", description.builder);
+    for (const auto& [name, value] : description.parameters)
+        appendLine(text, std::string(parameterPrefix) + name, value);
+    if (text.size() > format::longestText)
+        return Error{ErrorKind::OutOfResource, "Cannot write '" + target.string() +
+                                                   "': the names and parameters of the model are longer than 1 MiB. "
+                                                   "Shorten them."};
+    return text;
+}
+
+void readText(std::string_view text, ModelDescription& description)
+{
+    while (!text.empty()) {
+        const std::size_t end = text.find('\n');
+        readLine(text.substr(0, end), description);
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    }
+}
+
+} // namespace tetra

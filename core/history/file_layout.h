@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/data/dataset.h"
+#include "core/history/format.h"
+#include "core/history/model.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tetra {
+
+/// The header and the section table of a `.tan` file, after all that can be checked without looking at a section:
+/// version, checksum, sizes, bounds, overlaps, and that the counts of the header fit the sections.
+struct FileLayout {
+    format::Header header;
+    std::vector<format::Section> sections; ///< known and unknown ones, in order of their offsets
+
+    /// One of the sections that the domain requires; readLayout() made sure that it is there.
+    const format::Section& section(format::SectionId id) const;
+    bool has(format::SectionId id) const;
+};
+
+/// Reads nothing but the header and the table. Errors say what is wrong with the file at `path` and what to do.
+Result<FileLayout> readLayout(std::span<const std::byte> file, const std::filesystem::path& path);
+
+/// The checksum that Header::checksum should have. `table` is the section table as it stands in the file.
+std::uint64_t headerChecksum(const format::Header& header, std::span<const std::byte> table);
+
+/// What the header says of the model; names and parameters are in the text section.
+ModelDescription descriptionOf(const format::Header& header);
+format::Header headerOf(const ModelDescription& description);
+
+/// Takes over what a dataset says of itself.
+void describeSource(ModelDescription& description, const Dataset& dataset);
+
+/// The text section of a `.tan` file (FORMAT.md): a description's names and parameters. The Error is one of writing
+/// `target`: they are too long.
+Result<std::string> textOf(const ModelDescription& description, const std::filesystem::path& target);
+
+/// Fills in names and parameters. Keys that it does not know and lines without a key are skipped.
+void readText(std::string_view text, ModelDescription& description);
+
+} // namespace tetra

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/buffer.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/history/model.h"
+#include "core/history/query/field_judge.h"
+#include "core/history/query/history_links.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tetra {
+
+/// A set of a model's sites, a bit each.
+class SiteSet {
+public:
+    /// The sites before `prefix`, of `sites` in all.
+    SiteSet(std::uint32_t sites, std::uint32_t prefix) : words_(sites / bits + std::size_t(1)), count_(prefix)
+    {
+        std::fill_n(words_.begin(), prefix / bits, ~std::uint64_t(0));
+        words_[prefix / bits] = (std::uint64_t(1) << prefix % bits) - 1;
+    }
+
+    bool contains(std::uint32_t site) const { return (words_[site / bits] >> site % bits & 1) != 0; }
+    void insert(std::uint32_t site)
+    {
+        count_ += contains(site) ? 0 : 1;
+        words_[site / bits] |= bit(site);
+    }
+    void erase(std::uint32_t site)
+    {
+        count_ -= contains(site) ? 1 : 0;
+        words_[site / bits] &= ~bit(site);
+    }
+    std::uint32_t count() const noexcept { return count_; }
+
+    /// Calls `visit(site)` for each, ascending, from `first` on.
+    template <class Visit> void visitFrom(std::uint32_t first, const Visit& visit) const
+    {
+        for (std::size_t place = first / bits; place < words_.size(); ++place) {
+            std::uint64_t word = words_[place];
+            if (place == first / bits)
+                word &= ~((std::uint64_t(1) << first % bits) - 1);
+            for (; word != 0; word &= word - 1)
+                visit(static_cast<std::uint32_t>(place * bits + static_cast<unsigned>(std::countr_zero(word))));
+        }
+    }
+
+    bool operator==(const SiteSet&) const = default;
+
+private:
+    static constexpr std::uint32_t bits = 64;
+    static std::uint64_t bit(std::uint32_t site) { return std::uint64_t(1) << site % bits; }
+
+    std::vector<std::uint64_t> words_;
+    std::uint32_t count_ = 0;
+};
+
+/// The sites [first, end) of one group: a set of sites that is to have a mesh takes them all or none (FORMAT.md).
+struct GroupOfSites {
+    std::uint32_t first;
+    std::uint32_t end;
+};
+
+inline GroupOfSites groupOf(const Model& model, std::uint32_t site)
+{
+    const std::span<const std::uint8_t> goesOn = model.groupGoesOn();
+    GroupOfSites group{site, site + 1};
+    while (group.first > 0 && goesOn[group.first - 1] != 0)
+        --group.first;
+    while (group.end < goesOn.size() && goesOn[group.end - 1] != 0)
+        ++group.end;
+    return group;
+}
+
+/// By how many tetrahedra the group makes a mesh larger. Modulo 2^64: it may make it smaller.
+inline std::uint64_t growthBy(const Model& model, const GroupOfSites& group)
+{
+    const std::span<const std::uint32_t> sizes = model.meshSizes();
+    return std::uint64_t(sizes[group.end - 1]) - (group.first > 0 ? sizes[group.first - 1] : 0);
+}
+
+/// The tetrahedra that the site created, that none of the sites destroys, and that may be coarser than the judge
+/// allows. In `buffer`, which is used from star to star: written without a branch on what no processor could predict.
+inline std::span<const std::uint64_t> coarseCandidates(const Model& model, const SiteSet& sites,
+                                                       const FieldJudge& judge, std::uint32_t site,
+                                                       Buffer<std::uint64_t>& buffer)
+{
+    const auto star = starOf(model, site);
+    if (buffer.size() <= star.size())
+        buffer.resize(2 * star.size() + 1);
+    std::size_t count = 0;
+    for (const std::uint64_t t : star) {
+        const bool stays = !sites.contains(std::min(model.destroyers()[t], model.siteCount()));
+        buffer[count] = t;
+        count += static_cast<std::size_t>(stays & judge.mayBeTooCoarse(t));
+    }
+    return std::span(buffer).first(count);
+}
+
+/// A closed set of sites (B1): with a site it holds the site's whole group and the creators of all that they destroy.
+/// Its mesh, the tetrahedra made by one of its sites and destroyed by none, conforms and covers the domain.
+struct ClosedSet {
+    SiteSet sites;
+    std::uint32_t prefix = 0;     ///< all sites before this one belong to it
+    std::uint64_t tetrahedra = 0; ///< of its mesh, as the file says
+    /// Number that errors and warpings asked for must be multiplied by to allow all of its mesh: 1, or more where the
+    /// model has nothing finer or the budget ended it.
+    double scale = 1;
+};
+
+/// The smallest closed set that holds the first `prefix` sites (which end a group) and whose mesh the judge allows, as
+/// far as the model has finer tetrahedra: each one that is too coarse must be destroyed, and only its destroyer does
+/// that. O(the set and what it creates). `links` cover the judge's finest prefix. Errors: cancelled, a damaged file.
+Result<ClosedSet> smallestClosedSet(const Model& model, const HistoryLinks& links, const FieldJudge& judge,
+                                    std::uint32_t prefix, const Progress& progress);
+
+/// The same with the fields multiplied by the least number, at least 1, for which the mesh has at most `budget`
+/// tetrahedra. Refines what is farthest from what was asked first, and takes back what was begun when the budget is
+/// passed. Error: WrongUsage if even the coarsest mesh has more.
+Result<ClosedSet> closedSetWithin(const Model& model, const HistoryLinks& links, const FieldJudge& judge,
+                                  std::uint64_t budget, const Progress& progress);
+
+/// Takes the mesh of a closed set out of the file: vertices are its sites, ascending, tetrahedra come by creator. The
+/// buffers of `out` are used again. `places` of all its sites. Errors: a damaged file, cancelled.
+Status extractSet(const Model& model, const ClosedSet& set, const SitePlaces& places, const Progress& progress,
+                  ExtractedMesh& out);
+
+} // namespace tetra

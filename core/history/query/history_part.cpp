@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/history/query/history_part.h"
+
+#include "core/history/query/window.h"
+#include "core/history/site_positions.h"
+
+#include <algorithm>
+#include <new>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace tetra {
+
+namespace {
+
+using Tetrahedron = std::array<std::uint32_t, 4>;
+
+constexpr std::string_view extractingRange = "Extracting a range of meshes";
+/// Tetrahedra, or sites, between two looks at whether the work was cancelled.
+constexpr std::uint64_t partAtOnce = 1 << 16;
+
+/// What is asked of tetrahedra besides their life.
+class Choice {
+public:
+    Choice(std::span<const ValueRange> values, const std::optional<Window>& window, const TetrahedralMesh& mesh)
+        : ranges_(values), values_(mesh.values)
+    {
+        if (window) {
+            border_ = window->border;
+            sides_.emplace(window->box, mesh.positions);
+        }
+    }
+
+    bool includesAll() const { return ranges_.empty() && !sides_; }
+
+    bool includes(const Tetrahedron& t) const
+    {
+        if (!ranges_.empty() && !canContain({values_[t[0]], values_[t[1]], values_[t[2]], values_[t[3]]}, ranges_))
+            return false;
+        if (!sides_)
+            return true;
+        return border_ == WindowBorder::Contained ? sides_->placeOf(t) == BoxSides::Place::Inside : sides_->meets(t);
+    }
+
+private:
+    std::span<const ValueRange> ranges_;
+    std::span<const float> values_;
+    WindowBorder border_ = WindowBorder::Intersecting;
+    std::optional<BoxSides> sides_;
+};
+
+/// Goes through the part of the file that the finer mesh needs. The file may change meanwhile: every number in it is
+/// read once.
+class HistoryScan {
+public:
+    HistoryScan(const Model& model, const Choice& choice, HistoryPart& part)
+        : model_(model), choice_(choice), part_(part), all_(model.starOffsets()[part.fine.sites])
+    {
+    }
+
+    Status run(const Progress& progress);
+
+private:
+    void makeRoom();
+    Status scanStar(std::uint32_t creator, std::uint64_t end, const Progress& progress);
+    Status keep(std::uint32_t creator, std::uint64_t tetrahedron, std::uint32_t destroyer);
+
+    const Model& model_;
+    const Choice& choice_;
+    HistoryPart& part_;
+    const std::uint64_t all_; ///< tetrahedra that the sites created
+    std::uint64_t next_ = 0;
+    std::uint64_t inCoarse_ = 0;
+    std::uint64_t inFine_ = 0;
+};
+
+Status HistoryScan::run(const Progress& progress)
+{
+    if (all_ > model_.tetrahedronCount() || model_.starOffsets()[0] != 0)
+        return inconsistentModel(model_, "its star offsets do not fit its tetrahedra");
+    if (choice_.includesAll())
+        makeRoom();
+    for (std::uint32_t site = 0; site < part_.fine.sites; ++site) {
+        if (site % partAtOnce == 0 && progress.cancelled())
+            return cancelledError(extractingRange);
+        const std::uint64_t end = model_.starOffsets()[site + 1];
+        if (end < next_ || end > all_)
+            return inconsistentModel(model_, "the star offsets of site " + std::to_string(site) + " make no sense");
+        if (const Status right = scanStar(site, end, progress); !right)
+            return right;
+    }
+    if (inCoarse_ != part_.coarse.tetrahedra || inFine_ != part_.fine.tetrahedra)
+        return inconsistentModel(
+            model_, "the meshes of " + std::to_string(part_.coarse.sites) + " and " + std::to_string(part_.fine.sites) +
+                        " sites do not have the " + std::to_string(part_.coarse.tetrahedra) + " and " +
+                        std::to_string(part_.fine.tetrahedra) + " tetrahedra that they should have");
+    return {};
+}
+
+/// Growing would copy gigabytes.
+void HistoryScan::makeRoom()
+{
+    const auto found = static_cast<std::size_t>(std::ranges::count_if(
+        model_.destroyers().first(all_), [this](std::uint32_t destroyer) { return destroyer >= part_.coarse.sites; }));
+    part_.mesh.tetrahedra.reserve(found);
+    part_.births.reserve(found);
+    part_.deaths.reserve(found);
+}
+
+Status HistoryScan::scanStar(std::uint32_t creator, std::uint64_t end, const Progress& progress)
+{
+    for (; next_ < end; ++next_) {
+        if (next_ % partAtOnce == 0) {
+            if (progress.cancelled())
+                return cancelledError(extractingRange);
+            progress.report(static_cast<double>(next_) / static_cast<double>(all_), extractingRange);
+        }
+        // Of later batches than the creator: so a life that ends behind the coarse mesh has meshes from there on.
+        const std::uint32_t destroyer = model_.destroyers()[next_];
+        if (destroyer < part_.coarse.sites)
+            continue;
+        inCoarse_ += creator < part_.coarse.sites ? 1 : 0;
+        inFine_ += destroyer >= part_.fine.sites ? 1 : 0;
+        if (const Status right = keep(creator, next_, destroyer); !right)
+            return right;
+    }
+    return {};
+}
+
+Status HistoryScan::keep(std::uint32_t creator, std::uint64_t tetrahedron, std::uint32_t destroyer)
+{
+    const auto [a, b, c] = model_.otherSites()[tetrahedron];
+    if (a >= creator || b >= creator || c >= creator)
+        return inconsistentModel(model_, "a tetrahedron of site " + std::to_string(creator) +
+                                             " has a site that comes after its creator");
+    if (destroyer <= creator || (destroyer >= model_.siteCount() && destroyer != Model::never))
+        return inconsistentModel(model_, "a tetrahedron of site " + std::to_string(creator) +
+                                             " is destroyed by a site that does not come after it");
+    const Tetrahedron found = {creator, a, b, c};
+    if (!choice_.includes(found))
+        return {};
+    part_.mesh.tetrahedra.push_back(found);
+    part_.births.push_back(creator + 1);
+    part_.deaths.push_back(destroyer == Model::never ? Model::never : destroyer + 1);
+    return {};
+}
+
+Status extractInto(const Model& model, std::span<const ValueRange> values, const std::optional<Window>& window,
+                   const Progress& progress, HistoryPart& part)
+{
+    if (part.coarse.sites == 0)
+        return inconsistentModel(model, "its first sites have an error");
+    if (const Status placed = placeSites(model, part.fine.sites, part.mesh.positions); !placed)
+        return placed;
+    if (const Status copied = copyValues(model, part.fine.sites, part.mesh.values); !copied)
+        return copied;
+    if (const Status right = model.checkPrefix(part.fine.sites, Model::Stars, progress); !right)
+        return right;
+    const Choice choice(values, window, part.mesh);
+    if (const Status scanned = HistoryScan(model, choice, part).run(progress); !scanned)
+        return scanned;
+    turnToPhysicalSpace(model, part.mesh.tetrahedra);
+    return model.checkIntact();
+}
+
+} // namespace
+
+Result<HistoryPart> extractHistory(const Model& model, const Accuracy& one, const Accuracy& other,
+                                   std::span<const ValueRange> values, const std::optional<Window>& window,
+                                   const Progress& progress)
+{
+    if (window && window->border == WindowBorder::Clipped)
+        return Error{ErrorKind::WrongUsage,
+                     "Meshes of several accuracies cannot be cut at a window: what is cut has no "
+                     "life of its own. Ask for the tetrahedra that intersect the window, or that "
+                     "it contains."};
+    HistoryPart part;
+    part.coarse = meshSizeAt(model, one);
+    part.fine = meshSizeAt(model, other);
+    if (part.coarse.sites > part.fine.sites)
+        std::swap(part.coarse, part.fine);
+    try {
+        if (const Status extracted = extractInto(model, values, window, progress, part); !extracted)
+            return extracted.error();
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorKind::OutOfResource, "Not enough memory for all meshes of up to " +
+                                                   std::to_string(part.fine.sites) +
+                                                   " sites. Choose a larger error, or a window."};
+    }
+    return part;
+}
+
+} // namespace tetra

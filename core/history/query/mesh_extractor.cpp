@@ -1,0 +1,418 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/history/query/mesh_extractor.h"
+
+#include "core/history/extraction.h"
+#include "core/history/query/closed_set.h"
+#include "core/history/query/curvilinear_focus.h"
+#include "core/history/query/field_judge.h"
+#include "core/history/query/history_links.h"
+#include "core/history/query/mesh_query.h"
+#include "core/history/query/sharp_focus.h"
+#include "core/history/query/window.h"
+#include "core/history/site_positions.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <new>
+#include <numeric>
+#include <optional>
+#include <string>
+
+namespace tetra {
+
+namespace {
+
+constexpr double share = 0.9; ///< of the budget that is enough
+constexpr int mostMeshes = 12;
+constexpr double nearlyEqual = 1.005;
+/// By which power of the error the tetrahedra of a smooth field are more, until two meshes say it: it is approximated
+/// to second order, in three dimensions.
+constexpr double firstPower = 1.5;
+constexpr double leastPower = 0.2;
+constexpr double mostPower = 6;
+
+double powerBetween(double oneScale, double oneSize, double otherScale, double otherSize)
+{
+    const double power = std::log((oneSize + 1) / (otherSize + 1)) / std::log(otherScale / oneScale);
+    return std::isfinite(power) ? std::clamp(power, leastPower, mostPower) : firstPower;
+}
+
+} // namespace
+
+Result<double> scaleWithin(std::uint64_t budget, double first, double largest, const SizeAtScale& sizeAt)
+{
+    double tooFine = 0; // none known
+    double fits = 0;    // none known
+    double scale = std::clamp(first, 1.0, largest);
+    double made = 0;
+    double size = 0;
+    double power = firstPower;
+    const auto allowed = static_cast<double>(budget);
+    for (int meshes = 0; meshes < mostMeshes || fits == 0; ++meshes) {
+        const auto found = sizeAt(scale);
+        if (!found)
+            return found.error();
+        if (meshes > 0)
+            power = powerBetween(made, size, scale, static_cast<double>(*found));
+        made = scale;
+        size = static_cast<double>(*found);
+        if (size > allowed) {
+            if (scale >= largest)
+                return Error{ErrorKind::WrongUsage, "The coarsest mesh has " + std::to_string(*found) +
+                                                        " tetrahedra, more than the budget of " +
+                                                        std::to_string(budget) + ". Allow at least as many."};
+            tooFine = scale;
+        } else {
+            fits = scale;
+            if (scale == 1 || size >= share * allowed)
+                return scale;
+        }
+        if (tooFine > 0 && fits > 0 && fits <= nearlyEqual * tooFine)
+            break;
+        const double guess = scale * std::pow((size + 1) / (std::sqrt(share) * allowed), 1 / power);
+        const double least = tooFine > 0 ? tooFine * std::sqrt(nearlyEqual) : 1;
+        const double most = fits > 0 ? fits / std::sqrt(nearlyEqual) : largest;
+        const bool bracketed = tooFine > 0 && fits > 0;
+        scale = bracketed && (guess <= least || guess >= most) ? std::sqrt(tooFine * fits)
+                                                               : std::clamp(guess, least, std::max(least, most));
+    }
+    if (made != fits)
+        if (const auto again = sizeAt(fits); !again)
+            return again.error();
+    return fits;
+}
+
+Result<MeshSize> meshSizeWithin(const Model& model, const Accuracy& asked, std::uint64_t budget)
+{
+    const MeshSize finest = meshSizeAt(model, asked);
+    const std::span<const float> errors = model.runningErrors();
+    const std::span<const std::uint32_t> sizes = model.meshSizes();
+    constexpr std::uint32_t checkedAtOnce = 1 << 12;
+    std::uint32_t within = 0;
+    for (std::uint32_t sites = 1; sites <= finest.sites; ++sites) {
+        if (sites % checkedAtOnce == 1) {
+            const std::size_t count = std::min<std::size_t>(checkedAtOnce, errors.size() - (sites - 1));
+            const std::size_t next = sites - 1 + count < errors.size() ? 1 : 0; // the loop looks at it, too
+            if (!model.check(errors.subspan(sites - 1, count + next)) || !model.check(sizes.subspan(sites - 1, count)))
+                return model.checkIntact().error();
+        }
+        const bool endsBatch = sites == errors.size() || errors[sites] < errors[sites - 1];
+        if (endsBatch && sizes[sites - 1] > budget) {
+            if (within == 0)
+                return Error{ErrorKind::WrongUsage, "The coarsest mesh of '" + model.path().string() + "' has " +
+                                                        std::to_string(sizes[sites - 1]) +
+                                                        " tetrahedra, more than the budget of " +
+                                                        std::to_string(budget) + ". Allow at least as many."};
+            break;
+        }
+        if (endsBatch)
+            within = sites;
+    }
+    return within == finest.sites ? finest : meshSizeOf(model, within);
+}
+
+namespace {
+
+/// A focus that holds more than this share of the fine mesh's sites is much quicker and not much larger as a closed
+/// set.
+constexpr double sharpShare = 0.6;
+/// A fall-off wider than this share of the focus is no sharp border any more.
+constexpr double sharpFalloff = 0.25;
+
+double extentOf(const Region& region)
+{
+    if (const auto* const box = std::get_if<Box>(&region))
+        return (box->largest - box->least).minCoeff();
+    if (const auto* const sphere = std::get_if<Sphere>(&region))
+        return 2 * sphere->radius;
+    return std::numeric_limits<double>::infinity();
+}
+
+/// What a mesh of this scale keeps (keptPercent()), as a field. A ramp stays one, unless it falls off from so little
+/// that the scaled one would bend.
+ErrorField scaledField(const ErrorField& field, double scale)
+{
+    if (!(scale > 1))
+        return field;
+    const SpaceRamp* const ramp = field.asSpaceRamp();
+    if (ramp != nullptr && (ramp->falloff == 0 || ramp->inner >= leastScaledPercent)) {
+        SpaceRamp scaled = *ramp;
+        scaled.inner = keptPercent(ramp->inner, scale);
+        scaled.outer = keptPercent(ramp->outer, scale);
+        return scaled;
+    }
+    return ErrorField(scale) * largerOf(field, leastScaledPercent);
+}
+
+} // namespace
+
+class MeshExtractor::Work {
+public:
+    explicit Work(std::shared_ptr<const Model> model) : model_(std::move(model)) {}
+
+    const std::shared_ptr<const Model>& model() const noexcept { return model_; }
+    Result<std::shared_ptr<const ExtractedMesh>> extract(const MeshQuery& query, const Progress& progress);
+
+private:
+    Status extractWhole(const MeshQuery& query, const Progress& progress);
+    Status extractUniform(const MeshQuery& query, const Progress& progress);
+    Status extractClosedSet(const MeshQuery& query, const Progress& progress);
+    const char* obstacleToInsertion(const MeshQuery& query) const;
+    bool insertionIsBetter(const MeshQuery& query);
+    Status extractByInsertion(const MeshQuery& query, const Progress& progress);
+    Status extractWithinBudget(const MeshQuery& query, const Progress& progress);
+    Status coverSites(std::uint32_t sites);
+    /// A mesh that goes to a caller and comes back when nobody holds it any more.
+    struct LendableMesh {
+        ExtractedMesh content;
+        std::atomic<bool> lent = false;
+    };
+    static std::shared_ptr<const ExtractedMesh> lend(const std::shared_ptr<LendableMesh>& mesh);
+    bool isLent() const { return !whole_ || whole_->lent.load(std::memory_order_acquire); }
+    ExtractedMesh& startWhole();
+
+    std::shared_ptr<const Model> model_;
+    SitePlaces places_;
+    HistoryLinks links_;
+    std::optional<SharpFocus> focus_;        ///< of a regular lattice
+    std::optional<LiftedFocus> liftedFocus_; ///< of a curvilinear grid
+    bool insertionFitsHistory_ = true;       ///< as far as is known: its meshes are Delaunay
+    std::shared_ptr<LendableMesh> whole_;    ///< the last mesh before values and window; null after an error
+    std::uint32_t uniformSites_ = 0;         ///< of that, if it is uniform; else 0
+};
+
+Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::Work::extract(const MeshQuery& query,
+                                                                          const Progress& progress)
+{
+    if (const Status sensible = checkQuery(*model_, query); !sensible)
+        return sensible.error();
+    const bool filters = !query.values.empty() || query.window.has_value();
+    Status found = extractWhole(query, progress.part(0, filters ? 0.7 : 1));
+    // Whatever else came of damaged numbers, this is the reason.
+    if (const Status intact = model_->checkIntact(); !intact)
+        found = intact;
+    if (!found) {
+        whole_.reset();
+        return found.error();
+    }
+    ExtractedMesh& whole = whole_->content;
+    whole.keptSites = static_cast<std::uint32_t>(whole.mesh.positions.size());
+    whole.keptTetrahedra = whole.wholeTetrahedra;
+    if (!filters)
+        return lend(whole_);
+    auto part = std::make_shared<ExtractedMesh>(whole_->content);
+    if (!query.values.empty())
+        if (const Status kept = keepValues(part->mesh, query.values, progress.part(0.7, 0.8)); !kept)
+            return kept.error();
+    part->keptTetrahedra = part->mesh.tetrahedra.size();
+    if (query.window) {
+        const auto kept = keepWindow(part->mesh, *query.window, progress.part(0.8, 1));
+        if (!kept)
+            return kept.error();
+        part->keptTetrahedra = *kept;
+    }
+    dropUnusedVertices(*part);
+    return std::shared_ptr<const ExtractedMesh>(std::move(part));
+}
+
+Status MeshExtractor::Work::extractWhole(const MeshQuery& query, const Progress& progress)
+{
+    const bool warps = model_->description().warpingWeight > 0;
+    if (query.error.isConstant() && (query.warping.isConstant() || !warps))
+        return extractUniform(query, progress);
+    const char* const obstacle = obstacleToInsertion(query);
+    if (query.method == VariableMethod::Insertion && obstacle != nullptr)
+        return Error{ErrorKind::WrongUsage,
+                     std::string("Insertion ") + obstacle + ". Use a closed set, or the automatic choice."};
+    if (query.method == VariableMethod::Insertion)
+        return extractByInsertion(query, progress);
+    if (query.method == VariableMethod::Automatic && insertionFitsHistory_ && obstacle == nullptr &&
+        insertionIsBetter(query)) {
+        if (const Status inserted = extractByInsertion(query, progress);
+            inserted || inserted.error().kind != ErrorKind::WrongUsage)
+            return inserted;
+    }
+    return extractClosedSet(query, progress);
+}
+
+Status MeshExtractor::Work::extractUniform(const MeshQuery& query, const Progress& progress)
+{
+    const Accuracy asked = {query.error.bounds().minimum, query.warping.bounds().minimum};
+    MeshSize size = meshSizeAt(*model_, asked);
+    if (query.budget) {
+        const auto within = meshSizeWithin(*model_, asked, *query.budget);
+        if (!within)
+            return within.error();
+        size = *within;
+    }
+    if (isLent() || uniformSites_ != size.sites) {
+        ExtractedMesh& out = startWhole();
+        auto extracted = extractPrefix(*model_, size.sites, progress, std::move(out.mesh));
+        if (!extracted)
+            return extracted.error();
+        out.mesh = *std::move(extracted);
+        out.sites.resize(size.sites);
+        std::iota(out.sites.begin(), out.sites.end(), 0);
+        out.points.clear();
+        out.wholeSites = size.sites;
+        out.wholeTetrahedra = out.mesh.tetrahedra.size();
+        out.method = VariableMethod::ClosedSet;
+        uniformSites_ = size.sites;
+    }
+    whole_->content.scale = scaleReached(size, asked);
+    return {};
+}
+
+Status MeshExtractor::Work::extractClosedSet(const MeshQuery& query, const Progress& progress)
+{
+    FieldJudge judge(*model_, query, places_);
+    const std::uint32_t finest = meshSizeAt(*model_, judge.finest()).sites;
+    constexpr unsigned all = Model::Batches | Model::Stars | Model::OwnBounds;
+    if (const Status right = model_->checkPrefix(finest, all, progress); !right)
+        return right;
+    if (const Status linked = links_.cover(*model_, finest, progress.part(0, 0.3)); !linked)
+        return linked;
+    if (const Status covered = coverSites(finest); !covered)
+        return covered;
+    judge.lookAtSites(finest);
+    const auto set = query.budget
+                         ? closedSetWithin(*model_, links_, judge, *query.budget, progress.part(0.3, 0.8))
+                         : smallestClosedSet(*model_, links_, judge, meshSizeAt(*model_, judge.coarsest()).sites,
+                                             progress.part(0.3, 0.8));
+    if (!set)
+        return set.error();
+    return extractSet(*model_, *set, places_, progress.part(0.8, 1), startWhole());
+}
+
+/// Why a query cannot be answered by insertion, as the end of a sentence; null if, without looking, it can.
+const char* MeshExtractor::Work::obstacleToInsertion(const MeshQuery& query) const
+{
+    if (model_->description().domain == DomainClass::Scattered)
+        return "is for lattices and curvilinear grids, not for scattered points";
+    if (!model_->description().delaunay)
+        return "needs a model made by refinement, whose meshes are Delaunay ones";
+    if (model_->samples().empty())
+        return "needs all samples of the dataset, which this model's file does not hold";
+    if (LiftedFocus::fits(*model_))
+        return nullptr;
+    const SpaceRamp* const ramp = query.error.asSpaceRamp();
+    if (ramp == nullptr || !(ramp->inner < ramp->outer))
+        return "into a lattice is for one box, sphere or half-space of smaller error";
+    if (query.budget && scaledField(query.error, 2).asSpaceRamp() == nullptr)
+        return "within a budget needs a sharp border, or an error of at least 0.001 % to fall off from";
+    return SharpFocus::fits(*model_) ? nullptr : "does not know how this model was built, or its grid is too large";
+}
+
+/// Closed sets are small for graded fields, and quick for large foci. In computational space, where much of a grid
+/// can lie in a small place, they are large for any sharp focus.
+bool MeshExtractor::Work::insertionIsBetter(const MeshQuery& query)
+{
+    const SpaceRamp* const ramp = query.error.asSpaceRamp();
+    if (ramp == nullptr || !(ramp->inner < ramp->outer) || ramp->falloff > sharpFalloff * extentOf(ramp->region))
+        return false;
+    if (query.budget || model_->description().domain == DomainClass::Curvilinear)
+        return true;
+    if (!focus_)
+        focus_.emplace(*model_);
+    const double fine = meshSizeAt(*model_, {query.error.bounds().minimum}).sites;
+    return static_cast<double>(focus_->sitesInside(*ramp)) <= sharpShare * fine;
+}
+
+/// As often as it takes to find out how much coarser the budget makes it.
+Status MeshExtractor::Work::extractWithinBudget(const MeshQuery& query, const Progress& progress)
+{
+    const Accuracy outside = {query.error.bounds().maximum, query.warping.bounds().maximum};
+    const auto coarse = meshSizeWithin(*model_, outside, *query.budget);
+    if (!coarse)
+        return coarse.error();
+    constexpr double all = 100;
+    const double largest = all / std::max(query.error.bounds().minimum, leastScaledPercent);
+    int meshes = 0;
+    const auto sizeAt = [&](double scale) -> Result<std::uint64_t> {
+        MeshQuery scaled = query;
+        scaled.budget.reset();
+        scaled.error = scaledField(query.error, scale);
+        scaled.warping = scaledField(query.warping, scale);
+        progress.report(1 - 1 / (1 + 0.25 * ++meshes), "Trying what the budget allows");
+        if (const Status found = extractByInsertion(scaled, progress.withCallback({})); !found)
+            return found.error();
+        return whole_->content.wholeTetrahedra;
+    };
+    const auto scale = scaleWithin(*query.budget, scaleReached(*coarse, outside), largest, sizeAt);
+    if (!scale)
+        return scale.error();
+    whole_->content.scale = *scale;
+    return {};
+}
+
+Status MeshExtractor::Work::extractByInsertion(const MeshQuery& query, const Progress& progress)
+{
+    if (query.budget)
+        return extractWithinBudget(query, progress);
+    ExtractedMesh& out = startWhole();
+    const bool lifted = model_->description().domain == DomainClass::Curvilinear;
+    if (lifted && !liftedFocus_)
+        liftedFocus_.emplace(*model_);
+    if (!lifted && !focus_)
+        focus_.emplace(*model_);
+    auto found = lifted ? liftedFocus_->extract(query, progress, std::move(out))
+                        : focus_->extract(*query.error.asSpaceRamp(), false, progress, std::move(out));
+    if (!found) {
+        // Of another builder: only looking at its meshes tells.
+        insertionFitsHistory_ &= found.error().kind != ErrorKind::WrongUsage;
+        return found.error();
+    }
+    out = *std::move(found);
+    return {};
+}
+
+Status MeshExtractor::Work::coverSites(std::uint32_t sites)
+{
+    if (sites <= places_.positions.size())
+        return {};
+    Status covered = placeSites(*model_, sites, places_.positions);
+    if (covered)
+        covered = copyValues(*model_, sites, places_.values);
+    if (!covered)
+        places_.positions.clear();
+    return covered;
+}
+
+/// The pointer that callers share counts apart from ours, and its end says that they are done: what they read happened
+/// before what is written next.
+std::shared_ptr<const ExtractedMesh> MeshExtractor::Work::lend(const std::shared_ptr<LendableMesh>& mesh)
+{
+    mesh->lent.store(true, std::memory_order_relaxed);
+    return {&mesh->content, [mesh](const ExtractedMesh*) { mesh->lent.store(false, std::memory_order_release); }};
+}
+
+/// To be overwritten: the last mesh, so that its memory is used again, or another one if it is in others' hands.
+ExtractedMesh& MeshExtractor::Work::startWhole()
+{
+    if (isLent())
+        whole_ = std::make_shared<LendableMesh>();
+    uniformSites_ = 0;
+    return whole_->content;
+}
+
+MeshExtractor::MeshExtractor(std::shared_ptr<const Model> model) : work_(std::make_unique<Work>(std::move(model))) {}
+MeshExtractor::~MeshExtractor() = default;
+MeshExtractor::MeshExtractor(MeshExtractor&&) noexcept = default;
+MeshExtractor& MeshExtractor::operator=(MeshExtractor&&) noexcept = default;
+
+const std::shared_ptr<const Model>& MeshExtractor::model() const noexcept
+{
+    return work_->model();
+}
+
+Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::extract(const MeshQuery& query, const Progress& progress)
+try {
+    return work_->extract(query, progress);
+} catch (const std::bad_alloc&) {
+    work_ = std::make_unique<Work>(work_->model());
+    return Error{ErrorKind::OutOfResource,
+                 "There is not enough memory for this mesh. Ask for a larger error, a smaller focus or a budget."};
+}
+
+} // namespace tetra

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/history/query/mesh_query.h"
+
+#include "core/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tetra {
+
+bool operator==(const MeshQuery& first, const MeshQuery& second)
+{
+    const auto sameRange = [](const ValueRange& one, const ValueRange& other) {
+        return one.minimum == other.minimum && one.maximum == other.maximum;
+    };
+    return first.error == second.error && first.warping == second.warping && first.budget == second.budget &&
+           std::ranges::equal(first.values, second.values, sameRange) && first.window == second.window &&
+           first.method == second.method;
+}
+
+namespace {
+
+Error wrong(const std::string& text)
+{
+    return {ErrorKind::WrongUsage, text};
+}
+
+Status checkWindow(const Box& box)
+{
+    constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(box.least[axis] <= box.largest[axis]))
+            return wrong("The window's smallest " + std::string(axes[axis]) +
+                         " must not be larger than its largest: " + formatNumber(box.least[axis]) + " and " +
+                         formatNumber(box.largest[axis]) + " are no such pair of numbers.");
+    return {};
+}
+
+Status checkField(const ErrorField& field, const std::string& name)
+{
+    const ValueRange bounds = field.bounds();
+    if (std::isnan(bounds.minimum) || std::isnan(bounds.maximum))
+        return wrong("The " + name + " that is asked for is not a number somewhere. Use numbers of percent.");
+    return {};
+}
+
+} // namespace
+
+Status checkQuery(const Model& model, const MeshQuery& query)
+{
+    if (const Status error = checkField(query.error, "error"); !error)
+        return error;
+    if (const Status warping = checkField(query.warping, "warping"); !warping)
+        return warping;
+    if (query.budget == 0)
+        return wrong("A budget of no tetrahedra allows no mesh of '" + model.path().string() + "'.");
+    for (const ValueRange& range : query.values)
+        if (!(range.minimum <= range.maximum))
+            return wrong("A range of values must go from a smaller number to a larger one: " +
+                         formatNumber(range.minimum) + " and " + formatNumber(range.maximum) + " do not.");
+    return query.window ? checkWindow(query.window->box) : Status();
+}
+
+double scaleReached(const MeshSize& size, const Accuracy& asked)
+{
+    const auto over = [](double reached, double wanted) {
+        if (reached <= wanted || std::isnan(wanted))
+            return 1.0;
+        return std::max(1 + std::numeric_limits<double>::epsilon(), reached / std::max(wanted, leastScaledPercent));
+    };
+    return std::max(over(size.error, asked.error), over(size.warping, asked.warping));
+}
+
+namespace {
+
+Box grownBox(const std::variant<Box, Sphere>& region, double margin)
+{
+    if (const Box* const box = std::get_if<Box>(&region))
+        return {box->least.array() - margin, box->largest.array() + margin};
+    const Sphere& ball = std::get<Sphere>(region);
+    return {ball.centre.array() - (ball.radius + margin), ball.centre.array() + (ball.radius + margin)};
+}
+
+/// What a field is far from the ramp, and in its region; the field itself if it is no ramp.
+ErrorField outer(const ErrorField& field)
+{
+    const SpaceRamp* const ramp = field.asSpaceRamp();
+    return ramp != nullptr ? ErrorField(ramp->outer) : field;
+}
+ErrorField inner(const ErrorField& field)
+{
+    const SpaceRamp* const ramp = field.asSpaceRamp();
+    return ramp != nullptr ? ErrorField(ramp->inner) : field;
+}
+
+} // namespace
+
+std::optional<TwoResolutions> twoResolutions(const MeshQuery& query)
+{
+    const SpaceRamp* const ramp = query.error.asSpaceRamp();
+    if (ramp == nullptr || std::holds_alternative<HalfSpace>(ramp->region) || query.budget)
+        return std::nullopt;
+    TwoResolutions result;
+    if (const Box* const box = std::get_if<Box>(&ramp->region))
+        result.region = *box;
+    else
+        result.region = std::get<Sphere>(ramp->region);
+    result.border = ramp->falloff;
+    result.outside = result.inside = query;
+    result.outside.error = outer(query.error);
+    result.outside.warping = outer(query.warping);
+    result.inside.error = inner(query.error);
+    result.inside.warping = inner(query.warping);
+    Box box = grownBox(result.region, result.border);
+    if (query.window) {
+        box.least = box.least.cwiseMax(query.window->box.least);
+        box.largest = box.largest.cwiseMin(query.window->box.largest).cwiseMax(box.least);
+    }
+    result.inside.window = Window{box, query.window ? query.window->border : WindowBorder::Intersecting};
+    return result;
+}
+
+} // namespace tetra

@@ -1,0 +1,733 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/history/query/sharp_focus.h"
+
+#include "core/base/rounding.h"
+#include "core/base/simd.h"
+#include "core/history/site_positions.h"
+#include "core/refine/insertion/sample_scan.h"
+#include "core/refine/lattice/packed_lattice.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <new>
+#include <numeric>
+#include <string>
+
+namespace tetra {
+
+namespace {
+
+/// Coordinates that do not fit count as the largest that do, everywhere: then boxes are only larger.
+std::uint16_t shortened(std::int32_t coordinate)
+{
+    return static_cast<std::uint16_t>(std::clamp(coordinate, 0, 0xffff));
+}
+
+constexpr std::size_t boxesAtOnce = 4096;
+
+TETRA_SIMD_CLONES void keepMeeting(const std::uint16_t* first, const std::uint16_t* last, std::size_t count,
+                                   std::uint16_t from, std::uint16_t to, std::uint16_t* meets)
+{
+    for (std::size_t i = 0; i < count; ++i)
+        meets[i] = static_cast<std::uint16_t>(meets[i] & (first[i] <= to ? 1 : 0) & (last[i] >= from ? 1 : 0));
+}
+
+} // namespace
+
+void TetrahedronBoxes::assign(const PackedLattice& lattice, std::span<const std::array<std::uint32_t, 4>> tetrahedra,
+                              std::span<const PackedPoint> vertices)
+{
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        first_[axis].resize(tetrahedra.size());
+        last_[axis].resize(tetrahedra.size());
+    }
+    for (std::size_t i = 0; i < tetrahedra.size(); ++i) {
+        const auto keep = [&](std::size_t axis, auto coordinate) {
+            const auto& [a, b, c, d] = tetrahedra[i];
+            const auto [least, largest] = std::minmax(
+                {coordinate(vertices[a]), coordinate(vertices[b]), coordinate(vertices[c]), coordinate(vertices[d])});
+            first_[axis][i] = shortened(least);
+            last_[axis][i] = shortened(largest);
+        };
+        keep(0, [&](PackedPoint point) { return lattice.x(point); });
+        keep(1, [&](PackedPoint point) { return lattice.y(point); });
+        keep(2, [&](PackedPoint point) { return lattice.z(point); });
+    }
+}
+
+void TetrahedronBoxes::findMeeting(const std::array<std::int32_t, 3>& first, const std::array<std::int32_t, 3>& last,
+                                   std::vector<std::uint32_t>& found) const
+{
+    const std::size_t count = first_[0].size();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (first[axis] > last[axis])
+            return;
+    std::array<std::uint16_t, boxesAtOnce> meets{};
+    for (std::size_t start = 0; start < count; start += boxesAtOnce) {
+        const std::size_t piece = std::min(boxesAtOnce, count - start);
+        meets.fill(1);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            keepMeeting(first_[axis].data() + start, last_[axis].data() + start, piece, shortened(first[axis]),
+                        shortened(last[axis]), meets.data());
+        for (std::size_t i = 0; i < piece; ++i)
+            if (meets[i] != 0)
+                found.push_back(static_cast<std::uint32_t>(start + i));
+    }
+}
+
+namespace {
+
+/// The box around a region; infinite if the region is.
+Box boundsOf(const Region& region)
+{
+    if (const Box* const box = std::get_if<Box>(&region))
+        return *box;
+    if (const Sphere* const sphere = std::get_if<Sphere>(&region))
+        return {sphere->centre.array() - sphere->radius, sphere->centre.array() + sphere->radius};
+    const Eigen::Vector3d infinite = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+    return {-infinite, infinite};
+}
+
+} // namespace
+
+FocusLimits::FocusLimits(const SpaceRamp& ramp, const Lattice& lattice, double valueExtent)
+    : field_(ramp), lattice_(lattice), extent_(valueExtent)
+{
+    const SpaceRamp& clean = *field_.asSpaceRamp();
+    least = clean.inner / 100 * extent_;
+    most = clean.outer / 100 * extent_;
+    quick_ = std::holds_alternative<Box>(clean.region) && clean.falloff == 0;
+    twoValued = quick_;
+    findRange();
+}
+
+void FocusLimits::findRange()
+{
+    const SpaceRamp& ramp = *field_.asSpaceRamp();
+    const Box bounds = boundsOf(ramp.region);
+    // Rounding may make a distance a little less than it is.
+    const double reach = ramp.falloff * (1 + 1e-9);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto count = lattice_.size[static_cast<std::size_t>(axis)];
+        std::vector<char> inside(count);
+        const double room =
+            quick_ ? 0 : reach + 1e-9 * (std::abs(lattice_.origin[axis]) + lattice_.spacing[axis] * count);
+        std::array<std::uint32_t, 3> point{0, 0, 0};
+        for (std::uint32_t i = 0; i < count; ++i) {
+            point[static_cast<std::size_t>(axis)] = i;
+            const double place = lattice_.position(point[0], point[1], point[2])[axis];
+            inside[i] = !(place < bounds.least[axis] - room) && !(place > bounds.largest[axis] + room);
+        }
+        const auto from = std::ranges::find(inside, 1);
+        const auto to = std::find(inside.rbegin(), inside.rend(), 1).base();
+        first[static_cast<std::size_t>(axis)] = static_cast<std::int32_t>(from - inside.begin());
+        last[static_cast<std::size_t>(axis)] = static_cast<std::int32_t>(to - inside.begin()) - 1;
+        inside_[static_cast<std::size_t>(axis)] = std::move(inside);
+    }
+    firstAsked = first;
+    lastAsked = last;
+    for (std::size_t axis = 0; axis < 3 && quick_; ++axis) {
+        firstAsked[axis] = std::max(first[axis] - 1, 0);
+        lastAsked[axis] = std::min(lastAsked[axis] + 1, static_cast<std::int32_t>(lattice_.size[axis]) - 1);
+    }
+    if (quick_ && (first[0] > last[0] || first[1] > last[1] || first[2] > last[2]))
+        lastAsked = {-1, -1, -1};
+}
+
+double FocusLimits::fieldAt(const std::array<std::uint32_t, 3>& point) const
+{
+    return field_.at(lattice_.position(point[0], point[1], point[2]), 0) / 100 * extent_;
+}
+
+bool FocusLimits::mayHoldIn(const std::array<std::uint32_t, 3>& cube, std::uint32_t edge) const
+{
+    if (quick_)
+        return true;
+    const SpaceRamp& ramp = *field_.asSpaceRamp();
+    const Eigen::Vector3d size = lattice_.spacing * edge;
+    const Eigen::Vector3d middle = lattice_.position(cube[0], cube[1], cube[2]) + size / 2;
+    const double room = size.norm() / 2 + ramp.falloff + 1e-9 * (middle.cwiseAbs().maxCoeff() + size.maxCoeff());
+    return !(distanceTo(ramp.region, middle) > room);
+}
+
+namespace {
+
+/// What is kept for a point takes memory only where it is touched, but address space everywhere.
+constexpr std::uint64_t mostPoints = 1ull << 30;
+
+bool isWeighted(const Model& model)
+{
+    return std::ranges::any_of(model.description().parameters, [](const auto& parameter) {
+        return parameter.first == "weights" && !parameter.second.empty();
+    });
+}
+
+/// The corners of all blocks, if these are what the initial sites are.
+bool areCorners(const BlockDivision& division, const Lattice& lattice, std::span<const std::uint32_t> points)
+{
+    std::uint64_t corners = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        corners *= division.countAlong(axis) + 1ull;
+    return points.size() == corners && std::ranges::all_of(points, [&](std::uint32_t point) {
+               const auto place = lattice.coordinates(point);
+               return division.isBorder(0, place[0]) && division.isBorder(1, place[1]) && place[2] < lattice.size[2] &&
+                      division.isBorder(2, place[2]);
+           });
+}
+
+} // namespace
+
+std::optional<BlockDivision> focusDivision(const Model& model)
+{
+    const Lattice& lattice = model.description().lattice;
+    if (model.description().domain != DomainClass::RegularLattice || !model.description().delaunay ||
+        isWeighted(model) || lattice.pointCount() > mostPoints || !PackedLattice::fits(lattice.size))
+        return std::nullopt;
+    const std::span<const float> errors = model.runningErrors();
+    const auto end = std::ranges::partition_point(
+        errors, [&](const float& error) { return model.check(error) && std::isinf(error); });
+    const auto points = model.points().first(static_cast<std::size_t>(end - errors.begin()));
+    if (!model.check(points))
+        return std::nullopt;
+    // Blocks of the same edge, but for the last: the least coordinate behind the first plane of any axis that is cut.
+    std::uint32_t edge = 0;
+    for (const std::uint32_t point : points) {
+        const auto place = lattice.coordinates(point);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (place[axis] > 0 && place[axis] + 1 < lattice.size[axis] && (edge == 0 || place[axis] < edge))
+                edge = place[axis];
+    }
+    const BlockDivision division(lattice.size, edge);
+    if (!areCorners(division, lattice, points) || !latticeMetric(division.box(0).size, lattice.spacing))
+        return std::nullopt;
+    return division;
+}
+
+std::optional<SiteGrid> SiteGrid::make(const PackedLattice& lattice, std::span<const std::uint32_t> points)
+{
+    SiteGrid grid;
+    const auto& size = lattice.size();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        grid.counts_[axis] = (size[axis] + edge - 1) / edge;
+    const std::uint64_t pointCount = std::uint64_t(size[0]) * size[1] * size[2];
+    Buffer<PackedPoint> packed(points.size());
+    for (std::size_t site = 0; site < points.size(); ++site) {
+        const std::uint32_t point = points[site];
+        if (point >= pointCount)
+            return std::nullopt;
+        const std::uint32_t row = point / size[0];
+        packed[site] = lattice.pack(point - row * size[0], row % size[1], row / size[1]);
+    }
+    const auto cellOf = [&](PackedPoint point) {
+        const auto part = [](std::int32_t coordinate) { return std::uint64_t(coordinate) / edge; };
+        return (part(lattice.z(point)) * grid.counts_[1] + part(lattice.y(point))) * grid.counts_[0] +
+               part(lattice.x(point));
+    };
+    grid.starts_.assign(std::uint64_t(grid.counts_[0]) * grid.counts_[1] * grid.counts_[2] + 2, 0);
+    for (const PackedPoint point : packed)
+        ++grid.starts_[cellOf(point) + 2];
+    for (std::size_t cell = 2; cell < grid.starts_.size(); ++cell)
+        grid.starts_[cell] += grid.starts_[cell - 1];
+    grid.sites_.resize(points.size());
+    for (std::uint32_t site = 0; site < packed.size(); ++site)
+        grid.sites_[grid.starts_[cellOf(packed[site]) + 1]++] = {site, packed[site]};
+    return grid;
+}
+
+std::optional<std::uint32_t> SiteGrid::siteAt(const PackedLattice& lattice, PackedPoint point) const
+{
+    const std::array<std::int32_t, 3> place = {lattice.x(point), lattice.y(point), lattice.z(point)};
+    std::optional<std::uint32_t> found;
+    forEachCell(place, place, [&](const auto&, std::span<const Site> sites) {
+        const auto site = std::ranges::find(sites, point, &Site::point);
+        if (site != sites.end())
+            found = site->number;
+    });
+    return found;
+}
+
+Result<FineStars> FineStars::make(const Model& model, std::uint32_t firstCreator, std::uint32_t sites,
+                                  const Progress& progress)
+{
+    constexpr std::uint32_t creatorsAtOnce = 1 << 16;
+    FineStars stars;
+    stars.firstCreator_ = firstCreator;
+    stars.siteCount_ = sites;
+    if (firstCreator >= sites)
+        return stars;
+    if (const Status right = model.checkPrefix(sites, Model::Stars, progress.withCallback({})); !right)
+        return right.error();
+    model.check(model.meshSizes()[sites - 1]); // what it finds is known to checkIntact()
+    const std::span<const std::uint64_t> offsets = model.starOffsets();
+    stars.starts_.reserve(sites - firstCreator + 1);
+    stars.keys_.reserve(std::min<std::uint64_t>(model.meshSizes()[sites - 1], model.tetrahedronCount()));
+    std::uint64_t t = offsets[firstCreator];
+    for (std::uint32_t creator = firstCreator; creator < sites; ++creator) {
+        if (creator % creatorsAtOnce == 0) {
+            if (progress.cancelled())
+                return cancelledError("Looking at the history");
+            progress.report(static_cast<double>(creator - firstCreator) / (sites - firstCreator),
+                            "Looking at the history");
+        }
+        stars.starts_.push_back(static_cast<std::uint32_t>(stars.keys_.size()));
+        const std::uint64_t end = offsets[creator + 1];
+        if (end < t || end > model.tetrahedronCount())
+            return inconsistentModel(model, "its star offsets make no sense");
+        for (; t < end; ++t)
+            if (model.destroyers()[t] >= sites) {
+                const auto& [a, b, c] = model.otherSites()[t];
+                stars.keys_.push_back(keyOf(a, b, c));
+            }
+    }
+    stars.starts_.push_back(static_cast<std::uint32_t>(stars.keys_.size()));
+    return stars;
+}
+
+bool FineStars::holds(const std::array<std::uint32_t, 4>& sites) const
+{
+    const std::size_t latest = static_cast<std::size_t>(std::ranges::max_element(sites) - sites.begin());
+    const std::uint32_t creator = sites[latest];
+    if (creator < firstCreator_ || creator >= siteCount_)
+        return false;
+    const std::uint64_t key = keyOf(sites[(latest + 1) % 4], sites[(latest + 2) % 4], sites[(latest + 3) % 4]);
+    const std::uint64_t* const begin = keys_.data() + starts_[creator - firstCreator_];
+    const std::uint64_t* const end = keys_.data() + starts_[creator - firstCreator_ + 1];
+    bool found = false;
+    for (const std::uint64_t* at = begin; at != end; ++at)
+        found |= *at == key;
+    return found;
+}
+
+namespace {
+
+/// Insertions between two looks at whether the work was cancelled.
+constexpr std::size_t insertionsAtOnce = 4096;
+/// Of the sites that were inserted into a kept mesh, at most one in so many is one that the region no longer asks for.
+/// A tenth would start afresh at every second step of 2 % of the domain, and take twice the time.
+constexpr std::size_t surplusShare = 4;
+
+constexpr double loadingEnd = 0.4; ///< how far it is after each part
+constexpr double lookingEnd = 0.5;
+
+using Site = SiteGrid::Site;
+
+LatticeSamples samplesOf(const Model& model)
+{
+    return visitSampleType(model.description().sampleType, [&]<class T>() {
+        return LatticeSamples(
+            std::span(reinterpret_cast<const T*>(model.samples().data()), model.samples().size() / sizeof(T)));
+    });
+}
+
+} // namespace
+
+SharpFocus::Work::Work(const Model& model)
+    : model_(model), samples_(samplesOf(model)), lattice_(model.description().lattice.size)
+{
+}
+
+SharpFocus::Work::Range SharpFocus::Work::rangeOf(const FocusLimits& limits) const
+{
+    const std::span<const float> errors = model_.runningErrors();
+    const auto first = [&](double limit) {
+        const auto reached = std::ranges::partition_point(errors, [&](const float& error) {
+            return model_.check(error) && (std::isinf(error) || !(static_cast<double>(error) <= limit));
+        });
+        return static_cast<std::uint32_t>(reached - errors.begin());
+    };
+    const auto keeps = [&](std::uint32_t sites, double limit) {
+        return sites < model_.siteCount() || static_cast<double>(model_.finalError()) <= limit;
+    };
+    const std::uint32_t coarse = first(limits.most), fine = first(limits.least);
+    return {coarse, fine, keeps(coarse, limits.most), keeps(fine, limits.least)};
+}
+
+Status SharpFocus::Work::makeIndex()
+{
+    if (sites_)
+        return {};
+    if (!model_.check(model_.points()) || !model_.check(model_.runningErrors()))
+        return model_.checkIntact();
+    sites_ = SiteGrid::make(lattice_, model_.points());
+    if (!sites_)
+        return inconsistentModel(model_, "a site is no point of its lattice");
+    return model_.checkIntact();
+}
+
+/// The sites of the fine mesh that the limits ask for.
+template <class Visit>
+void SharpFocus::Work::forEachSite(const FocusLimits& limits, const Range& range, Visit&& visit) const
+{
+    const std::span<const float> errors = model_.runningErrors();
+    sites_->forEachCell(limits.firstAsked, limits.lastAsked, [&](const auto& cell, std::span<const Site> sites) {
+        if (sites.empty() || !limits.mayHoldIn(cell, SiteGrid::edge - 1))
+            return;
+        const auto begin = std::ranges::lower_bound(sites, range.coarse, {}, &Site::number);
+        for (auto site = begin; site != sites.end() && site->number < range.fine; ++site) {
+            const PackedPoint point = site->point;
+            if (limits.askFor({static_cast<std::uint32_t>(lattice_.x(point)),
+                               static_cast<std::uint32_t>(lattice_.y(point)),
+                               static_cast<std::uint32_t>(lattice_.z(point))},
+                              static_cast<double>(errors[site->number])))
+                visit(*site);
+        }
+    });
+}
+
+std::uint64_t SharpFocus::Work::sitesInside(const SpaceRamp& error)
+{
+    const FocusLimits limits(error, model_.description().lattice, model_.description().range.extent());
+    if (!makeIndex())
+        return 0;
+    std::uint64_t count = 0;
+    forEachSite(limits, rangeOf(limits), [&count](const Site&) { ++count; });
+    return count;
+}
+
+/// Those that are no vertices yet, in the history's order.
+void SharpFocus::Work::findMissing(const FocusLimits& limits, const Range& range)
+{
+    missing_.clear();
+    forEachSite(limits, range, [this](const Site& site) {
+        if (!mesh_.isVertex(site.point))
+            missing_.push_back(site);
+    });
+    constexpr std::size_t few = 512;
+    if (missing_.size() < few) {
+        std::ranges::sort(missing_, {}, &Site::number);
+        return;
+    }
+    // By digits, the last first.
+    constexpr std::uint32_t digitBits = 11, digits = 1u << digitBits;
+    sortRoom_.resize(missing_.size());
+    for (std::uint32_t shift = 0; shift < 32 && range.fine >> shift != 0; shift += digitBits) {
+        std::array<std::uint32_t, digits + 1> starts{};
+        for (const Site& site : missing_)
+            ++starts[(site.number >> shift & (digits - 1)) + 1];
+        std::partial_sum(starts.begin(), starts.end(), starts.begin());
+        for (const Site& site : missing_)
+            sortRoom_[starts[site.number >> shift & (digits - 1)]++] = site;
+        missing_.swap(sortRoom_);
+    }
+}
+
+Status SharpFocus::Work::prepare()
+{
+    if (prepared_)
+        return {};
+    const auto division = focusDivision(model_);
+    const auto metric = division ? latticeMetric(division->box(0).size, model_.description().lattice.spacing)
+                                 : Result<LatticeMetric>(focusTooLarge());
+    if (!metric)
+        return metric.error();
+    if (const Status prepared = mesh_.prepare(*division, *metric); !prepared)
+        return prepared;
+    prepared_ = true;
+    return {};
+}
+
+Status SharpFocus::Work::load(std::uint32_t sites, const Progress& progress)
+{
+    if (const Status prepared = prepare(); !prepared)
+        return prepared;
+    if (const Status right = model_.check(model_.samples(), progress); !right)
+        return right;
+    coarseSites_ = 0;
+    if (const Status loaded = loadCoarse(model_, sites, progress, coarse_, mesh_); !loaded)
+        return loaded;
+    readBounds(sites);
+    coarseBoxes_.assign(lattice_, coarse_.mesh.tetrahedra, coarse_.points);
+    Buffer<std::array<std::uint32_t, 4>>().swap(coarse_.mesh.tetrahedra);
+    coarseSites_ = sites;
+    return {};
+}
+
+/// Whether the mesh of the last query is a good start: afterwards missing_ is what it lacks.
+bool SharpFocus::Work::canGoOn(const SpaceRamp& error, const FocusLimits& limits, const Range& range)
+{
+    if (!present_ || present_->inner != error.inner || present_->outer != error.outer ||
+        present_->falloff != error.falloff || coarseSites_ != range.coarse)
+        return false;
+    std::size_t surplus = 0;
+    for (const PackedPoint point : mesh_.added()) {
+        const std::array<std::uint32_t, 3> place = {static_cast<std::uint32_t>(lattice_.x(point)),
+                                                    static_cast<std::uint32_t>(lattice_.y(point)),
+                                                    static_cast<std::uint32_t>(lattice_.z(point))};
+        surplus += !limits.askFor(place, std::numeric_limits<double>::infinity());
+    }
+    // As many would be left if nothing new came: that is looked at first, because it is quick.
+    const std::size_t stay = mesh_.added().size() - surplus;
+    if (stay == 0 || surplus > stay)
+        return false;
+    findMissing(limits, range);
+    return surplus * surplusShare <= mesh_.added().size() + missing_.size();
+}
+
+Status SharpFocus::Work::insertMissing(const Progress& progress)
+{
+    points_.clear();
+    for (const Site& site : missing_) {
+        points_.push_back(site.point);
+        addedSites_.push_back(site.number);
+    }
+    for (std::size_t first = 0; first < points_.size(); first += insertionsAtOnce) {
+        if (progress.cancelled())
+            return cancelledError("Extracting the mesh");
+        progress.report(static_cast<double>(first) / static_cast<double>(points_.size()), "Refining the focus");
+        const std::size_t count = std::min(insertionsAtOnce, points_.size() - first);
+        if (!mesh_.add(std::span(points_).subspan(first, count)))
+            return focusTooLarge();
+    }
+    return {};
+}
+
+void SharpFocus::Work::write(ExtractedMesh& mesh) const
+{
+    writeRefined(model_, coarse_.mesh, mesh_, addedSites_, mesh);
+    const Lattice& lattice = model_.description().lattice;
+    const std::span<const PackedPoint> added = mesh_.added();
+    samples_.visit([&](const auto* samples) {
+        for (std::size_t i = 0; i < added.size(); ++i) {
+            const PackedPoint point = added[i];
+            const auto place = lattice.position(static_cast<std::uint32_t>(lattice_.x(point)),
+                                                static_cast<std::uint32_t>(lattice_.y(point)),
+                                                static_cast<std::uint32_t>(lattice_.z(point)));
+            mesh.mesh.positions[coarseSites_ + i] = place.cast<float>();
+            mesh.mesh.values[coarseSites_ + i] = static_cast<float>(samples[lattice_.index(point)]);
+        }
+    });
+}
+
+Result<ExtractedMesh> SharpFocus::Work::extract(const SpaceRamp& error, bool fresh, const Progress& progress,
+                                                ExtractedMesh reuse)
+{
+    FocusLimits limits(error, model_.description().lattice, model_.description().range.extent());
+    if (!(limits.least <= limits.most))
+        return Error{ErrorKind::WrongUsage, "The error in the focus is larger than that outside. Swap them."};
+    if (const Status indexed = makeIndex(); !indexed)
+        return indexed.error();
+    const Range range = rangeOf(limits);
+    const bool goesOn = !fresh && canGoOn(error, limits, range);
+    if (goesOn && presentLimits_->isBox())
+        limits.settle(presentLimits_->first, presentLimits_->last);
+    present_.reset();
+    presentLimits_.reset();
+    if (!goesOn) {
+        if (coarseSites_ == range.coarse && coarseSites_ > 0)
+            mesh_.restore();
+        else if (const Status loaded = load(range.coarse, progress.part(0, loadingEnd)); !loaded)
+            return loaded.error();
+        bounds_.assign(coarseBounds_.begin(), coarseBounds_.end());
+        addedSites_.clear();
+        findMissing(limits, range);
+    }
+    if (const Status known = knowStars(range, progress.part(loadingEnd, lookingEnd)); !known)
+        return known.error();
+    if (const Status inserted = insertMissing(progress.part(lookingEnd, 1)); !inserted)
+        return inserted.error();
+    others_.clear();
+    lookAtOthers(limits, range.known, progress);
+    lookAtChanges(limits, true, progress);
+    worst_.insert(worst_.end(), others_.begin(), others_.end());
+    if (const Status repaired = repair(limits, progress); !repaired)
+        return repaired.error();
+    write(reuse);
+    if (const Status intact = model_.checkIntact(); !intact)
+        return intact.error();
+    present_ = error;
+    presentLimits_ = std::move(limits);
+    return reuse;
+}
+
+bool SharpFocus::fits(const Model& model)
+{
+    return !model.samples().empty() && focusDivision(model).has_value();
+}
+
+SharpFocus::SharpFocus(const Model& model) : work_(std::make_unique<Work>(model)) {}
+SharpFocus::~SharpFocus() = default;
+SharpFocus::SharpFocus(SharpFocus&&) noexcept = default;
+SharpFocus& SharpFocus::operator=(SharpFocus&&) noexcept = default;
+
+std::uint64_t SharpFocus::sitesInside(const SpaceRamp& error)
+{
+    return work_->sitesInside(error);
+}
+
+Result<ExtractedMesh> SharpFocus::extract(const SpaceRamp& error, bool fresh, const Progress& progress,
+                                          ExtractedMesh reuse)
+{
+    try {
+        Result<ExtractedMesh> mesh = work_->extract(error, fresh, progress, std::move(reuse));
+        if (!mesh && mesh.error().kind != ErrorKind::Cancelled)
+            work_->forget();
+        return mesh;
+    } catch (const std::bad_alloc&) {
+        work_->forget();
+        return Error{ErrorKind::OutOfResource,
+                     "Not enough memory for the mesh of the focus. Choose a larger error or a "
+                     "smaller focus."};
+    }
+}
+
+namespace {
+
+/// Insertions between two looks at whether the work was cancelled.
+constexpr std::size_t repairsAtOnce = 256;
+
+} // namespace
+
+/// The file's bounds on the errors of the coarse mesh's tetrahedra, in the order in which extraction gives these.
+void SharpFocus::Work::readBounds(std::uint32_t sites)
+{
+    const double extent = model_.description().range.extent();
+    coarseBounds_.assign(coarse_.mesh.tetrahedra.size(), std::numeric_limits<float>::infinity());
+    std::size_t slot = 0;
+    const std::uint64_t end = std::min(model_.starOffsets()[sites], model_.tetrahedronCount());
+    model_.check(model_.ownErrors().first(end)); // what it finds is known to checkIntact()
+    for (std::uint64_t t = 0; t < end && slot < coarseBounds_.size(); ++t)
+        if (model_.destroyers()[t] >= sites)
+            coarseBounds_[slot++] =
+                static_cast<float>(static_cast<double>(halfToFloat(model_.ownErrors()[t])) * extent * (1 + 1e-6));
+}
+
+Status SharpFocus::Work::knowStars(const Range& range, const Progress& progress)
+{
+    // Beyond what the model has the bound is not known.
+    const std::uint32_t sites = range.fineKnown ? range.fine : 0;
+    if (fine_ && fine_->firstCreator() == range.coarse && fine_->siteCount() == sites)
+        return {};
+    fine_.reset();
+    Result<FineStars> stars = FineStars::make(model_, range.coarse, sites, progress);
+    if (!stars)
+        return stars.error();
+    fine_ = *std::move(stars);
+    return {};
+}
+
+std::array<std::uint32_t, 4> SharpFocus::Work::sitesOf(std::uint32_t slot) const
+{
+    std::array<std::uint32_t, 4> sites = mesh_.numbers(slot);
+    for (std::uint32_t& site : sites)
+        site = site < coarseSites_ ? site : addedSites_[site - coarseSites_];
+    return sites;
+}
+
+/// Looks at slots_. In pieces whose findings are put together in order: it does not matter how many threads there are.
+/// Some are missing once the work was cancelled.
+void SharpFocus::Work::scan(const FocusLimits& limits, ScannedPart part, const Progress& progress,
+                            std::vector<WorstSample>& worst)
+{
+    constexpr std::size_t pieceSlots = 512;
+    const std::size_t count = (slots_.size() + pieceSlots - 1) / pieceSlots;
+    const ValueRange& range = model_.description().range;
+    const double reach = std::max(std::abs(range.minimum), std::abs(range.maximum));
+    std::vector<FilteredTetrahedra> filtered(count);
+    std::vector<std::vector<WorstSample>> found(count);
+    const auto scanPiece = [&](std::size_t piece) {
+        if (progress.cancelled())
+            return;
+        const std::size_t first = piece * pieceSlots;
+        filterTetrahedra(mesh_, std::span(slots_).subspan(first, std::min(pieceSlots, slots_.size() - first)), samples_,
+                         reach, limits, part, filtered[piece]);
+        scanSamples(mesh_, filtered[piece].suspects, samples_, limits, part, found[piece]);
+    };
+    if (count < 2)
+        for (std::size_t piece = 0; piece < count; ++piece)
+            scanPiece(piece);
+    else
+        tbb::parallel_for(std::size_t(0), count, scanPiece);
+    for (const FilteredTetrahedra& some : filtered)
+        for (const std::uint32_t slot : some.fine)
+            bounds_[slot] = static_cast<float>(limits.least);
+    for (const std::vector<WorstSample>& some : found)
+        worst.insert(worst.end(), some.begin(), some.end());
+}
+
+/// Looks at what changed since the last look, unless its error is known to be small enough.
+void SharpFocus::Work::lookAtChanges(const FocusLimits& limits, bool mayBeKnown, const Progress& progress)
+{
+    worst_.clear();
+    slots_.clear();
+    bounds_.resize(mesh_.mesh().slotCount());
+    constexpr std::size_t ahead = 12;
+    const std::span<const std::uint32_t> changed = mesh_.changed();
+    for (std::size_t i = 0; i < changed.size(); ++i) {
+        if (i + 2 * ahead < changed.size()) {
+            mesh_.prefetchNumbers(changed[i + 2 * ahead]);
+            __builtin_prefetch(&bounds_[changed[i + 2 * ahead]], 1);
+        }
+        if (mayBeKnown && i + ahead < changed.size() && mesh_.isAlive(changed[i + ahead]))
+            fine_->prefetch(sitesOf(changed[i + ahead]));
+        const std::uint32_t slot = changed[i];
+        if (!mesh_.isAlive(slot)) {
+            bounds_[slot] = 0;
+            continue;
+        }
+        // What the uniform fine mesh has is good enough.
+        const bool known = mayBeKnown && fine_->holds(sitesOf(slot));
+        bounds_[slot] = known ? static_cast<float>(limits.least) : std::numeric_limits<float>::infinity();
+        if (!known)
+            slots_.push_back(slot);
+    }
+    scan(limits, ScannedPart::All, progress, worst_);
+    mesh_.acceptChanges();
+}
+
+/// Looks at what is inside now and did not change.
+void SharpFocus::Work::lookAtOthers(const FocusLimits& limits, bool outsideIsKnown, const Progress& progress)
+{
+    slots_.clear();
+    const auto least = static_cast<float>(limits.least);
+    bounds_.resize(mesh_.mesh().slotCount(), 0);
+    for (const std::uint32_t slot : mesh_.changed())
+        bounds_[slot] = 0;
+    const auto isUnknown = [&](std::uint32_t slot) { return bounds_[slot] > least; };
+    if (outsideIsKnown) {
+        coarseBoxes_.findMeeting(limits.first, limits.last, slots_);
+        std::erase_if(slots_, std::not_fn(isUnknown));
+    } else {
+        for (std::uint32_t slot = 0; slot < coarseBounds_.size(); ++slot)
+            if (isUnknown(slot))
+                slots_.push_back(slot);
+    }
+    // What is in place of a coarse tetrahedron may be elsewhere.
+    for (const std::uint32_t slot : mesh_.changedEarlier())
+        if (slot < coarseBounds_.size() && isUnknown(slot))
+            slots_.push_back(slot);
+    for (auto slot = static_cast<std::uint32_t>(coarseBounds_.size()); slot < bounds_.size(); ++slot)
+        if (isUnknown(slot))
+            slots_.push_back(slot);
+    scan(limits, outsideIsKnown ? ScannedPart::Limited : ScannedPart::All, progress, others_);
+}
+
+/// In rounds: the worst sample of each tetrahedron that is not good enough, the worst first, unless one before it has
+/// changed its tetrahedron; then what changed is looked at.
+Status SharpFocus::Work::repair(const FocusLimits& limits, const Progress& progress)
+{
+    while (!worst_.empty()) {
+        std::ranges::sort(worst_, isWorse);
+        for (std::size_t i = 0; i < worst_.size(); ++i) {
+            if (i % repairsAtOnce == 0 && progress.cancelled())
+                return cancelledError("Extracting the mesh");
+            const WorstSample& worst = worst_[i];
+            const DelaunayTetrahedron& now = mesh_.mesh()[worst.slot];
+            // Of blocks, several have the sample if it is on their borders.
+            if (!(now.determinant() > 0) || now.vertices != worst.tetrahedron)
+                continue;
+            if (!mesh_.add({&worst.point, 1}))
+                return focusTooLarge();
+            addedSites_.push_back(sites_->siteAt(lattice_, worst.point).value_or(ExtractedMesh::noSite));
+        }
+        lookAtChanges(limits, false, progress);
+    }
+    if (progress.cancelled()) // then nothing may have been found because nothing was looked at
+        return cancelledError("Extracting the mesh");
+    return {};
+}
+
+} // namespace tetra

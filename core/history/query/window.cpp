@@ -1,0 +1,418 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/history/query/window.h"
+
+#include "core/history/query/error_field.h"
+
+#include <algorithm>
+#include <limits>
+#include <new>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace tetra {
+
+bool canContain(const std::array<float, 4>& values, std::span<const ValueRange> ranges)
+{
+    const double least = std::min(std::min(values[0], values[1]), std::min(values[2], values[3]));
+    const double largest = std::max(std::max(values[0], values[1]), std::max(values[2], values[3]));
+    const auto overlaps = [least, largest](const ValueRange& range) {
+        return largest >= range.minimum && least <= range.maximum && range.minimum <= range.maximum;
+    };
+    return ranges.empty() || std::ranges::any_of(ranges, overlaps);
+}
+
+BoxSides::BoxSides(const Box& box, std::span<const Eigen::Vector3f> positions)
+    : box_(box), positions_(positions), sides_(positions.size())
+{
+    const bool isEmpty = (box.least.array() > box.largest.array()).any();
+    for (std::size_t vertex = 0; vertex < positions.size(); ++vertex) {
+        unsigned sides = isEmpty ? ~0u : 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double coordinate = positions[vertex][axis];
+            sides |= unsigned(coordinate < box.least[axis]) << 2 * axis;
+            sides |= unsigned(coordinate > box.largest[axis]) << (2 * axis + 1);
+        }
+        sides_[vertex] = static_cast<std::uint8_t>(sides);
+    }
+}
+
+bool BoxSides::meets(const std::array<std::uint32_t, 4>& tetrahedron) const
+{
+    if (const Place place = placeOf(tetrahedron); place != Place::Across)
+        return place == Place::Inside;
+    Corners corners;
+    for (int corner = 0; corner < 4; ++corner) {
+        if (sides_[tetrahedron[corner]] == 0)
+            return true;
+        corners[corner] = positions_[tetrahedron[corner]].cast<double>();
+    }
+    return tetrahedronMeetsBox(corners, box_, 0);
+}
+
+namespace {
+
+/// The ways to turn a prism, by which each of its vertices can be made the first.
+constexpr std::array<std::array<int, 6>, 6> turns = {{{0, 1, 2, 3, 4, 5},
+                                                      {1, 2, 0, 4, 5, 3},
+                                                      {2, 0, 1, 5, 3, 4},
+                                                      {3, 5, 4, 0, 2, 1},
+                                                      {4, 3, 5, 1, 0, 2},
+                                                      {5, 4, 3, 2, 1, 0}}};
+
+} // namespace
+
+TetrahedronPieces splitPrism(const std::array<std::uint32_t, 6>& prism)
+{
+    // From the vertex of least number go the diagonals of both quadrilaterals that have it; the third is free.
+    const auto& turn = turns[static_cast<std::size_t>(std::ranges::min_element(prism) - prism.begin())];
+    std::array<std::uint32_t, 6> p{};
+    std::ranges::transform(turn, p.begin(), [&prism](int place) { return prism[static_cast<std::size_t>(place)]; });
+    TetrahedronPieces pieces;
+    if (std::min(p[1], p[5]) < std::min(p[2], p[4])) {
+        pieces.add(p[0], p[1], p[2], p[5]);
+        pieces.add(p[0], p[1], p[5], p[4]);
+    } else {
+        pieces.add(p[0], p[1], p[2], p[4]);
+        pieces.add(p[0], p[4], p[2], p[5]);
+    }
+    pieces.add(p[0], p[4], p[5], p[3]);
+    return pieces;
+}
+
+TetrahedronPieces splitPyramid(const std::array<std::uint32_t, 4>& base, std::uint32_t top)
+{
+    const auto [a, b, c, d] = base;
+    TetrahedronPieces pieces;
+    if (std::min(a, c) < std::min(b, d)) {
+        pieces.add(a, b, top, c);
+        pieces.add(a, c, top, d);
+    } else {
+        pieces.add(a, b, top, d);
+        pieces.add(d, b, top, c);
+    }
+    return pieces;
+}
+
+void orderBySides(std::array<std::uint32_t, 4>& tetrahedron, std::array<int, 4>& sides)
+{
+    bool odd = false;
+    const auto swap = [&](std::size_t i) {
+        std::swap(sides[i], sides[i + 1]);
+        std::swap(tetrahedron[i], tetrahedron[i + 1]);
+        odd = !odd;
+    };
+    for (std::size_t end = 3; end > 0; --end)
+        for (std::size_t i = 0; i < end; ++i)
+            if (sides[i] < sides[i + 1])
+                swap(i);
+    if (odd)
+        swap(sides[1] > 0 ? 0 : 2); // among equals, or where the order does not matter
+}
+
+namespace {
+
+using Tetrahedron = std::array<std::uint32_t, 4>;
+using CutPlace = BoxSides::Place;
+
+constexpr std::string_view cuttingAtWindow = "Cutting at the window";
+/// Tetrahedra between two looks at whether the work was cancelled, and at how many vertices there are.
+constexpr std::size_t cutAtOnce = 1 << 16;
+constexpr std::size_t mostVertices = 0xfffffffe;
+
+Box roundedToFloats(const Box& box)
+{
+    const auto rounded = [](const Eigen::Vector3d& corner) -> Eigen::Vector3d {
+        constexpr double most = std::numeric_limits<float>::max();
+        return corner.cwiseMax(-most).cwiseMin(most).cast<float>().cast<double>();
+    };
+    return {rounded(box.least), rounded(box.largest)};
+}
+
+/// A plane across an axis; what is kept is where direction * coordinate is not less than in it.
+struct Plane {
+    int axis;
+    int direction;
+    float coordinate;
+};
+
+/// Cuts tetrahedra at one plane, with new vertices behind those of the mesh.
+class PlaneCut {
+public:
+    PlaneCut(const Plane& plane, TetrahedralMesh& mesh) : plane_(plane), mesh_(mesh) {}
+
+    /// Appends what remains of the tetrahedron, without parts that have no volume.
+    void cut(Tetrahedron tetrahedron, Buffer<Tetrahedron>& kept)
+    {
+        std::array<int, 4> sides{};
+        std::ranges::transform(tetrahedron, sides.begin(), [this](std::uint32_t vertex) { return sideOf(vertex); });
+        const auto [least, largest] = std::ranges::minmax(sides);
+        if (largest <= 0)
+            return;
+        if (least >= 0) {
+            kept.push_back(tetrahedron);
+            return;
+        }
+        orderBySides(tetrahedron, sides);
+        const TetrahedronPieces pieces = piecesOf(tetrahedron, sides);
+        kept.insert(kept.end(), pieces.tetrahedra.begin(), pieces.tetrahedra.begin() + pieces.count);
+    }
+
+private:
+    int sideOf(std::uint32_t vertex) const
+    {
+        const float coordinate = mesh_.positions[vertex][plane_.axis];
+        return plane_.direction * (int(coordinate > plane_.coordinate) - int(coordinate < plane_.coordinate));
+    }
+
+    /// `t` is ordered by its sides, of which there are both.
+    TetrahedronPieces piecesOf(const Tetrahedron& t, const std::array<int, 4>& sides)
+    {
+        const auto on = [&](int positive, int negative) { return vertexOn(t[positive], t[negative]); };
+        if (sides[2] > 0)
+            return splitPrism({t[0], t[1], t[2], on(0, 3), on(1, 3), on(2, 3)});
+        if (sides[1] > 0 && sides[2] == 0)
+            return splitPyramid({t[0], t[1], on(1, 3), on(0, 3)}, t[2]);
+        if (sides[1] > 0)
+            return splitPrism({t[0], on(0, 2), on(0, 3), t[1], on(1, 2), on(1, 3)});
+        const auto inPlane = [&](int other) { return sides[other] < 0 ? on(0, other) : t[other]; };
+        TetrahedronPieces one;
+        one.add(t[0], inPlane(1), inPlane(2), inPlane(3));
+        return one;
+    }
+
+    std::uint32_t vertexOn(std::uint32_t one, std::uint32_t other)
+    {
+        const auto [smaller, larger] = std::minmax(one, other); // always the same way, as the neighbours do
+        const auto next = static_cast<std::uint32_t>(mesh_.positions.size());
+        const std::uint32_t vertex = vertices_.on(smaller, larger, next);
+        if (vertex == next)
+            addVertex(smaller, larger);
+        return vertex;
+    }
+
+    void addVertex(std::uint32_t from, std::uint32_t to)
+    {
+        const Eigen::Vector3f a = mesh_.positions[from];
+        const Eigen::Vector3f b = mesh_.positions[to];
+        const double start = a[plane_.axis];
+        const double part = (plane_.coordinate - start) / (b[plane_.axis] - start);
+        const auto between = [part](float first, float second) {
+            const double found = first + (double(second) - first) * part;
+            // Never beyond the ends, so never beyond a plane that was cut at before.
+            return static_cast<float>(
+                std::clamp(found, double(std::min(first, second)), double(std::max(first, second))));
+        };
+        Eigen::Vector3f position(between(a[0], b[0]), between(a[1], b[1]), between(a[2], b[2]));
+        position[plane_.axis] = plane_.coordinate;
+        const float value = between(mesh_.values[from], mesh_.values[to]);
+        mesh_.positions.push_back(position);
+        mesh_.values.push_back(value);
+    }
+
+    const Plane plane_;
+    TetrahedralMesh& mesh_;
+    EdgeVertices vertices_;
+};
+
+/// Tetrahedra, and for each the number of the one that it is a piece of; pieces of the same follow each other.
+struct Pieces {
+    Buffer<Tetrahedron> tetrahedra;
+    Buffer<std::uint32_t> origins;
+};
+
+/// Leaves those that lie in the box, in order, and takes those out that lie across its border.
+Status takeOutThoseAcross(TetrahedralMesh& mesh, const BoxSides& sides, Pieces& across, const Progress& progress)
+{
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+        if (t % cutAtOnce == 0 && progress.cancelled())
+            return cancelledError(cuttingAtWindow);
+        const Tetrahedron tetrahedron = mesh.tetrahedra[t];
+        const CutPlace place = sides.placeOf(tetrahedron);
+        if (place == CutPlace::Across) {
+            across.tetrahedra.push_back(tetrahedron);
+            across.origins.push_back(static_cast<std::uint32_t>(t));
+        }
+        mesh.tetrahedra[kept] = tetrahedron;
+        kept += place == CutPlace::Inside ? 1 : 0;
+    }
+    mesh.tetrahedra.resize(kept);
+    return {};
+}
+
+Status cutAt(const Plane& plane, TetrahedralMesh& mesh, Pieces& pieces, const Progress& progress)
+{
+    PlaneCut cutter(plane, mesh);
+    const Buffer<Tetrahedron>& tetrahedra = pieces.tetrahedra;
+    Pieces kept;
+    kept.tetrahedra.reserve(tetrahedra.size());
+    kept.origins.reserve(tetrahedra.size());
+    for (std::size_t first = 0; first < tetrahedra.size(); first += cutAtOnce) {
+        const std::size_t end = std::min(first + cutAtOnce, tetrahedra.size());
+        if (progress.cancelled())
+            return cancelledError(cuttingAtWindow);
+        if (mesh.positions.size() + 4 * (end - first) > mostVertices)
+            return Error{ErrorKind::OutOfResource, "The mesh that is cut at the window has more vertices than fit: "
+                                                   "choose a larger error or a smaller window."};
+        progress.report(static_cast<double>(first) / static_cast<double>(tetrahedra.size()), cuttingAtWindow);
+        for (std::size_t t = first; t < end; ++t) {
+            cutter.cut(tetrahedra[t], kept.tetrahedra);
+            kept.origins.resize(kept.tetrahedra.size(), pieces.origins[t]);
+        }
+    }
+    std::swap(pieces, kept);
+    return {};
+}
+
+std::uint64_t countOrigins(const Pieces& pieces)
+{
+    std::uint64_t count = 0;
+    for (std::size_t i = 0; i < pieces.origins.size(); ++i)
+        count += i == 0 || pieces.origins[i] != pieces.origins[i - 1] ? 1 : 0;
+    return count;
+}
+
+/// What is made of them, diagonals and numbers of vertices, is then the same in whatever order the mesh has them, which
+/// depends on the meshes that were extracted before.
+void putInOrder(Pieces& pieces)
+{
+    std::vector<std::pair<Tetrahedron, std::uint32_t>> ordered;
+    ordered.reserve(pieces.tetrahedra.size());
+    for (std::size_t i = 0; i < pieces.tetrahedra.size(); ++i)
+        ordered.emplace_back(pieces.tetrahedra[i], pieces.origins[i]);
+    std::ranges::sort(ordered);
+    for (std::size_t i = 0; i < ordered.size(); ++i)
+        std::tie(pieces.tetrahedra[i], pieces.origins[i]) = ordered[i];
+}
+
+} // namespace
+
+Result<std::uint64_t> cutAtWindow(TetrahedralMesh& mesh, const Box& box, const Progress& progress)
+{
+    const Box window = roundedToFloats(box);
+    Pieces across;
+    if (const Status taken = takeOutThoseAcross(mesh, BoxSides(window, mesh.positions), across, progress); !taken)
+        return taken.error();
+    putInOrder(across);
+    for (int face = 0; face < 6; ++face) {
+        const int axis = face / 2;
+        const bool isLower = face % 2 == 0;
+        const auto coordinate = static_cast<float>(isLower ? window.least[axis] : window.largest[axis]);
+        const Status cut =
+            cutAt({axis, isLower ? 1 : -1, coordinate}, mesh, across, progress.part(face / 6.0, (face + 1) / 6.0));
+        if (!cut)
+            return cut.error();
+    }
+    const std::uint64_t left = mesh.tetrahedra.size() + countOrigins(across);
+    mesh.tetrahedra.insert(mesh.tetrahedra.end(), across.tetrahedra.begin(), across.tetrahedra.end());
+    return left;
+}
+
+namespace {
+
+using Tetrahedron = std::array<std::uint32_t, 4>;
+
+/// Tetrahedra between two looks at whether the work was cancelled.
+constexpr std::size_t filteredAtOnce = 1 << 16;
+constexpr std::string_view choosingCells = "Choosing from the mesh";
+
+/// Keeps those that the test is true of, in order.
+template <class Test> Status keepIf(Buffer<Tetrahedron>& tetrahedra, const Progress& progress, const Test& test)
+{
+    const std::size_t count = tetrahedra.size();
+    std::size_t kept = 0;
+    for (std::size_t first = 0; first < count; first += filteredAtOnce) {
+        if (progress.cancelled())
+            return cancelledError(choosingCells);
+        progress.report(static_cast<double>(first) / static_cast<double>(count), choosingCells);
+        for (std::size_t t = first; t < std::min(first + filteredAtOnce, count); ++t) {
+            const Tetrahedron tetrahedron = tetrahedra[t];
+            tetrahedra[kept] = tetrahedron;
+            kept += test(tetrahedron) ? 1 : 0;
+        }
+    }
+    tetrahedra.resize(kept);
+    return {};
+}
+
+Result<std::uint64_t> keepWindowUnguarded(TetrahedralMesh& mesh, const Window& window, const Progress& progress)
+{
+    if (window.border == WindowBorder::Clipped)
+        return cutAtWindow(mesh, window.box, progress);
+    const BoxSides sides(window.box, mesh.positions);
+    const bool whole = window.border == WindowBorder::Contained;
+    const Status kept = keepIf(mesh.tetrahedra, progress, [&sides, whole](const Tetrahedron& t) {
+        return whole ? sides.placeOf(t) == BoxSides::Place::Inside : sides.meets(t);
+    });
+    if (!kept)
+        return kept.error();
+    return std::uint64_t(mesh.tetrahedra.size());
+}
+
+} // namespace
+
+Status keepValues(TetrahedralMesh& mesh, std::span<const ValueRange> ranges, const Progress& progress)
+{
+    if (ranges.empty())
+        return {};
+    const float* const values = mesh.values.data();
+    return keepIf(mesh.tetrahedra, progress, [ranges, values](const Tetrahedron& t) {
+        return canContain({values[t[0]], values[t[1]], values[t[2]], values[t[3]]}, ranges);
+    });
+}
+
+Result<std::uint64_t> keepWindow(TetrahedralMesh& mesh, const Window& window, const Progress& progress)
+{
+    try {
+        return keepWindowUnguarded(mesh, window, progress);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorKind::OutOfResource,
+                     "Not enough memory to cut a mesh of " + std::to_string(mesh.tetrahedra.size()) +
+                         " tetrahedra at a window. Choose a larger error or a smaller window."};
+    }
+}
+
+void dropUnusedVertices(ExtractedMesh& extracted)
+{
+    constexpr std::uint32_t unused = 0xffffffff;
+    TetrahedralMesh& mesh = extracted.mesh;
+    const std::size_t count = mesh.positions.size();
+    const std::size_t beforeCutting = extracted.sites.size();
+    const auto fillUp = [count](Buffer<std::uint32_t>& numbers) {
+        const std::size_t known = std::min(numbers.size(), count);
+        numbers.resize(count);
+        std::fill(numbers.begin() + static_cast<std::ptrdiff_t>(known), numbers.end(), ExtractedMesh::noSite);
+    };
+    fillUp(extracted.sites);
+    if (!extracted.points.empty())
+        fillUp(extracted.points);
+    std::vector<std::uint32_t> numbers(count, unused);
+    for (const Tetrahedron& tetrahedron : mesh.tetrahedra)
+        for (const std::uint32_t vertex : tetrahedron)
+            numbers[vertex] = 0;
+    std::uint32_t kept = 0;
+    extracted.keptSites = 0;
+    for (std::size_t vertex = 0; vertex < count; ++vertex) {
+        if (numbers[vertex] == unused)
+            continue;
+        extracted.keptSites += vertex < beforeCutting ? 1 : 0;
+        mesh.positions[kept] = mesh.positions[vertex];
+        mesh.values[kept] = mesh.values[vertex];
+        extracted.sites[kept] = extracted.sites[vertex];
+        if (!extracted.points.empty())
+            extracted.points[kept] = extracted.points[vertex];
+        numbers[vertex] = kept++;
+    }
+    mesh.positions.resize(kept);
+    mesh.values.resize(kept);
+    extracted.sites.resize(kept);
+    if (!extracted.points.empty())
+        extracted.points.resize(kept);
+    for (Tetrahedron& tetrahedron : mesh.tetrahedra)
+        for (std::uint32_t& vertex : tetrahedron)
+            vertex = numbers[vertex];
+}
+
+} // namespace tetra

@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/refine/free/scattered_refinement.h"
+
+#include "core/base/rounding.h"
+#include "core/mesh/topology.h"
+#include "core/refine/free/scattered_delaunay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <numeric>
+#include <queue>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace tetra {
+
+namespace {
+
+/// 113 bits: differences of coordinates become exact, and what cancels in thin cells has 60 bits to spare.
+__extension__ using Quadruple = __float128;
+
+template <class Real> Real absolute(Real number)
+{
+    return number < 0 ? -number : number;
+}
+
+/// A number and the sum of its terms' magnitudes, which its rounding error is a few units in the last place of.
+template <class Real> struct Sum {
+    Real value = 0;
+    Real magnitude = 0;
+};
+
+template <class Real> using Vector = std::array<Real, 3>;
+
+template <class Real> Sum<Real> determinant(const Vector<Real>& a, const Vector<Real>& b, const Vector<Real>& c)
+{
+    Sum<Real> sum;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+        const Real first = b[j] * c[k], second = b[k] * c[j];
+        sum.value += a[i] * (first - second);
+        sum.magnitude += absolute(a[i]) * (absolute(first) + absolute(second));
+    }
+    return sum;
+}
+
+/// The error, and how much of it may be rounding. The position's four sub-volumes are weights without a common sign to
+/// cancel, so only what cancels inside each of them matters.
+template <class Real>
+Sum<Real> errorIn(const InterpolatingCell& cell, const Eigen::Vector3d& position, double value, Real epsilon)
+{
+    std::array<Vector<Real>, 4> to;
+    for (std::size_t corner = 0; corner < 4; ++corner)
+        for (int axis = 0; axis < 3; ++axis)
+            to[corner][static_cast<std::size_t>(axis)] =
+                static_cast<Real>(cell.corners[corner][axis]) - static_cast<Real>(position[axis]);
+    Real volume = 0, difference = 0, doubt = 0, largest = 0;
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+        const auto& [a, b, c] = cornersOfFace[corner];
+        const Sum<Real> weight = determinant(to[a], to[b], to[c]);
+        const Real step = static_cast<Real>(cell.values[corner]) - static_cast<Real>(value);
+        volume += weight.value;
+        difference += weight.value * step;
+        doubt += weight.magnitude;
+        largest = std::max(largest, absolute(step));
+    }
+    constexpr int roundings = 16;
+    const Real size = absolute(volume);
+    return {absolute(difference) / size, roundings * epsilon * doubt / size * 2 * largest};
+}
+
+double trusted(double error, double doubt)
+{
+    return error > doubt ? error : 0;
+}
+
+} // namespace
+
+double interpolationError(const InterpolatingCell& cell, const Eigen::Vector3d& position, double value)
+{
+    constexpr double tolerance = 1e-13;
+    double largest = 0;
+    for (const double corner : cell.values)
+        largest = std::max(largest, std::abs(corner - value));
+    if (largest == 0)
+        return 0;
+    const Sum<double> quick = errorIn<double>(cell, position, value, 0x1p-53);
+    if (quick.magnitude <= tolerance * largest)
+        return trusted(quick.value, quick.magnitude);
+    const Sum<Quadruple> exact = errorIn<Quadruple>(cell, position, value, static_cast<Quadruple>(0x1p-113));
+    return trusted(static_cast<double>(exact.value), static_cast<double>(exact.magnitude));
+}
+
+namespace {
+
+constexpr std::uint32_t noCell = ScatteredDelaunay::none;
+
+/// What is kept of a cell of the mesh.
+struct CellState {
+    std::uint32_t history = 0;             ///< its number in the history
+    std::array<std::uint32_t, 4> points{}; ///< its corners
+    std::vector<std::uint32_t> inside;     ///< points in it that are no sites
+    std::uint32_t worst = noCell;          ///< that of the largest error, the first of them; none: no point has one
+    float error = 0;                       ///< its error, never rounded down
+};
+
+/// The worst point of a cell when it was made; outdated if the slot's cell is another one now.
+struct Candidate {
+    float error;
+    std::uint32_t point;
+    std::uint32_t slot;
+    bool operator<(const Candidate& other) const { return std::tie(error, other.point) < std::tie(other.error, point); }
+};
+
+class Refinement {
+public:
+    Refinement(const ScatteredPoints& points, double stopError, HistorySink& sink)
+        : points_(points), stopError_(stopError), sink_(sink), delaunay_(points.positions),
+          siteOfPoint_(points.positions.size(), noCell)
+    {
+    }
+
+    Result<ScatteredRefinementResult> run(const Progress& progress);
+
+private:
+    Status start(const Progress& progress);
+    Status distribute(const Progress& progress);
+    Status addHull();
+    Status insertWorst(Candidate candidate);
+    void dropOutdated();
+    void addInside(std::uint32_t slot, std::uint32_t point);
+    void closeCell(std::uint32_t slot);
+    bool counts(float error) const { return static_cast<double>(error) > stopError_; }
+
+    const ScatteredPoints& points_;
+    double stopError_;
+    HistorySink& sink_;
+    ScatteredDelaunay delaunay_;
+    std::vector<CellState> cells_; ///< by slot
+    std::vector<std::uint32_t> siteOfPoint_;
+    std::priority_queue<Candidate> queue_;
+    std::uint64_t pointsAboveStop_ = 0; ///< points in cells that must still be refined: what is left to do
+    std::uint32_t siteCount_ = 0;
+    std::uint64_t tetrahedronCount_ = 0;
+
+    std::vector<std::uint32_t> moved_;
+    std::vector<std::uint32_t> destroyedHistory_;
+    std::vector<HistoryTetrahedron> star_;
+};
+
+/// An error if two points lie on one place: only one of them could be a site.
+Status checkDistinct(std::span<const Eigen::Vector3d> positions)
+{
+    std::vector<std::uint32_t> order(positions.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto key = [&](std::uint32_t point) {
+        const Eigen::Vector3d& p = positions[point];
+        return std::tuple(p[0], p[1], p[2]);
+    };
+    std::ranges::sort(order, {}, key);
+    const auto same = std::ranges::adjacent_find(order, {}, key);
+    if (same == order.end())
+        return {};
+    return Error{ErrorKind::BadInput, "Points " + std::to_string(std::min(same[0], same[1])) + " and " +
+                                          std::to_string(std::max(same[0], same[1])) +
+                                          " (counted from 0) lie on the same place. Merge such points first."};
+}
+
+void Refinement::addInside(std::uint32_t slot, std::uint32_t point)
+{
+    CellState& cell = cells_[slot];
+    InterpolatingCell geometry;
+    for (std::size_t i = 0; i < 4; ++i) {
+        geometry.corners[i] = points_.positions[cell.points[i]];
+        geometry.values[i] = points_.values[cell.points[i]];
+    }
+    double exact = interpolationError(geometry, points_.positions[point], points_.values[point]);
+    if (!points_.weights.empty())
+        exact *= static_cast<double>(points_.weights[point]);
+    const float error = roundedUp(exact);
+    cell.inside.push_back(point);
+    if (error > cell.error || (error > 0 && error == cell.error && point < cell.worst)) {
+        cell.error = error;
+        cell.worst = point;
+    }
+}
+
+/// All points of the cell are in it.
+void Refinement::closeCell(std::uint32_t slot)
+{
+    const CellState& cell = cells_[slot];
+    if (cell.worst == noCell)
+        return;
+    queue_.push({cell.error, cell.worst, slot});
+    if (counts(cell.error))
+        pointsAboveStop_ += cell.inside.size();
+}
+
+Status Refinement::start(const Progress& progress)
+{
+    progress.report(0, "Finding the convex hull");
+    if (Status status = checkDistinct(points_.positions); !status)
+        return status;
+    if (progress.cancelled())
+        return cancelledError("The refinement");
+    if (Status status = delaunay_.start(); !status)
+        return status;
+    for (const ScatteredDelaunay::Cell& cell : delaunay_.created()) {
+        cells_.resize(std::max<std::size_t>(cells_.size(), cell.slot + 1));
+        cells_[cell.slot].points = cell.points;
+        for (const std::uint32_t point : cell.points)
+            siteOfPoint_[point] = 0; // numbered below
+    }
+    if (Status status = distribute(progress); !status)
+        return status;
+    return addHull();
+}
+
+Status Refinement::distribute(const Progress& progress)
+{
+    constexpr std::uint32_t pointsBetweenReports = 16384;
+    std::uint32_t slot = delaunay_.created().front().slot;
+    for (std::uint32_t point = 0; point < points_.positions.size(); ++point) {
+        if (point % pointsBetweenReports == 0) {
+            if (progress.cancelled())
+                return cancelledError("The refinement");
+            progress.report(0, "Distributing the points");
+        }
+        if (siteOfPoint_[point] != noCell)
+            continue;
+        const std::uint32_t found = delaunay_.locate(point, slot);
+        if (found == noCell)
+            return Error{ErrorKind::BadInput, "Point " + std::to_string(point) +
+                                                  " lies outside the convex hull that was computed. Coordinates of so "
+                                                  "different magnitudes cannot be used; scale them."};
+        slot = found;
+        addInside(slot, point);
+    }
+    for (const ScatteredDelaunay::Cell& cell : delaunay_.created())
+        closeCell(cell.slot);
+    return {};
+}
+
+/// Hands the corners of the hull to the sink, each cell with the latest of its corners.
+Status Refinement::addHull()
+{
+    std::vector<std::uint32_t> corners;
+    for (std::uint32_t point = 0; point < siteOfPoint_.size(); ++point)
+        if (siteOfPoint_[point] != noCell) {
+            siteOfPoint_[point] = static_cast<std::uint32_t>(corners.size());
+            corners.push_back(point);
+        }
+    std::vector<std::vector<std::uint32_t>> slotsOfLatest(corners.size());
+    const auto siteOf = [this](std::uint32_t point) { return siteOfPoint_[point]; };
+    for (const ScatteredDelaunay::Cell& cell : delaunay_.created())
+        slotsOfLatest[siteOf(*std::ranges::max_element(cell.points, {}, siteOf))].push_back(cell.slot);
+    for (const std::uint32_t point : corners) {
+        star_.clear();
+        for (const std::uint32_t slot : slotsOfLatest[siteCount_]) {
+            CellState& cell = cells_[slot];
+            const auto latest = static_cast<std::size_t>(std::ranges::find(cell.points, point) - cell.points.begin());
+            const auto& [a, b, c] = cornersOfFace[latest];
+            star_.push_back({{siteOf(cell.points[a]), siteOf(cell.points[b]), siteOf(cell.points[c])}, cell.error});
+            cell.history = static_cast<std::uint32_t>(tetrahedronCount_++);
+        }
+        if (Status status = sink_.add({point, std::numeric_limits<float>::infinity(), star_, {}}); !status)
+            return status;
+        ++siteCount_;
+    }
+    return {};
+}
+
+Status Refinement::insertWorst(Candidate candidate)
+{
+    delaunay_.insert(candidate.point, candidate.slot);
+    siteOfPoint_[candidate.point] = siteCount_;
+    moved_.clear();
+    destroyedHistory_.clear();
+    for (const std::uint32_t slot : delaunay_.destroyed()) {
+        CellState& cell = cells_[slot];
+        destroyedHistory_.push_back(cell.history);
+        moved_.insert(moved_.end(), cell.inside.begin(), cell.inside.end());
+        if (cell.worst != noCell && counts(cell.error))
+            pointsAboveStop_ -= cell.inside.size();
+        cell = {};
+    }
+    for (const ScatteredDelaunay::Cell& created : delaunay_.created()) {
+        cells_.resize(std::max<std::size_t>(cells_.size(), created.slot + 1));
+        cells_[created.slot].points = created.points;
+    }
+    std::uint32_t slot = delaunay_.created().front().slot;
+    for (const std::uint32_t point : moved_)
+        if (point != candidate.point) {
+            slot = delaunay_.locateInStar(point, slot);
+            addInside(slot, point);
+        }
+    star_.clear();
+    for (const ScatteredDelaunay::Cell& created : delaunay_.created()) {
+        closeCell(created.slot);
+        CellState& cell = cells_[created.slot];
+        cell.history = static_cast<std::uint32_t>(tetrahedronCount_++);
+        star_.push_back(
+            {{siteOfPoint_[cell.points[1]], siteOfPoint_[cell.points[2]], siteOfPoint_[cell.points[3]]}, cell.error});
+    }
+    ++siteCount_;
+    return sink_.add({candidate.point, candidate.error, star_, destroyedHistory_});
+}
+
+void Refinement::dropOutdated()
+{
+    const auto outdated = [this](const Candidate& candidate) {
+        const CellState& cell = cells_[candidate.slot];
+        return cell.worst != candidate.point || cell.error != candidate.error;
+    };
+    while (!queue_.empty() && outdated(queue_.top()))
+        queue_.pop();
+}
+
+Result<ScatteredRefinementResult> Refinement::run(const Progress& progress)
+{
+    if (Status status = start(progress); !status)
+        return status.error();
+    const std::uint64_t pointsAtStart = std::max<std::uint64_t>(pointsAboveStop_, 1);
+    constexpr std::uint64_t workBetweenReports = 1u << 16;
+    std::uint64_t work = 0;
+    for (;;) {
+        dropOutdated();
+        const float error = queue_.empty() ? 0.0f : queue_.top().error;
+        if (!counts(error)) {
+            if (Status status = sink_.finish(error); !status)
+                return status.error();
+            return ScatteredRefinementResult{siteCount_, tetrahedronCount_, error};
+        }
+        if (tetrahedronCount_ > std::numeric_limits<std::uint32_t>::max() - (1u << 20))
+            return Error{ErrorKind::OutOfResource,
+                         "The history has more than 4 billion tetrahedra. Ask for a larger error."};
+        const Candidate worst = queue_.top();
+        queue_.pop();
+        if (Status status = insertWorst(worst); !status)
+            return status.error();
+        work += 50 + moved_.size();
+        if (work < workBetweenReports)
+            continue;
+        work = 0;
+        if (progress.cancelled())
+            return cancelledError("The refinement");
+        progress.report(1 - static_cast<double>(pointsAboveStop_) / static_cast<double>(pointsAtStart), "Refining");
+    }
+}
+
+} // namespace
+
+Result<ScatteredRefinementResult> refineScattered(const ScatteredPoints& points, double stopError, HistorySink& sink,
+                                                  const Progress& progress)
+{
+    if (points.positions.size() >= noCell)
+        return Error{ErrorKind::OutOfResource, "At most 4294967294 scattered points can be refined. Take a part."};
+    try {
+        return Refinement(points, stopError, sink).run(progress);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorKind::OutOfResource, "Not enough memory to refine these points. Close other programs, use a "
+                                               "machine with more memory, or take a part of the points."};
+    }
+}
+
+} // namespace tetra

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/mesh/history.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace tetra {
+
+/// A tetrahedron that interpolates linearly.
+struct InterpolatingCell {
+    std::array<Eigen::Vector3d, 4> corners;
+    std::array<double, 4> values;
+};
+
+/// |value - interpolation| at a position that lies in the cell, however thin the cell is: right to 1e-13 of the largest
+/// difference between `value` and the cell's values. What rounding alone would explain is 0.
+double interpolationError(const InterpolatingCell& cell, const Eigen::Vector3d& position, double value);
+
+/// Points anywhere in space, no two on one place, each with a value. Owns nothing.
+struct ScatteredPoints {
+    std::span<const Eigen::Vector3d> positions; ///< finite
+    std::span<const double> values;             ///< finite, one for each position
+    std::span<const float> weights;             ///< that errors are multiplied by (R6), in (0, 1]; empty: all are 1
+};
+
+struct ScatteredRefinementResult {
+    std::uint32_t sites = 0;
+    std::uint64_t tetrahedra = 0; ///< all that ever lived
+    float finalError = 0;
+};
+
+/// Greedy refinement of scattered points (R1, 3.1, R8): starting from the corners of their convex hull, inserts the
+/// point of the largest error until no point's error exceeds `stopError`, in units of the values. Ties go to the first
+/// point. The history goes to `sink` while it is made, then sink.finish(). One thread; about 700 bytes a site and 150 a
+/// point. Errors: fewer than four points, all of them on a line or in a plane, two on one place, refused memory, the
+/// sink's, cancelled.
+Result<ScatteredRefinementResult> refineScattered(const ScatteredPoints& points, double stopError, HistorySink& sink,
+                                                  const Progress& progress = {});
+
+} // namespace tetra

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/mesh/history.h"
+#include "core/refine/lattice/error_queue.h"
+#include "core/refine/lattice/lattice_delaunay.h"
+#include "core/refine/lattice/lattice_samples.h"
+#include "core/refine/lattice/packed_lattice.h"
+#include "core/refine/lattice/point_pool.h"
+#include "core/refine/lattice/relocation.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace tetra {
+
+struct LatticeRefinementOptions {
+    std::array<std::uint32_t, 3> size{2, 2, 2}; ///< points along each axis, at least two
+    Eigen::Vector3d spacing{1, 1, 1};           ///< the Delaunay criterion holds in physical space
+    double valueExtent = 1;                     ///< largest minus smallest value; only the speed depends on it
+    double stopError = 0;                       ///< stop at the first mesh with no larger error, in units of the values
+};
+
+struct LatticeRefinementResult {
+    std::uint32_t sites = 0;
+    std::uint64_t tetrahedra = 0; ///< all that ever lived
+    float finalError = 0;
+};
+
+/// Greedy refinement of a regular lattice (3.1, R8): starting from the eight corners, inserts the point of the largest
+/// error until no point's error exceeds the stop. Ties go to the first point of the lattice, so the history depends on
+/// nothing but the data. The history goes to `sink` while it is made, then sink.finish(). One thread; about 500 bytes a
+/// site. Errors: too large a lattice, refused memory, the sink's, cancelled.
+Result<LatticeRefinementResult> refineLattice(const LatticeRefinementOptions& options, const LatticeSamples& samples,
+                                              HistorySink& sink, const Progress& progress = {});
+
+/// One box of a lattice, to be refined by itself.
+struct LatticeBoxOptions {
+    std::array<std::uint32_t, 3> latticeSize{2, 2, 2}; ///< points along each axis of the whole lattice
+    LatticeBox box;                                    ///< at least two points along each axis
+    /// The same for all boxes that share faces: latticeMetric() of the largest of them.
+    LatticeMetric metric{1, 1, 1};
+    /// Which diagonals the start has on the box's faces; must alternate from box to box along each axis.
+    bool centreAtOrigin = true;
+    double valueExtent = 1; ///< of the whole lattice; only the speed depends on it
+    double stopError = 0;   ///< in units of the values
+};
+
+/// Refines boxes one after another in the same memory, each as refineLattice() does. Boxes that share a face have the
+/// same sites on it, each with the same running key, and the same triangles at every running key (R10, S3): which face
+/// point is next depends on the face alone, because a point's error is the same float in every box and tetrahedron that
+/// holds it, and equal errors go to the first point of the lattice. An object belongs to one thread; several work on
+/// one lattice at once. Memory as for the largest box so far.
+class LatticeRefiner {
+public:
+    LatticeRefiner();
+    ~LatticeRefiner();
+    LatticeRefiner(LatticeRefiner&&) noexcept;
+    LatticeRefiner& operator=(LatticeRefiner&&) noexcept;
+
+    /// `samples` are those of the whole lattice; of them only the box is read. HistoryStep::point counts in the whole
+    /// lattice, sites and tetrahedra are numbered in the box. Errors: as refineLattice(), and a box that sticks out.
+    Result<LatticeRefinementResult> refine(const LatticeBoxOptions& options, const LatticeSamples& samples,
+                                           HistorySink& sink, const Progress& progress = {});
+
+private:
+    class State;
+    std::unique_ptr<State> state_;
+};
+
+/// The work behind LatticeRefiner, box after box in the same memory: the mesh, the buckets of points inside its
+/// tetrahedra, and the queue of their errors. One thread. Allocations throw std::bad_alloc.
+class BoxRefinement {
+public:
+    /// `samples` are those of the box alone. After an error the next run starts afresh.
+    Result<LatticeRefinementResult> run(const LatticeBoxOptions& options, const LatticeSamples& samples,
+                                        HistorySink& sink, const Progress& progress);
+
+private:
+    static constexpr std::uint32_t none = 0xffffffff;
+    /// What is kept for each slot besides its geometry.
+    struct SlotState {
+        std::uint32_t history; ///< its tetrahedron's number in the history
+        std::uint32_t bucket;  ///< none if no point is inside
+    };
+
+    Status start();
+    Status distributeStart();
+    Status addCorners();
+    Result<LatticeRefinementResult> refine(const Progress& progress);
+    Status insertWorst(PointBucket worst);
+    void fetchAhead() const;
+    void collectDestroyed(PackedPoint apex);
+    void fillBuckets(std::span<const std::uint32_t> slots);
+    std::uint32_t takeBucketNumber();
+    std::span<const PointBucket> buckets() const { return {buckets_.data(), bucketCount_}; }
+    bool counts(float error) const { return error > options_.stopError; }
+    std::uint64_t wholeIndex(PackedPoint point) const;
+
+    LatticeBoxOptions options_;
+    const LatticeSamples* samples_ = nullptr;
+    HistorySink* sink_ = nullptr;
+    PackedLattice lattice_{{2, 2, 2}};
+    LatticeDelaunay delaunay_;
+    PointPool pool_;
+    ReservedArray<PointBucket> buckets_;
+    std::uint32_t bucketCount_ = 0; ///< in use or once used
+    std::vector<std::uint32_t> freeBuckets_;
+    ErrorQueue queue_;
+    ReservedArray<SlotState> slots_;
+    Star startStar_;
+    Relocation relocation_;
+    std::uint64_t pointsAboveStop_ = 0; ///< points in tetrahedra that must still be refined: what is left to do
+    std::uint32_t siteCount_ = 0;
+    std::uint64_t tetrahedronCount_ = 0;
+
+    Buffer<PackedPoint> points_;
+    Buffer<std::uint32_t> filledFaces_;
+    Buffer<std::uint32_t> places_;
+    std::vector<std::uint32_t> destroyedHistory_;
+    std::vector<std::uint32_t> destroyedBuckets_;
+    std::vector<HistoryTetrahedron> starHistory_;
+    std::array<float, LatticeDelaunay::startCount> startErrors_{};
+};
+
+} // namespace tetra

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/cpu/cpu_backend.h"
+
+#include "core/render/cpu/draw_list.h"
+#include "core/render/cpu/tile_bins.h"
+#include "core/render/cpu/tile_painter.h"
+#include "core/render/picture.h"
+#include "core/render/render_backend.h"
+#include "core/render/scene_check.h"
+#include "core/render/tiles.h"
+#include "core/render/volume/projected_volume.h"
+#include "core/render/volume/tile_picture.h"
+#include "core/render/volume/volume_mesh.h"
+#include "core/render/volume/volume_renderer.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <optional>
+
+namespace tetra {
+
+std::vector<SampleRectangle> picturePartsOf(int width, int height, int tileSide)
+{
+    const int side = largestPartSide / tileSide * tileSide;
+    std::vector<SampleRectangle> parts;
+    for (int top = 0; top < height; top += side)
+        for (int left = 0; left < width; left += side)
+            parts.push_back({left, top, std::min(left + side, width), std::min(top + side, height)});
+    return parts;
+}
+
+namespace {
+
+constexpr std::string_view drawingParts = "Drawing the picture";
+
+class Stopwatch {
+public:
+    /// Seconds since it was made or asked last.
+    double lap()
+    {
+        const auto now = std::chrono::steady_clock::now();
+        const std::chrono::duration<double> passed = now - last_;
+        last_ = now;
+        return passed.count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+PremultipliedColour backgroundOf(const PictureOptions& options)
+{
+    if (options.transparentBackground)
+        return {0, 0, 0, 0};
+    return {options.background.red, options.background.green, options.background.blue, 1};
+}
+
+/// The fine volume of a focus, ready to be drawn.
+struct ProjectedFocus {
+    ProjectedVolume volume;
+    SetupSource source;
+    FocusRays rays;
+};
+
+/// A part of a scene made ready to be drawn.
+struct ProjectedPart {
+    DrawList list;
+    TileBins bins;
+    ClipBounds clips;
+    std::optional<ProjectedVolume> volume;
+    SetupSource source; ///< of the volume
+    std::optional<ProjectedFocus> focus;
+};
+
+/// Draws tiles on one thread.
+class PartPainter {
+public:
+    PartPainter(const ProjectedPart& part, const Scene& scene, const PartView& view, const PictureOptions& options)
+        : part_(part), scene_(scene), view_(view), options_(options), surfaces_(part.list, view.surfaces, part.clips)
+    {
+        if (part.volume)
+            volume_.emplace(part.source, view.volume);
+        surroundings_.splitCells = scene.hybridOrder == HybridOrder::Exact;
+        surroundings_.depth = options.depth;
+        surroundings_.clips = part.clips.empty() ? nullptr : &part.clips;
+    }
+
+    void paint(const SampleRectangle& tile, std::size_t number, const Progress& progress, Picture& picture)
+    {
+        const auto triangles = part_.bins.trianglesOf(number);
+        const bool cells = hasCells(number);
+        if (cells || !triangles.empty())
+            surfaces_.draw(tile, triangles);
+        if (cells)
+            paintBoth(tile, number, triangles.empty(), progress);
+        else
+            paintSurfaces(tile, triangles.empty());
+        const int samples = options_.samplesPerAxis;
+        const int left = (view_.part.left + tile.left) / samples, top = (view_.part.top + tile.top) / samples;
+        resolve(colours_, tile.width(), samples, left, top, picture);
+        if (options_.depth)
+            resolveDepth(depth_, tile.width(), samples, left, top, picture);
+    }
+
+    std::size_t cells() const noexcept { return cells_; }
+    std::size_t fragments() const noexcept { return fragments_; }
+
+private:
+    void paintSurfaces(const SampleRectangle& tile, bool nothing)
+    {
+        if (nothing) {
+            const auto samples = static_cast<std::size_t>(tile.width()) * static_cast<std::size_t>(tile.height());
+            colours_.assign(samples, backgroundOf(options_));
+            depth_.assign(options_.depth ? samples : 0, std::numeric_limits<float>::infinity());
+            return;
+        }
+        const auto colours = surfaces_.colours(backgroundOf(options_));
+        colours_.assign(colours.begin(), colours.end());
+        depth_.clear();
+        if (options_.depth)
+            for (const float nearness : surfaces_.halfNearness())
+                depth_.push_back(distanceOf(nearness));
+        fragments_ += surfaces_.fragmentCount();
+    }
+
+    bool hasCells(std::size_t tile) const
+    {
+        return part_.volume && (!part_.volume->bins.cellsOf(tile).empty() ||
+                                (part_.focus && !part_.focus->volume.bins.cellsOf(tile).empty()));
+    }
+
+    void paintBoth(const SampleRectangle& tile, std::size_t number, bool noSurfaces, const Progress& progress)
+    {
+        TileSurroundings surroundings = surroundings_;
+        FocusTile focus;
+        if (part_.focus) {
+            focus = {&part_.focus->rays, &part_.focus->source, part_.focus->volume.bins.cellsOf(number),
+                     scene_.volume->mesh->mesh->positions, scene_.focus->fine.mesh->mesh->positions};
+            surroundings.focus = &focus;
+        }
+        if (!noSurfaces) {
+            const SurfaceFragments& fragments = surfaces_.fragments();
+            surroundings.surfaces = fragments.empty ? nullptr : &fragments;
+            fragments_ += surfaces_.fragmentCount();
+        }
+        const DrawnTile drawn = volume_->paint(tile, part_.volume->bins.cellsOf(number), surroundings, progress);
+        cells_ += drawn.cells;
+        fragments_ += drawn.fragments;
+        colours_.assign(drawn.colours.begin(), drawn.colours.end());
+        depth_.assign(drawn.depth.begin(), drawn.depth.end());
+        const PremultipliedColour background = backgroundOf(options_);
+        for (PremultipliedColour& colour : colours_) {
+            const float light = 1 - colour[3];
+            for (std::size_t channel = 0; channel < colour.size(); ++channel)
+                colour[channel] += light * background[channel];
+        }
+    }
+
+    float distanceOf(float nearness) const
+    {
+        if (nearness == TilePainter::neverHalf)
+            return std::numeric_limits<float>::infinity();
+        const double w = view_.volume.perspective ? 1.0 / nearness : -nearness;
+        return static_cast<float>(w * view_.volume.unit);
+    }
+
+    const ProjectedPart& part_;
+    const Scene& scene_;
+    const PartView& view_;
+    const PictureOptions& options_;
+    TileSurroundings surroundings_;
+    TilePainter surfaces_;
+    std::optional<VolumeTilePainter> volume_;
+    std::vector<PremultipliedColour> colours_; ///< of one tile, like `depth_`
+    std::vector<float> depth_;
+    std::size_t cells_ = 0;
+    std::size_t fragments_ = 0;
+};
+
+} // namespace
+
+int tileSideFor(int samplesPerAxis)
+{
+    return volumeTileSide / samplesPerAxis * samplesPerAxis;
+}
+
+Status drawPart(const Scene& scene, const PartView& view, const VolumeOrders& orders, const PictureOptions& options,
+                const Progress& progress, Picture& picture, RenderStatistics& statistics)
+{
+    Stopwatch watch;
+    progress.report(0, drawingParts);
+    const TileGrid grid{view.part.width(), view.part.height(), tileSideFor(options.samplesPerAxis)};
+    Result<DrawList> list = makeDrawList(scene, view.surfaces, options.samplesPerAxis,
+                                         hasVolume(scene) ? SamplePlaces::Rays : SamplePlaces::Middle, progress);
+    if (!list)
+        return list.error();
+    if (progress.cancelled())
+        return cancelledError(drawingParts);
+    TileBins bins(*list, grid);
+    ProjectedPart part{std::move(list).value(), std::move(bins), ClipBounds(scene.clipPlanes, view.volume), {}, {}, {}};
+    if (hasVolume(scene)) {
+        const Volume& volume = *scene.volume;
+        part.volume = projectVolume(*volume.mesh, *volume.transfer, orders.volume, view.volume, grid, progress);
+        part.source = setupSourceOf(*volume.mesh, *volume.transfer, *part.volume, view.volume, volume.shaded);
+    }
+    if (hasFocus(scene)) {
+        const Volume& fine = scene.focus->fine;
+        part.focus.emplace(ProjectedFocus{
+            projectVolume(*fine.mesh, *fine.transfer, orders.fine, view.volume, grid, progress),
+            {},
+            FocusRays(*scene.focus, view.volume),
+        });
+        part.focus->source = setupSourceOf(*fine.mesh, *fine.transfer, part.focus->volume, view.volume, fine.shaded);
+    }
+    if (progress.cancelled())
+        return cancelledError(drawingParts);
+    statistics.setUpSeconds += watch.lap();
+
+    TileProgress done(progress.part(0.2, 1), grid.count(), drawingParts);
+    tbb::enumerable_thread_specific<PartPainter> painters([&] { return PartPainter(part, scene, view, options); });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grid.count(), 1), [&](const auto& range) {
+        PartPainter& painter = painters.local();
+        for (std::size_t tile = range.begin(); tile != range.end() && !progress.cancelled(); ++tile) {
+            painter.paint(grid.tile(tile), tile, progress, picture);
+            done.tileDone();
+        }
+    });
+    if (progress.cancelled())
+        return cancelledError(drawingParts);
+    for (const PartPainter& painter : painters) {
+        statistics.cells += painter.cells();
+        statistics.fragments += painter.fragments();
+    }
+    statistics.fillSeconds += watch.lap();
+    return {};
+}
+
+namespace {
+
+/// Fills a new vector, unless cancelled: gigabytes take seconds.
+template <class Value> void fill(std::vector<Value>& values, std::size_t count, const Progress& progress)
+{
+    constexpr std::size_t atOnce = 1 << 22;
+    values.reserve(count);
+    while (values.size() < count && !progress.cancelled())
+        values.resize(std::min(count, values.size() + atOnce));
+}
+
+Picture emptyPicture(const PictureOptions& options, const Progress& progress)
+{
+    Picture picture{options.width, options.height, {}};
+    const auto pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
+    fill(picture.pixels, pixels, progress);
+    fill(picture.depth, options.depth ? pixels : 0, progress);
+    return picture;
+}
+
+class CpuBackend final : public RenderBackend {
+public:
+    std::string_view id() const noexcept override { return "cpu"; }
+
+    RenderStatistics statistics() const override { return statistics_; }
+
+    Result<Picture> render(const Scene& scene, const Camera& camera, const PictureOptions& options,
+                           const Progress& progress) override
+    {
+        if (Status status = checkOptions(options); !status)
+            return status.error();
+        if (hasVolume(scene) && !belongTogether(*scene.volume->mesh, *scene.volume->transfer, {}))
+            return Error{ErrorKind::WrongUsage, "The scene's volume and its transfer function do not belong together."};
+        if (hasFocus(scene) && !belongTogether(*scene.focus->fine.mesh, *scene.focus->fine.transfer, {}))
+            return Error{ErrorKind::WrongUsage, "The focus' volume and its transfer function do not belong together."};
+        return onThreads(options.threads, [&] { return draw(scene, camera, options, progress); });
+    }
+
+private:
+    Result<Picture> draw(const Scene& scene, const Camera& camera, const PictureOptions& options,
+                         const Progress& progress)
+    {
+        const int samples = options.samplesPerAxis;
+        const int width = options.width * samples, height = options.height * samples;
+        const Eigen::AlignedBox3d bounds = drawnBounds(scene);
+        const ViewTransform transform = makeViewTransform(camera, width, height, bounds);
+        const VolumeView view = makeVolumeView(camera, width, height, bounds);
+        const std::vector<SampleRectangle> parts = picturePartsOf(width, height, tileSideFor(samples));
+        Picture picture = emptyPicture(options, progress);
+        if (progress.cancelled())
+            return cancelledError("Drawing the picture");
+        RenderStatistics statistics;
+        statistics.orderReused = hasVolume(scene); // until a part needs a new one
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const auto share = [&](double part) { return (static_cast<double>(i) + part) / double(parts.size()); };
+            const KeptOrder::Request request{nullptr, camera, view, parts[i], options.orderTolerance};
+            if (Status status = orderCells(scene, request, progress.part(share(0), share(0.1)), statistics); !status)
+                return status.error();
+            const PartView part{parts[i], partOf(transform, parts[i]), partOf(view, parts[i])};
+            const Progress drawing = progress.part(share(hasVolume(scene) ? 0.1 : 0), share(1));
+            Status status =
+                drawPart(scene, part, {order_.cells(), fineOrder_.cells()}, options, drawing, picture, statistics);
+            if (!status)
+                return status.error();
+        }
+        statistics_ = statistics;
+        return picture;
+    }
+
+    Status orderCells(const Scene& scene, KeptOrder::Request request, const Progress& progress,
+                      RenderStatistics& statistics)
+    {
+        const auto start = std::chrono::steady_clock::now();
+        Status status;
+        if (hasVolume(scene)) {
+            request.mesh = scene.volume->mesh;
+            status = order_.prepare(request, progress);
+            statistics.orderReused = statistics.orderReused && order_.reused();
+            statistics.brokenCycles = std::max(statistics.brokenCycles, order_.brokenCycles());
+        }
+        if (status && hasFocus(scene)) {
+            request.mesh = scene.focus->fine.mesh;
+            status = fineOrder_.prepare(request, progress);
+            statistics.orderReused = statistics.orderReused && fineOrder_.reused();
+            statistics.brokenCycles = std::max(statistics.brokenCycles, fineOrder_.brokenCycles());
+        }
+        statistics.orderSeconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return status;
+    }
+
+    KeptOrder order_;
+    KeptOrder fineOrder_;
+    RenderStatistics statistics_;
+};
+
+} // namespace
+
+std::unique_ptr<RenderBackend> makeCpuBackend()
+{
+    return std::make_unique<CpuBackend>();
+}
+
+} // namespace tetra

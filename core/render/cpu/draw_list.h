@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/buffer.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/render/scene.h"
+#include "core/render/view_transform.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace tetra {
+
+/// A corner before the division by w.
+struct ClipVertex {
+    Eigen::Vector4d position{0, 0, 0, 1};
+    Eigen::Vector3f normal{0, 0, 1};
+    Eigen::Vector3f colour{0, 0, 0}; ///< red, green, blue; where vertices have colours
+};
+
+/// How far beyond the picture's edge a corner may lie, in units of half the picture, before its triangle is cut: far
+/// enough that few are, near enough for 32-bit coordinates.
+inline constexpr double guardBand = 3;
+
+/// On which sides of the view a corner lies outside, as bits.
+namespace outside {
+inline constexpr std::uint8_t left = 1;
+inline constexpr std::uint8_t right = 2;
+inline constexpr std::uint8_t below = 4;
+inline constexpr std::uint8_t above = 8;
+inline constexpr std::uint8_t near = 16;
+inline constexpr std::uint8_t guard = 32;
+inline constexpr std::uint8_t notFinite = 64;
+/// Sides such that a triangle wholly beyond one of them is invisible.
+inline constexpr std::uint8_t view = left | right | below | above | near;
+/// What calls for cutting.
+inline constexpr std::uint8_t cut = near | guard;
+} // namespace outside
+
+std::uint8_t outsideBits(const Eigen::Vector4d& position) noexcept;
+
+/// A convex polygon with as many corners as a triangle can get from five cuts.
+struct ClippedPolygon {
+    std::array<ClipVertex, 8> corners;
+    std::size_t count = 0;
+};
+
+/// The part of a triangle behind the near plane and inside the guard band. Triangles that share an edge get the same
+/// new corners on it, bit for bit.
+ClippedPolygon clipTriangle(const std::array<ClipVertex, 3>& triangle);
+
+/// Samples are divided into this many steps an axis; corners are rounded to them or coarser, so that the tests of the
+/// rasteriser are exact integers.
+inline constexpr int subsampleBits = 11;
+inline constexpr int subsampleSteps = 1 << subsampleBits;
+
+/// A corner in the picture.
+struct ScreenVertex {
+    std::int32_t x = 0; ///< in steps of 1 / subsampleSteps sample from the picture's left ...
+    std::int32_t y = 0; ///< ... and upper edge
+    float nearness = 0; ///< larger is nearer, affine in the picture: q of ViewTransform
+    float weight = 1;   ///< 1 / w: attributes times weight are affine in the picture
+    Eigen::Vector3f normal{0, 0, 1};
+};
+
+struct Material {
+    Colour colour;
+    float opacity = 1;
+    bool surface = true;   ///< lit and clipped; else a line
+    bool coloured = false; ///< at each vertex by itself
+};
+
+struct ScreenTriangle {
+    std::array<std::uint32_t, 3> vertices;
+    std::uint32_t material;
+};
+
+/// A scene projected into a picture: all that the tiles need. Triangles are in the order of the scene; those outside
+/// the view or turned away from it as the surface does not want are left out, those that reach behind the eye or far
+/// beyond the picture are cut.
+struct DrawList {
+    Buffer<ScreenVertex> vertices;
+    Buffer<Colour> colours; ///< of vertices whose material is coloured, at their places; may end before them
+    Buffer<ScreenTriangle> triangles;
+    std::vector<Material> materials;
+};
+
+/// Where surfaces are looked at, and how exactly.
+enum class SamplePlaces {
+    /// In the middle of their squares, corners rounded to 1/256 sample: as OpenGL does.
+    Middle,
+    /// At sampleX and sampleY, corners rounded to 1/2048 sample: where the rays through a volume are.
+    Rays,
+};
+
+/// O(vertices + triangles), on all threads of the current arena. Incomplete if cancelled. Errors: a scene whose indices
+/// lead nowhere. May throw std::bad_alloc.
+Result<DrawList> makeDrawList(const Scene& scene, const ViewTransform& transform, double samplesPerPixelAxis,
+                              SamplePlaces places, const Progress& progress);
+
+} // namespace tetra

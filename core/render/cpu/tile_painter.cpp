@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/cpu/tile_painter.h"
+
+#include "core/render/shading.h"
+#include "core/render/volume/cell_setup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tetra {
+namespace {
+
+/// What shines through less than this cannot change an 8-bit channel.
+constexpr float smallestTransparency = 1.0f / 4096;
+
+/// Adds what lies behind `front`, of whose light `transparency` is let through; updates both.
+void addBehind(PremultipliedColour& front, float& transparency, const PremultipliedColour& back)
+{
+    for (std::size_t channel = 0; channel < front.size(); ++channel)
+        front[channel] += transparency * back[channel];
+    transparency *= 1 - back[3];
+}
+
+/// Calls visit(sample, nearness, b, c) for each sample of the tile that the triangle covers.
+template <class Visit>
+void forEachCoveredSample(const DrawList& list, std::uint32_t triangle, const SampleRectangle& tile, Visit&& visit)
+{
+    const ScreenTriangle& corners = list.triangles[triangle];
+    const float a = list.vertices[corners.vertices[0]].nearness;
+    const float b = list.vertices[corners.vertices[1]].nearness - a;
+    const float c = list.vertices[corners.vertices[2]].nearness - a;
+    rasterizeTriangle(list, corners, tile, [&](int x, int y, float weightB, float weightC) {
+        const std::size_t sample = static_cast<std::size_t>(y - tile.top) * static_cast<std::size_t>(tile.width()) +
+                                   static_cast<std::size_t>(x - tile.left);
+        visit(sample, a + weightB * b + weightC * c, weightB, weightC);
+    });
+}
+
+} // namespace
+
+void TilePainter::clear(const SampleRectangle& tile)
+{
+    tile_ = tile;
+    const auto samples = static_cast<std::size_t>(tile.width()) * static_cast<std::size_t>(tile.height());
+    opaque_.assign(samples, {-std::numeric_limits<float>::infinity(), none, 0, 0});
+    heads_.assign(samples, none);
+    listed_.clear();
+    fragmentCount_ = 0;
+    shown_.clear();
+    if (!clips_.empty())
+        for (int row = tile.top; row < tile.bottom; ++row)
+            for (int column = tile.left; column < tile.right; ++column)
+                shown_.push_back(clips_.at(column, row));
+}
+
+bool TilePainter::shows(std::size_t sample, float nearness, bool clipped) const
+{
+    const bool inside = !clipped || (nearness <= shown_[sample].front && nearness >= shown_[sample].back);
+    return nearness > opaque_[sample].nearness && inside;
+}
+
+void TilePainter::drawOpaque(std::uint32_t triangle)
+{
+    const bool clipped = !shown_.empty() && list_.materials[list_.triangles[triangle].material].surface;
+    forEachCoveredSample(list_, triangle, tile_, [&](std::size_t sample, float nearness, float b, float c) {
+        if (!shows(sample, nearness, clipped))
+            return;
+        opaque_[sample] = {nearness, triangle, b, c};
+        ++fragmentCount_;
+    });
+}
+
+void TilePainter::collectTranslucent(std::uint32_t triangle)
+{
+    const bool clipped = !shown_.empty() && list_.materials[list_.triangles[triangle].material].surface;
+    forEachCoveredSample(list_, triangle, tile_, [&](std::size_t sample, float nearness, float b, float c) {
+        if (!shows(sample, nearness, clipped))
+            return;
+        const auto place = static_cast<std::uint32_t>(listed_.size());
+        listed_.push_back({{nearness, triangle, b, c}, heads_[sample]});
+        heads_[sample] = place;
+    });
+}
+
+/// Of a fragment whose vertices have colours.
+Colour TilePainter::ownColour(const Fragment& fragment) const
+{
+    const ScreenTriangle& triangle = list_.triangles[fragment.triangle];
+    const std::array<float, 3> shares = {1 - fragment.b - fragment.c, fragment.b, fragment.c};
+    Colour sum;
+    float whole = 0;
+    for (std::size_t corner = 0; corner < shares.size(); ++corner) {
+        const std::uint32_t vertex = triangle.vertices[corner];
+        const float share = shares[corner] * list_.vertices[vertex].weight;
+        sum.red += share * list_.colours[vertex].red;
+        sum.green += share * list_.colours[vertex].green;
+        sum.blue += share * list_.colours[vertex].blue;
+        whole += share;
+    }
+    return {sum.red / whole, sum.green / whole, sum.blue / whole};
+}
+
+PremultipliedColour TilePainter::lit(const Fragment& fragment, std::size_t sample) const
+{
+    const ScreenTriangle& triangle = list_.triangles[fragment.triangle];
+    const Material& material = list_.materials[triangle.material];
+    Colour colour = material.coloured ? ownColour(fragment) : material.colour;
+    if (material.surface) {
+        const ScreenVertex& a = list_.vertices[triangle.vertices[0]];
+        const ScreenVertex& b = list_.vertices[triangle.vertices[1]];
+        const ScreenVertex& c = list_.vertices[triangle.vertices[2]];
+        const Eigen::Vector3f normal = (1 - fragment.b - fragment.c) * a.weight * a.normal +
+                                       fragment.b * b.weight * b.normal + fragment.c * c.weight * c.normal;
+        const auto width = static_cast<std::size_t>(tile_.width());
+        const float x = static_cast<float>(tile_.left + static_cast<int>(sample % width)) + 0.5f;
+        const float y = static_cast<float>(tile_.top + static_cast<int>(sample / width)) + 0.5f;
+        const Eigen::Vector3f towardsEye =
+            transform_.towardsEye + x * transform_.towardsEyePerX + y * transform_.towardsEyePerY;
+        const float dot = normal.dot(towardsEye);
+        const float lengths = normal.squaredNorm() * towardsEye.squaredNorm();
+        const float squared = lengths > 0 ? std::min(1.0f, dot * dot / lengths) : 1;
+        colour = shaded(colour, std::sqrt(squared), squared);
+    }
+    return {colour.red * material.opacity, colour.green * material.opacity, colour.blue * material.opacity,
+            material.opacity};
+}
+
+void TilePainter::sortTranslucent(std::size_t sample)
+{
+    sorted_.clear();
+    for (std::uint32_t place = heads_[sample]; place != none; place = listed_[place].next)
+        sorted_.push_back(listed_[place].fragment);
+    std::ranges::sort(sorted_, [](const Fragment& one, const Fragment& other) {
+        return one.nearness != other.nearness ? one.nearness > other.nearness : one.triangle < other.triangle;
+    });
+}
+
+template <class Visit> void TilePainter::forEachLit(std::size_t sample, Visit&& visit)
+{
+    sortTranslucent(sample);
+    float transparency = 1;
+    for (const Fragment& fragment : sorted_) {
+        const PremultipliedColour colour = lit(fragment, sample);
+        visit(fragment.nearness, colour);
+        transparency *= 1 - colour[3];
+        if (transparency < smallestTransparency)
+            break;
+    }
+    const Fragment& last = opaque_[sample];
+    if (last.triangle != none)
+        visit(last.nearness, lit(last, sample));
+}
+
+void TilePainter::draw(const SampleRectangle& tile, std::span<const std::uint32_t> triangles)
+{
+    clear(tile);
+    const auto isOpaque = [&](std::uint32_t triangle) {
+        return list_.materials[list_.triangles[triangle].material].opacity >= 1;
+    };
+    for (const std::uint32_t triangle : triangles)
+        if (isOpaque(triangle))
+            drawOpaque(triangle);
+    for (const std::uint32_t triangle : triangles)
+        if (!isOpaque(triangle))
+            collectTranslucent(triangle);
+    fragmentCount_ += listed_.size();
+}
+
+std::span<const PremultipliedColour> TilePainter::colours(const PremultipliedColour& background)
+{
+    colours_.assign(opaque_.size(), {});
+    halfNearness_.assign(opaque_.size(), neverHalf);
+    for (std::size_t sample = 0; sample < colours_.size(); ++sample) {
+        float transparency = 1;
+        forEachLit(sample, [&](float nearness, const PremultipliedColour& colour) {
+            const bool before = transparency > 0.5f;
+            addBehind(colours_[sample], transparency, colour);
+            if (before && transparency <= 0.5f)
+                halfNearness_[sample] = nearness;
+        });
+        addBehind(colours_[sample], transparency, background);
+    }
+    return colours_;
+}
+
+const SurfaceFragments& TilePainter::fragments()
+{
+    fragments_.fragments.clear();
+    fragments_.first.clear();
+    for (std::size_t sample = 0; sample < opaque_.size(); ++sample) {
+        fragments_.first.push_back(static_cast<std::uint32_t>(fragments_.fragments.size()));
+        forEachLit(sample, [&](float nearness, const PremultipliedColour& colour) {
+            fragments_.fragments.push_back({nearness, colour});
+        });
+        fragments_.fragments.push_back({-farBound, {}});
+    }
+    fragments_.empty = fragments_.fragments.size() == opaque_.size();
+    return fragments_;
+}
+
+} // namespace tetra

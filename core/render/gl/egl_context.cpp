@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/gl/egl_context.h"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <dlfcn.h>
+
+#include <array>
+#include <cstring>
+#include <string>
+#include <type_traits>
+
+namespace tetra {
+
+struct EglContext::Functions {
+    explicit Functions(void* library) : find([library](const char* name) { return dlsym(library, name); }) {}
+
+    FunctionFinder find;
+    std::add_pointer_t<decltype(eglGetProcAddress)> getProcAddress = find("eglGetProcAddress");
+    std::add_pointer_t<decltype(eglQueryString)> queryString = find("eglQueryString");
+    std::add_pointer_t<decltype(eglGetDisplay)> getDisplay = find("eglGetDisplay");
+    std::add_pointer_t<decltype(eglInitialize)> initialize = find("eglInitialize");
+    std::add_pointer_t<decltype(eglBindAPI)> bindApi = find("eglBindAPI");
+    std::add_pointer_t<decltype(eglChooseConfig)> chooseConfig = find("eglChooseConfig");
+    std::add_pointer_t<decltype(eglCreateContext)> createContext = find("eglCreateContext");
+    std::add_pointer_t<decltype(eglDestroyContext)> destroyContext = find("eglDestroyContext");
+    std::add_pointer_t<decltype(eglMakeCurrent)> makeCurrent = find("eglMakeCurrent");
+
+    /// A function of an extension, null if EGL does not have it.
+    template <class Function> Function extension(const char* name) const
+    {
+        return reinterpret_cast<Function>(getProcAddress(name));
+    }
+    bool has(EGLDisplay display, const char* extensionName) const
+    {
+        const char* all = queryString(display, EGL_EXTENSIONS);
+        return all != nullptr && std::strstr(all, extensionName) != nullptr;
+    }
+};
+
+EglContext::EglContext() = default;
+
+EglContext::~EglContext()
+{
+    // The display stays initialised: it is the process's one and only, and others may be using it.
+    if (context_ != nullptr)
+        egl_->destroyContext(display_, context_);
+}
+
+bool EglContext::tryDisplay(void* display)
+{
+    if (display == EGL_NO_DISPLAY || egl_->initialize(display, nullptr, nullptr) == EGL_FALSE ||
+        !egl_->has(display, "EGL_KHR_surfaceless_context"))
+        return false;
+    constexpr std::array<EGLint, 5> wanted = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+    constexpr std::array<EGLint, 7> version = {
+        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    egl_->bindApi(EGL_OPENGL_API);
+    if (egl_->chooseConfig(display, wanted.data(), &config, 1, &count) == EGL_FALSE || count == 0)
+        return false;
+    context_ = egl_->createContext(display, config, EGL_NO_CONTEXT, version.data());
+    display_ = display;
+    return context_ != EGL_NO_CONTEXT;
+}
+
+bool EglContext::tryPlatform(unsigned platform, void* nativeDisplay)
+{
+    const auto getDisplay = egl_->extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
+    return getDisplay != nullptr && tryDisplay(getDisplay(platform, nativeDisplay, nullptr));
+}
+
+bool EglContext::tryDevices(bool software)
+{
+    const auto queryDevices = egl_->extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+    const auto queryDevice = egl_->extension<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
+    std::array<EGLDeviceEXT, 32> devices{};
+    EGLint count = 0;
+    if (queryDevices == nullptr || queryDevice == nullptr ||
+        queryDevices(static_cast<EGLint>(devices.size()), devices.data(), &count) == EGL_FALSE)
+        return false;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+        const char* extensions = queryDevice(devices[i], EGL_EXTENSIONS);
+        const bool isSoftware = extensions != nullptr && std::strstr(extensions, "EGL_MESA_device_software") != nullptr;
+        if (isSoftware == software && tryPlatform(EGL_PLATFORM_DEVICE_EXT, devices[i]))
+            return true;
+    }
+    return false;
+}
+
+Result<std::unique_ptr<EglContext>> EglContext::make(const char* library)
+{
+    // Never closed: drivers leave threads and handlers behind that would run into nothing.
+    void* handle = dlopen(library, RTLD_NOW | RTLD_LOCAL);
+    if (handle == nullptr)
+        return Error{ErrorKind::OutOfResource,
+                     std::string("OpenGL without a window needs EGL, and ") + library +
+                         " cannot be loaded. Install it (Debian: libegl1), or use the CPU back end."};
+    std::unique_ptr<EglContext> context(new EglContext);
+    context->egl_ = std::make_unique<Functions>(handle);
+    if (const std::string& missing = context->egl_->find.missing(); !missing.empty())
+        return Error{ErrorKind::OutOfResource,
+                     std::string(library) + " has no " + missing + ". Install EGL 1.4, or use the CPU back end."};
+    // A card first; then Mesa without a display, which finds a card, too, or draws in software; then whatever is left.
+    const bool found = context->tryDevices(false) || context->tryPlatform(EGL_PLATFORM_SURFACELESS_MESA, nullptr) ||
+                       context->tryDevices(true) || context->tryDisplay(context->egl_->getDisplay(EGL_DEFAULT_DISPLAY));
+    if (!found)
+        return Error{ErrorKind::OutOfResource,
+                     "EGL gives no OpenGL 3.3 without a window on this machine. Install the card's driver or Mesa "
+                     "(Debian: libgl1-mesa-dri), or use the CPU back end."};
+    return context;
+}
+
+GetProcAddress EglContext::getProcAddress() const
+{
+    return [get = egl_->getProcAddress](const char* name) { return reinterpret_cast<void*>(get(name)); };
+}
+
+EglContext::Current::Current(const EglContext& context) : context_(context)
+{
+    context_.egl_->bindApi(EGL_OPENGL_API); // counts for this thread only
+    ok_ = context_.egl_->makeCurrent(context_.display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_.context_) == EGL_TRUE;
+}
+
+EglContext::Current::~Current()
+{
+    context_.egl_->makeCurrent(context_.display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+}
+
+} // namespace tetra

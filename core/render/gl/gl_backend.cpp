@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/gl/egl_context.h"
+#include "core/render/gl/gl_buffers.h"
+#include "core/render/gl/gl_functions.h"
+#include "core/render/gl/scene_painter.h"
+#include "core/render/render_backend.h"
+#include "core/render/scene_check.h"
+
+#include <algorithm>
+#include <new>
+
+namespace tetra {
+namespace {
+
+Error notCurrentError()
+{
+    return {ErrorKind::OutOfResource,
+            "The OpenGL context cannot be used, perhaps because the graphics card was reset. Use the CPU back end."};
+}
+
+/// A framebuffer of 8-bit pixels to draw into and read back.
+struct PictureTarget {
+    GlObject texture;
+    GlObject framebuffer;
+};
+
+PictureTarget makePictureTarget(const GlFunctions& gl, int width, int height)
+{
+    PictureTarget target{{gl.genTextures, gl.deleteTextures}, {gl.genFramebuffers, gl.deleteFramebuffers}};
+    gl.bindTexture(gl::texture2D, target.texture.name());
+    gl.texImage2D(gl::texture2D, 0, static_cast<int>(gl::rgba8), width, height, 0, gl::rgba, gl::unsignedByte, nullptr);
+    gl.bindTexture(gl::texture2D, 0);
+    gl.bindFramebuffer(gl::framebuffer, target.framebuffer.name());
+    gl.framebufferTexture2D(gl::framebuffer, gl::colourAttachment0, gl::texture2D, target.texture.name(), 0);
+    return target;
+}
+
+/// OpenGL's rows run upwards, a picture's downwards.
+Picture readPicture(const GlFunctions& gl, int width, int height)
+{
+    Picture picture{width, height, {}};
+    const auto rowLength = static_cast<std::ptrdiff_t>(width);
+    picture.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    gl.pixelStorei(gl::packAlignment, 1);
+    gl.readPixels(0, 0, width, height, gl::rgba, gl::unsignedByte, picture.pixels.data());
+    for (int y = 0; y < height / 2; ++y)
+        std::swap_ranges(picture.pixels.begin() + y * rowLength, picture.pixels.begin() + (y + 1) * rowLength,
+                         picture.pixels.begin() + (height - 1 - y) * rowLength);
+    return picture;
+}
+
+class GlBackend final : public RenderBackend {
+public:
+    explicit GlBackend(std::unique_ptr<EglContext> context)
+        : context_(std::move(context)), gl_(context_->getProcAddress())
+    {
+    }
+    ~GlBackend() override
+    {
+        const EglContext::Current current(*context_);
+        painter_.reset();
+    }
+
+    Status initialise()
+    {
+        const EglContext::Current current(*context_);
+        if (!current.ok())
+            return notCurrentError();
+        Result<std::unique_ptr<ScenePainter>> painter = ScenePainter::make(context_->getProcAddress());
+        if (!painter)
+            return painter.error();
+        painter_ = std::move(*painter);
+        return {};
+    }
+
+    std::string_view id() const noexcept override { return "gl"; }
+
+    Result<Picture> render(const Scene& scene, const Camera& camera, const PictureOptions& options,
+                           const Progress& progress) override
+    {
+        if (Status status = checkOptions(options); !status)
+            return status.error();
+        const EglContext::Current current(*context_);
+        if (!current.ok())
+            return notCurrentError();
+        try {
+            const PictureTarget target = makePictureTarget(gl_, options.width, options.height);
+            if (Status status = painter_->draw(scene, camera, options, target.framebuffer.name(), progress); !status)
+                return status.error();
+            Picture picture = readPicture(gl_, options.width, options.height);
+            picture.depth = painter_->takeDepth();
+            return picture;
+        } catch (const std::bad_alloc&) {
+            return Error{ErrorKind::OutOfResource, "Not enough memory for a picture of this size."};
+        }
+    }
+
+    RenderStatistics statistics() const override { return painter_->statistics(); }
+
+private:
+    std::unique_ptr<EglContext> context_;
+    GlFunctions gl_;
+    std::unique_ptr<ScenePainter> painter_;
+};
+
+} // namespace
+
+Result<std::unique_ptr<RenderBackend>> makeGlBackend()
+{
+    Result<std::unique_ptr<EglContext>> context = EglContext::make();
+    if (!context)
+        return context.error();
+    auto backend = std::make_unique<GlBackend>(std::move(*context));
+    if (Status status = backend->initialise(); !status)
+        return status.error();
+    return std::unique_ptr<RenderBackend>(std::move(backend));
+}
+
+} // namespace tetra

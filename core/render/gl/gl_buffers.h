@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/render/gl/gl_functions.h"
+#include "core/render/scene.h"
+#include "core/render/volume/projected_vertices.h"
+#include "core/render/volume/volume_renderer.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace tetra {
+
+/// An object of OpenGL that is made and deleted by functions of this shape: a buffer, a texture ... The context must be
+/// current when it goes. Moves, does not copy.
+class GlObject {
+public:
+    GlObject() = default;
+    GlObject(GlFunctions::Function<GlFunctions::Names> generate,
+             GlFunctions::Function<GlFunctions::ConstantNames> deleteNames)
+        : deleteNames_(deleteNames)
+    {
+        generate(1, &name_);
+    }
+    GlObject(GlObject&& other) noexcept : deleteNames_(other.deleteNames_), name_(std::exchange(other.name_, 0)) {}
+    GlObject& operator=(GlObject&& other) noexcept
+    {
+        std::swap(deleteNames_, other.deleteNames_);
+        std::swap(name_, other.name_);
+        return *this;
+    }
+    ~GlObject()
+    {
+        if (name_ != 0)
+            deleteNames_(1, &name_);
+    }
+
+    unsigned name() const noexcept { return name_; }
+
+private:
+    GlFunctions::Function<GlFunctions::ConstantNames> deleteNames_ = nullptr;
+    unsigned name_ = 0;
+};
+
+/// An array that shaders read as a texture.
+struct TextureBuffer {
+    GlObject buffer;
+    GlObject texture;
+};
+
+/// Sends `data` into `target`, which is made if it is empty; `format` is that of a texel and stays the same.
+void fillTextureBuffer(const GlFunctions& gl, TextureBuffer& target, unsigned format, std::span<const std::byte> data,
+                       unsigned usage = gl::staticDraw);
+
+/// A triangle mesh in the memory of the graphics card.
+struct MeshBuffers {
+    GlObject vertexArray;
+    GlObject positions;
+    GlObject normals;
+    GlObject colours; ///< if the mesh has some
+    GlObject triangles;
+    int indexCount = 0;
+    Eigen::Vector3d origin{0, 0, 0}; ///< the positions are relative to it
+};
+
+/// Keeps the buffers of every mesh that still lives, so that a mesh is sent once. The context must be current for
+/// everything, also when it goes; `gl` must outlive it.
+class MeshBufferCache {
+public:
+    explicit MeshBufferCache(const GlFunctions& gl) : gl_(gl) {}
+
+    /// The buffers of `mesh`, valid until dropDead(). Errors: a mesh that does not hang together, out of memory.
+    Result<const MeshBuffers*> buffersOf(const std::shared_ptr<const TriangleMesh>& mesh);
+    /// Frees the buffers of meshes that nobody holds any more.
+    void dropDead();
+
+private:
+    struct Entry {
+        std::weak_ptr<const TriangleMesh> mesh; ///< tells a new mesh at an old address
+        MeshBuffers buffers;
+    };
+    Result<MeshBuffers> upload(const TriangleMesh& mesh) const;
+
+    const GlFunctions& gl_;
+    std::map<const TriangleMesh*, Entry> entries_;
+};
+
+/// Some of the cells that are drawn, front to back: their corners, and the segments of the transfer function that they
+/// lie in. So few that a texture buffer holds them everywhere.
+struct CellChunk {
+    TextureBuffer corners;
+    TextureBuffer segments;
+    int count = 0;
+};
+
+/// A volume in the memory of the graphics card: 16 bytes a vertex, 20 a visible cell.
+struct VolumeBuffers {
+    TextureBuffer vertices; ///< places and values, as they are
+    std::vector<CellChunk> chunks;
+    std::size_t cells = 0;     ///< in all chunks
+    std::size_t sentBytes = 0; ///< for them
+    KeptOrder order;           ///< that the chunks are in
+    std::weak_ptr<const VolumeTransfer> transfer;
+};
+
+/// Errors: more vertices than the driver allows, out of memory.
+Status fillVertices(const GlFunctions& gl, const TetrahedralMesh& mesh, VolumeBuffers& buffers);
+/// Sends the cells of buffers.order of which something is seen. Error: out of memory.
+Status fillCells(const GlFunctions& gl, const TetrahedralMesh& mesh, const VolumeTransfer& transfer,
+                 VolumeBuffers& buffers);
+/// Three texels for each segment, as slab.frag reads them.
+void fillSegments(const GlFunctions& gl, const ScaledSegments& segments, TextureBuffer& buffer);
+
+/// Keeps the buffers of every mesh that still lives. The context must be current for everything, also when it goes;
+/// `gl` must outlive it.
+class VolumeBufferCache {
+public:
+    explicit VolumeBufferCache(const GlFunctions& gl) : gl_(gl) {}
+
+    /// The buffers of `mesh`, with its vertices, valid until dropDead(). Errors: those of fillVertices().
+    Result<VolumeBuffers*> buffersOf(const std::shared_ptr<const VolumeMesh>& mesh);
+    /// Frees the buffers of meshes that nobody holds any more.
+    void dropDead();
+
+private:
+    struct Entry {
+        std::weak_ptr<const VolumeMesh> mesh; ///< tells a new mesh at an old address
+        VolumeBuffers buffers;
+    };
+
+    const GlFunctions& gl_;
+    std::map<const VolumeMesh*, Entry> entries_;
+};
+
+} // namespace tetra

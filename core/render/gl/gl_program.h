@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/render/gl/gl_functions.h"
+#include "core/render/picture.h"
+#include "core/render/scene.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <span>
+
+namespace tetra {
+
+/// Texture units that are used here; every OpenGL 3.3 has as many.
+inline constexpr int textureUnits = 8;
+
+/// A shader program. The context must be current for everything, also when it goes; `gl` must outlive it.
+class GlProgram {
+public:
+    /// From the text of a vertex shader and of one or more fragment shaders that complete each other. The error has the
+    /// driver's own text.
+    static Result<std::unique_ptr<GlProgram>> make(const GlFunctions& gl, const char* vertexShader,
+                                                   std::span<const char* const> fragmentShaders);
+    ~GlProgram();
+    GlProgram(const GlProgram&) = delete;
+    GlProgram& operator=(const GlProgram&) = delete;
+
+    void use() const { gl_.useProgram(name_); }
+    /// Uniforms of the program in use.
+    void set(const char* uniform, int value) const { gl_.uniform1i(location(uniform), value); }
+    void set(const char* uniform, unsigned value) const { gl_.uniform1ui(location(uniform), value); }
+    void set(const char* uniform, float value) const { gl_.uniform1f(location(uniform), value); }
+    void set(const char* uniform, const Eigen::Vector2f& v) const { gl_.uniform2f(location(uniform), v.x(), v.y()); }
+    void set(const char* uniform, const Eigen::Vector3f& v) const
+    {
+        gl_.uniform3f(location(uniform), v.x(), v.y(), v.z());
+    }
+    void set(const char* uniform, const Eigen::Vector4f& v) const
+    {
+        gl_.uniform4f(location(uniform), v.x(), v.y(), v.z(), v.w());
+    }
+    void set(const char* uniform, std::span<const Eigen::Vector4f> array) const
+    {
+        if (!array.empty())
+            gl_.uniform4fv(location(uniform), static_cast<int>(array.size()), array.front().data());
+    }
+    void set(const char* uniform, const Eigen::Matrix3f& matrix) const
+    {
+        gl_.uniformMatrix3fv(location(uniform), 1, 0, matrix.data());
+    }
+    void set(const char* uniform, const Eigen::Matrix4f& matrix) const
+    {
+        gl_.uniformMatrix4fv(location(uniform), 1, 0, matrix.data());
+    }
+    /// Lets the sampler `uniform` read `texture` through the texture unit `unit`, below textureUnits.
+    void setTexture(const char* uniform, int unit, unsigned texture, unsigned target = gl::texture2D) const;
+
+private:
+    static Result<std::unique_ptr<GlProgram>> linked(std::unique_ptr<GlProgram> program);
+    GlProgram(const GlFunctions& gl, unsigned name) : gl_(gl), name_(name) {}
+    int location(const char* uniform) const { return gl_.getUniformLocation(name_, uniform); }
+
+    const GlFunctions& gl_;
+    unsigned name_;
+};
+
+/// Errors that somebody else left would be taken for ours.
+void forgetErrors(const GlFunctions& gl);
+
+/// What drawing starts from, whatever somebody else left: depth test on, blending and everything else off.
+void setDrawingState(const GlFunctions& gl);
+/// Blending with what is in front, without depth test; and back.
+void startBlendingUnder(const GlFunctions& gl);
+void endBlending(const GlFunctions& gl);
+/// Binds no program, no vertex array and no texture; no depth test.
+void leaveDrawingState(const GlFunctions& gl);
+
+/// The length of the arrays in cut.frag and volume.frag.
+inline constexpr std::size_t largestClipPlaneCount = 16;
+
+Status checkClipPlanes(std::span<const ClipPlane> planes);
+
+/// Sets the uniforms of cut.frag in the program in use, for places relative to `origin`.
+void setCuts(const GlProgram& program, std::span<const ClipPlane> planes, const Eigen::Vector3d& origin);
+
+/// The programs of ScenePainter; their texts are in resources/shaders.
+struct PainterPrograms {
+    std::unique_ptr<GlProgram> opaque;
+    std::unique_ptr<GlProgram> peel;
+    std::unique_ptr<GlProgram> line;
+    std::unique_ptr<GlProgram> under;
+    std::unique_ptr<GlProgram> resolve;
+    std::unique_ptr<GlProgram> volume;
+    std::unique_ptr<GlProgram> saturated;
+    std::unique_ptr<GlProgram> bisect;
+};
+
+Result<PainterPrograms> makePainterPrograms(const GlFunctions& gl);
+
+} // namespace tetra

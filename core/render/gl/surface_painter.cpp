@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/gl/surface_painter.h"
+
+#include "core/render/gl/gl_program.h"
+#include "core/render/scene_check.h"
+#include "core/render/shading.h"
+#include "core/render/view_transform.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+namespace tetra {
+namespace {
+
+bool isOpaque(const Surface& surface)
+{
+    return surface.opacity >= 1;
+}
+
+Eigen::Vector4f colourOf(const Surface& surface)
+{
+    return {surface.colour.red, surface.colour.green, surface.colour.blue, surface.opacity};
+}
+
+/// As if OpenGL's samples were a little beside the middle of their squares (sampleX).
+Eigen::Matrix4d shiftedToRays(Eigen::Matrix4d clipFromWorld, const SampleView& view)
+{
+    clipFromWorld.row(0) -= clipFromWorld.row(3) * (2 * (sampleX - 0.5) / view.width);
+    clipFromWorld.row(1) += clipFromWorld.row(3) * (2 * (sampleY - 0.5) / view.height);
+    return clipFromWorld;
+}
+
+} // namespace
+
+SurfacePainter::SurfacePainter(const GlFunctions& gl, const PainterPrograms& programs)
+    : gl_(gl), programs_(programs), meshes_(gl), lineVertexArray_(gl.genVertexArrays, gl.deleteVertexArrays),
+      lineVertices_(gl.genBuffers, gl.deleteBuffers)
+{
+}
+
+Status SurfacePainter::collectSurfaces()
+{
+    surfaces_.clear();
+    meshes_.dropDead();
+    std::uint64_t triangles = 0;
+    for (const Surface& surface : scene_->surfaces) {
+        if (!surface.mesh || !(surface.opacity > 0))
+            continue;
+        const Result<const MeshBuffers*> buffers = meshes_.buffersOf(surface.mesh);
+        if (!buffers)
+            return buffers.error();
+        surfaces_.push_back({&surface, *buffers, static_cast<unsigned>(triangles)});
+        triangles += surface.mesh->triangles.size();
+    }
+    if (triangles >= std::numeric_limits<std::uint32_t>::max())
+        return Error{ErrorKind::OutOfResource, "The scene has more than four thousand million triangles."};
+    return {};
+}
+
+Status SurfacePainter::prepare(const Scene& scene, const SampleView& view, double samplesPerPixelAxis)
+{
+    for (const LineSet& lines : scene.lines)
+        if (Status status = checkLines(lines); !status)
+            return status;
+    scene_ = &scene;
+    transform_ = makeViewTransform(view.camera, view.width, view.height, view.bounds);
+    if (view.amongRays)
+        transform_.clipFromWorld = shiftedToRays(transform_.clipFromWorld, view);
+    eye_ = eyePosition(view.camera);
+    samplesPerPixelAxis_ = samplesPerPixelAxis;
+    return collectSurfaces();
+}
+
+bool SurfacePainter::anyTranslucent() const noexcept
+{
+    return std::ranges::any_of(surfaces_, [](const DrawnSurface& drawn) { return !isOpaque(*drawn.surface); });
+}
+
+void SurfacePainter::draw(const GlProgram& program, const DrawnSurface& drawn) const
+{
+    const Eigen::Vector3d& origin = drawn.buffers->origin;
+    const Eigen::Matrix4d clipFromMesh =
+        transform_.clipFromWorld * Eigen::Affine3d(Eigen::Translation3d(origin)).matrix();
+    program.set("clipFromMesh", Eigen::Matrix4f(clipFromMesh.cast<float>()));
+    const Eigen::Vector3f fromMesh = (eye_ - origin).cast<float>();
+    program.set("eye", transform_.perspective ? Eigen::Vector4f(fromMesh.x(), fromMesh.y(), fromMesh.z(), 1)
+                                              : Eigen::Vector4f(transform_.towardsEye.x(), transform_.towardsEye.y(),
+                                                                transform_.towardsEye.z(), 0));
+    program.set("colour", colourOf(*drawn.surface));
+    program.set("coloured", drawn.surface->mesh->colours.empty() ? 0 : 1);
+    program.set("backFacesOnly", drawn.surface->backFacesOnly ? 1 : 0);
+    program.set("light", Eigen::Vector3f(Shading::ambient, Shading::diffuse, Shading::specular));
+    setCuts(program, scene_->clipPlanes, origin);
+    gl_.bindVertexArray(drawn.buffers->vertexArray.name());
+    gl_.drawElements(gl::triangles, drawn.buffers->indexCount, gl::unsignedInt, nullptr);
+}
+
+void SurfacePainter::draw(const LineSet& lines) const
+{
+    std::vector<Eigen::Vector4f> corners;
+    for (const LineQuad& quad : thickLines(lines, transform_, lines.width * samplesPerPixelAxis_))
+        for (const std::size_t corner : {0, 1, 2, 0, 2, 3})
+            corners.emplace_back(quad[corner].cast<float>());
+    gl_.bindVertexArray(lineVertexArray_.name());
+    gl_.bindBuffer(gl::arrayBuffer, lineVertices_.name());
+    gl_.bufferData(gl::arrayBuffer, static_cast<std::ptrdiff_t>(corners.size() * sizeof(corners[0])), corners.data(),
+                   gl::streamDraw);
+    gl_.enableVertexAttribArray(0);
+    gl_.vertexAttribPointer(0, 4, gl::floatType, 0, 0, nullptr);
+    programs_.line->use();
+    programs_.line->set("colour", Eigen::Vector4f(lines.colour.red, lines.colour.green, lines.colour.blue, 1));
+    gl_.drawArrays(gl::triangles, 0, static_cast<int>(corners.size()));
+}
+
+void SurfacePainter::drawOpaque() const
+{
+    programs_.opaque->use();
+    for (const DrawnSurface& drawn : surfaces_)
+        if (isOpaque(*drawn.surface))
+            draw(*programs_.opaque, drawn);
+    for (const LineSet& lines : scene_->lines)
+        draw(lines);
+}
+
+void SurfacePainter::drawTranslucent(const GlProgram& program) const
+{
+    for (const DrawnSurface& drawn : surfaces_) {
+        if (isOpaque(*drawn.surface))
+            continue;
+        program.set("firstTriangle", drawn.firstTriangle);
+        draw(program, drawn);
+    }
+}
+
+} // namespace tetra

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/gl/volume_painter.h"
+
+#include "core/render/gl/gl_program.h"
+#include "core/render/scene_check.h"
+#include "core/render/shading.h"
+#include "core/render/tiles.h"
+#include "core/render/view_transform.h"
+#include "core/render/volume/projected_volume.h"
+#include "core/render/volume/volume_view.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <chrono>
+#include <variant>
+
+namespace tetra {
+
+namespace {
+
+/// Layers of the fine volume in the border on either side. Blending cannot mix the two volumes, so they are drawn in
+/// turn. As layers of one begin in the middle of those of the other, what comes too early makes up for what comes too
+/// late.
+constexpr int fineLayers = 2;
+
+} // namespace
+
+RegionInView regionInView(const FocusVolume& focus, const VolumeView& view)
+{
+    const Eigen::Matrix3d worldFromImage = view.imageFromWorld.leftCols<3>().inverse();
+    Eigen::Vector3d centre, size;
+    const Sphere* const ball = std::get_if<Sphere>(&focus.region);
+    if (ball != nullptr) {
+        centre = ball->centre;
+        size.setConstant(std::max(0.0, ball->radius));
+    } else {
+        const Box& box = std::get<Box>(focus.region);
+        centre = (box.least + box.largest) / 2;
+        size = (box.largest - box.least).cwiseMax(0) / 2;
+    }
+    const Eigen::Vector3d fromImage = -(worldFromImage * view.imageFromWorld.col(3)) - centre;
+    RegionInView region;
+    region.ball = ball != nullptr;
+    region.size = (size / view.unit).cast<float>();
+    region.border = static_cast<float>(std::max(0.0, focus.border) / view.unit);
+    region.fromImage = (fromImage / view.unit).cast<float>();
+    region.worldFromImage = (worldFromImage / view.unit).cast<float>();
+    return region;
+}
+
+std::vector<VolumePart> partsOf(const std::optional<RegionInView>& region)
+{
+    using Place = VolumePart::Place;
+    if (!region)
+        return {{Place::Whole}};
+    std::vector<VolumePart> parts;
+    const auto addLayer = [&](Place place, bool fine, float begin, float end) {
+        const float first = std::max(0.0f, begin), last = std::min(1.0f, end);
+        parts.push_back({place, fine, {first, last}});
+    };
+    const auto addBorder = [&](Place place) {
+        for (int layer = 0; layer <= fineLayers && region->border > 0; ++layer) {
+            const auto number = static_cast<float>(layer);
+            addLayer(place, false, (number - 0.5f) / fineLayers, (number + 0.5f) / fineLayers);
+            if (layer < fineLayers)
+                addLayer(place, true, number / fineLayers, (number + 1) / fineLayers);
+        }
+    };
+    parts.push_back({Place::Before});
+    addBorder(Place::FrontBorder);
+    parts.push_back({Place::Within, true});
+    addBorder(Place::BackBorder);
+    parts.push_back({Place::Behind});
+    return parts;
+}
+
+void setRegion(const GlProgram& program, const std::optional<RegionInView>& region)
+{
+    const RegionInView& used = region ? *region : RegionInView{};
+    program.set("ball", used.ball ? 1 : 0);
+    program.set("regionSize", used.size);
+    program.set("border", used.border);
+    program.set("regionFromImage", used.fromImage);
+    program.set("worldFromImage", used.worldFromImage);
+}
+
+void setPart(const GlProgram& program, const VolumePart& part)
+{
+    program.set("focusPart", static_cast<int>(part.place));
+    program.set("fine", part.fine ? 1 : 0);
+    program.set("borderShares", part.shares);
+}
+
+namespace {
+
+constexpr std::string_view drawingVolume = "Drawing the volume";
+constexpr int verticesPerCell = 12;
+/// How often in a picture the samples that nothing can be added to are marked: a pass over all samples each.
+constexpr std::size_t marks = 16;
+/// Less light than this from behind is none, as on the CPU.
+constexpr float leastLight = 1.0f / 16384;
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start)
+{
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// What is left of numbers that are rounded to floats.
+Eigen::Vector3f lowPart(const Eigen::Vector3d& number)
+{
+    return (number - number.cast<float>().cast<double>()).cast<float>();
+}
+
+/// q (volume.frag) at the far plane, and how much it rises towards the eye for one unit of depth.
+Eigen::Vector2f boundOfDepth(const Eigen::Matrix4d& projection, bool perspective, double unit)
+{
+    const double a = projection(2, 2), b = projection(2, 3);
+    if (perspective)
+        return Eigen::Vector2d((1 + a) / b, -2 / b).cast<float>() * static_cast<float>(unit);
+    return Eigen::Vector2d((1 - b) / (a * unit), -2 / (a * unit)).cast<float>();
+}
+
+/// The planes in the picture, as volume.frag wants them.
+std::vector<Eigen::Vector4f> cutsOf(const std::vector<ClipPlane>& planes, const VolumeView& view,
+                                    const Eigen::Vector3d& origin)
+{
+    const Eigen::Matrix3d worldFromImage = view.imageFromWorld.leftCols<3>().inverse();
+    const Eigen::Vector3d imageOfOrigin = view.imageFromWorld * origin.homogeneous();
+    std::vector<Eigen::Vector4f> cuts;
+    for (const ClipPlane& plane : planes) {
+        const Eigen::Vector3d normal = worldFromImage.transpose() * plane.normal;
+        const double atOrigin = plane.normal.dot(origin) - plane.offset;
+        const double atZero = atOrigin - normal.dot(imageOfOrigin);
+        const Eigen::Vector4d cut = view.perspective ? Eigen::Vector4d(normal.x(), normal.y(), normal.z(), atZero)
+                                                     : Eigen::Vector4d(normal.x(), normal.y(), atZero, -normal.z());
+        cuts.emplace_back(cut.cast<float>());
+    }
+    return cuts;
+}
+
+} // namespace
+
+Status VolumePainter::prepareBuffers(const Volume& volume, const KeptOrder::Request& order, int threads,
+                                     const Progress& progress, DrawnVolume& drawn)
+{
+    const Result<VolumeBuffers*> kept = drawn.kept.buffersOf(volume.mesh);
+    if (!kept)
+        return kept.error();
+    drawn.buffers = *kept;
+    VolumeBuffers& buffers = *drawn.buffers;
+    Clock::time_point start = Clock::now();
+    if (Status status = onThreads(threads, [&] { return buffers.order.prepare(order, progress); }); !status)
+        return status;
+    statistics_.orderSeconds += secondsSince(start);
+    statistics_.orderReused = statistics_.orderReused && buffers.order.reused();
+    statistics_.brokenCycles = std::max(statistics_.brokenCycles, buffers.order.brokenCycles());
+    start = Clock::now();
+    if (!buffers.order.reused() || buffers.transfer.lock() != volume.transfer) {
+        buffers.transfer.reset(); // until it is true
+        if (Status status = fillCells(gl_, *volume.mesh->mesh, *volume.transfer, buffers); !status)
+            return status;
+        buffers.transfer = volume.transfer;
+        statistics_.sentBytes += buffers.sentBytes;
+    }
+    statistics_.setUpSeconds += secondsSince(start);
+    statistics_.cells += buffers.cells;
+    return {};
+}
+
+Status VolumePainter::prepareVolume(const Volume& volume, const SampleView& view, const PictureOptions& options,
+                                    const Progress& progress, DrawnVolume& drawn)
+{
+    if (!belongTogether(*volume.mesh, *volume.transfer, {}))
+        return Error{ErrorKind::WrongUsage, "A volume of the scene and its transfer function do not belong together."};
+    drawn.shaded = volume.shaded;
+    drawn.segments = scaleSegments(volume.transfer->segments, view_.unit);
+    drawn.buffers = nullptr;
+    fillSegments(gl_, drawn.segments, drawn.segmentBuffer);
+    const KeptOrder::Request order{
+        volume.mesh, view.camera, view_, {0, 0, view.width, view.height}, options.orderTolerance};
+    return prepareBuffers(volume, order, options.threads, progress, drawn);
+}
+
+Status VolumePainter::prepare(const Scene& scene, const SampleView& view, const PictureOptions& options,
+                              const Progress& progress)
+{
+    statistics_ = {};
+    statistics_.orderReused = true; // until a volume needs a new one
+    const Camera& camera = view.camera;
+    view_ = makeVolumeView(camera, view.width, view.height, view.bounds);
+    origin_ = camera.perspective ? eyePosition(camera) : camera.target;
+    cuts_ = cutsOf(scene.clipPlanes, view_, origin_);
+    const double aspectRatio = static_cast<double>(view.width) / view.height;
+    boundOfDepth_ = boundOfDepth(projectionMatrix(camera, aspectRatio, view.bounds), camera.perspective, view_.unit);
+    wholeCells_ = scene.hybridOrder == HybridOrder::WithCell;
+    region_.reset();
+    if (!hasFocus(scene))
+        return prepareVolume(*scene.volume, view, options, progress, coarse_);
+    region_ = regionInView(*scene.focus, view_);
+    if (Status status = prepareVolume(*scene.volume, view, options, progress.part(0, 0.5), coarse_); !status)
+        return status;
+    return prepareVolume(scene.focus->fine, view, options, progress.part(0.5, 1), fine_);
+}
+
+void VolumePainter::setUniforms(const GlProgram& program) const
+{
+    const Eigen::Vector3d imageOfOrigin = view_.imageFromWorld * origin_.homogeneous();
+    program.set("perspective", view_.perspective ? 1 : 0);
+    program.set("originHigh", Eigen::Vector3f(origin_.cast<float>()));
+    program.set("originLow", lowPart(origin_));
+    program.set("imageFromWorld", Eigen::Matrix3f(view_.imageFromWorld.leftCols<3>().cast<float>()));
+    program.set("imageOfOrigin",
+                view_.perspective ? Eigen::Vector3f(0, 0, 0) : Eigen::Vector3f(imageOfOrigin.cast<float>()));
+    program.set("pictureSize", Eigen::Vector2f(static_cast<float>(view_.width), static_cast<float>(view_.height)));
+    program.set("sampleShift", Eigen::Vector2f(static_cast<float>(sampleX - 0.5), static_cast<float>(sampleY - 0.5)));
+    program.set("samplesPerSlope", Eigen::Vector2f(view_.samplesPerSlope.cast<float>()));
+    program.set("nearest", static_cast<float>(view_.nearest));
+    program.set("nearestBound", view_.perspective ? static_cast<float>(1 / view_.nearest) : 0.0f);
+    program.set("cutCount", static_cast<int>(cuts_.size()));
+    program.set("cuts", cuts_);
+    program.set("boundOfDepth", boundOfDepth_);
+    program.set("wholeCells", wholeCells_ ? 1 : 0);
+    program.set("light", Eigen::Vector3f(Shading::ambient, Shading::diffuse, Shading::specular));
+    // How long u and v are for one unit of length across the view, in units of w for one along it.
+    program.set(
+        "lengths",
+        Eigen::Vector2f((view_.imageFromWorld.leftCols<3>().topRows<2>().rowwise().norm() * view_.unit).cast<float>()));
+    setRegion(program, region_);
+}
+
+void VolumePainter::setVolume(const GlProgram& program, const DrawnVolume& volume) const
+{
+    const ScaledSegments& segments = volume.segments;
+    const auto smallest = static_cast<float>(segments.smallest);
+    program.set("smallestValue", Eigen::Vector2f(smallest, static_cast<float>(segments.smallest - double(smallest))));
+    program.set("perValue", static_cast<float>(segments.perValue));
+    program.set("shaded", volume.shaded ? 1 : 0);
+    program.setTexture("segments", 4, volume.segmentBuffer.texture.name(), gl::textureBuffer);
+}
+
+void VolumePainter::setCellState() const
+{
+    gl_.enable(gl::cullFace);
+    gl_.cullFace(gl::front);
+    gl_.frontFace(gl::counterclockwise);
+    gl_.enable(gl::depthTest);
+    gl_.depthFunc(gl::lessOrEqual);
+    gl_.depthMask(0);
+}
+
+void VolumePainter::markSaturated(const GlProgram& program, const SampleTargets& targets) const
+{
+    gl_.bindFramebuffer(gl::framebuffer, targets.saturatedFramebuffer.name());
+    gl_.disable(gl::cullFace);
+    gl_.depthMask(1);
+    program.use();
+    program.setTexture("accumulated", textureUnits - 1, targets.accumulated.name());
+    program.set("saturated", 1 - leastLight);
+    gl_.drawArrays(gl::triangles, 0, 3);
+    // Not to be read while it is drawn into.
+    gl_.bindTexture(gl::texture2D, 0);
+    gl_.bindFramebuffer(gl::framebuffer, targets.accumulatedFramebuffer.name());
+    setCellState();
+}
+
+void VolumePainter::setPartUniforms(const GlProgram& program, const DrawnVolume& volume, const VolumePart& part) const
+{
+    program.use();
+    setUniforms(program);
+    setVolume(program, volume);
+    setPart(program, part);
+}
+
+Status VolumePainter::drawPart(const PainterPrograms& programs, const SampleTargets& targets,
+                               const VolumeLayers& layers, const VolumePart& part, const Progress& progress) const
+{
+    const DrawnVolume& volume = part.fine ? fine_ : coarse_;
+    const GlProgram& program = *programs.volume;
+    setPartUniforms(program, volume, part);
+    program.setTexture("vertices", 3, volume.buffers->vertices.texture.name(), gl::textureBuffer);
+    program.set("layered", layers.behind != 0 ? 1 : 0);
+    program.setTexture("opaqueDepth", 0, layers.opaqueDepth);
+    program.setTexture("layerBefore", 1, layers.before);
+    program.setTexture("layerBehind", 2, layers.behind);
+    const std::vector<CellChunk>& chunks = volume.buffers->chunks;
+    const std::size_t chunksPerMark = (chunks.size() + marks - 1) / marks;
+    for (std::size_t i = 0; i < chunks.size(); ++i) {
+        if (progress.cancelled())
+            return cancelledError(drawingVolume);
+        if (i > 0 && i % chunksPerMark == 0)
+            markSaturated(*programs.saturated, targets);
+        program.use();
+        program.setTexture("corners", 5, chunks[i].corners.texture.name(), gl::textureBuffer);
+        program.setTexture("segmentsOfCell", 6, chunks[i].segments.texture.name(), gl::textureBuffer);
+        gl_.drawArrays(gl::triangles, 0, chunks[i].count * verticesPerCell);
+    }
+    return {};
+}
+
+Status VolumePainter::draw(const PainterPrograms& programs, const SampleTargets& targets, const VolumeLayers& layers,
+                           const Progress& progress) const
+{
+    setCellState();
+    Status status;
+    bool first = true;
+    for (const VolumePart& part : partsOf(region_)) {
+        if (!first)
+            markSaturated(*programs.saturated, targets);
+        first = false;
+        if (status = drawPart(programs, targets, layers, part, progress); !status)
+            break;
+    }
+    gl_.disable(gl::cullFace);
+    gl_.disable(gl::depthTest);
+    gl_.depthFunc(gl::less);
+    gl_.depthMask(1);
+    return status;
+}
+
+} // namespace tetra

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/render/gl/gl_buffers.h"
+#include "core/render/gl/gl_program.h"
+#include "core/render/gl/sample_targets.h"
+#include "core/render/render_backend.h"
+#include "core/render/scene.h"
+#include "core/render/volume/volume_view.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace tetra {
+
+/// The region of a focus as focus.frag wants it: lengths in units of w (VolumeView), places from its middle.
+struct RegionInView {
+    bool ball = false;
+    Eigen::Vector3f size{0, 0, 0}; ///< half of a box; of a ball the radius, in each coordinate
+    float border = 0;
+    Eigen::Vector3f fromImage{0, 0, 0}; ///< where the image (0, 0, 0) is
+    Eigen::Matrix3f worldFromImage = Eigen::Matrix3f::Identity();
+};
+
+RegionInView regionInView(const FocusVolume& focus, const VolumeView& view);
+
+/// A part of each ray, of one of the two volumes. The numbers of places are those of focus.frag.
+struct VolumePart {
+    enum class Place { Whole, Before, FrontBorder, Within, BackBorder, Behind };
+    Place place = Place::Whole;
+    bool fine = false;
+    Eigen::Vector2f shares{0, 1}; ///< of the way through the border on one side, where the part begins and ends
+};
+
+/// What a volume with a focus, or without, is drawn in, front to back.
+std::vector<VolumePart> partsOf(const std::optional<RegionInView>& region);
+
+/// Sets the uniforms of focus.frag in the program in use.
+void setRegion(const GlProgram& program, const std::optional<RegionInView>& region);
+void setPart(const GlProgram& program, const VolumePart& part);
+
+/// The textures between whose surfaces a volume is drawn.
+struct VolumeLayers {
+    unsigned opaqueDepth = 0;
+    unsigned before = 0; ///< the key of each sample's layer before (peel.frag); 0 without translucent surfaces
+    unsigned behind = 0; ///< and of the next
+};
+
+/// Draws the volume of a scene cell by cell, front to back, under what is in the framebuffer already. Every cell is the
+/// faces of its that look away from the eye; each fragment computes the ray's way through the cell and its light in
+/// closed form, as the CPU back end does.
+///
+/// The order comes from the CPU and stays on the card while it fits; the vertex shader sets up each cell, for each of
+/// its corners.
+///
+/// A focus is drawn by parts of rays: before it, in its border layers of both volumes in turn by their weights, in it,
+/// and behind it. Each part is a drawing of the cells that may have something in it.
+///
+/// The context must be current for everything, also when it goes; `gl` must outlive it.
+class VolumePainter {
+public:
+    explicit VolumePainter(const GlFunctions& gl) : gl_(gl), coarse_(gl), fine_(gl) {}
+
+    /// Makes ready to draw the scene's volume, which there must be. Errors: parts that do not belong together, more
+    /// vertices than the driver allows, no memory, cancelled.
+    Status prepare(const Scene& scene, const SampleView& view, const PictureOptions& options, const Progress& progress);
+
+    /// Draws what lies between two layers into targets.accumulatedFramebuffer, which is bound, with a vertex array
+    /// without attributes and blending under what is there. From time to time the samples where nothing more can be
+    /// seen are marked, and left out from then on. Leaves depth test and face culling off. Cancelled between chunks of
+    /// cells.
+    Status draw(const PainterPrograms& programs, const SampleTargets& targets, const VolumeLayers& layers,
+                const Progress& progress) const;
+
+    /// Frees the buffers of meshes that nobody holds any more.
+    void dropDead()
+    {
+        coarse_.kept.dropDead();
+        fine_.kept.dropDead();
+    }
+
+    /// Of what prepare() did.
+    const RenderStatistics& statistics() const noexcept { return statistics_; }
+
+private:
+    /// The volume of a scene, or that in its focus. They keep buffers each, as both may be of one mesh.
+    struct DrawnVolume {
+        explicit DrawnVolume(const GlFunctions& gl) : kept(gl) {}
+        VolumeBufferCache kept;
+        TextureBuffer segmentBuffer;
+        // Of the picture being drawn.
+        VolumeBuffers* buffers = nullptr;
+        ScaledSegments segments;
+        bool shaded = false;
+    };
+
+    Status prepareVolume(const Volume& volume, const SampleView& view, const PictureOptions& options,
+                         const Progress& progress, DrawnVolume& drawn);
+    Status prepareBuffers(const Volume& volume, const KeptOrder::Request& order, int threads, const Progress& progress,
+                          DrawnVolume& drawn);
+    void setUniforms(const GlProgram& program) const;
+    void setVolume(const GlProgram& program, const DrawnVolume& volume) const;
+    Status drawPart(const PainterPrograms& programs, const SampleTargets& targets, const VolumeLayers& layers,
+                    const VolumePart& part, const Progress& progress) const;
+    void setPartUniforms(const GlProgram& program, const DrawnVolume& volume, const VolumePart& part) const;
+    void markSaturated(const GlProgram& program, const SampleTargets& targets) const;
+    void setCellState() const;
+
+    const GlFunctions& gl_;
+    DrawnVolume coarse_;
+    DrawnVolume fine_;
+    RenderStatistics statistics_;
+    // Of the picture being drawn.
+    std::optional<RegionInView> region_;
+    VolumeView view_;
+    Eigen::Vector3d origin_{0, 0, 0}; ///< the eye, or in orthographic views what it looks at
+    std::vector<Eigen::Vector4f> cuts_;
+    Eigen::Vector2f boundOfDepth_{0, 0};
+    bool wholeCells_ = false;
+};
+
+} // namespace tetra

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/isosurface/isosurface_cache.h"
+
+#include "core/base/progress.h"
+#include "core/render/isosurface/isosurface.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <new>
+#include <numeric>
+#include <optional>
+
+namespace tetra {
+namespace {
+
+constexpr std::string_view extractingIsosurfaces = "Extracting isosurfaces";
+
+/// The mean of several pieces of work that report from their own threads; never falls.
+class JointProgress {
+public:
+    JointProgress(const Progress& whole, std::size_t pieces) : whole_(whole), fractions_(pieces, 0) {}
+
+    Progress::Callback piece(std::size_t index)
+    {
+        return [this, index](double fraction, std::string_view) {
+            const std::scoped_lock lock(mutex_);
+            fractions_[index] = fraction;
+            const double sum = std::accumulate(fractions_.begin(), fractions_.end(), 0.0);
+            whole_.report(sum / static_cast<double>(fractions_.size()), extractingIsosurfaces);
+        };
+    }
+
+private:
+    const Progress& whole_;
+    std::vector<double> fractions_;
+    std::mutex mutex_;
+};
+
+bool isShown(const Isovalue& isovalue)
+{
+    return isovalue.visible && isovalue.opacity > 0;
+}
+
+bool contains(std::span<const Isovalue> isovalues, double value)
+{
+    return std::ranges::any_of(isovalues, [&](const Isovalue& isovalue) { return isovalue.value == value; });
+}
+
+bool isUsable(const Isovalue& isovalue)
+{
+    return std::isfinite(isovalue.value) && isovalue.opacity >= 0 && isovalue.opacity <= 1;
+}
+
+} // namespace
+
+IsosurfaceSet::IsosurfaceSet(std::shared_ptr<OrderedMesh> mesh) : mesh_(std::move(mesh)) {}
+
+IsosurfaceSet::IsosurfaceSet(std::shared_ptr<const TetrahedralMesh> mesh)
+    : mesh_(std::make_shared<OrderedMesh>(std::move(mesh)))
+{
+}
+
+Status IsosurfaceSet::chooseMesh(const Progress& progress)
+{
+    if (index_)
+        return {};
+    if (!chosen_ && !mesh_->isOrdered()) {
+        gradients_ = vertexGradients(*mesh_->original());
+        chosen_ = mesh_->original();
+        return {};
+    }
+    auto ordered = mesh_->ordered(progress.part(0, 0.4));
+    if (!ordered)
+        return ordered.error();
+    gradients_ = vertexGradients(**ordered);
+    chosen_ = *ordered;
+    index_ = makeIsosurfaceIndex(*chosen_);
+    return {};
+}
+
+Result<TriangleMesh> IsosurfaceSet::extract(double isovalue, const Progress& progress) const
+{
+    return index_ ? extractIsosurface(*chosen_, *index_, gradients_, isovalue, progress)
+                  : extractIsosurface(*chosen_, gradients_, isovalue, progress);
+}
+
+Status IsosurfaceSet::extractMissing(std::span<const Isovalue> isovalues, const Progress& progress)
+{
+    std::vector<double> missing;
+    for (const Isovalue& isovalue : isovalues)
+        if (isShown(isovalue) && !surfaces_.contains(isovalue.value))
+            missing.push_back(isovalue.value);
+    std::ranges::sort(missing);
+    missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+    if (missing.empty())
+        return {};
+
+    if (const Status chosen = chooseMesh(progress.part(0, 0.3)); !chosen)
+        return chosen;
+    if (progress.cancelled())
+        return cancelledError(extractingIsosurfaces);
+    const Progress extraction = progress.part(0.3, 1);
+    JointProgress joint(extraction, missing.size());
+    std::vector<std::optional<Result<TriangleMesh>>> extracted(missing.size());
+    FirstFailure failure;
+    tbb::parallel_for(std::size_t(0), missing.size(), [&](std::size_t i) {
+        failure.run([&]() -> Status {
+            extracted[i] = extract(missing[i], failure.watching(progress).withCallback(joint.piece(i)));
+            return *extracted[i] ? Status() : extracted[i]->error();
+        });
+    });
+    for (std::size_t i = 0; i < missing.size(); ++i)
+        if (*extracted[i])
+            surfaces_[missing[i]] = std::make_shared<const TriangleMesh>(std::move(**extracted[i]));
+    return failure.status();
+}
+
+Result<std::vector<Surface>> IsosurfaceSet::update(std::span<const Isovalue> isovalues, const Progress& progress)
+try {
+    if (!std::ranges::all_of(isovalues, isUsable))
+        return Error{ErrorKind::WrongUsage, "An isovalue must be a finite number, and its opacity between 0 and 1."};
+    std::erase_if(surfaces_, [&](const auto& kept) { return !contains(isovalues, kept.first); });
+    progress.report(0, extractingIsosurfaces);
+    if (const Status extracted = extractMissing(isovalues, progress); !extracted)
+        return extracted.error();
+    progress.report(1, extractingIsosurfaces);
+    std::vector<Surface> surfaces;
+    for (const Isovalue& isovalue : isovalues)
+        if (isShown(isovalue))
+            surfaces.push_back(
+                {surfaces_.at(isovalue.value), {isovalue.red, isovalue.green, isovalue.blue}, isovalue.opacity});
+    return surfaces;
+} catch (const std::bad_alloc&) {
+    return Error{ErrorKind::OutOfResource,
+                 "Not enough memory for the isosurfaces. Show fewer of them or lower the accuracy of the mesh."};
+}
+
+} // namespace tetra

@@ -1,0 +1,428 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/picking/picking.h"
+
+#include "core/mesh/topology.h"
+#include "core/render/volume/volume_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+namespace tetra {
+
+namespace {
+
+constexpr SightPart emptyPart{1, 0};
+
+/// Where the line has normal . place >= offset.
+SightPart partBeyond(const SightLine& line, const Eigen::Vector3d& normal, double offset)
+{
+    const double slope = normal.dot(line.direction);
+    const double missing = offset - normal.dot(line.origin);
+    if (slope == 0)
+        return missing <= 0 ? SightPart{} : emptyPart;
+    SightPart part;
+    (slope > 0 ? part.from : part.to) = missing / slope;
+    return part;
+}
+
+} // namespace
+
+SightPart common(const SightPart& one, const SightPart& other)
+{
+    return {std::max(one.from, other.from), std::min(one.to, other.to)};
+}
+
+SightPart shownPart(const SightLine& line, std::span<const ClipPlane> planes)
+{
+    SightPart part;
+    part.from = line.nearest;
+    for (const ClipPlane& plane : planes)
+        part = common(part, partBeyond(line, plane.normal, plane.offset));
+    return part;
+}
+
+SightPart partWithin(const SightLine& line, const Box& box)
+{
+    SightPart part;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Eigen::Vector3d normal = Eigen::Vector3d::Unit(axis);
+        part = common(part, partBeyond(line, normal, box.least[axis]));
+        part = common(part, partBeyond(line, -normal, -box.largest[axis]));
+    }
+    return part;
+}
+
+SightPart partWithin(const SightLine& line, const Sphere& sphere)
+{
+    const Eigen::Vector3d toCentre = sphere.centre - line.origin;
+    const double middle = toCentre.dot(line.direction);
+    const double room = sphere.radius * sphere.radius - (toCentre - middle * line.direction).squaredNorm();
+    if (!(room > 0))
+        return emptyPart;
+    return {middle - std::sqrt(room), middle + std::sqrt(room)};
+}
+
+namespace {
+
+/// Crossings of one surface that are nearer to each other than this part of their distance are one, on an edge.
+constexpr double sameCrossing = 1e-9;
+
+/// Where a line passes through a triangle.
+struct TriangleCrossing {
+    double at;   ///< of SightLine
+    double u, v; ///< weights of the second and the third corner
+    bool front;  ///< the line comes from where the corners are seen counterclockwise
+};
+
+/// From either side (Möller and Trumbore).
+std::optional<TriangleCrossing> crossing(const SightLine& line, const std::array<Eigen::Vector3d, 3>& corners)
+{
+    const Eigen::Vector3d one = corners[1] - corners[0];
+    const Eigen::Vector3d other = corners[2] - corners[0];
+    const Eigen::Vector3d across = line.direction.cross(other);
+    const double volume = one.dot(across);
+    if (volume == 0)
+        return std::nullopt;
+    const Eigen::Vector3d from = line.origin - corners[0];
+    const double u = from.dot(across) / volume;
+    const Eigen::Vector3d beside = from.cross(one);
+    const double v = line.direction.dot(beside) / volume;
+    if (u < 0 || v < 0 || u + v > 1)
+        return std::nullopt;
+    return TriangleCrossing{other.dot(beside) / volume, u, v, volume > 0};
+}
+
+double valueAtCrossing(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle,
+                       const TriangleCrossing& met)
+{
+    if (mesh.values.empty())
+        return 0;
+    const double first = mesh.values[triangle[0]];
+    return first + met.u * (mesh.values[triangle[1]] - first) + met.v * (mesh.values[triangle[2]] - first);
+}
+
+bool isSame(const SurfaceCrossing& one, const SurfaceCrossing& other)
+{
+    return one.surface == other.surface &&
+           std::abs(one.at - other.at) <= sameCrossing * std::max(std::abs(one.at), std::abs(other.at));
+}
+
+} // namespace
+
+std::vector<SurfaceCrossing> surfaceCrossings(const std::vector<Surface>& surfaces, const SightLine& line,
+                                              const SightPart& part)
+{
+    std::vector<SurfaceCrossing> crossings;
+    for (std::size_t surface = 0; surface < surfaces.size(); ++surface) {
+        const TriangleMesh& mesh = *surfaces[surface].mesh;
+        for (const auto& triangle : mesh.triangles) {
+            const auto corner = [&](std::size_t i) -> Eigen::Vector3d {
+                return mesh.positions[triangle[i]].cast<double>();
+            };
+            const auto met = crossing(line, {corner(0), corner(1), corner(2)});
+            if (met && part.contains(met->at) && !(met->front && surfaces[surface].backFacesOnly))
+                crossings.push_back({met->at, surface, valueAtCrossing(mesh, triangle, *met)});
+        }
+    }
+    std::ranges::sort(crossings, {}, [](const SurfaceCrossing& one) { return std::tuple(one.surface, one.at); });
+    const auto doubled = std::ranges::unique(crossings, isSame);
+    crossings.erase(doubled.begin(), doubled.end());
+    std::ranges::stable_sort(crossings, {}, &SurfaceCrossing::at);
+    return crossings;
+}
+
+namespace {
+
+/// Passages whose ends are nearer to each other than this part of their length are those of two cells that the line
+/// passes between, along their common face.
+constexpr double samePassage = 1e-9;
+constexpr std::size_t cellsPerCheck = 1 << 16; ///< for a cancellation
+
+/// What a line has of a cell.
+struct RayInterval {
+    SightPart part;
+    double valueAtStart = 0;
+    double valueAtEnd = 0;
+};
+
+/// Coordinates in which the line is the third axis.
+class LineFrame {
+public:
+    explicit LineFrame(const SightLine& line) : line_(line)
+    {
+        right_ = line.direction.unitOrthogonal();
+        up_ = line.direction.cross(right_);
+    }
+    double right(const Eigen::Vector3d& place) const { return right_.dot(place - line_.origin); }
+    double up(const Eigen::Vector3d& place) const { return up_.dot(place - line_.origin); }
+    double along(const Eigen::Vector3d& place) const { return line_.direction.dot(place - line_.origin); }
+
+private:
+    const SightLine& line_;
+    Eigen::Vector3d right_, up_;
+};
+
+using Four = std::array<double, 4>;
+
+bool allOnOneSide(const Four& numbers)
+{
+    return std::ranges::all_of(numbers, [](double number) { return number > 0; }) ||
+           std::ranges::all_of(numbers, [](double number) { return number < 0; });
+}
+
+/// Where the line passes through the faces of a cell that is seen along it. Nothing if it passes beside, or touches.
+std::optional<RayInterval> passageOf(const Four& right, const Four& up, const Four& along, const Four& values)
+{
+    RayInterval passage{{SightPart{}.to, SightPart{}.from}, 0, 0};
+    for (const auto& face : cornersOfFace) {
+        std::array<double, 3> weights{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t next = face[(i + 1) % 3], last = face[(i + 2) % 3];
+            weights[i] = right[next] * up[last] - right[last] * up[next];
+        }
+        const double sum = weights[0] + weights[1] + weights[2];
+        if (sum == 0 || !std::ranges::all_of(weights, [sum](double weight) { return weight * sum >= 0; }))
+            continue;
+        double at = 0, value = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            at += weights[i] / sum * along[face[i]];
+            value += weights[i] / sum * values[face[i]];
+        }
+        if (at < passage.part.from) {
+            passage.part.from = at;
+            passage.valueAtStart = value;
+        }
+        if (at > passage.part.to) {
+            passage.part.to = at;
+            passage.valueAtEnd = value;
+        }
+    }
+    return passage.part.isEmpty() ? std::nullopt : std::optional(passage);
+}
+
+/// Within a part of the line alone.
+std::optional<RayInterval> clippedInterval(const RayInterval& whole, const SightPart& part)
+{
+    RayInterval passage = whole;
+    passage.part = common(whole.part, part);
+    if (passage.part.isEmpty())
+        return std::nullopt;
+    const auto valueAt = [&whole](double t) {
+        const double share = (t - whole.part.from) / (whole.part.to - whole.part.from);
+        return std::lerp(whole.valueAtStart, whole.valueAtEnd, share);
+    };
+    passage.valueAtStart = valueAt(passage.part.from);
+    passage.valueAtEnd = valueAt(passage.part.to);
+    return passage;
+}
+
+std::vector<RayInterval> passagesAlong(const TetrahedralMesh& mesh, const SightLine& line, const SightPart& part,
+                                       const Progress& progress)
+{
+    const LineFrame frame(line);
+    std::vector<RayInterval> passages;
+    for (std::size_t cell = 0; cell < mesh.tetrahedra.size(); ++cell) {
+        if (cell % cellsPerCheck == 0 && progress.cancelled())
+            break;
+        const auto& corners = mesh.tetrahedra[cell];
+        Four right{}, up{}, along{}, values{};
+        for (std::size_t i = 0; i < 4; ++i)
+            right[i] = frame.right(mesh.positions[corners[i]].cast<double>());
+        if (allOnOneSide(right))
+            continue;
+        for (std::size_t i = 0; i < 4; ++i)
+            up[i] = frame.up(mesh.positions[corners[i]].cast<double>());
+        if (allOnOneSide(up))
+            continue;
+        for (std::size_t i = 0; i < 4; ++i) {
+            along[i] = frame.along(mesh.positions[corners[i]].cast<double>());
+            values[i] = mesh.values[corners[i]];
+        }
+        if (const auto whole = passageOf(right, up, along, values))
+            if (const auto passage = clippedInterval(*whole, part))
+                passages.push_back(*passage);
+    }
+    return passages;
+}
+
+bool isSameInterval(const RayInterval& one, const RayInterval& other)
+{
+    const double length = one.part.to - one.part.from;
+    return std::abs(one.part.from - other.part.from) <= samePassage * length &&
+           std::abs(one.part.to - other.part.to) <= samePassage * length;
+}
+
+double extinctionAt(const TransferSegment& segment, double value)
+{
+    return std::max(0.0, segment.atOrigin.extinction + (value - segment.origin) * segment.perValue.extinction);
+}
+
+/// One slab for each segment that the values of the passage lie in, in the order in which the line meets them.
+void addSlabs(std::vector<SightSlab>& slabs, const RayInterval& passage, const std::vector<TransferSegment>& segments)
+{
+    const double rise = passage.valueAtEnd - passage.valueAtStart;
+    const auto [least, largest] = std::minmax(passage.valueAtStart, passage.valueAtEnd);
+    auto segment = std::ranges::upper_bound(segments, least, {}, &TransferSegment::begin) - segments.begin() - 1;
+    const std::size_t first = slabs.size();
+    for (; segment < std::ssize(segments) && segments[static_cast<std::size_t>(segment)].begin <= largest; ++segment) {
+        const TransferSegment& here = segments[static_cast<std::size_t>(segment)];
+        if (here.transparent())
+            continue;
+        const double low = std::max(least, here.begin), high = std::min(largest, here.end);
+        const double start = rise < 0 ? high : low, end = rise < 0 ? low : high;
+        SightPart part = passage.part;
+        if (rise != 0) {
+            const double length = part.to - part.from;
+            part = {passage.part.from + (start - passage.valueAtStart) / rise * length,
+                    passage.part.from + (end - passage.valueAtStart) / rise * length};
+        }
+        if (!part.isEmpty())
+            slabs.push_back({part, start, end, extinctionAt(here, start), extinctionAt(here, end)});
+    }
+    if (rise < 0)
+        std::reverse(slabs.begin() + static_cast<std::ptrdiff_t>(first), slabs.end());
+}
+
+} // namespace
+
+std::vector<SightSlab> slabsAlong(const Volume& volume, const SightLine& line, const SightPart& part,
+                                  const Progress& progress)
+{
+    if (part.isEmpty())
+        return {};
+    std::vector<RayInterval> passages = passagesAlong(*volume.mesh->mesh, line, part, progress);
+    std::ranges::sort(passages, {}, [](const RayInterval& passage) { return passage.part.from; });
+    const auto doubled = std::ranges::unique(passages, isSameInterval);
+    passages.erase(doubled.begin(), doubled.end());
+    std::vector<SightSlab> slabs;
+    for (const RayInterval& passage : passages)
+        addSlabs(slabs, passage, volume.transfer->segments);
+    return slabs;
+}
+
+namespace {
+
+/// Less of the light cannot be told from none.
+constexpr double leastShare = 1.0 / 255;
+
+/// What is left of the light on its way, and who has taken most so far.
+class LightOnItsWay {
+public:
+    explicit LightOnItsWay(const SightLine& line) : line_(line) {}
+
+    void passSurface(const SurfaceCrossing& crossing, double opacity)
+    {
+        if (light_ * opacity > surface_.share)
+            surface_ = {line_.at(crossing.at), crossing.surface, crossing.value, light_ * opacity};
+        light_ *= 1 - opacity;
+    }
+
+    void passSlab(const SightSlab& slab)
+    {
+        const double length = slab.part.to - slab.part.from;
+        const double rise = (slab.extinctionAtEnd - slab.extinctionAtStart) / length;
+        compare(slab, 0, rise);
+        compare(slab, length, rise);
+        // The derivative of what is taken, (rise - extinction^2) e^-depth, is zero where the extinction is its root.
+        if (rise > 0)
+            if (const double within = (std::sqrt(rise) - slab.extinctionAtStart) / rise; within > 0 && within < length)
+                compare(slab, within, rise);
+        const double opacity = -std::expm1(-(slab.extinctionAtStart + slab.extinctionAtEnd) / 2 * length);
+        volume_.share += light_ * opacity;
+        light_ *= 1 - opacity;
+    }
+
+    std::optional<SeenPlace> mostSeen() const
+    {
+        const SeenPlace& most = surface_.share >= volume_.share ? surface_ : volume_;
+        return most.share >= leastShare ? std::optional(most) : std::nullopt;
+    }
+
+private:
+    void compare(const SightSlab& slab, double within, double rise)
+    {
+        const double depth = within * (slab.extinctionAtStart + rise * within / 2);
+        const double taken = light_ * (slab.extinctionAtStart + rise * within) * std::exp(-depth);
+        if (!(taken > mostTaken_))
+            return;
+        mostTaken_ = taken;
+        volume_.place = line_.at(slab.part.from + within);
+        volume_.value = std::lerp(slab.valueAtStart, slab.valueAtEnd, within / (slab.part.to - slab.part.from));
+    }
+
+    const SightLine& line_;
+    double light_ = 1;
+    double mostTaken_ = 0; ///< on a unit of length
+    SeenPlace surface_;
+    SeenPlace volume_; ///< its share is that of all slabs so far
+};
+
+/// Where the fine volume counts for at least a half.
+SightPart partInFocus(const FocusVolume& focus, const SightLine& line)
+{
+    const double margin = focus.border / 2;
+    if (const auto* sphere = std::get_if<Sphere>(&focus.region))
+        return partWithin(line, Sphere{sphere->centre, sphere->radius + margin});
+    const Box& box = std::get<Box>(focus.region);
+    const Eigen::Vector3d more = Eigen::Vector3d::Constant(margin);
+    return partWithin(line, Box{box.least - more, box.largest + more});
+}
+
+std::vector<SightSlab> slabsOf(const Scene& scene, const SightLine& line, const SightPart& shown,
+                               const Progress& progress)
+{
+    if (!scene.volume)
+        return {};
+    const SightPart focused = scene.focus ? partInFocus(*scene.focus, line) : SightPart{1, 0};
+    if (focused.isEmpty())
+        return slabsAlong(*scene.volume, line, shown, progress);
+    const SightPart before{shown.from, std::min(shown.to, focused.from)};
+    const SightPart behind{std::max(shown.from, focused.to), shown.to};
+    std::vector<SightSlab> slabs = slabsAlong(*scene.volume, line, before, progress);
+    std::ranges::copy(slabsAlong(scene.focus->fine, line, common(shown, focused), progress), std::back_inserter(slabs));
+    std::ranges::copy(slabsAlong(*scene.volume, line, behind, progress), std::back_inserter(slabs));
+    return slabs;
+}
+
+/// What of a slab lies before a place, and what is left of it behind.
+SightSlab takeBefore(SightSlab& slab, double place)
+{
+    const double share = (place - slab.part.from) / (slab.part.to - slab.part.from);
+    SightSlab before = slab;
+    before.part.to = slab.part.from = place;
+    before.valueAtEnd = slab.valueAtStart = std::lerp(slab.valueAtStart, slab.valueAtEnd, share);
+    before.extinctionAtEnd = slab.extinctionAtStart = std::lerp(slab.extinctionAtStart, slab.extinctionAtEnd, share);
+    return before;
+}
+
+} // namespace
+
+std::optional<SeenPlace> seenPlace(const Scene& scene, const SightLine& line, const Progress& progress)
+{
+    const SightPart shown = shownPart(line, scene.clipPlanes);
+    if (shown.isEmpty())
+        return std::nullopt;
+    const std::vector<SurfaceCrossing> crossings = surfaceCrossings(scene.surfaces, line, shown);
+    std::vector<SightSlab> slabs = slabsOf(scene, line, shown, progress);
+    if (progress.cancelled())
+        return std::nullopt;
+    LightOnItsWay light(line);
+    std::size_t next = 0;
+    const auto passSlabsBefore = [&](double place) {
+        for (; next < slabs.size() && slabs[next].part.to <= place; ++next)
+            light.passSlab(slabs[next]);
+        if (next < slabs.size() && slabs[next].part.from < place)
+            light.passSlab(takeBefore(slabs[next], place));
+    };
+    for (const SurfaceCrossing& crossing : crossings) {
+        passSlabsBefore(crossing.at);
+        light.passSurface(crossing, scene.surfaces[crossing.surface].opacity);
+    }
+    passSlabsBefore(shown.to);
+    return light.mostSeen();
+}
+
+} // namespace tetra

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/render/scene.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace tetra {
+
+/// A line of sight: at(t) is the farther from the viewer the larger t, a length in the units of the dataset.
+struct SightLine {
+    Eigen::Vector3d origin{0, 0, 0};
+    Eigen::Vector3d direction{0, 0, 1};                        ///< of unit length
+    double nearest = -std::numeric_limits<double>::infinity(); ///< what is nearer lies behind the eye
+
+    Eigen::Vector3d at(double t) const { return origin + t * direction; }
+};
+
+/// What lies between two places of a line of sight.
+struct SightPart {
+    double from = -std::numeric_limits<double>::infinity();
+    double to = std::numeric_limits<double>::infinity();
+
+    bool isEmpty() const noexcept { return !(from < to); }
+    bool contains(double t) const noexcept { return t >= from && t <= to; }
+};
+
+/// What both have.
+SightPart common(const SightPart& one, const SightPart& other);
+
+/// What is before the eye and left by the clip planes.
+SightPart shownPart(const SightLine& line, std::span<const ClipPlane> planes);
+
+/// Where the line passes through a box or a sphere; empty if it does not.
+SightPart partWithin(const SightLine& line, const Box& box);
+SightPart partWithin(const SightLine& line, const Sphere& sphere);
+
+/// Where a line of sight passes through a surface.
+struct SurfaceCrossing {
+    double at = 0;           ///< of SightLine
+    std::size_t surface = 0; ///< of Scene::surfaces
+    double value = 0;        ///< of the field there, if the surface tells
+};
+
+/// The crossings with what is drawn of the surfaces within `part`, the nearest first. Where the line meets an edge of a
+/// surface's triangles it passes through the surface once. O(triangles).
+std::vector<SurfaceCrossing> surfaceCrossings(const std::vector<Surface>& surfaces, const SightLine& line,
+                                              const SightPart& part);
+
+/// A piece of a line of sight in which value and extinction go in a straight line from one end to the other: what a ray
+/// has of a cell and of a segment of the transfer function.
+struct SightSlab {
+    SightPart part;
+    double valueAtStart = 0;
+    double valueAtEnd = 0;
+    double extinctionAtStart = 0; ///< per unit of length of the dataset
+    double extinctionAtEnd = 0;
+};
+
+/// All of a volume within `part`, the nearest first, those that nothing is seen of left out. O(cells), and a logarithm
+/// for each that is met. What was found so far if cancelled.
+std::vector<SightSlab> slabsAlong(const Volume& volume, const SightLine& line, const SightPart& part,
+                                  const Progress& progress = {});
+
+/// What one sees along a line of sight, and where.
+struct SeenPlace {
+    Eigen::Vector3d place{0, 0, 0};
+    std::optional<std::size_t> surface{}; ///< of Scene::surfaces; none: it is in the volume
+    double value = 0;                     ///< of the field there; not said of a surface whose mesh has no values
+    double share = 0;                     ///< of the light that the surface, or the whole volume, takes; in (0, 1]
+};
+
+/// What contributes most to the picture at a line of sight, with the light that is left behind what lies before it:
+/// that surface which takes most of it, or if all of the volume takes more, the place in the volume where most is taken
+/// on a unit of length. That is the largest extinction(t) * e^-depth(t), of which each slab has the largest in closed
+/// form: where the extinction is the square root of its rise, or at an end. Where a focus counts for more than a half
+/// its volume is looked at; in the border of a box somewhat before the corners.
+///
+/// Nothing where less than 1/255 of the light is taken, as nothing is seen there. Unlike the largest jump of the
+/// opacity (A. Wiebel et al., "WYSIWYP: What You See Is What You Pick", 2012) it needs no smoothing of a sampled curve.
+/// O(triangles + cells). Nothing if cancelled. May throw std::bad_alloc.
+std::optional<SeenPlace> seenPlace(const Scene& scene, const SightLine& line, const Progress& progress = {});
+
+} // namespace tetra

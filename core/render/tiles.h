@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/render/view_transform.h"
+
+#include <tbb/info.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <new>
+#include <string_view>
+#include <vector>
+
+namespace tetra {
+
+/// Runs `work`, which returns a Result, on as many threads as are wanted; 0 or too many means all of the machine.
+/// std::bad_alloc becomes an error.
+template <class Work> auto onThreads(int threads, Work&& work) -> decltype(work())
+{
+    try {
+        const int all = tbb::info::default_concurrency();
+        tbb::task_arena arena(threads > 0 ? std::min(threads, all) : all);
+        return arena.execute(work);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorKind::OutOfResource, "Not enough memory for a picture of this size and scene. Make the "
+                                               "picture smaller or lower the accuracy of the mesh."};
+    }
+}
+
+/// Counts finished tiles for all threads, so that the fraction never falls.
+class TileProgress {
+public:
+    TileProgress(const Progress& progress, std::size_t tiles, std::string_view activity)
+        : progress_(progress), tiles_(tiles), activity_(activity)
+    {
+    }
+    void tileDone()
+    {
+        const std::scoped_lock lock(mutex_);
+        progress_.report(static_cast<double>(++done_) / static_cast<double>(tiles_), activity_);
+    }
+
+private:
+    Progress progress_;
+    std::size_t tiles_;
+    std::string_view activity_;
+    std::size_t done_ = 0;
+    std::mutex mutex_;
+};
+
+/// A picture of samples cut into square tiles, row by row from the top.
+struct TileGrid {
+    int width = 0; ///< in samples, like height and side
+    int height = 0;
+    int side = 64;
+
+    int columns() const noexcept { return (width + side - 1) / side; }
+    int rows() const noexcept { return (height + side - 1) / side; }
+    std::size_t count() const noexcept
+    {
+        return static_cast<std::size_t>(columns()) * static_cast<std::size_t>(rows());
+    }
+    SampleRectangle tile(std::size_t index) const noexcept;
+};
+
+/// Colour times opacity, and opacity.
+using PremultipliedColour = std::array<float, 4>;
+
+/// Where a ray meets a surface or a line.
+struct SurfaceFragment {
+    float nearness; ///< q of ViewTransform
+    PremultipliedColour colour;
+};
+
+/// What surfaces the rays of a tile meet.
+struct SurfaceFragments {
+    /// Of each sample front to back, no further than to what lets no light through, and then one that is farther than
+    /// everything and shows nothing.
+    std::vector<SurfaceFragment> fragments;
+    std::vector<std::uint32_t> first; ///< for each sample, row by row, the place of its first fragment
+    bool empty = true;                ///< no sample meets any
+};
+
+} // namespace tetra

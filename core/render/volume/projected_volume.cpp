@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/volume/projected_volume.h"
+
+#include <algorithm>
+
+namespace tetra {
+
+ProjectedVolume projectVolume(const VolumeMesh& mesh, const VolumeTransfer& transfer,
+                              std::span<const std::uint32_t> order, const VolumeView& view, const TileGrid& grid,
+                              const Progress& progress)
+{
+    ProjectedVolume volume;
+    volume.scaled = scaleSegments(transfer.segments, view.unit);
+    volume.projected = projectVertices(*mesh.mesh, view, volume.scaled);
+    volume.bins = binCells(mesh.mesh->tetrahedra, transfer.classes, order, volume.projected, view, grid, progress);
+    return volume;
+}
+
+SetupSource setupSourceOf(const VolumeMesh& mesh, const VolumeTransfer& transfer, const ProjectedVolume& volume,
+                          const VolumeView& view, bool shaded)
+{
+    SetupSource source{mesh.mesh->tetrahedra,
+                       volume.projected.vertices,
+                       transfer.classes,
+                       volume.scaled.segments,
+                       view.perspective,
+                       shaded,
+                       {}};
+    for (int axis = 0; axis < 2; ++axis)
+        source.lengths[static_cast<std::size_t>(axis)] =
+            static_cast<float>(view.imageFromWorld.row(axis).head<3>().norm() * view.unit);
+    return source;
+}
+
+bool belongTogether(const VolumeMesh& mesh, const VolumeTransfer& transfer, std::span<const std::uint32_t> order)
+{
+    const std::size_t cells = mesh.mesh->tetrahedra.size();
+    return transfer.classes.size() == cells && std::ranges::all_of(order, [&](auto cell) { return cell < cells; });
+}
+
+} // namespace tetra

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/volume/tile_picture.h"
+
+#include "core/render/volume/sample_blocks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+// The part of VolumeTilePainter that draws a finer volume inside a region (R24).
+
+namespace tetra {
+
+namespace {
+
+constexpr int columns = volumeTileSide / blockWidth;
+constexpr int rows = volumeTileSide / blockHeight;
+/// Cells between two looks whether all is opaque, and whether to stop.
+constexpr std::size_t cellsInBatch = 64;
+
+/// Calls visit(sample, block, lane) for the samples of a tile, row by row.
+template <class Visit> void forEachTileSample(const SampleRectangle& tile, Visit&& visit)
+{
+    std::size_t sample = 0;
+    for (int y = 0; y < tile.height(); ++y)
+        for (int x = 0; x < tile.width(); ++x, ++sample) {
+            const auto [block, lane] = BlockLane(x, y);
+            visit(sample, block, lane);
+        }
+}
+
+bool isLimited(const TileSurroundings& surroundings)
+{
+    return surroundings.clips != nullptr || surroundings.surfaces != nullptr || surroundings.focus != nullptr;
+}
+
+} // namespace
+
+VolumeTilePainter::VolumeTilePainter(const SetupSource& source, const VolumeView& view)
+    : source_(source), view_(view), blocks_(static_cast<std::size_t>(columns * rows)), setups_(cellsInBatch)
+{
+}
+
+void VolumeTilePainter::clear(const SampleRectangle& tile)
+{
+    firstLit_ = 0;
+    clearBlocks(view_, tile, blocks_);
+}
+
+bool VolumeTilePainter::allDark()
+{
+    const auto lit = [](const SampleBlock& block) {
+        for (std::size_t lane = 0; lane < 8; ++lane)
+            if (block.light[lane] > darkness)
+                return true;
+        return false;
+    };
+    // What is dark stays dark.
+    while (firstLit_ < blocks_.size() && !lit(blocks_[firstLit_]))
+        ++firstLit_;
+    return firstLit_ == blocks_.size();
+}
+
+void VolumeTilePainter::setLimits(const SampleRectangle& tile, const TileSurroundings& surroundings)
+{
+    const float nearest = view_.perspective ? static_cast<float>(1 / view_.nearest) : farBound;
+    limits_.assign(blocks_.size(), {Float8{} + nearest, Float8{} - farBound, Float8{} - farBound, {}});
+    std::size_t sample = 0;
+    for (int y = 0; y < tile.height(); ++y)
+        for (int x = 0; x < tile.width(); ++x, ++sample) {
+            const BlockLane place(x, y);
+            BlockLimits& limits = limits_[place.block];
+            if (surroundings.clips != nullptr) {
+                const ClipBounds::Interval shown = surroundings.clips->at(tile.left + x, tile.top + y);
+                limits.front[place.lane] = std::min(nearest, shown.front);
+                limits.back[place.lane] = shown.back;
+            }
+            if (surroundings.surfaces != nullptr) {
+                limits.place[place.lane] = surroundings.surfaces->first[sample];
+                limits.next[place.lane] = surroundings.surfaces->fragments[limits.place[place.lane]].nearness;
+            }
+        }
+}
+
+TileShading VolumeTilePainter::shadingOf(const TileSurroundings& surroundings)
+{
+    const bool limited = isLimited(surroundings);
+    TileShading shading;
+    shading.segments = source_.segments.data();
+    shading.nearestBound = view_.perspective ? static_cast<float>(1 / view_.nearest) : farBound;
+    shading.perspective = view_.perspective;
+    shading.depth = surroundings.depth;
+    shading.extras = limited || source_.shaded;
+    shading.limits = limited ? limits_.data() : nullptr;
+    shading.fragments = surroundings.surfaces != nullptr ? surroundings.surfaces->fragments.data() : nullptr;
+    shading.splitCells = surroundings.splitCells;
+    return shading;
+}
+
+TileFrame VolumeTilePainter::frameOf(const SampleRectangle& tile) const
+{
+    const auto largest = [](double first, int count) { return std::max(std::abs(first), std::abs(first + count - 1)); };
+    const double slopeX = largest(tile.left + view_.firstX(), tile.width()) / view_.samplesPerSlope.x();
+    const double slopeY = largest(tile.top + view_.firstY(), tile.height()) / view_.samplesPerSlope.y();
+    return {static_cast<float>(tile.left + view_.firstX()), static_cast<float>(tile.top + view_.firstY()),
+            view_.perspective ? static_cast<float>(std::sqrt(1 + slopeX * slopeX + slopeY * slopeY)) : 1};
+}
+
+void VolumeTilePainter::finish(const SampleRectangle& tile, const TileShading& shading)
+{
+    const auto samples = static_cast<std::size_t>(tile.width()) * static_cast<std::size_t>(tile.height());
+    colours_.resize(samples);
+    depth_.resize(shading.depth ? samples : 0);
+    if (shading.fragments != nullptr)
+        forEachTileSample(tile, [&](std::size_t, std::size_t block, std::size_t lane) {
+            drawSurfacesBehind(shading, lane, blocks_[block], limits_[block]);
+        });
+    takeColours(blocks_, tile, colours_);
+    if (shading.depth)
+        forEachTileSample(tile, [&](std::size_t sample, std::size_t block, std::size_t lane) {
+            const float depth = blocks_[block].depth[lane];
+            depth_[sample] =
+                depth < noDepth ? static_cast<float>(depth * view_.unit) : std::numeric_limits<float>::infinity();
+        });
+}
+
+void VolumeTilePainter::draw(const SetupSource& source, std::span<const BinnedCell> cells, const SampleRectangle& tile,
+                             const TileShading& shading, const Progress& progress, DrawnTile& drawn)
+{
+    const TileFrame frame = frameOf(tile);
+    const auto batchFrom = [cells](std::size_t first) {
+        const std::size_t begin = std::min(first, cells.size());
+        return cells.subspan(begin, std::min(cellsInBatch, cells.size() - begin));
+    };
+    fetchCells(source, batchFrom(0));
+    fetchCells(source, batchFrom(cellsInBatch));
+    for (std::size_t first = 0; first < cells.size() && !progress.cancelled(); first += cellsInBatch) {
+        const auto now = batchFrom(first);
+        setUpCells(source, frame, now, setups_);
+        // What comes next is asked for before a long time of drawing.
+        fetchCorners(source, batchFrom(first + cellsInBatch));
+        fetchCells(source, batchFrom(first + 2 * cellsInBatch));
+        drawn.fragments += drawCells(std::span(setups_).first(now.size()), shading, blocks_.data(), columns);
+        drawn.cells += now.size();
+        if (allDark())
+            break;
+    }
+}
+
+DrawnTile VolumeTilePainter::paint(const SampleRectangle& tile, std::span<const BinnedCell> cells,
+                                   const TileSurroundings& surroundings, const Progress& progress)
+{
+    clear(tile);
+    if (isLimited(surroundings))
+        setLimits(tile, surroundings);
+    DrawnTile drawn;
+    if (surroundings.focus != nullptr && setPassages(tile, *surroundings.focus->rays))
+        drawWithFocus(tile, cells, surroundings, progress, drawn);
+    else {
+        const TileShading shading = shadingOf(surroundings);
+        draw(source_, cells, tile, shading, progress, drawn);
+        finish(tile, shading);
+    }
+    drawn.fragments *= blockWidth * blockHeight;
+    drawn.colours = colours_;
+    drawn.depth = depth_;
+    return drawn;
+}
+
+namespace {
+
+/// Cells set up at a time.
+constexpr std::size_t borderBatch = 64;
+
+/// The q (CellSetup) of a place w along a ray.
+float focusNearness(double w, bool perspective)
+{
+    if (!perspective)
+        return static_cast<float>(-w);
+    return w > 0 ? static_cast<float>(std::min<double>(1 / w, farBound)) : farBound;
+}
+
+/// The whole cell lies in the region, so that none of it is in the border.
+bool liesWithin(const std::array<std::uint32_t, 4>& cell, std::span<const Eigen::Vector3f> positions,
+                const FocusRays& rays)
+{
+    return std::ranges::all_of(cell, [&](std::uint32_t vertex) { return rays.holds(positions[vertex]); });
+}
+
+} // namespace
+
+/// False if no ray of the tile meets the focus. What clip planes hide is left out of the passages.
+bool VolumeTilePainter::setPassages(const SampleRectangle& tile, const FocusRays& rays)
+{
+    passages_.assign(blocks_.size(), BlockPassage{{}, {}, {}, {}});
+    bool any = false;
+    for (int y = 0; y < tile.height(); ++y)
+        for (int x = 0; x < tile.width(); ++x) {
+            FocusRays::Passage passage = rays.at(tile.left + x, tile.top + y);
+            if (!passage.meets())
+                continue;
+            const auto [number, lane] = BlockLane(x, y);
+            const double front = limits_[number].front[lane], back = limits_[number].back[lane];
+            const bool perspective = view_.perspective;
+            const double nearest = perspective ? 1 / std::max<double>(front, 1e-30) : -front;
+            const double farthest = !perspective ? -back : back > 0 ? 1 / back : double(farBound);
+            const auto shown = [&](double w) {
+                return static_cast<float>(std::max(nearest, std::min(w, std::max(nearest, farthest))));
+            };
+            passages_[number].enter[lane] = shown(passage.enter);
+            passages_[number].in[lane] = shown(passage.in);
+            passages_[number].out[lane] = shown(passage.out);
+            passages_[number].leave[lane] = shown(passage.leave);
+            any = true;
+        }
+    return any;
+}
+
+void VolumeTilePainter::collectBorderOf(const SampleRectangle& tile, std::span<const BinnedCell> cells,
+                                        const FocusTile& focus, bool fine, const Progress& progress)
+{
+    const SetupSource& source = fine ? *focus.source : source_;
+    const auto positions = fine ? focus.finePositions : focus.positions;
+    const BorderTile border{focus.rays->weightsFrom(tile.left, tile.top),
+                            tile,
+                            passages_,
+                            blocks_,
+                            volumeTileSide / blockWidth,
+                            source.segments.data(),
+                            view_.perspective};
+    const TileFrame frame = frameOf(tile);
+    std::vector<BinnedCell> outside;
+    for (std::size_t first = 0; first < cells.size() && !progress.cancelled(); first += borderBatch) {
+        outside.clear();
+        for (const BinnedCell& cell : cells.subspan(first, std::min(borderBatch, cells.size() - first)))
+            if (!liesWithin(source.tetrahedra[cell.cell], positions, *focus.rays))
+                outside.push_back(cell);
+        setUpCells(source, frame, outside, setups_);
+        collectBorder(std::span(setups_).first(outside.size()), fine, border, border_);
+    }
+}
+
+/// Both kinds of fragments of each sample in one list, front to back.
+void VolumeTilePainter::putBorderAmong(const SampleRectangle& tile, const SurfaceFragments* surfaces)
+{
+    const auto samples = static_cast<std::uint32_t>(tile.width() * tile.height());
+    if (surfaces != nullptr)
+        for (std::uint32_t sample = 0; sample < samples; ++sample)
+            for (std::uint32_t i = surfaces->first[sample]; surfaces->fragments[i].nearness > -farBound; ++i)
+                border_.push_back({sample, surfaces->fragments[i]});
+    std::vector<std::uint32_t>& first = amongBorder_.first;
+    first.assign(samples + 1, 0);
+    for (const BorderFragment& fragment : border_)
+        ++first[fragment.sample + 1];
+    for (std::uint32_t sample = 0; sample < samples; ++sample)
+        first[sample + 1] += first[sample] + 1; // one more for the end
+    amongBorder_.fragments.assign(first.back(), {-farBound, {}});
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for (const BorderFragment& fragment : border_)
+        amongBorder_.fragments[next[fragment.sample]++] = fragment.surface;
+    for (std::uint32_t sample = 0; sample < samples; ++sample)
+        std::sort(
+            amongBorder_.fragments.begin() + first[sample], amongBorder_.fragments.begin() + next[sample],
+            [](const SurfaceFragment& one, const SurfaceFragment& other) { return one.nearness > other.nearness; });
+    first.pop_back();
+    amongBorder_.empty = border_.empty();
+}
+
+/// First the volume before the region and its border, then the fine one in the region, and the volume behind; what is
+/// in the border on the way, as surfaces are.
+void VolumeTilePainter::drawWithFocus(const SampleRectangle& tile, std::span<const BinnedCell> cells,
+                                      const TileSurroundings& surroundings, const Progress& progress, DrawnTile& drawn)
+{
+    const FocusTile& focus = *surroundings.focus;
+    border_.clear();
+    collectBorderOf(tile, cells, focus, false, progress);
+    collectBorderOf(tile, focus.cells, focus, true, progress);
+    putBorderAmong(tile, surroundings.surfaces);
+    TileSurroundings among = surroundings;
+    among.surfaces = &amongBorder_;
+    setLimits(tile, among);
+    TileShading shading = shadingOf(among);
+    shading.extras = true;
+
+    const std::vector<BlockLimits> whole = limits_;
+    const auto drawBetween = [&](const SetupSource& source, std::span<const BinnedCell> some, auto&& ends) {
+        for (std::size_t block = 0; block < limits_.size(); ++block)
+            for (std::size_t lane = 0; lane < 8; ++lane) {
+                const auto& [enter, in, out, leave] = passages_[block];
+                const FocusRays::Passage passage{enter[lane], in[lane], out[lane], leave[lane]};
+                const auto [front, back] = ends(passage, whole[block].front[lane], whole[block].back[lane]);
+                limits_[block].front[lane] = std::min(front, whole[block].front[lane]);
+                limits_[block].back[lane] = std::max(back, whole[block].back[lane]);
+            }
+        shading.segments = source.segments.data();
+        draw(source, some, tile, shading, progress, drawn);
+    };
+    using Ends = std::pair<float, float>;
+    constexpr Ends nothing{-farBound, farBound};
+    const bool perspective = view_.perspective;
+    drawBetween(source_, cells, [&](const FocusRays::Passage& passage, float front, float back) -> Ends {
+        return {front, passage.meets() ? focusNearness(passage.enter, perspective) : back};
+    });
+    drawBetween(*focus.source, focus.cells, [&](const FocusRays::Passage& passage, float, float) -> Ends {
+        return passage.meets() ? Ends{focusNearness(passage.in, perspective), focusNearness(passage.out, perspective)}
+                               : nothing;
+    });
+    drawBetween(source_, cells, [&](const FocusRays::Passage& passage, float, float back) -> Ends {
+        return passage.meets() ? Ends{focusNearness(passage.leave, perspective), back} : nothing;
+    });
+    finish(tile, shading);
+}
+
+} // namespace tetra

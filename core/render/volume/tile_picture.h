@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/render/tiles.h"
+#include "core/render/volume/border_fragments.h"
+#include "core/render/volume/cell_setup.h"
+#include "core/render/volume/clip_bounds.h"
+#include "core/render/volume/projected_vertices.h"
+#include "core/render/volume/volume_tile.h"
+#include "core/render/volume/volume_view.h"
+
+#include <span>
+#include <vector>
+
+namespace tetra {
+
+/// Samples a side of a tile, at most: its blocks, 48 bytes a sample, fit the second-level cache many times, and few
+/// cells lie in more than one tile.
+inline constexpr int volumeTileSide = 64;
+
+/// The fine volume of a focus in a tile.
+struct FocusTile {
+    const FocusRays* rays = nullptr;
+    const SetupSource* source = nullptr; ///< with the other volume's segments
+    std::span<const BinnedCell> cells;   ///< front to back
+    /// Where the vertices of both volumes are, to tell the cells that lie in the region as a whole.
+    std::span<const Eigen::Vector3f> positions, finePositions;
+};
+
+/// What is drawn in a tile along with cells. The bounds and the surfaces are of the same view.
+struct TileSurroundings {
+    const ClipBounds* clips = nullptr;          ///< if any
+    const SurfaceFragments* surfaces = nullptr; ///< if any
+    bool splitCells = true;                     ///< HybridOrder::Exact
+    bool depth = false;                         ///< wanted
+    const FocusTile* focus = nullptr;           ///< if any
+};
+
+/// A tile that was drawn, row by row.
+struct DrawnTile {
+    std::span<const PremultipliedColour> colours; ///< over nothing
+    std::span<const float> depth;                 ///< of VolumePicture, if wanted
+    std::size_t cells = 0;                        ///< drawn before all was opaque
+    std::size_t fragments = 0;                    ///< samples times cells, as far as they were looked at
+};
+
+/// Draws tile after tile, in memory of its own; one object a thread.
+class VolumeTilePainter {
+public:
+    VolumeTilePainter(const SetupSource& source, const VolumeView& view);
+
+    /// `cells` front to back. The result is valid until the next call; incomplete if cancelled. May throw
+    /// std::bad_alloc.
+    DrawnTile paint(const SampleRectangle& tile, std::span<const BinnedCell> cells,
+                    const TileSurroundings& surroundings, const Progress& progress);
+
+private:
+    void clear(const SampleRectangle& tile);
+    void setLimits(const SampleRectangle& tile, const TileSurroundings& surroundings);
+    void draw(const SetupSource& source, std::span<const BinnedCell> cells, const SampleRectangle& tile,
+              const TileShading& shading, const Progress& progress, DrawnTile& drawn);
+    bool setPassages(const SampleRectangle& tile, const FocusRays& rays);
+    void collectBorderOf(const SampleRectangle& tile, std::span<const BinnedCell> cells, const FocusTile& focus,
+                         bool fine, const Progress& progress);
+    void putBorderAmong(const SampleRectangle& tile, const SurfaceFragments* surfaces);
+    void drawWithFocus(const SampleRectangle& tile, std::span<const BinnedCell> cells,
+                       const TileSurroundings& surroundings, const Progress& progress, DrawnTile& drawn);
+    TileShading shadingOf(const TileSurroundings& surroundings);
+    TileFrame frameOf(const SampleRectangle& tile) const;
+    bool allDark();
+    void finish(const SampleRectangle& tile, const TileShading& shading);
+
+    SetupSource source_;
+    const VolumeView& view_;
+    std::vector<SampleBlock> blocks_;
+    std::vector<BlockLimits> limits_; ///< of the blocks, if there were any
+    std::vector<CellSetup> setups_;
+    std::size_t firstLit_ = 0;           ///< all blocks before it are opaque
+    std::vector<BlockPassage> passages_; ///< of the blocks, if the tile meets a focus
+    std::vector<BorderFragment> border_; ///< of the tile
+    SurfaceFragments amongBorder_;       ///< surfaces, and the border's fragments
+    std::vector<PremultipliedColour> colours_;
+    std::vector<float> depth_;
+};
+
+/// Where a sample of a tile is kept: in which of its blocks, and in which lane of that.
+struct BlockLane {
+    std::size_t block;
+    std::size_t lane;
+
+    BlockLane(int x, int y)
+        : block(static_cast<std::size_t>(y / blockHeight * (volumeTileSide / blockWidth) + x / blockWidth)),
+          lane(static_cast<std::size_t>(y % blockHeight * blockWidth + x % blockWidth))
+    {
+    }
+};
+
+} // namespace tetra

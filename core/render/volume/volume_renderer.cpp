@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/volume/volume_renderer.h"
+
+#include "core/render/order/visibility_order.h"
+#include "core/render/scene_check.h"
+#include "core/render/tiles.h"
+#include "core/render/volume/boundary_relations.h"
+#include "core/render/volume/projected_volume.h"
+#include "core/render/volume/tile_picture.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+
+namespace tetra {
+
+namespace {
+
+constexpr std::string_view renderingVolume = "Drawing the volume";
+constexpr std::string_view ordering = "Ordering the tetrahedra";
+
+Status checkSize(const VolumeOptions& options)
+{
+    if (options.width < 1 || options.height < 1 || options.width > largestPictureSide ||
+        options.height > largestPictureSide)
+        return Error{ErrorKind::WrongUsage, "A picture must have 1 to " + std::to_string(largestPictureSide) +
+                                                " samples a side. Draw a larger one in parts."};
+    return {};
+}
+
+TileGrid gridOf(const VolumeView& view)
+{
+    return {view.width, view.height, volumeTileSide};
+}
+
+/// Copies a tile to its place in the picture.
+void place(const DrawnTile& drawn, const SampleRectangle& tile, VolumePicture& picture)
+{
+    const auto width = static_cast<std::size_t>(tile.width());
+    for (int row = tile.top; row < tile.bottom; ++row) {
+        const auto from = static_cast<std::size_t>(row - tile.top) * width;
+        const auto to = static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
+                        static_cast<std::size_t>(tile.left);
+        std::ranges::copy(drawn.colours.subspan(from, width), picture.samples.data() + to);
+        if (!picture.depth.empty())
+            std::ranges::copy(drawn.depth.subspan(from, width), picture.depth.data() + to);
+    }
+}
+
+Result<VolumePicture> draw(const VolumeMesh& mesh, const VolumeTransfer& transfer, std::span<const std::uint32_t> order,
+                           const VolumeView& view, const VolumeOptions& options, const Progress& progress)
+{
+    progress.report(0, renderingVolume);
+    const TileGrid grid = gridOf(view);
+    const ProjectedVolume volume = projectVolume(mesh, transfer, order, view, grid, progress);
+    if (progress.cancelled())
+        return cancelledError(renderingVolume);
+
+    VolumePicture picture{view.width, view.height, {}, {}, 0};
+    const std::size_t samples = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
+    picture.samples.resize(samples);
+    picture.depth.resize(options.depth ? samples : 0);
+
+    const SetupSource source = setupSourceOf(mesh, transfer, volume, view, false);
+    const TileSurroundings surroundings{.depth = options.depth};
+    TileProgress done(progress.part(0.2, 1), grid.count(), renderingVolume);
+    std::atomic<std::size_t> drawnCells = 0;
+    tbb::enumerable_thread_specific<VolumeTilePainter> painters([&] { return VolumeTilePainter(source, view); });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grid.count(), 1), [&](const auto& range) {
+        VolumeTilePainter& painter = painters.local();
+        for (std::size_t t = range.begin(); t != range.end() && !progress.cancelled(); ++t) {
+            const SampleRectangle tile = grid.tile(t);
+            const DrawnTile drawn = painter.paint(tile, volume.bins.cellsOf(t), surroundings, progress);
+            place(drawn, tile, picture);
+            drawnCells += drawn.cells;
+            done.tileDone();
+        }
+    });
+    if (progress.cancelled())
+        return cancelledError(renderingVolume);
+    picture.drawnCells = drawnCells;
+    return picture;
+}
+
+} // namespace
+
+Result<VisibilityOrder> orderForView(const VolumeMesh& mesh, const VolumeView& view, const Progress& progress)
+{
+    progress.report(0, ordering);
+    const TetrahedralMesh& cells = *mesh.mesh;
+    std::vector<CellRelation> relations;
+    if (!mesh.convex)
+        relations = boundaryRelations(cells.tetrahedra, mesh.adjacency, projectVertices(cells, view, {}), view,
+                                      gridOf(view), progress);
+    if (progress.cancelled())
+        return cancelledError(ordering);
+    VisibilityOrder order = orderByAdjacency(cells, mesh.adjacency, {view.eye, view.perspective}, relations);
+    progress.report(1, ordering);
+    return order;
+}
+
+Result<VisibilityOrder> orderForCamera(const VolumeMesh& mesh, const Camera& camera, const VolumeOptions& options,
+                                       const Progress& progress)
+{
+    if (Status status = checkSize(options); !status)
+        return status.error();
+    return onThreads(options.threads, [&]() -> Result<VisibilityOrder> {
+        return orderForView(mesh, makeVolumeView(camera, options.width, options.height, mesh.bounds), progress);
+    });
+}
+
+Result<VolumePicture> drawVolume(const VolumeMesh& mesh, const VolumeTransfer& transfer,
+                                 std::span<const std::uint32_t> order, const Camera& camera,
+                                 const VolumeOptions& options, const Progress& progress)
+{
+    if (Status status = checkSize(options); !status)
+        return status.error();
+    if (!belongTogether(mesh, transfer, order))
+        return Error{ErrorKind::WrongUsage, "The mesh, its transfer function and its order do not belong together."};
+    return onThreads(options.threads, [&]() -> Result<VolumePicture> {
+        const VolumeView view = makeVolumeView(camera, options.width, options.height, mesh.bounds);
+        return draw(mesh, transfer, order, view, options, progress);
+    });
+}
+
+bool KeptOrder::fits(const Request& request) const
+{
+    if (request.mesh->mesh->tetrahedra.size() != order_.cells.size() || mesh_.lock() != request.mesh)
+        return false;
+    const bool sameSamples = pictureSize_ == Eigen::Vector2i(request.whole.width, request.whole.height) &&
+                             part_ == request.part && camera_ == request.camera;
+    if (sameSamples)
+        return true;
+    const SampleRectangle whole{0, 0, pictureSize_.x(), pictureSize_.y()};
+    if (!request.mesh->convex && (request.tolerance <= 0 || part_ != whole))
+        return false;
+    return orderDrift(request.mesh->bounds, camera_, request.camera) <= request.tolerance;
+}
+
+Status KeptOrder::prepare(const Request& request, const Progress& progress)
+{
+    reused_ = fits(request);
+    if (reused_)
+        return {};
+    mesh_.reset();
+    auto order = orderForView(*request.mesh, partOf(request.whole, request.part), progress);
+    if (!order)
+        return order.error();
+    order_ = std::move(order).value();
+    mesh_ = request.mesh;
+    camera_ = request.camera;
+    pictureSize_ = {request.whole.width, request.whole.height};
+    part_ = request.part;
+    return {};
+}
+
+} // namespace tetra

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/transfer/import/transfer_import.h"
+
+#include "core/base/json.h"
+#include "core/transfer/import/presets.h"
+#include "core/transfer/transfer_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetra {
+namespace {
+
+bool isXml(std::string_view text)
+{
+    const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+    return first != std::string_view::npos && text[first] == '<';
+}
+
+/// Presets for any data have values from 0 to 1.
+bool isForAnyData(const CurvePreset& preset)
+{
+    const auto unit = [](const auto& nodes) {
+        return nodes.empty() || (nodes.front().value == 0 && nodes.back().value == 1);
+    };
+    return unit(preset.colours.nodes) && unit(preset.opacities);
+}
+
+void spreadPreset(CurvePreset& preset, const TransferLimits& limits)
+{
+    for (ColourNode& node : preset.colours.nodes)
+        node.value = std::lerp(limits.least, limits.largest, node.value);
+    for (OpacityNode& node : preset.opacities)
+        node.value = std::lerp(limits.least, limits.largest, node.value);
+}
+
+} // namespace
+
+Result<std::vector<ImportedTransfer>> importTransferFunctions(std::string_view text,
+                                                              const ImportSurroundings& surroundings)
+{
+    Result<std::vector<CurvePreset>> presets = std::vector<CurvePreset>();
+    if (isXml(text)) {
+        presets = presetsFromXml(text);
+    } else {
+        const Result<JsonValue> root = parseJson(text);
+        if (!root)
+            return Error{ErrorKind::BadInput, "The transfer function cannot be read. " + root.error().text};
+        if (root->find("format") != nullptr) {
+            Result<TransferFunction> function = transferFunctionFromJson(*root);
+            if (!function)
+                return function.error();
+            return std::vector<ImportedTransfer>{{{}, *std::move(function)}};
+        }
+        presets = presetsFromJson(*root);
+    }
+    if (!presets)
+        return presets.error();
+    std::vector<ImportedTransfer> imported;
+    for (CurvePreset& preset : *presets) {
+        if (surroundings.limits && isForAnyData(preset))
+            spreadPreset(preset, *surroundings.limits);
+        imported.push_back({preset.name, transferFunctionOf(preset, surroundings.present), preset.opacities.empty()});
+    }
+    return imported;
+}
+
+std::string transferFunctionToParaview(const TransferFunction& function, const std::string& name)
+{
+    return presetToJson(curvesOf(function, name));
+}
+
+} // namespace tetra

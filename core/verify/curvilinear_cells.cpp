@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/verify/curvilinear_cells.h"
+
+#include "core/base/rounding.h"
+#include "core/verify/exact_cell.h"
+#include "core/verify/findings.h"
+#include "core/verify/lattice_cells.h"
+
+#include <Eigen/Geometry>
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace tetra {
+
+namespace {
+
+/// How many corners of cells have volume, of either sign.
+struct CornerSigns {
+    std::uint64_t positive = 0;
+    std::uint64_t negative = 0;
+
+    void add(double volume)
+    {
+        positive += volume > 0;
+        negative += volume < 0;
+    }
+    void add(const CornerSigns& other)
+    {
+        positive += other.positive;
+        negative += other.negative;
+    }
+    bool leftHanded() const { return negative > positive; }
+};
+
+/// Where the corners of a cell of the grid lie; the bits of a corner's number choose the later point along x, y and z.
+class GridCell {
+public:
+    GridCell(const Dataset& original, const LatticePoint& cell)
+    {
+        const auto& size = original.lattice.size;
+        const Eigen::Vector3d* const first =
+            original.positions->data() + original.lattice.index(static_cast<std::uint32_t>(cell[2]),
+                                                                static_cast<std::uint32_t>(cell[1]),
+                                                                static_cast<std::uint32_t>(cell[0]));
+        for (unsigned corner = 0; corner < places_.size(); ++corner)
+            places_[corner] =
+                first[(corner & 1) + std::size_t(size[0]) * ((corner >> 1 & 1) + std::size_t(size[1]) * (corner >> 2))];
+    }
+    /// Six times the volume of the tetrahedron of a corner and its neighbours along the edges, as who writes a model
+    /// finds it: for the hand that will do, and may not be the exact one.
+    double roughVolume(unsigned corner) const
+    {
+        const Eigen::Vector3d& at = places_[corner];
+        return turn(corner) *
+               (places_[corner ^ 1] - at).dot((places_[corner ^ 2] - at).cross(places_[corner ^ 4] - at));
+    }
+    /// Its sign; exact. Most are decided by lengths alone, without the products that volumeSign() adds up.
+    int sign(unsigned corner, double rough) const
+    {
+        const Eigen::Vector3d& at = places_[corner];
+        const double lengths = (places_[corner ^ 1] - at).squaredNorm() * (places_[corner ^ 2] - at).squaredNorm() *
+                               (places_[corner ^ 4] - at).squaredNorm();
+        // No product is larger than the three lengths', and six of them are rounded some times each.
+        if (lengths > 1e-200 && rough * rough > 0x1p-80 * lengths && std::isfinite(lengths))
+            return rough > 0 ? 1 : -1;
+        return turn(corner) *
+               volumeSign(places_[corner], places_[corner ^ 1], places_[corner ^ 2], places_[corner ^ 4]);
+    }
+
+private:
+    /// -1 if an odd number of the edges runs backwards.
+    static int turn(unsigned corner) { return std::popcount(corner) % 2 == 0 ? 1 : -1; }
+
+    std::array<Eigen::Vector3d, 8> places_;
+};
+
+/// Calls visit(cell) for the cells of a layer across z, in order.
+template <class Visit> void forEachGridCell(const Lattice& lattice, std::size_t layer, const Visit& visit)
+{
+    for (std::int64_t y = 0; y + 1 < lattice.size[1]; ++y)
+        for (std::int64_t x = 0; x + 1 < lattice.size[0]; ++x)
+            visit(LatticePoint{static_cast<std::int64_t>(layer), y, x});
+}
+
+/// x, y, z and what they are to be divided by, which is positive. Grids have at most 2^30 points along an axis: what is
+/// cut once takes 61 bits, twice 122.
+using ProjectivePoint = std::array<__int128, 4>;
+using PointCloud = std::vector<ProjectivePoint>;
+
+/// On which side of a plane across an axis the point lies.
+__int128 beyondPlane(const ProjectivePoint& point, std::size_t axis, std::int64_t plane)
+{
+    return point[axis] - plane * point[3];
+}
+
+/// Whether the convex hull of the points, which has volume, has points strictly between two planes.
+bool reachesBetween(const PointCloud& points, std::size_t axis, std::int64_t least, std::int64_t most)
+{
+    return std::ranges::any_of(points, [&](const auto& point) { return beyondPlane(point, axis, least) > 0; }) &&
+           std::ranges::any_of(points, [&](const auto& point) { return beyondPlane(point, axis, most) < 0; });
+}
+
+/// Points whose convex hull is what the hull of `points` has between two planes.
+PointCloud cutBetween(const PointCloud& points, std::size_t axis, std::int64_t least, std::int64_t most)
+{
+    PointCloud part;
+    for (const ProjectivePoint& point : points)
+        if (beyondPlane(point, axis, least) >= 0 && beyondPlane(point, axis, most) <= 0)
+            part.push_back(point);
+    for (const std::int64_t plane : {least, most})
+        for (const ProjectivePoint& before : points)
+            for (const ProjectivePoint& behind : points) {
+                const __int128 from = beyondPlane(before, axis, plane), to = beyondPlane(behind, axis, plane);
+                if (from >= 0 || to <= 0)
+                    continue;
+                ProjectivePoint& between = part.emplace_back();
+                for (std::size_t i = 0; i < 4; ++i)
+                    between[i] = to * before[i] - from * behind[i];
+            }
+    return part;
+}
+
+} // namespace
+
+Result<LiftedOriginal> LiftedOriginal::make(const Dataset& original, bool leftHanded,
+                                            std::vector<std::string>& failures, const Progress& progress)
+{
+    const std::size_t layerCount = original.lattice.size[2] - 1;
+    const std::string activity = "Verifying the cells of the grid";
+    std::vector<std::array<CornerSigns, 2>> counts(layerCount);
+    const Status counted = verifyEach(layerCount, 1, activity, progress.part(0, 0.5), [&](std::size_t layer) {
+        forEachGridCell(original.lattice, layer, [&, &count = counts[layer]](const LatticePoint& cell) {
+            const GridCell places(original, cell);
+            for (unsigned corner = 0; corner < 8; ++corner) {
+                const double rough = places.roughVolume(corner);
+                count[0].add(places.sign(corner, rough));
+                count[1].add(rough);
+            }
+        });
+    });
+    if (!counted)
+        return counted.error();
+    CornerSigns exact, rough;
+    for (const auto& count : counts) {
+        exact.add(count[0]);
+        rough.add(count[1]);
+    }
+    LiftedOriginal result;
+    const bool agrees = leftHanded == exact.leftHanded() || leftHanded == rough.leftHanded();
+    if (!agrees)
+        failures.push_back(std::string("The model takes the grid for a ") + (leftHanded ? "left" : "right") +
+                           "-handed one, but most corners of its cells are " +
+                           (leftHanded ? "not negative." : "negative."));
+    result.hand_ = (agrees ? leftHanded : exact.leftHanded()) ? -1 : 1;
+    if ((result.hand_ > 0 ? exact.negative : exact.positive) == 0)
+        return result;
+    std::vector<std::vector<LatticePoint>> layers(layerCount);
+    const Status listed = verifyEach(layerCount, 1, activity, progress.part(0.5, 1), [&](std::size_t layer) {
+        forEachGridCell(original.lattice, layer, [&](const LatticePoint& cell) {
+            const GridCell places(original, cell);
+            for (unsigned corner = 0; corner < 8; ++corner)
+                if (places.sign(corner, places.roughVolume(corner)) == -result.hand_) {
+                    layers[layer].push_back(cell);
+                    return;
+                }
+        });
+    });
+    if (!listed)
+        return listed.error();
+    for (const std::vector<LatticePoint>& layer : layers)
+        result.folded_.insert(result.folded_.end(), layer.begin(), layer.end());
+    return result;
+}
+
+/// Cuts the tetrahedron into slices of the grid's layers, these into columns along x, and looks how far the columns
+/// reach. Only layers and rows that have folded cells are looked at.
+bool LiftedOriginal::bears(const CellCorners& corners) const
+{
+    LatticePoint least = corners[0], most = corners[0];
+    PointCloud tetrahedron;
+    for (const LatticePoint& corner : corners) {
+        tetrahedron.push_back({corner[0], corner[1], corner[2], 1});
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            least[axis] = std::min(least[axis], corner[axis]);
+            most[axis] = std::max(most[axis], corner[axis]);
+        }
+    }
+    if (most[0] - least[0] <= 1 && most[1] - least[1] <= 1 && most[2] - least[2] <= 1)
+        return true; // of one cell
+    const auto from = [this](const LatticePoint& cell) { return std::ranges::lower_bound(folded_, cell); };
+    for (auto cell = from({least[2], least[1], least[0]}); cell != folded_.end() && (*cell)[0] < most[2];) {
+        const std::int64_t z = (*cell)[0];
+        const PointCloud slice = cutBetween(tetrahedron, 2, z, z + 1);
+        for (cell = from({z, least[1], least[0]}); cell != folded_.end() && (*cell)[0] == z && (*cell)[1] < most[1];) {
+            const std::int64_t y = (*cell)[1];
+            if (reachesBetween(slice, 1, y, y + 1)) {
+                const PointCloud column = cutBetween(slice, 1, y, y + 1);
+                for (cell = from({z, y, least[0]});
+                     cell != folded_.end() && (*cell)[0] == z && (*cell)[1] == y && (*cell)[2] < most[0]; ++cell)
+                    if (reachesBetween(column, 0, (*cell)[2], (*cell)[2] + 1))
+                        return true;
+            }
+            cell = from({z, y + 1, least[0]});
+        }
+        cell = from({z + 1, least[1], least[0]});
+    }
+    return false;
+}
+
+namespace {
+
+constexpr std::size_t liftedCellsAtOnce = 256;
+
+/// What of a mesh holds in physical space: that its cells are not inverted, and how far they are from the grid.
+class LiftedCheck {
+public:
+    explicit LiftedCheck(const MeshToVerify& mesh)
+        : model_(mesh.model), original_(mesh.original), weights_(mesh.weights), cells_(mesh.cells),
+          claims_(mesh.claims), lifted_(*mesh.lifted), diagonal_(original_.bounds().diagonal().norm()),
+          allowance_(1e-12 * diagonal_ + 0x1p-44 * farthest(original_)), withinOwn_(original_.pointCount())
+    {
+    }
+
+    Status run(const Progress& progress);
+    void moveTo(LevelVerdict& verdict);
+
+private:
+    /// Coordinates of this size are rounded, in the builder as here.
+    static double farthest(const Dataset& original)
+    {
+        const Eigen::AlignedBox3d bounds = original.bounds();
+        return std::max(bounds.min().cwiseAbs().maxCoeff(), bounds.max().cwiseAbs().maxCoeff());
+    }
+    void checkCell(std::size_t number);
+    void checkVolume(std::size_t number, const std::array<Eigen::Vector3d, 4>& places);
+    /// What the history grants the cell; anything if it is of no history.
+    double ownBound(std::size_t number) const
+    {
+        const auto inHistory = cells_.historyNumber(number);
+        return inHistory ? static_cast<double>(halfToFloat(model_.ownWarpings()[*inHistory])) * diagonal_ + allowance_
+                         : std::numeric_limits<double>::infinity();
+    }
+    double percent(double warping) const { return 100 * warping / diagonal_; }
+
+    const Model& model_;
+    const Dataset& original_;
+    const Weights& weights_;
+    const LevelCells& cells_;
+    const MeshClaims& claims_;
+    const LiftedOriginal& lifted_;
+    double diagonal_;
+    double allowance_;                         ///< by which a claim may be exceeded
+    std::vector<std::atomic<bool>> withinOwn_; ///< for each sample whether one of its cells' own warpings bounds it
+    tbb::enumerable_thread_specific<double> largest_{0.0};
+    std::atomic<std::uint64_t> degenerate_ = 0;
+    std::atomic<std::uint64_t> borne_ = 0; ///< inverted, as the grid itself is there
+    Findings inverted_;
+    Findings tooLarge_;
+};
+
+Status LiftedCheck::run(const Progress& progress)
+{
+    return verifyEach(cells_.size(), liftedCellsAtOnce, "Verifying the warping at every sample", progress,
+                      [this](std::size_t number) { checkCell(number); });
+}
+
+void LiftedCheck::checkVolume(std::size_t number, const std::array<Eigen::Vector3d, 4>& places)
+{
+    const int sign = volumeSign(places[0], places[1], places[2], places[3]);
+    if (sign == 0)
+        ++degenerate_;
+    else if (sign != lifted_.hand() && lifted_.bears(cells_.corners(number)))
+        ++borne_;
+    else if (sign != lifted_.hand())
+        inverted_.add(number, [&] {
+            return "Cell with corners " + textOf(cells_.corners(number)) + " is inverted in physical space.";
+        });
+}
+
+void LiftedCheck::checkCell(std::size_t number)
+{
+    const CellCorners corners = cells_.corners(number);
+    const std::int64_t volume = sixVolumes(corners);
+    if (volume <= 0)
+        return; // found already
+    std::array<Eigen::Vector3d, 4> places;
+    for (std::size_t corner = 0; corner < 4; ++corner)
+        places[corner] = original_.position(cells_.point(cells_.vertices(number)[corner]));
+    checkVolume(number, places);
+    const double own = ownBound(number);
+    double worst = 0;
+    double worstBeyond = 0; ///< of those larger than what is claimed
+    std::uint64_t sampleBeyond = 0;
+    forEachSample(original_.lattice, corners, [&](const LatticePoint&, std::uint64_t sample, const auto& weights) {
+        const Eigen::Vector3d original = original_.position(sample);
+        Eigen::Vector3d offset(0, 0, 0);
+        for (std::size_t corner = 0; corner < 4; ++corner)
+            offset += static_cast<double>(weights[corner]) / static_cast<double>(volume) * (places[corner] - original);
+        const double warping = offset.norm() * (weights_.empty() ? 1 : static_cast<double>(weights_[sample]));
+        if (warping <= own)
+            withinOwn_[sample].store(true, std::memory_order_relaxed);
+        worst = std::max(worst, warping);
+        if (warping > worstBeyond && warping > claims_.warping(sample) + allowance_) {
+            worstBeyond = warping;
+            sampleBeyond = sample;
+        }
+    });
+    largest_.local() = std::max(largest_.local(), worst);
+    if (worstBeyond > 0)
+        tooLarge_.add(number, [&] {
+            const auto c = original_.lattice.coordinates(sampleBeyond);
+            return "The warping at sample " + textOf(LatticePoint{c[0], c[1], c[2]}) + " is " +
+                   textOf(percent(worstBeyond)) + " % of the diagonal, more than the claimed " +
+                   textOf(percent(claims_.warping(sampleBeyond))) + " %, in the cell with corners " + textOf(corners) +
+                   ".";
+        });
+}
+
+void LiftedCheck::moveTo(LevelVerdict& verdict)
+{
+    Findings beyondOwn;
+    const bool ofHistory = cells_.size() > 0 && cells_.historyNumber(0).has_value();
+    for (std::uint64_t sample = 0; sample < withinOwn_.size(); ++sample)
+        if (ofHistory && !withinOwn_[sample].load(std::memory_order_relaxed))
+            beyondOwn.add(sample, [&] {
+                const auto c = original_.lattice.coordinates(sample);
+                return "The warping at sample " + textOf(LatticePoint{c[0], c[1], c[2]}) +
+                       " is larger than the own warping of every cell that holds it.";
+            });
+    verdict.largestWarping = percent(largest_.combine([](double a, double b) { return std::max(a, b); }));
+    verdict.inverted += inverted_.count() + borne_;
+    verdict.invertedInData = borne_;
+    verdict.degenerate = degenerate_;
+    for (Findings* findings : {&inverted_, &tooLarge_, &beyondOwn})
+        findings->moveTo(verdict.failures);
+}
+
+} // namespace
+
+Status verifyLifted(const MeshToVerify& mesh, LevelVerdict& verdict, const Progress& progress)
+{
+    LiftedCheck check(mesh);
+    const Status done = check.run(progress);
+    check.moveTo(verdict);
+    return done;
+}
+
+} // namespace tetra

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/data/dataset.h"
+#include "core/verify/exact_cell.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tetra {
+
+/// The grid of a model of curvilinear data as verification sees it: its hand, its folded cells, and so which
+/// tetrahedra may be inverted (S5, FORMAT.md). Exact; finds all that by itself and in another way than builders do.
+class LiftedOriginal {
+public:
+    /// `original` is curvilinear. Says in `failures` if `leftHanded`, the model's word, is not true of it. An Error
+    /// only if cancelled.
+    static Result<LiftedOriginal> make(const Dataset& original, bool leftHanded, std::vector<std::string>& failures,
+                                       const Progress& progress);
+
+    /// The sign of volumes that are not inverted.
+    int hand() const noexcept { return hand_; }
+    std::uint64_t foldedCells() const noexcept { return folded_.size(); }
+    /// Whether a tetrahedron of these points, positive in computational space, is borne if it is inverted.
+    bool bears(const CellCorners& corners) const;
+
+private:
+    int hand_ = 1;
+    std::vector<LatticePoint> folded_; ///< the first corners of these cells, as z, y, x; sorted
+};
+
+} // namespace tetra

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/history/model.h"
+#include "core/verify/exact_cell.h"
+#include "core/verify/verification.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tetra {
+
+/// The cells of one mesh, by the numbers of its vertices. For verification; the arrays are known to be usable.
+class LevelCells {
+public:
+    using Cell = std::array<std::uint32_t, 4>;
+
+    /// Of the level of the first sites, picked from the history by its definition: created by one of them, destroyed by
+    /// none. Vertices are sites.
+    LevelCells(const Model& model, const std::vector<LatticePoint>& places, std::uint32_t sites)
+        : points_(model.points()), places_(places)
+    {
+        for (std::uint32_t creator = 0; creator < sites; ++creator)
+            for (std::uint64_t t = model.starOffsets()[creator]; t < model.starOffsets()[creator + 1]; ++t) {
+                if (model.destroyers()[t] < sites)
+                    continue;
+                const std::array<std::uint32_t, 3>& others = model.otherSites()[t];
+                cells_.push_back({creator, others[0], others[1], others[2]});
+                historyNumbers_.push_back(t);
+            }
+    }
+    /// Of any mesh whose vertices are points of the dataset: the point of each, and, of lattices, where it lies.
+    LevelCells(std::span<const std::uint32_t> points, const std::vector<LatticePoint>& places, std::vector<Cell> cells)
+        : points_(points), places_(places), cells_(std::move(cells))
+    {
+    }
+
+    std::size_t size() const noexcept { return cells_.size(); }
+    const Cell& vertices(std::size_t cell) const { return cells_[cell]; }
+    std::uint32_t point(std::uint32_t vertex) const { return points_[vertex]; }
+    const LatticePoint& place(std::uint32_t vertex) const { return places_[vertex]; }
+    CellCorners corners(std::size_t cell) const
+    {
+        const Cell& c = cells_[cell];
+        return {places_[c[0]], places_[c[1]], places_[c[2]], places_[c[3]]};
+    }
+    /// The tetrahedron of the history that a cell of a level is; other meshes have none.
+    std::optional<std::uint64_t> historyNumber(std::size_t cell) const
+    {
+        return historyNumbers_.empty() ? std::nullopt : std::optional(historyNumbers_[cell]);
+    }
+
+private:
+    std::span<const std::uint32_t> points_;
+    const std::vector<LatticePoint>& places_;
+    std::vector<Cell> cells_;
+    std::vector<std::uint64_t> historyNumbers_;
+};
+
+/// A face of one cell only, seen from outside counterclockwise.
+struct BoundaryFace {
+    std::array<std::uint32_t, 3> vertices;
+    std::uint32_t cell = 0;
+};
+
+/// What a domain says of its cells' faces.
+struct FaceRule {
+    std::function<bool(const std::array<std::uint32_t, 3>& vertices)> onBoundary;
+    std::function<std::string(std::uint32_t vertex)> place; ///< for messages
+};
+
+/// Every face belongs to two cells, one on each side, or to one and lies on the domain's boundary. Sorts the faces in
+/// batches of at most about 8 million. The faces of one cell go to `boundary` if it is given, in a fixed order. An
+/// Error only if cancelled.
+Status verifyFaces(const LevelCells& cells, const FaceRule& rule, LevelVerdict& verdict, const Progress& progress,
+                   std::vector<BoundaryFace>* boundary = nullptr);
+
+} // namespace tetra

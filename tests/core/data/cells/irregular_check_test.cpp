@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/data/cells/irregular_check.h"
+
+#include <QTest>
+
+using namespace tetra;
+
+namespace {
+
+using Tetrahedra = std::vector<std::array<std::uint32_t, 4>>;
+
+Dataset datasetOf(std::vector<Eigen::Vector3d> positions, Tetrahedra tetrahedra)
+{
+    Dataset dataset;
+    dataset.domain = DomainClass::Irregular;
+    dataset.lattice.size = {static_cast<std::uint32_t>(positions.size()), 1, 1};
+    const auto values = std::make_shared<std::vector<float>>(positions.size(), 2.0f);
+    dataset.values =
+        ScalarField(SampleType::Float32, values->size(), {values, reinterpret_cast<const std::byte*>(values->data())});
+    dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(positions));
+    dataset.tetrahedra = std::make_shared<const Tetrahedra>(std::move(tetrahedra));
+    return dataset;
+}
+
+const std::vector<Eigen::Vector3d> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+
+} // namespace
+
+class IrregularCheckTest : public QObject {
+    Q_OBJECT
+private slots:
+    void sound()
+    {
+        QVERIFY(checkIrregular(datasetOf(corners, {{0, 1, 2, 3}, {1, 2, 3, 4}})).ok());
+        // Two components.
+        auto positions = corners;
+        positions.resize(4);
+        for (std::size_t i = 0; i < 4; ++i)
+            positions.push_back(corners[i] + Eigen::Vector3d(0.5, 0.5, 0.5));
+        QVERIFY(checkIrregular(datasetOf(positions, {{0, 1, 2, 3}, {4, 5, 6, 7}})).ok());
+    }
+
+    /// S6, S20: each thing that is relied on.
+    void faults_data()
+    {
+        QTest::addColumn<Dataset>("dataset");
+        QTest::addColumn<QString>("says");
+        QTest::newRow("turned") << datasetOf(corners, {{0, 1, 2, 3}, {1, 3, 2, 4}}) << "1 tetrahedron that is flat";
+        QTest::newRow("unused") << datasetOf(corners, {{0, 1, 2, 3}}) << "1 points that no tetrahedron";
+        QTest::newRow("range") << datasetOf(corners, {{0, 1, 2, 5}}) << "point 5 of 5";
+        QTest::newRow("none") << datasetOf(corners, {}) << "no tetrahedra";
+        QTest::newRow("twice") << datasetOf(corners, {{0, 1, 2, 3}, {1, 2, 3, 4}, {1, 2, 3, 4}}) << "three or more";
+        auto positions = corners;
+        positions.push_back({-1, -1, -1});
+        positions.push_back({-1, 0, -1});
+        positions.push_back({0, -1, -1});
+        QTest::newRow("corner") << datasetOf(positions, {{0, 1, 2, 3}, {1, 2, 3, 4}, {0, 5, 6, 7}})
+                                << "1 point in which parts";
+        positions.resize(5);
+        positions.push_back({-1, -1, 0});
+        positions.push_back({-1, -1, 1});
+        QTest::newRow("edge") << datasetOf(positions, {{0, 1, 2, 3}, {1, 2, 3, 4}, {0, 3, 5, 6}}) << "flat or inverted";
+        positions[6] = {-1, -2, 0};
+        QTest::newRow("turned edge") << datasetOf(positions, {{0, 1, 2, 3}, {1, 2, 3, 4}, {0, 5, 6, 3}})
+                                     << "1 edge in which parts";
+        positions = {corners.begin(), corners.begin() + 4};
+        for (std::size_t i = 0; i < 4; ++i)
+            positions.push_back(corners[i] * 0.25 + Eigen::Vector3d(0.1, 0.1, 0.1));
+        QTest::newRow("inside") << datasetOf(positions, {{0, 1, 2, 3}, {4, 5, 6, 7}}) << "1 part inside";
+        for (std::size_t i = 0; i < 4; ++i)
+            positions[4 + i] = corners[i] + Eigen::Vector3d(0.1, 0.1, 0.1);
+        QTest::newRow("overlap") << datasetOf(positions, {{0, 1, 2, 3}, {4, 5, 6, 7}}) << "cut or touch";
+        for (std::size_t i = 0; i < 4; ++i)
+            positions[4 + i] = corners[i] + Eigen::Vector3d(1, 0, 0);
+        QTest::newRow("one place") << datasetOf(positions, {{0, 1, 2, 3}, {4, 5, 6, 7}}) << "cut or touch";
+    }
+    void faults()
+    {
+        QFETCH(const Dataset, dataset);
+        QFETCH(const QString, says);
+        const Status checked = checkIrregular(dataset);
+        QVERIFY(!checked.ok());
+        QVERIFY2(QString::fromStdString(checked.error().text).contains(says), checked.error().text.c_str());
+    }
+
+    /// A part in the cavity of another one is no fault: two shells of a tetrahedron with a smaller one in the hole.
+    void partsInCavities()
+    {
+        const Eigen::Vector3d centre(0.25, 0.25, 0.25);
+        std::vector<Eigen::Vector3d> positions;
+        for (const double scale : {1.0, 0.5, 0.25})
+            for (std::size_t i = 0; i < 4; ++i)
+                positions.push_back(centre + scale * (corners[i] - centre));
+        Tetrahedra tetrahedra = {{8, 9, 10, 11}};
+        // Between the outer and the middle one, a prism for each face, cut in three.
+        for (const auto& [a, b, c] : {std::array<std::uint32_t, 3>{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}})
+            tetrahedra.insert(tetrahedra.end(), {{a, b, c, a + 4}, {b, c, a + 4, b + 4}, {c, a + 4, b + 4, c + 4}});
+        for (auto& t : tetrahedra) {
+            const Eigen::Vector3d a = positions[t[0]];
+            if ((positions[t[1]] - a).dot((positions[t[2]] - a).cross(positions[t[3]] - a)) < 0)
+                std::swap(t[0], t[1]);
+        }
+        const Status checked = checkIrregular(datasetOf(positions, tetrahedra));
+        QVERIFY2(checked.ok(), checked ? "" : checked.error().text.c_str());
+    }
+};
+
+QTEST_GUILESS_MAIN(IrregularCheckTest)
+#include "irregular_check_test.moc"

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/data/dataset.h"
+#include "core/decimate/decimation.h"
+#include "tests/core/history/model_fixture.h"
+
+#include <filesystem>
+#include <memory>
+#include <random>
+
+namespace tetra {
+
+/// A dataset of these tetrahedra. Values are doubles, or floats of the same numbers.
+Dataset datasetOfTetrahedra(std::vector<Eigen::Vector3d> positions, const std::vector<double>& values,
+                            std::vector<std::array<std::uint32_t, 4>> tetrahedra,
+                            SampleType type = SampleType::Float64);
+
+/// Without the points that no tetrahedron uses.
+Dataset withoutUnused(const Dataset& dataset);
+
+/// A small mesh with holes, cavities and one or two parts; every third along the axes, others with points moved about.
+Dataset randomIrregular(std::uint32_t seed);
+
+/// The history of its decimation. What fails here fails the test.
+RecordedHistory decimated(const Dataset& dataset, const std::vector<float>& weights = {});
+
+/// The same of the cells of a lattice, regular or curvilinear.
+RecordedHistory decimatedGrid(const Dataset& dataset);
+
+/// A model of a history, written and opened. What fails here fails the test.
+std::shared_ptr<const Model> modelOf(const std::filesystem::path& path, const Dataset& dataset,
+                                     const RecordedHistory& history,
+                                     std::vector<std::pair<std::string, std::string>> parameters = {});
+
+} // namespace tetra

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random queries to models of irregular data and to decimated ones of any kind: the mesh is the one that going through
+// the whole history gives, and the independent judge proves it (B1, B3, R14, R25).
+#include "core/history/query/curvilinear_focus.h"
+#include "core/history/query/mesh_extractor.h"
+#include "core/history/query/sharp_focus.h"
+#include "core/verify/verification.h"
+#include "tests/core/history/irregular/irregular_models.h"
+#include "tests/core/history/query/random_queries.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace tetra;
+
+namespace {
+
+struct Case {
+    Dataset dataset;
+    std::shared_ptr<const Model> model;
+};
+
+} // namespace
+
+class IrregularQueriesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        for (std::uint32_t seed = 100; seed < 145; ++seed) {
+            const Dataset dataset = randomIrregular(seed);
+            add(dataset, decimated(dataset));
+        }
+        for (const SampleType type : {SampleType::UInt8, SampleType::Int16, SampleType::Float32}) {
+            const Dataset lattice = bumps(type, {6, 5, 4});
+            add(lattice, decimatedGrid(lattice));
+            const Dataset bent = bentBumps(type, {5, 4, 5}, type == SampleType::Float32, type == SampleType::Int16);
+            add(bent, decimatedGrid(bent));
+        }
+    }
+
+    void levelsAreProved()
+    {
+        for (const Case& one : cases_) {
+            const auto verdict = verify(*one.model, one.dataset, {{30, 30}, {10, 10}, {2, 2}, {0, 0}});
+            QVERIFY(verdict.ok());
+            for (const std::string& failure : verdict->failures)
+                qWarning("%s", failure.c_str());
+            for (const LevelVerdict& level : verdict->levels)
+                for (const std::string& failure : level.failures)
+                    qWarning("%s", failure.c_str());
+            QVERIFY(verdict->ok());
+        }
+    }
+
+    void fieldsGiveTheSmallestClosedSet()
+    {
+        std::mt19937 random(1);
+        for (const Case& one : cases_)
+            QVERIFY(areFieldsKept(random, one.model, one.dataset));
+    }
+
+    void budgetsGiveTheFinestThatFits()
+    {
+        std::mt19937 random(2);
+        for (const Case& one : cases_)
+            QVERIFY(isBudgetKept(random, one.model, one.dataset));
+    }
+
+    void uniformMeshesMove()
+    {
+        std::mt19937 random(3);
+        for (const Case& one : cases_) {
+            MeshExtractor extractor(one.model);
+            for (int round = 0; round < 6; ++round) {
+                MeshQuery query;
+                query.error = between(random, 0, 60);
+                query.warping = between(random, 0, 60);
+                const auto mesh = extractor.extract(query);
+                QVERIFY(mesh.ok());
+                const auto expected = extractPrefix(*one.model, (*mesh)->wholeSites);
+                QVERIFY(expected.ok());
+                QVERIFY(byPoints((*mesh)->mesh.tetrahedra, one.model->points()) ==
+                        byPoints(expected->tetrahedra, one.model->points()));
+                QVERIFY(isProved(*one.model, one.dataset, query, **mesh));
+            }
+        }
+    }
+
+    /// Nothing is inserted into a mesh that is not Delaunay, however sharp the focus is.
+    void sharpFociAreClosedSets()
+    {
+        std::mt19937 random(4);
+        for (const Case& one : cases_) {
+            QVERIFY(!one.model->description().delaunay);
+            QVERIFY(!SharpFocus::fits(*one.model) && !LiftedFocus::fits(*one.model));
+            MeshExtractor extractor(one.model);
+            MeshQuery query;
+            query.error = randomRamp(random, *one.model);
+            query.warping = query.error;
+            const auto mesh = extractor.extract(query);
+            QVERIFY(mesh.ok());
+            QCOMPARE((*mesh)->method, VariableMethod::ClosedSet);
+            QVERIFY(isProved(*one.model, one.dataset, query, **mesh));
+            query.method = VariableMethod::Insertion;
+            const auto refused = extractor.extract(query);
+            QVERIFY(!refused.ok());
+            QCOMPARE(refused.error().kind, ErrorKind::WrongUsage);
+        }
+    }
+
+    void windowsOfAllBorders()
+    {
+        std::mt19937 random(5);
+        for (const Case& one : cases_) {
+            MeshExtractor extractor(one.model);
+            const Eigen::AlignedBox3d bounds = one.model->description().bounds;
+            MeshQuery query;
+            query.error = between(random, 0, 30);
+            query.warping = query.error;
+            const Eigen::Vector3d a = placeIn(random, bounds), b = placeIn(random, bounds);
+            std::size_t sizes[3] = {};
+            for (const WindowBorder border :
+                 {WindowBorder::Contained, WindowBorder::Intersecting, WindowBorder::Clipped}) {
+                query.window = Window{Box{a.cwiseMin(b), a.cwiseMax(b)}, border};
+                const auto part = extractor.extract(query);
+                QVERIFY(part.ok());
+                sizes[static_cast<std::size_t>(border)] = (*part)->mesh.tetrahedra.size();
+                if (border != WindowBorder::Clipped)
+                    continue;
+                for (const Eigen::Vector3f& place : (*part)->mesh.positions)
+                    QVERIFY(Eigen::AlignedBox3d(query.window->box.least, query.window->box.largest)
+                                .squaredExteriorDistance(place.cast<double>()) < 1e-9);
+            }
+            QVERIFY(sizes[static_cast<std::size_t>(WindowBorder::Contained)] <=
+                    sizes[static_cast<std::size_t>(WindowBorder::Intersecting)]);
+        }
+    }
+
+private:
+    void add(const Dataset& dataset, const RecordedHistory& history)
+    {
+        const auto path = folder_.filePath(QString::number(cases_.size())).toStdString();
+        cases_.push_back({dataset, modelOf(path, dataset, history)});
+    }
+
+    QTemporaryDir folder_;
+    std::vector<Case> cases_;
+};
+
+QTEST_GUILESS_MAIN(IrregularQueriesTest)
+#include "irregular_queries_test.moc"

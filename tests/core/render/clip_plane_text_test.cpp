@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Clip planes as text, and back to the same bits.
+#include "core/render/scene.h"
+
+#include <QTest>
+
+#include <random>
+
+using namespace tetra;
+
+class ClipPlaneTextTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void textsAreReadBack()
+    {
+        std::mt19937 random(7);
+        std::normal_distribution<double> number(0, 1e3);
+        for (std::size_t count = 0; count < 20; ++count) {
+            std::vector<ClipPlane> planes(count);
+            for (ClipPlane& plane : planes)
+                plane = {{number(random), number(random), number(random)}, number(random)};
+            const auto read = parseClipPlanes(clipPlanesText(planes));
+            QVERIFY(read.ok());
+            QCOMPARE(read->size(), count);
+            for (std::size_t i = 0; i < count; ++i) {
+                QCOMPARE((*read)[i].normal, planes[i].normal);
+                QCOMPARE((*read)[i].offset, planes[i].offset);
+            }
+        }
+    }
+
+    void blanksAndEmptyEntriesAreNoPlanes()
+    {
+        QCOMPARE(parseClipPlanes("")->size(), std::size_t(0));
+        QCOMPARE(parseClipPlanes(" ; ")->size(), std::size_t(0));
+        const auto planes = parseClipPlanes("1, 0 ,0 ,-2.5 ;; 0,-1,0,1e2;");
+        QVERIFY(planes.ok());
+        QCOMPARE(planes->size(), std::size_t(2));
+        QCOMPARE((*planes)[0].offset, -2.5);
+        QCOMPARE((*planes)[1].normal, Eigen::Vector3d(0, -1, 0));
+    }
+
+    void mistakesNameThePlane_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("named");
+        for (const char* wrong : {"1,0,0", "1,0,0,0,0", "1,0,0,5,", "0,0,0,1", "a,0,0,1", "1,0,0,nan", "inf,0,0,1",
+                                  "1 0 0 1", "1,,0,1", "x"})
+            QTest::addRow("%s", wrong) << QString("1,0,0,0;%1").arg(wrong) << QString("'%1'").arg(wrong);
+    }
+    void mistakesNameThePlane()
+    {
+        QFETCH(QString, text);
+        QFETCH(QString, named);
+        const auto planes = parseClipPlanes(text.toStdString());
+        QVERIFY(!planes.ok());
+        QCOMPARE(planes.error().kind, ErrorKind::WrongUsage);
+        QVERIFY2(planes.error().text.find(named.toStdString()) != std::string::npos, planes.error().text.c_str());
+    }
+};
+
+QTEST_GUILESS_MAIN(ClipPlaneTextTest)
+#include "clip_plane_text_test.moc"

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/render/volume/ray_integrator.h"
+
+#include "core/render/volume/volume_view.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tetra::testing {
+namespace {
+
+using Eigen::Vector3d;
+
+Eigen::AlignedBox3d boundsOf(const TetrahedralMesh& mesh)
+{
+    Eigen::AlignedBox3d bounds;
+    for (const auto& position : mesh.positions)
+        if (position.allFinite())
+            bounds.extend(Vector3d(position.cast<double>()));
+    return bounds;
+}
+
+/// A headlight's, of shading.h, on one channel.
+double lit(double channel, double cosine)
+{
+    return std::min(1.0, channel * (0.25 + 0.75 * cosine) + 0.15 * std::pow(cosine, 32));
+}
+
+} // namespace
+
+RayIntegrator::RayIntegrator(const TetrahedralMesh& mesh, const TransferFunction& function, const Camera& camera,
+                             int width, int height, RayScene scene)
+    : function_(function), camera_(camera), width_(width), height_(height), scene_(std::move(scene)),
+      bounds_(boundsOf(mesh).merged(scene_.bounds))
+{
+    worldFromClip_ = (projectionMatrix(camera, double(width) / height, bounds_) * viewMatrix(camera)).inverse();
+    for (const TransferPoint& point : function_.points) {
+        extinctions_.push_back(extinctionOf(point.opacity, function_.unitDistance));
+        mostExtinction_ = std::max(mostExtinction_, extinctions_.back());
+    }
+    for (const auto& corners : mesh.tetrahedra) {
+        const auto usable = [&](std::uint32_t corner) {
+            return mesh.positions[corner].allFinite() && std::isfinite(mesh.values[corner]);
+        };
+        if (std::ranges::all_of(corners, usable))
+            addCell(mesh, corners);
+    }
+}
+
+void RayIntegrator::addCell(const TetrahedralMesh& mesh, const std::array<std::uint32_t, 4>& corners)
+{
+    Vector3d places[4];
+    for (std::size_t i = 0; i < 4; ++i)
+        places[i] = mesh.positions[corners[i]].cast<double>();
+    Eigen::Matrix3d edges;
+    edges << places[1] - places[0], places[2] - places[0], places[3] - places[0];
+    if (edges.determinant() == 0)
+        return;
+    Cell cell;
+    cell.corner = places[0];
+    cell.inverse = edges.inverse();
+    for (std::size_t i = 0; i < 4; ++i)
+        cell.values[static_cast<int>(i)] = mesh.values[corners[i]];
+    cell.gradient = cell.inverse.transpose() * (cell.values.tail<3>() - Vector3d::Constant(cell.values[0]));
+    cell.centre = (places[0] + places[1] + places[2] + places[3]) / 4;
+    cell.squaredRadius = 0;
+    for (const Vector3d& place : places)
+        cell.squaredRadius = std::max(cell.squaredRadius, (place - cell.centre).squaredNorm());
+    cells_.push_back(cell);
+}
+
+RayIntegrator::Ray RayIntegrator::rayOf(double column, double row) const
+{
+    // Where samples lie in their pixels is the renderer's choice; all else here is not.
+    const double x = (column + sampleX) / (width_ / 2.0) - 1;
+    const double y = 1 - (row + sampleY) / (height_ / 2.0);
+    const Vector3d start = (worldFromClip_ * Eigen::Vector4d(x, y, -1, 1)).hnormalized();
+    const Vector3d end = (worldFromClip_ * Eigen::Vector4d(x, y, 1, 1)).hnormalized();
+    return {start, (end - start).normalized()};
+}
+
+bool RayIntegrator::cut(const Ray& ray, const Cell& cell, Piece& piece) const
+{
+    // Most cells are far from the ray; written out, as builds for finding errors call a function for each operator.
+    const double x = cell.centre[0] - ray.start[0], y = cell.centre[1] - ray.start[1],
+                 z = cell.centre[2] - ray.start[2];
+    const double along = x * ray.direction[0] + y * ray.direction[1] + z * ray.direction[2];
+    if (x * x + y * y + z * z - along * along > cell.squaredRadius * (1 + 1e-9))
+        return false;
+    Eigen::Vector4d weights, perLength;
+    weights << 0, cell.inverse * (ray.start - cell.corner);
+    perLength << 0, cell.inverse * ray.direction;
+    weights[0] = 1 - weights.sum();
+    perLength[0] = -perLength.sum();
+    piece.enter = 0;
+    piece.leave = 1e300;
+    for (int i = 0; i < 4; ++i) {
+        if (perLength[i] > 0)
+            piece.enter = std::max(piece.enter, -weights[i] / perLength[i]);
+        else if (perLength[i] < 0)
+            piece.leave = std::min(piece.leave, -weights[i] / perLength[i]);
+        else if (weights[i] < 0)
+            return false;
+    }
+    if (!clip(ray, piece))
+        return false;
+    const auto valueAt = [&](double place) {
+        return std::clamp(cell.values.dot(weights + place * perLength), cell.values.minCoeff(), cell.values.maxCoeff());
+    };
+    piece.valueIn = valueAt(piece.enter);
+    piece.valueOut = valueAt(piece.leave);
+    const double steepness = cell.gradient.norm();
+    piece.cosine = scene_.shaded && steepness > 0 ? std::abs(cell.gradient.dot(ray.direction)) / steepness : -1;
+    return true;
+}
+
+/// Returns whether anything is left.
+bool RayIntegrator::clip(const Ray& ray, Piece& piece) const
+{
+    for (const ClipPlane& plane : scene_.clipPlanes) {
+        const double atStart = plane.normal.dot(ray.start) - plane.offset;
+        const double perLength = plane.normal.dot(ray.direction);
+        if (perLength > 0)
+            piece.enter = std::max(piece.enter, -atStart / perLength);
+        else if (perLength < 0)
+            piece.leave = std::min(piece.leave, -atStart / perLength);
+        else if (atStart < 0)
+            return false;
+    }
+    return piece.enter < piece.leave;
+}
+
+/// As evaluate(), with the logarithms taken once.
+TransferSample RayIntegrator::look(double value) const
+{
+    const auto& points = function_.points;
+    if (points.empty())
+        return {};
+    std::size_t after = 0;
+    while (after < points.size() && points[after].value <= value)
+        ++after;
+    const std::size_t first = after == 0 ? 0 : after - 1, second = std::min(after, points.size() - 1);
+    const double width = points[second].value - points[first].value;
+    const double share = width > 0 ? (value - points[first].value) / width : 0;
+    TransferSample sample;
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        sample.colour[channel] = std::lerp(points[first].colour[channel], points[second].colour[channel], share);
+    sample.extinction = std::lerp(extinctions_[first], extinctions_[second], share);
+    return sample;
+}
+
+/// A part of a cell in which the colour changes little; where knots are in it, cut in halves first.
+void RayIntegrator::step(Light& light, double length, double valueIn, double valueOut, double cosine, double at,
+                         int halvings) const
+{
+    bool crosses = false;
+    for (const TransferPoint& point : function_.points)
+        crosses |= (point.value - valueIn) * (point.value - valueOut) < 0;
+    if (halvings > 0 && crosses) {
+        const double middle = (valueIn + valueOut) / 2;
+        step(light, length / 2, valueIn, middle, cosine, at, halvings - 1);
+        step(light, length / 2, middle, valueOut, cosine, at + length / 2, halvings - 1);
+        return;
+    }
+    const TransferSample sample = look((valueIn + valueOut) / 2);
+    const double through = std::exp(-sample.extinction * length);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        const double colour = cosine < 0 ? sample.colour[channel] : lit(sample.colour[channel], cosine);
+        light.colour[channel] += light.left * (1 - through) * colour;
+    }
+    if (light.left > 0.5 && light.left * through <= 0.5)
+        light.halfAt = at + std::log(2 * light.left) / sample.extinction;
+    light.left *= through;
+}
+
+/// From one part of a piece to another, both in [0, 1].
+void RayIntegrator::march(Light& light, const Piece& piece, double from, double to) const
+{
+    const double whole = piece.leave - piece.enter;
+    const double length = (to - from) * whole;
+    const int steps = static_cast<int>(std::clamp(length * mostExtinction_ * 30, 16.0, 3000.0));
+    for (int i = 0; i < steps && light.left > 1e-9; ++i) {
+        const double begin = std::lerp(from, to, double(i) / steps), end = std::lerp(from, to, (i + 1.0) / steps);
+        step(light, length / steps, std::lerp(piece.valueIn, piece.valueOut, begin),
+             std::lerp(piece.valueIn, piece.valueOut, end), piece.cosine, piece.enter + begin * whole, 10);
+    }
+}
+
+void RayIntegrator::meet(Light& light, const IsoLayer& layer, double at) const
+{
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        light.colour[channel] += light.left * layer.opacity * layer.colour[channel];
+    const double before = light.left;
+    light.left *= 1 - layer.opacity;
+    if (before > 0.5 && light.left <= 0.5)
+        light.halfAt = at;
+}
+
+/// A piece with the layers in it.
+void RayIntegrator::through(Light& light, const Piece& piece) const
+{
+    std::vector<std::pair<double, const IsoLayer*>> met;
+    for (const IsoLayer& layer : scene_.layers)
+        if ((piece.valueIn >= layer.value) != (piece.valueOut >= layer.value))
+            met.emplace_back((layer.value - piece.valueIn) / (piece.valueOut - piece.valueIn), &layer);
+    std::ranges::sort(met);
+    double from = 0;
+    for (const auto& [at, layer] : met) {
+        if (scene_.order == HybridOrder::Exact) {
+            march(light, piece, from, at);
+            from = at;
+        }
+        meet(light, *layer, std::lerp(piece.enter, piece.leave, at));
+    }
+    march(light, piece, from, 1);
+}
+
+RayIntegrator::Sample RayIntegrator::trace(double column, double row) const
+{
+    const Ray ray = rayOf(column, row);
+    std::vector<Piece> pieces;
+    Piece piece{};
+    for (const Cell& cell : cells_)
+        if (cut(ray, cell, piece))
+            pieces.push_back(piece);
+    std::ranges::sort(pieces, {}, [](const Piece& one) { return one.enter + one.leave; });
+    Light light;
+    for (const Piece& one : pieces)
+        through(light, one);
+    double depth = std::numeric_limits<double>::infinity();
+    if (light.halfAt >= 0) {
+        const Vector3d place = ray.start + light.halfAt * ray.direction;
+        depth = -(viewMatrix(camera_) * place.homogeneous()).z();
+    }
+    return {{light.colour[0], light.colour[1], light.colour[2], 1 - light.left}, depth};
+}
+
+bool RayIntegrator::isDoubtful(int column, int row) const
+{
+    constexpr double aside = 0.002;
+    const std::array<double, 4> here = sample(column, row);
+    for (const auto& [x, y] : {std::pair{aside, aside}, {aside, -aside}, {-aside, aside}, {-aside, -aside}}) {
+        const std::array<double, 4> there = trace(column + x, row + y).colour;
+        for (std::size_t channel = 0; channel < 4; ++channel)
+            if (std::abs(here[channel] - there[channel]) > 1.0 / 255)
+                return true;
+    }
+    return false;
+}
+
+PictureDifference compare(const VolumePicture& picture, const RayIntegrator& integrator)
+{
+    PictureDifference difference;
+    for (int row = 0; row < picture.height; ++row)
+        for (int column = 0; column < picture.width; ++column) {
+            const std::array<double, 4> expected = integrator.sample(column, row);
+            const auto& found = picture.samples[static_cast<std::size_t>(row * picture.width + column)];
+            for (std::size_t channel = 0; channel < 4; ++channel) {
+                // Written so that NaN counts as far off.
+                const double apart = std::abs(found[channel] - expected[channel]);
+                difference.largest = apart <= difference.largest ? difference.largest : std::isnan(apart) ? 1e9 : apart;
+                difference.mean += apart;
+            }
+            difference.seen += expected[3];
+        }
+    difference.mean /= 4.0 * static_cast<double>(picture.samples.size());
+    difference.seen /= static_cast<double>(picture.samples.size());
+    return difference;
+}
+
+} // namespace tetra::testing

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The order of the cells by adjacency (S14): every face right, gaps, cycles.
+#include "core/geometry/orientation.h"
+#include "core/mesh/spatial_order.h"
+#include "core/mesh/topology.h"
+#include "core/render/order/visibility_order.h"
+#include "core/render/volume/volume_mesh.h"
+#include "core/render/volume/volume_renderer.h"
+#include "tests/core/render/lattice_mesh.h"
+#include "tests/core/render/volume/exact_order.h"
+#include "tests/core/render/volume/volume_meshes.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+
+using namespace tetra;
+using namespace tetra::testing;
+using Eigen::Vector3d;
+
+Q_DECLARE_METATYPE(TetrahedralMesh)
+
+namespace {
+
+VolumeMesh volumeOf(const TetrahedralMesh& mesh)
+{
+    return makeVolumeMesh(std::make_shared<const TetrahedralMesh>(mesh)).value();
+}
+
+std::vector<std::uint32_t> ranksOf(const VisibilityOrder& order)
+{
+    const auto count = static_cast<std::uint32_t>(order.cells.size());
+    std::vector<std::uint32_t> ranks(count, count);
+    for (std::uint32_t i = 0; i < count; ++i)
+        ranks[order.cells[i]] = i;
+    return ranks;
+}
+
+/// The height of the eye over a face, seen from outside, as a part of the face's size; by the sine of the angle.
+double heightOfEye(const TetrahedralMesh& mesh, std::size_t cell, std::size_t face, const Camera& camera)
+{
+    const auto at = [&](std::size_t i) -> Vector3d {
+        return mesh.positions[mesh.tetrahedra[cell][cornersOfFace[face][i]]].cast<double>();
+    };
+    const Vector3d normal = (at(1) - at(0)).cross(at(2) - at(0)).normalized();
+    const Vector3d back = viewMatrix(camera).block<1, 3>(2, 0).transpose();
+    return camera.perspective ? normal.dot((eyePosition(camera) - at(0)).normalized()) : normal.dot(back);
+}
+
+/// Three blades around an axis, each before the next.
+TetrahedralMesh pinwheel()
+{
+    TetrahedralMesh mesh;
+    for (int blade = 0; blade < 3; ++blade) {
+        const Eigen::AngleAxisf turn(static_cast<float>(blade) * 2.0943951f, Eigen::Vector3f::UnitY());
+        const auto base = static_cast<std::uint32_t>(mesh.positions.size());
+        for (const Eigen::Vector3f& corner :
+             {Eigen::Vector3f(-1, -0.3f, 0.4f), {1.2f, 0.3f, 0.4f}, {1.2f, 0.35f, 0.6f}, {1.2f, 0.5f, 0.4f}})
+            mesh.positions.push_back(turn * corner);
+        mesh.tetrahedra.push_back({base, base + 1, base + 2, base + 3});
+    }
+    for (auto& cell : mesh.tetrahedra) {
+        const auto edge = [&](std::size_t i) -> Eigen::Vector3f {
+            return mesh.positions[cell[i]] - mesh.positions[cell[0]];
+        };
+        if (edge(1).dot(edge(2).cross(edge(3))) < 0)
+            std::swap(cell[2], cell[3]);
+    }
+    mesh.values.assign(mesh.positions.size(), 0.5f);
+    return mesh;
+}
+
+} // namespace
+
+class VisibilityOrderTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void facesAreMatched();
+    void surplusFacesAreBoundary();
+    void everyFaceIsRight();
+    void everyFaceIsExactlyRight();
+    void nearlyInPlanesOfFaces_data();
+    void nearlyInPlanesOfFaces();
+    void besideAVertexAtTheOrigin();
+    void tellsConvexDomains();
+    void cyclesAreCountedAndResolved();
+    void driftIsTheAngleOfTheEye();
+};
+
+void VisibilityOrderTest::facesAreMatched()
+{
+    std::mt19937 random(2);
+    std::vector<NamedMesh> meshes = volumeMeshes();
+    meshes.push_back({"several blocks", latticeMesh(23, 1, Split::Six, [](const Vector3d&) { return 0; })});
+    for (const NamedMesh& named : meshes) {
+        TetrahedralMesh mesh = named.mesh;
+        std::ranges::shuffle(mesh.tetrahedra, random);
+        const FaceAdjacency adjacency = matchFaces(mesh.tetrahedra);
+        std::map<std::array<std::uint32_t, 3>, std::vector<std::uint32_t>> faces;
+        for (std::uint32_t cell = 0; cell < mesh.tetrahedra.size(); ++cell)
+            for (std::uint32_t face = 0; face < 4; ++face) {
+                std::array<std::uint32_t, 3> corners{};
+                for (std::size_t i = 0; i < 3; ++i)
+                    corners[i] = mesh.tetrahedra[cell][(face + 1 + i) % 4];
+                std::ranges::sort(corners);
+                faces[corners].push_back(cell * 4 + face);
+            }
+        for (const auto& [corners, names] : faces)
+            for (std::size_t i = 0; i < names.size(); ++i) {
+                const std::uint32_t expected = names.size() == 2 ? names[1 - i] : FaceAdjacency::none;
+                QCOMPARE(adjacency.neighbours[names[i] / 4][names[i] % 4], expected);
+            }
+    }
+}
+
+void VisibilityOrderTest::surplusFacesAreBoundary()
+{
+    const std::vector<std::array<std::uint32_t, 4>> cells = {{0, 1, 2, 3}, {0, 1, 2, 4}, {2, 1, 0, 5}, {6, 7, 8, 9}};
+    const FaceAdjacency adjacency = matchFaces(cells);
+    QCOMPARE(adjacency.neighbours[0][3], 1u * 4 + 3);
+    QCOMPARE(adjacency.neighbours[1][3], 0u * 4 + 3);
+    QCOMPARE(adjacency.neighbours[2][3], FaceAdjacency::none);
+    QCOMPARE(matchFaces({}).neighbours.size(), std::size_t(0));
+}
+
+void VisibilityOrderTest::everyFaceIsRight()
+{
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> angle(-90, 90), share(0.05, 3);
+    for (const NamedMesh& named : volumeMeshes()) {
+        const VolumeMesh volume = volumeOf(named.mesh);
+        for (int round = 0; round < 12; ++round) {
+            Camera camera = fitted({}, volume.bounds);
+            camera.perspective = round % 2 == 0;
+            camera = zoomed(turned(camera, 2 * angle(random), angle(random)), share(random));
+            const VisibilityOrder order = orderForCamera(volume, camera, {64, 64}).value();
+            QCOMPARE(order.brokenCycles, std::size_t(0));
+            const auto ranks = ranksOf(order);
+            QVERIFY(std::ranges::none_of(ranks, [&](std::uint32_t rank) { return rank == ranks.size(); }));
+            for (std::size_t cell = 0; cell < ranks.size(); ++cell)
+                for (std::size_t face = 0; face < 4; ++face) {
+                    const std::uint32_t neighbour = volume.adjacency.neighbours[cell][face];
+                    const double height = heightOfEye(named.mesh, cell, face, camera);
+                    if (neighbour != FaceAdjacency::none && std::abs(height) > 1e-4)
+                        QCOMPARE(ranks[neighbour / 4]<ranks[cell], height> 0);
+                }
+        }
+    }
+}
+
+/// Without a tolerance: from anywhere outside and inside, in planes of the lattice and hardly beside them.
+void VisibilityOrderTest::everyFaceIsExactlyRight()
+{
+    std::mt19937 random(16);
+    for (const NamedMesh& named : delaunayMeshes())
+        for (const bool spatial : {false, true}) {
+            const VolumeMesh volume = volumeOf(spatial ? inSpatialOrder(named.mesh).value() : named.mesh);
+            for (const EyePoint& eye : eyesAround(volume.bounds, 40, random)) {
+                const VisibilityOrder order = orderByAdjacency(*volume.mesh, volume.adjacency, eye);
+                QCOMPARE(order.brokenCycles, std::size_t(0));
+                const FacesInOrder faces = checkFaces(*volume.mesh, volume.adjacency, eye, ranksOf(order));
+                QVERIFY(faces.compared > order.cells.size());
+                QCOMPARE(faces.wrong, std::size_t(0));
+            }
+        }
+}
+
+void VisibilityOrderTest::nearlyInPlanesOfFaces_data()
+{
+    QTest::addColumn<TetrahedralMesh>("mesh");
+    QTest::addRow("lattice cut in five") << boxLattice(6, Split::Five);
+    QTest::addRow("lattice cut in six") << boxLattice(6, Split::Six);
+    for (const double most : {0.0, 0.01, 0.12})
+        QTest::addRow("lattice shaken by %g", most) << shakenLattice(static_cast<float>(most));
+    for (const NamedMesh& named : delaunayMeshes())
+        QTest::addRow("Delaunay, %s", named.name.c_str()) << named.mesh;
+}
+
+/// The first of these eyes lies beside a plane of diagonal faces by what rounding left of it, less than 1e-15.
+void VisibilityOrderTest::nearlyInPlanesOfFaces()
+{
+    QFETCH(TetrahedralMesh, mesh);
+    const VolumeMesh volume = volumeOf(mesh);
+    std::mt19937 random(17);
+    std::vector<EyePoint> eyes = eyesAtFaces(mesh, 300, random);
+    eyes.push_back({{-9, 5 + 1e-9, 1e-9}, true});
+    for (const double tilt : {1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16}) {
+        eyes.push_back({Vector3d(1, 0, 0) + tilt * Vector3d(1, 0.7, -0.4), false});
+        eyes.push_back({Vector3d(1, 1, 0) / std::sqrt(2) + tilt * Vector3d(0.3, 0.7, -0.4), false});
+        eyes.push_back({volume.bounds.center() + 1000 * (Vector3d(0, 1, 0) + tilt * Vector3d(1, 0.7, -0.4)), true});
+    }
+    for (const EyePoint& eye : eyes) {
+        const VisibilityOrder order = orderByAdjacency(mesh, volume.adjacency, eye);
+        QCOMPARE(order.brokenCycles, std::size_t(0));
+        const FacesInOrder faces = checkFaces(mesh, volume.adjacency, eye, ranksOf(order));
+        QVERIFY(faces.compared > 0);
+        QVERIFY2(faces.wrong == 0, qPrintable(QString("%1 of %2 faces are wrong, %3 from (%4, %5, %6)")
+                                                  .arg(faces.wrong)
+                                                  .arg(faces.compared)
+                                                  .arg(eye.perspective ? "seen" : "parallel")
+                                                  .arg(eye.place.x(), 0, 'g', 17)
+                                                  .arg(eye.place.y(), 0, 'g', 17)
+                                                  .arg(eye.place.z(), 0, 'g', 17)));
+    }
+}
+
+/// Where the way to a corner is shorter than what rounding does to the volume of a thin cell.
+void VisibilityOrderTest::besideAVertexAtTheOrigin()
+{
+    std::mt19937 random(18);
+    std::uniform_real_distribution<float> coordinate(-1, 1);
+    for (int round = 0; round < 200; ++round) {
+        TetrahedralMesh mesh = oneCell();
+        mesh.positions = {{0, 0, 0}};
+        for (int corner = 0; corner < 3; ++corner) {
+            const float x = coordinate(random), y = coordinate(random);
+            mesh.positions.emplace_back(x, y, (x + y) / 3); // but for rounding in one plane
+        }
+        const std::array<double, 3> eye{1e-25 * coordinate(random), 1e-25 * coordinate(random), 1e-25};
+        const unsigned facing = faceFacing(mesh, {{eye[0], eye[1], eye[2]}, true})[0];
+        for (std::size_t face = 0; face < 4; ++face) {
+            const auto at = [&](std::size_t i) {
+                const Eigen::Vector3f& p = mesh.positions[cornersOfFace[face][i]];
+                return std::array<double, 3>{p.x(), p.y(), p.z()};
+            };
+            const int side = orientationSign(at(0), at(1), at(2), eye);
+            QCOMPARE(facing >> face & 0x11u, side > 0 ? 1u : side < 0 ? 16u : 0u);
+        }
+    }
+}
+
+void VisibilityOrderTest::tellsConvexDomains()
+{
+    const auto isConvex = [](const TetrahedralMesh& mesh) { return volumeOf(mesh).convex; };
+    QVERIFY(isConvex(oneCell()));
+    QVERIFY(isConvex(refinedLattice()));
+    QVERIFY(isConvex(randomLattice(1)));
+    QVERIFY(!isConvex(irregularWithHole()));
+    QVERIFY(!isConvex({}));
+
+    TetrahedralMesh two = oneCell();
+    for (std::size_t i = 0; i < 4; ++i) {
+        two.positions.push_back(two.positions[i] + Eigen::Vector3f(5, 0, 0));
+        two.values.push_back(0);
+    }
+    two.tetrahedra.push_back({4, 5, 6, 7});
+    QVERIFY(!isConvex(two));
+
+    TetrahedralMesh dented = latticeMesh(2, 1, Split::Six, [](const Vector3d&) { return 0; });
+    QVERIFY(isConvex(dented));
+    dented.positions[4].z() += 0.01f; // in the middle of the lower side, inwards
+    QVERIFY(!isConvex(dented));
+}
+
+void VisibilityOrderTest::cyclesAreCountedAndResolved()
+{
+    const TetrahedralMesh mesh = pinwheel();
+    const VolumeMesh volume = volumeOf(mesh);
+    // Each is before the next by decree: no sight has to agree.
+    const std::vector<CellRelation> circle = {{0, 1}, {1, 2}, {2, 0}};
+    const EyePoint eye{{0, 0, -5}, true};
+    const VisibilityOrder order = orderByAdjacency(mesh, volume.adjacency, eye, circle);
+    QCOMPARE(order.brokenCycles, std::size_t(1));
+    const auto depth = [&](std::uint32_t cell) {
+        Vector3d sum(0, 0, 0);
+        for (const std::uint32_t vertex : mesh.tetrahedra[cell])
+            sum += mesh.positions[vertex].cast<double>();
+        return (sum / 4 - eye.place).norm();
+    };
+    std::vector<std::uint32_t> cells = {0, 1, 2};
+    const std::uint32_t nearest = *std::ranges::min_element(cells, {}, depth);
+    QCOMPARE(order.cells[0], nearest);
+    QCOMPARE(order.cells[1], (nearest + 1) % 3);
+    QCOMPARE(order.cells[2], (nearest + 2) % 3);
+}
+
+void VisibilityOrderTest::driftIsTheAngleOfTheEye()
+{
+    const Eigen::AlignedBox3d bounds(Vector3d(0, 0, 0), Vector3d(1, 1, 1));
+    Camera camera = fitted({}, bounds);
+    Camera wider = camera;
+    wider.fieldOfView = 50;
+    QCOMPARE(orderDrift(bounds, camera, wider), 0.0);
+    camera.elevation = 0;
+    const double turn = orderDrift(bounds, camera, turned(camera, 2, 0));
+    QVERIFY(turn >= 2 - 1e-9 && turn < 3);
+    QVERIFY(orderDrift(bounds, camera, zoomed(camera, 0.9)) > 0.1);
+    QCOMPARE(orderDrift(bounds, camera, zoomed(camera, 0.01)), 180.0);
+    Camera parallel = camera;
+    parallel.perspective = false;
+    QCOMPARE(orderDrift(bounds, camera, parallel), 180.0);
+    QCOMPARE(orderDrift(bounds, parallel, panned(zoomed(parallel, 0.5), 0.1, 0.2)), 0.0);
+    QVERIFY(std::abs(orderDrift(bounds, parallel, turned(parallel, 2, 0)) - 2) < 1e-9);
+}
+
+QTEST_GUILESS_MAIN(VisibilityOrderTest)
+#include "visibility_order_test.moc"

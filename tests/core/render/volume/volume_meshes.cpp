@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/render/volume/volume_meshes.h"
+
+#include "core/history/extraction.h"
+#include "core/history/query/mesh_extractor.h"
+#include "tests/core/history/model_fixture.h"
+#include "tests/core/history/query/lattice_models.h"
+#include "tests/core/render/lattice_mesh.h"
+
+#include <QTemporaryDir>
+
+#include <cmath>
+#include <random>
+
+namespace tetra::testing {
+namespace {
+
+TetrahedralMesh extracted(const Dataset& dataset)
+{
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.filePath("model.tan").toStdString();
+    writeModel(path, dataset);
+    const auto model = Model::open(path);
+    const double percent = dataset.values.range().extent() / 100;
+    auto mesh = extractPrefix(*model.value(), meshSizeAt(*model.value(), {2 * percent}).sites);
+    if (!mesh)
+        qFatal("%s", mesh.error().text.c_str());
+    return std::move(mesh).value();
+}
+
+double waves(const Eigen::Vector3d& p)
+{
+    return 0.5 + 0.25 * std::sin(4 * p.x() + p.y()) + 0.25 * std::cos(5 * p.y() - 3 * p.z() * p.x());
+}
+
+} // namespace
+
+TetrahedralMesh oneCell()
+{
+    TetrahedralMesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0.1f, 0}, {0.2f, 1, 0.1f}, {0.3f, 0.2f, 1}};
+    mesh.values = {0, 0.3f, 1, 0.7f};
+    mesh.tetrahedra = {{0, 1, 2, 3}};
+    return mesh;
+}
+
+TetrahedralMesh irregularWithHole()
+{
+    constexpr std::uint32_t cells = 5;
+    TetrahedralMesh mesh = latticeMesh(cells, 1, Split::Six, waves);
+    std::mt19937 random(4);
+    std::uniform_real_distribution<float> jitter(-0.03f, 0.03f);
+    for (auto& position : mesh.positions)
+        position += Eigen::Vector3f(jitter(random), jitter(random), jitter(random));
+    // Six tetrahedra a cube, cubes along x first. A tunnel along x, a slit, and what it cuts off.
+    decltype(mesh.tetrahedra) kept;
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+        const std::size_t cube = t / 6, j = cube / cells % cells, k = cube / cells / cells;
+        const bool tunnel = j == 2 && k == 2;
+        const bool slit = k == 3;
+        if (!tunnel && !(slit && j != 0) && t % 37 != 5)
+            kept.push_back(mesh.tetrahedra[t]);
+    }
+    mesh.tetrahedra = kept;
+    return mesh;
+}
+
+TetrahedralMesh refinedLattice()
+{
+    return extracted(bumps(SampleType::Float32, {9, 8, 7}));
+}
+
+TetrahedralMesh refinedBentGrid()
+{
+    return extracted(bentBumps(SampleType::Float32, {7, 6, 5}));
+}
+
+TetrahedralMesh refinedInBlocks()
+{
+    const QTemporaryDir folder;
+    const Dataset dataset = bumps(SampleType::UInt8, {9, 7, 9});
+    const auto model = modelOf(dataset, 4, folder.path().toStdString());
+    const double percent = dataset.values.range().extent() / 100;
+    auto mesh = extractPrefix(*model, meshSizeAt(*model, {2 * percent}).sites);
+    if (!mesh)
+        qFatal("%s", mesh.error().text.c_str());
+    return std::move(mesh).value();
+}
+
+TetrahedralMesh variableResolution()
+{
+    const QTemporaryDir folder;
+    const Dataset dataset = bumps(SampleType::Float32, {9, 8, 7});
+    const std::filesystem::path path = folder.filePath("model.tan").toStdString();
+    writeModel(path, dataset);
+    const Lattice& lattice = dataset.lattice;
+    MeshQuery query;
+    query.error = SpaceRamp{Sphere{lattice.origin, 3 * lattice.spacing[0]}, 0.5, 20, 4 * lattice.spacing[0]};
+    const auto mesh = MeshExtractor(Model::open(path).value()).extract(query);
+    if (!mesh)
+        qFatal("%s", mesh.error().text.c_str());
+    return mesh.value()->mesh;
+}
+
+TetrahedralMesh randomLattice(std::uint32_t seed)
+{
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> value(0, 1);
+    TetrahedralMesh mesh = latticeMesh(3, 1, Split::Five, [&](const Eigen::Vector3d&) { return value(random); });
+    std::ranges::shuffle(mesh.tetrahedra, random);
+    return mesh;
+}
+
+std::vector<NamedMesh> volumeMeshes()
+{
+    return {{"one cell", oneCell()},
+            {"irregular with a hole", irregularWithHole()},
+            {"refined lattice", refinedLattice()},
+            {"refined in blocks", refinedInBlocks()},
+            {"variable resolution", variableResolution()},
+            {"refined bent grid", refinedBentGrid()},
+            {"random lattice", randomLattice(7)}};
+}
+
+std::vector<NamedFunction> volumeFunctions(double smallest, double largest, double unitDistance)
+{
+    const auto make = [&](std::vector<TransferPoint> points) {
+        for (TransferPoint& point : points)
+            point.value = std::lerp(smallest, largest, point.value);
+        return TransferFunction{points, unitDistance};
+    };
+    return {
+        {"ramp", make({{0, {0, 0, 1}, 0}, {1, {1, 0.5f, 0}, 0.6f}})},
+        {"ramps", make({{0, {0, 0, 1}, 0},
+                        {0.05, {0, 0.2f, 1}, 0.02f},
+                        {0.2, {0, 0.8f, 1}, 0.1f},
+                        {0.25, {0, 1, 1}, 0.12f},
+                        {0.5, {0, 1, 0}, 0.25f},
+                        {0.75, {1, 1, 0}, 0.5f},
+                        {1, {1, 0, 0}, 0.8f}})},
+        {"steps", make({{0.3, {1, 1, 1}, 0},
+                        {0.3, {1, 0, 0}, 0.5f},
+                        {0.5, {1, 0, 0}, 0.5f},
+                        {0.5, {0, 1, 0}, 0.1f},
+                        {0.7, {0, 0, 1}, 0.3f},
+                        {0.7, {0, 0, 0}, 0}})},
+        {"spikes", make({{0.25, {1, 1, 0}, 0},
+                         {0.26, {1, 1, 0}, 0.99f},
+                         {0.27, {0, 1, 1}, 0},
+                         {0.6, {1, 0, 1}, 0},
+                         {0.605, {1, 0, 1}, 0.9999f},
+                         {0.605, {0, 1, 0}, 0.2f},
+                         {0.7, {0, 0.5f, 0}, 0}})},
+        {"opaque",
+         make({{0.2, {0, 0, 0}, 0},
+               {0.4, {0.2f, 0.4f, 1}, 0.2f},
+               {0.55, {1, 0.9f, 0.8f}, 0.3f},
+               {0.55, {0.9f, 0.3f, 0.1f}, 1},
+               {0.8, {0.2f, 0.7f, 0.1f}, 1}}),
+         true},
+    };
+}
+
+} // namespace tetra::testing

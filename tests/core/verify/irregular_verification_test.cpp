@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The judge of irregular models (B3, R4, R5, S12): what decimation makes is proved, and each kind of lie is found.
+#include "core/data/weighting.h"
+#include "core/decimate/lattice_tetrahedra.h"
+#include "core/history/history_arranger.h"
+#include "core/verify/verification.h"
+#include "tests/core/history/irregular/irregular_models.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+using namespace tetra;
+
+namespace {
+
+const std::vector<Accuracy> levels = {{100, anyWarping}, {30, 30}, {10, 10}, {3, 3}, {1, 1}, {0, 0}};
+
+QString textOf(const Result<Verdict>& verdict)
+{
+    if (!verdict)
+        return "Error: " + QString::fromStdString(verdict.error().text);
+    QStringList texts;
+    for (const std::string& text : verdict->failures)
+        texts << QString::fromStdString(text);
+    for (const LevelVerdict& level : verdict->levels)
+        for (const std::string& text : level.failures)
+            texts << QString("%1 %: %2").arg(level.asked.error).arg(QString::fromStdString(text));
+    return texts.join('\n');
+}
+
+using Lie = std::function<void(FileParts&)>;
+using Cube = std::array<std::uint32_t, 3>;
+using Domain = std::function<bool(const Cube&)>;
+
+/// Unit cubes, cut in five each, at those places of a grid of 4 x 4 x 3 that `holds`; points in the grid's order.
+std::vector<std::array<std::uint32_t, 4>> cubes(const Domain& holds)
+{
+    std::vector<std::array<std::uint32_t, 4>> kept;
+    const auto all = latticeTetrahedra({5, 5, 4}, LatticeCut::Five);
+    for (std::uint32_t cube = 0; cube < 48; ++cube)
+        if (holds(std::array{cube % 4, cube / 4 % 4, cube / 16}))
+            kept.insert(kept.end(), all.begin() + 5 * cube, all.begin() + 5 * cube + 5);
+    return kept;
+}
+
+/// The points that the tetrahedra use, in their order, with a value that is linear: no mesh of them has an error.
+Dataset datasetOfCubes(const std::vector<std::array<std::uint32_t, 4>>& tetrahedra)
+{
+    std::vector<Eigen::Vector3d> positions;
+    std::vector<double> values;
+    for (int z = 0; z < 4; ++z)
+        for (int y = 0; y < 5; ++y)
+            for (int x = 0; x < 5; ++x) {
+                positions.emplace_back(x, y, z);
+                values.push_back(x + 2 * y - z);
+            }
+    return withoutUnused(datasetOfTetrahedra(positions, values, tetrahedra));
+}
+
+/// A model whose only mesh are these tetrahedra of the grid, whatever the dataset's are.
+RecordedHistory oneMesh(const Dataset& dataset, const std::vector<std::array<std::uint32_t, 4>>& tetrahedra)
+{
+    RecordedHistory history;
+    history.traits = {1, false};
+    history.finalError = 0;
+    history.steps.resize(dataset.pointCount());
+    for (std::uint64_t point = 0; point < dataset.pointCount(); ++point) {
+        history.steps[point].point = point;
+        history.steps[point].keyBefore = std::numeric_limits<float>::infinity();
+    }
+    for (auto sites : tetrahedra) {
+        for (std::uint32_t& site : sites) { // numbers of the grid
+            const Eigen::Vector3d place(site % 5, site / 5 % 5, site / 25);
+            const auto found = std::ranges::find(*dataset.positions, place);
+            if (found == dataset.positions->end())
+                std::abort();
+            site = static_cast<std::uint32_t>(found - dataset.positions->begin());
+        }
+        sites = latestFirst(sites);
+        history.steps[sites[0]].star.push_back({{sites[1], sites[2], sites[3]}, 0, 0});
+    }
+    return history;
+}
+
+} // namespace
+Q_DECLARE_METATYPE(Lie)
+Q_DECLARE_METATYPE(Domain)
+
+class IrregularVerificationTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void decimatedModelsAreProved()
+    {
+        int coarser = 0;
+        for (std::uint32_t seed = 0; seed < 40; ++seed) {
+            const Dataset dataset = randomIrregular(seed);
+            const auto model = modelOf(path(), dataset, decimated(dataset));
+            const auto verdict = verify(*model, dataset, levels);
+            QVERIFY2(verdict.ok() && verdict->ok(), qPrintable(QString("seed %1\n").arg(seed) + textOf(verdict)));
+            for (const LevelVerdict& level : verdict->levels) {
+                QVERIFY(level.conforming && level.covers && level.inverted == 0);
+                QVERIFY(level.twoSidedWarping && *level.twoSidedWarping <= level.twoSidedBound);
+                QVERIFY(*level.twoSidedWarping >= level.largestWarping);
+                coarser += level.largestWarping > 0 ? 1 : 0;
+            }
+            const LevelVerdict& finest = verdict->levels.back();
+            QCOMPARE(finest.largestError, 0.0);
+            QCOMPARE(finest.largestWarping, 0.0);
+            QCOMPARE(finest.twoSidedBound, 0.0);
+        }
+        QVERIFY(coarser > 40);
+    }
+
+    /// Straight edges of the boundary that rounding bends: removed points of theirs lie outside, if only by rounding,
+    /// and may count for a cell that has no more of the boundary than the edge.
+    void edgesBentByRoundingAreProved()
+    {
+        const Eigen::Matrix3d turned = (Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitX()) *
+                                        Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 3).normalized()))
+                                           .toRotationMatrix();
+        for (std::uint32_t seed = 0; seed < 120; seed += 3) { // these have no points moved about
+            const Dataset straight = randomIrregular(seed);
+            std::vector<Eigen::Vector3d> positions = *straight.positions;
+            std::vector<double> values;
+            for (std::size_t point = 0; point < positions.size(); ++point) {
+                positions[point] = turned * positions[point];
+                values.push_back(straight.values.at(point));
+            }
+            const Dataset dataset = datasetOfTetrahedra(std::move(positions), values, *straight.tetrahedra);
+            const auto model = modelOf(path(), dataset, decimated(dataset));
+            const auto verdict = verify(*model, dataset, levels);
+            QVERIFY2(verdict.ok() && verdict->ok(), qPrintable(QString("seed %1\n").arg(seed) + textOf(verdict)));
+        }
+    }
+
+    /// A part that lies in a notch of another: the mesh in which the notch is filled holds it twice.
+    void partsOnOneAnotherAreFound_data()
+    {
+        QTest::addColumn<double>("top");
+        QTest::addColumn<QString>("says");
+        QTest::newRow("inside") << 3.8 << "Cells lie on one another";
+        QTest::newRow("through") << 4.5 << "The boundary meets itself";
+        QTest::newRow("touching") << 4.0 << "The boundary meets itself";
+    }
+    void partsOnOneAnotherAreFound()
+    {
+        QFETCH(double, top);
+        QFETCH(QString, says);
+        const Domain notched = [](const Cube& p) { return !(p[0] == 1 && p[1] == 3 && p[2] == 1); };
+        const Dataset block = datasetOfCubes(cubes(notched));
+        std::vector<Eigen::Vector3d> positions = *block.positions;
+        std::vector<std::array<std::uint32_t, 4>> tetrahedra = *block.tetrahedra;
+        const auto first = static_cast<std::uint32_t>(positions.size());
+        for (const Eigen::Vector3d& place : {Eigen::Vector3d(1.3, 3.2, 1.3), Eigen::Vector3d(1.7, 3.2, 1.3),
+                                             Eigen::Vector3d(1.5, 3.2, 1.7), Eigen::Vector3d(1.5, top, 1.5)})
+            positions.push_back(place);
+        tetrahedra.push_back({first, first + 2, first + 1, first + 3});
+        std::vector<double> values;
+        for (const Eigen::Vector3d& place : positions)
+            values.push_back(place.sum());
+        const Dataset dataset = datasetOfTetrahedra(positions, values, tetrahedra);
+        for (const bool filled : {false, true}) {
+            RecordedHistory history =
+                oneMesh(dataset, filled ? cubes([](const Cube&) { return true; }) : cubes(notched));
+            const auto sites = latestFirst({first, first + 2, first + 1, first + 3});
+            history.steps[sites[0]].star.push_back({{sites[1], sites[2], sites[3]}, 0, 0});
+            const auto verdict = verify(*modelOf(path(), dataset, history), dataset, {{0, 0}});
+            QVERIFY2(verdict.ok() && verdict->ok() == !filled, qPrintable(textOf(verdict)));
+            QVERIFY2(!filled || textOf(verdict).contains(says), qPrintable(textOf(verdict)));
+        }
+    }
+
+    /// What a site's tetrahedra stand on it must destroy, or closed sets have no mesh.
+    void openFacesAreFound()
+    {
+        const Dataset dataset = randomIrregular(4);
+        RecordedHistory history = decimated(dataset);
+        const auto right = verify(*modelOf(path(), dataset, history), dataset, {});
+        QVERIFY2(right.ok() && right->ok(), qPrintable(textOf(right)));
+        const auto splits = std::ranges::find_if(
+            history.steps, [](const RecordedHistory::Step& step) { return step.destroyed.size() > 1; });
+        splits->destroyed.pop_back();
+        const auto verdict = verify(*modelOf(path(), dataset, history), dataset, {});
+        QVERIFY2(textOf(verdict).contains("not every closed set with it has a mesh"), qPrintable(textOf(verdict)));
+    }
+
+    /// Weighted errors and warpings are compared with weighted claims (R6).
+    void weightsCount()
+    {
+        const Dataset dataset = randomIrregular(4);
+        const Eigen::Vector3d middle = dataset.bounds().center();
+        const std::string text = "point:" + std::to_string(middle.x()) + "," + std::to_string(middle.y()) + "," +
+                                 std::to_string(middle.z()) + ",1";
+        const auto weighting = parseWeighting(text);
+        QVERIFY(weighting.ok());
+        const auto weights = pointWeights(*weighting, dataset, {});
+        QVERIFY(weights.ok());
+        const RecordedHistory history = decimated(dataset, *weights);
+        const auto right = verify(*modelOf(path(), dataset, history, {{"weights", text}}), dataset, levels);
+        QVERIFY2(right.ok() && right->ok(), qPrintable(textOf(right)));
+        const auto without = verify(*modelOf(path(), dataset, history), dataset, levels);
+        QVERIFY2(textOf(without).contains("more than the claimed"), qPrintable(textOf(without)));
+    }
+
+    void liesAreFound_data()
+    {
+        QTest::addColumn<Lie>("lie");
+        QTest::addColumn<QString>("says");
+        using format::SectionId;
+        const auto row = [](const char* name, const Lie& lie, const char* says) {
+            QTest::newRow(name) << lie << QString(says);
+        };
+        row(
+            "smaller own errors",
+            [](FileParts& parts) {
+                for (std::uint16_t& half : parts.elements<std::uint16_t>(SectionId::OwnErrors))
+                    half = 0;
+            },
+            "larger than the own ones");
+        row(
+            "smaller own warpings",
+            [](FileParts& parts) {
+                for (std::uint16_t& half : parts.elements<std::uint16_t>(SectionId::OwnWarpings))
+                    half = 0;
+            },
+            "larger than the own ones");
+        row(
+            "smaller running errors",
+            [](FileParts& parts) {
+                for (float& error : parts.elements<float>(SectionId::SiteRunningErrors))
+                    error *= 0.6F;
+            },
+            "more than the claimed");
+        row(
+            "smaller errors by a larger weight of warpings",
+            [](FileParts& parts) { parts.header().warpingWeight *= 3; }, "The warping at point");
+        row(
+            "turned tetrahedron",
+            [](FileParts& parts) {
+                auto& sites = parts.elements<std::array<std::uint32_t, 3>>(SectionId::OtherSites).back();
+                std::swap(sites[0], sites[1]);
+            },
+            "is inverted");
+        row(
+            "other corner",
+            [](FileParts& parts) {
+                auto& sites = parts.elements<std::array<std::uint32_t, 3>>(SectionId::OtherSites).back();
+                for (std::uint32_t& site : sites)
+                    if (std::ranges::find(sites, 1U) == sites.end()) {
+                        site = 1;
+                        return;
+                    }
+            },
+            "");
+        row(
+            "lost tetrahedron",
+            [](FileParts& parts) {
+                parts.elements<std::uint32_t>(SectionId::Destroyers).back() = parts.header().siteCount - 1;
+            },
+            "");
+        row(
+            "later end",
+            [](FileParts& parts) {
+                for (std::uint32_t& destroyer : parts.elements<std::uint32_t>(SectionId::Destroyers))
+                    if (destroyer != Model::never && destroyer + 1 < parts.header().siteCount) {
+                        ++destroyer;
+                        return;
+                    }
+            },
+            "");
+        row(
+            "moved site",
+            [](FileParts& parts) {
+                parts.content[static_cast<std::size_t>(parts.section(SectionId::SitePositions).offset) + 6] ^=
+                    std::byte(1);
+            },
+            "does not lie where the original has point");
+        row(
+            "other tetrahedra", [](FileParts& parts) { parts.header().sourceHash ^= 1; },
+            "built from other samples or positions");
+    }
+    void liesAreFound()
+    {
+        QFETCH(Lie, lie);
+        QFETCH(QString, says);
+        for (const std::uint32_t seed : {1U, 4U}) {
+            const Dataset dataset = randomIrregular(seed);
+            modelOf(path(), dataset, decimated(dataset));
+            FileParts parts(readBytes(path()));
+            lie(parts);
+            parts.repairChecksums();
+            writeBytes(path(), parts.content);
+            const auto model = Model::open(path());
+            QVERIFY2(model.ok(), model.ok() ? "" : model.error().text.c_str());
+            const auto verdict = verify(**model, dataset, levels);
+            QVERIFY2(verdict.ok() && !verdict->ok() && textOf(verdict).contains(says), qPrintable(textOf(verdict)));
+        }
+    }
+
+    /// Meshes that conform, whose cells are positive and whose errors and warpings are zero, but for their domain.
+    void otherDomainsAreFound_data()
+    {
+        QTest::addColumn<Domain>("data");
+        QTest::addColumn<Domain>("mesh");
+        QTest::addColumn<QString>("says");
+        const auto row = [](const char* name, const Domain& data, const Domain& mesh, const char* says) {
+            QTest::newRow(name) << data << mesh << QString(says);
+        };
+        const auto block = [](const Cube& p) { return p[0] < 3 && p[1] < 3; };
+        const auto ring = [=](const Cube& p) { return block(p) && !(p[0] == 1 && p[1] == 1); };
+        const auto hollow = [=](const Cube& p) { return block(p) && !(p[0] == 1 && p[1] == 1 && p[2] == 1); };
+        const auto two = [](const Cube& p) { return p[2] != 1; };
+        const auto notched = [](const Cube& p) { return !(p[0] == 1 && p[1] == 3 && p[2] == 1); };
+        row("right: block", block, block, "");
+        row("right: ring", ring, ring, "");
+        row("right: hollow", hollow, hollow, "");
+        row("right: two parts", two, two, "");
+        row("right: notched", notched, notched, "");
+        row("hole closed", ring, block, "a hole was opened or closed");
+        row("hole opened", block, ring, "a hole was opened or closed");
+        row("cavity filled", hollow, block, "The boundary has 1 surfaces, and that of the data has 2.");
+        row("cavity made", block, hollow, "The boundary goes through point");
+        row(
+            "parts joined", two, [](const Cube&) { return true; }, "The mesh has 1 components, and the data have 2.");
+        row(
+            "bridge", two, [](const Cube& p) { return p[2] != 1 || (p[0] == 1 && p[1] == 1); },
+            "The mesh has 1 components, and the data have 2.");
+        row(
+            "notch filled", notched, [](const Cube&) { return true; }, "");
+    }
+    void otherDomainsAreFound()
+    {
+        QFETCH(Domain, data);
+        QFETCH(Domain, mesh);
+        QFETCH(QString, says);
+        const Dataset dataset = datasetOfCubes(cubes(data));
+        const auto model = modelOf(path(), dataset, oneMesh(dataset, cubes(mesh)));
+        const auto verdict = verify(*model, dataset, {{0, 0}});
+        const bool right = QString(QTest::currentDataTag()).startsWith("right") ||
+                           QString(QTest::currentDataTag()) == "notch filled"; // no vertex tells: it is one-sided (S13)
+        QVERIFY2(verdict.ok() && verdict->ok() == right, qPrintable(textOf(verdict)));
+        QVERIFY2(textOf(verdict).contains(says), qPrintable(textOf(verdict)));
+    }
+
+private:
+    std::filesystem::path path() const { return folder_.filePath("model.tan").toStdString(); }
+
+    QTemporaryDir folder_;
+};
+
+QTEST_GUILESS_MAIN(IrregularVerificationTest)
+#include "irregular_verification_test.moc"

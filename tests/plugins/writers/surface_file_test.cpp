@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Surfaces in files: what VTK reads back is what was written, to the bit; and files that cannot be written.
+#include "core/base/buffer.h"
+#include "core/mesh/boundary.h"
+#include "plugins/writers/surface_file.h"
+#include "tests/core/base/small_disk.h"
+#include "tests/plugins/writers/random_surfaces.h"
+#include "tests/plugins/writers/vtk_reader.h"
+
+#include <QDir>
+#include <QJsonArray>
+#include <QTest>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <map>
+
+using namespace tetra;
+
+namespace {
+
+const QStringList endings = {"vtp", "vtk", "vtu", "ply", "stl", "obj", "glb"};
+
+/// All parts as one list of what a reader should find.
+struct Expected {
+    explicit Expected(const SurfaceContent& content)
+    {
+        for (const SurfacePart& part : content.parts) {
+            const auto first = static_cast<std::uint32_t>(positions.size());
+            positions.insert(positions.end(), part.positions.begin(), part.positions.end());
+            normals.insert(normals.end(), part.normals.begin(), part.normals.end());
+            const auto* each = std::get_if<std::span<const float>>(&part.values);
+            for (std::size_t i = 0; i < part.positions.size(); ++i)
+                values.push_back(each != nullptr ? (*each)[i] : std::get<float>(part.values));
+            for (const auto& triangle : part.triangles)
+                for (const std::uint32_t corner : triangle)
+                    corners.push_back(first + corner);
+        }
+    }
+    std::vector<Eigen::Vector3f> positions, normals;
+    std::vector<float> values;
+    std::vector<std::uint32_t> corners;
+};
+
+std::vector<Eigen::Vector3f> vectorsOf(const std::vector<float>& numbers)
+{
+    std::vector<Eigen::Vector3f> vectors;
+    for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+        vectors.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+    return vectors;
+}
+
+/// What glTF's y up makes of a vector.
+std::vector<Eigen::Vector3f> turned(std::vector<Eigen::Vector3f> vectors)
+{
+    for (Eigen::Vector3f& v : vectors)
+        v = {v[0], v[2], -v[1]};
+    return vectors;
+}
+
+QByteArray contentOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+template <class T> T numberAt(const QByteArray& bytes, qsizetype offset)
+{
+    T number{};
+    if (offset + qsizetype(sizeof number) <= bytes.size())
+        std::memcpy(&number, bytes.constData() + offset, sizeof number);
+    return number;
+}
+
+} // namespace
+
+class SurfaceFileTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void vtkReadsWhatWasWritten_data()
+    {
+        QTest::addColumn<QString>("ending");
+        QTest::addColumn<int>("vertices");
+        QTest::addColumn<bool>("valued");
+        for (const QString& ending : endings)
+            for (const int vertices : {3, 200, 20'000})
+                for (const bool valued : {false, true})
+                    QTest::addRow("%s, %d%s", qPrintable(ending), vertices, valued ? ", valued" : "")
+                        << ending << vertices << valued;
+    }
+    void vtkReadsWhatWasWritten()
+    {
+        QFETCH(QString, ending);
+        QFETCH(int, vertices);
+        QFETCH(bool, valued);
+        const auto count = static_cast<std::size_t>(vertices);
+        const RandomSurface one(count, 2 * count, 1), other(count + 7, count / 3, 2);
+        SurfaceContent content = contentOf(one.part("isovalue 1.5", valued), other.part("isovalue 2", valued));
+        const QString path = folder_.filePath("surface." + ending);
+        const Status written = writeSurfaceFile(path.toStdString(), content);
+        QVERIFY2(written, written ? "" : written.error().text.c_str());
+        const VtkReader read(path);
+        if (read.isMissing())
+            QSKIP("skipped: no python3-vtk9");
+        QVERIFY2(read.ok(), read.messages());
+        compare(read, Expected(content), ending, valued);
+    }
+
+    /// Parts that are empty, and nothing but those.
+    void nothingIsASurface_data()
+    {
+        QTest::addColumn<QString>("ending");
+        for (const QString& ending : endings)
+            QTest::newRow(qPrintable(ending)) << ending;
+    }
+    void nothingIsASurface()
+    {
+        QFETCH(QString, ending);
+        const RandomSurface none(3, 0, 1), some(3, 1, 2);
+        const SurfacePart empty{.name = "empty", .positions = {}, .normals = {}, .triangles = {}};
+        for (const bool only : {true, false}) {
+            const SurfaceContent content = contentOf(empty, only ? empty : some.part("some"));
+            const QString path = folder_.filePath("empty." + ending);
+            QVERIFY(writeSurfaceFile(path.toStdString(), content));
+            const VtkReader read(path);
+            if (read.isMissing())
+                QSKIP("skipped: no python3-vtk9");
+            QCOMPARE(read.told()["cells"].toInt(-1), only ? 0 : 1);
+        }
+    }
+
+    void glbIsAsTheStandardSays()
+    {
+        const RandomSurface one(50, 100, 1), other(20, 30, 2);
+        SurfaceContent content = contentOf(one.part("isovalue \"1\""), other.part("isovalue 2"));
+        content.parts[1].colour = {0.5F, 0, 1, 0.25F};
+        const QString path = folder_.filePath("surface.glb");
+        QVERIFY(writeSurfaceFile(path.toStdString(), content));
+        const QByteArray bytes = ::contentOf(path);
+        QCOMPARE(bytes.first(4), QByteArray("glTF"));
+        QCOMPARE(numberAt<std::uint32_t>(bytes, 4), 2U);
+        QCOMPARE(numberAt<std::uint32_t>(bytes, 8), static_cast<std::uint32_t>(bytes.size()));
+        const qsizetype jsonBytes = numberAt<std::uint32_t>(bytes, 12);
+        QCOMPARE(jsonBytes % 4, 0);
+        QCOMPARE(bytes.mid(16, 4), QByteArray("JSON"));
+        const QJsonObject json = QJsonDocument::fromJson(bytes.mid(20, jsonBytes)).object();
+        QCOMPARE(json["asset"].toObject()["version"].toString(), QString("2.0"));
+        const qsizetype binary = 20 + jsonBytes + 8;
+        QCOMPARE(bytes.mid(binary - 4, 4), QByteArray("BIN\0", 4));
+        const qint64 bufferBytes = json["buffers"].toArray()[0].toObject()["byteLength"].toInteger();
+        QCOMPARE(numberAt<std::uint32_t>(bytes, binary - 8), static_cast<std::uint32_t>(bufferBytes));
+        QCOMPARE(bytes.size(), binary + bufferBytes);
+        const QJsonArray meshes = json["meshes"].toArray();
+        QCOMPARE(meshes.size(), 2);
+        QCOMPARE(meshes[0].toObject()["name"].toString(), QString("isovalue \"1\""));
+        QCOMPARE(meshes[0].toObject()["extras"].toObject()["isovalue"].toDouble(), 1.5);
+        QCOMPARE(json["scenes"].toArray()[0].toObject()["extras"].toObject()["error"].toDouble(), 0.5);
+        for (const bool second : {false, true}) {
+            const RandomSurface& surface = second ? other : one;
+            const QJsonObject primitive = meshes[second].toObject()["primitives"].toArray()[0].toObject();
+            const auto accessor = [&](const QJsonValue& number) {
+                return json["accessors"].toArray()[number.toInt(-1)].toObject();
+            };
+            const auto offset = [&](const QJsonObject& of) {
+                return binary +
+                       json["bufferViews"].toArray()[of["bufferView"].toInt(-1)].toObject()["byteOffset"].toInteger(-1);
+            };
+            const QJsonObject positions = accessor(primitive["attributes"].toObject()["POSITION"]);
+            QCOMPARE(positions["count"].toInteger(), static_cast<qint64>(surface.positions.size()));
+            const QJsonObject indices = accessor(primitive["indices"]);
+            QCOMPARE(indices["count"].toInteger(), static_cast<qint64>(3 * surface.triangles.size()));
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                float least = surface.positions[0][long(axis)];
+                for (std::size_t vertex = 0; vertex < surface.positions.size(); ++vertex) {
+                    const auto number = numberAt<float>(bytes, offset(positions) + qsizetype(12 * vertex + 4 * axis));
+                    QCOMPARE(number, surface.positions[vertex][long(axis)]);
+                    least = std::min(least, number);
+                }
+                QCOMPARE(static_cast<float>(positions["min"].toArray()[qsizetype(axis)].toDouble()), least);
+            }
+            QCOMPARE(numberAt<std::uint32_t>(bytes, offset(indices) + 8), surface.triangles[0][2]);
+        }
+        const QJsonObject material = json["materials"].toArray()[1].toObject();
+        QCOMPARE(material["alphaMode"].toString(), QString("BLEND"));
+        const QJsonArray colour = material["pbrMetallicRoughness"].toObject()["baseColorFactor"].toArray();
+        QVERIFY(std::abs(colour[0].toDouble() - 0.21404) < 1e-4); // sRGB 0.5 as linear light
+        QCOMPARE(colour[3].toDouble(), 0.25);
+    }
+
+    void objNamesItsGroups()
+    {
+        const RandomSurface one(5, 2, 1), other(5, 2, 2);
+        SurfaceContent content = contentOf(one.part("isovalue 1.5\nf 1 2 3"), other.part("isovalue 2"));
+        const QString path = folder_.filePath("surface.obj");
+        QVERIFY(writeSurfaceFile(path.toStdString(), content));
+        const QList<QByteArray> lines = ::contentOf(path).split('\n');
+        QCOMPARE(lines[0], QByteArray("# isosurfaces by TAn"));
+        QCOMPARE(lines[1], QByteArray("# error: 0.5"));
+        QVERIFY(lines.contains("g isovalue_1.5_f_1_2_3"));
+        QVERIFY(lines.contains("g isovalue_2"));
+        QVERIFY(lines.contains("# isovalue 1.5"));
+        QCOMPARE(std::ranges::count_if(lines, [](const QByteArray& line) { return line.startsWith("f "); }), 4);
+    }
+
+    void stlIsNotTakenForText()
+    {
+        const RandomSurface one(5, 2, 1);
+        SurfaceContent content = contentOf(one.part("a"), one.part("b"));
+        content.title = "solid";
+        const QString path = folder_.filePath("surface.stl");
+        QVERIFY(writeSurfaceFile(path.toStdString(), content));
+        const QByteArray bytes = ::contentOf(path);
+        QVERIFY(!bytes.startsWith("solid"));
+        QCOMPARE(numberAt<std::uint32_t>(bytes, 80), 4U);
+        QCOMPARE(bytes.size(), 84 + 4 * 50);
+        const Eigen::Vector3f normal(numberAt<float>(bytes, 84), numberAt<float>(bytes, 88),
+                                     numberAt<float>(bytes, 92));
+        const auto corner = [&](int i) { return one.positions[one.triangles[0][std::size_t(i)]]; };
+        QVERIFY(std::abs(normal.norm() - 1) < 1e-6F);
+        QVERIFY((corner(1) - corner(0)).cross(corner(2) - corner(0)).dot(normal) > 0);
+    }
+
+    void wrongUseIsRefused()
+    {
+        const RandomSurface one(5, 2, 1);
+        const auto refused = [&](const QString& name, const SurfacePart& part, const char* text) {
+            const Status written =
+                writeSurfaceFile(folder_.filePath(name).toStdString(), contentOf(one.part("whole"), part));
+            return !written && written.error().kind == ErrorKind::WrongUsage &&
+                   QString::fromStdString(written.error().text).contains(text) &&
+                   !QFile::exists(folder_.filePath(name));
+        };
+        for (const char* name : {"wrong.gltf", "wrong", "stl", "wrong.stl.gz"})
+            QVERIFY2(refused(name, one.part("x"), ".vtp, .vtk, .vtu, .ply, .stl, .obj and .glb"), name);
+        SurfacePart part = one.part("odd one");
+        part.normals = part.normals.first(4);
+        QVERIFY(refused("wrong.stl", part, "odd one"));
+        part = one.part("odd one");
+        part.values = std::span<const float>(one.values).first(4);
+        QVERIFY(refused("wrong.stl", part, "odd one"));
+        part = one.part("odd one");
+        part.positions = part.positions.first(4);
+        part.normals = part.normals.first(4);
+        QVERIFY(refused("wrong.stl", part, "odd one"));
+    }
+
+    /// The numbers alone are looked at: nothing as large as the surface is.
+    void whatTheFormatCannotNumberIsRefused_data()
+    {
+        QTest::addColumn<QString>("ending");
+        QTest::addColumn<QString>("part");
+        QTest::newRow("ply") << "ply"
+                             << "2147483647 vertices";
+        QTest::newRow("vtk") << "vtk"
+                             << "legacy VTK";
+        QTest::newRow("glb") << "glb"
+                             << "4 GiB";
+    }
+    void whatTheFormatCannotNumberIsRefused()
+    {
+        QFETCH(QString, ending);
+        QFETCH(QString, part);
+        const std::size_t count = 30'000'000;
+        const Buffer<Eigen::Vector3f> positions(count); // memory that nobody touches
+        const std::vector<std::array<std::uint32_t, 3>> triangle(1);
+        const SurfacePart large{.name = "large", .positions = positions, .normals = {}, .triangles = triangle};
+        SurfaceContent content{"isosurfaces", "isovalue", std::vector<SurfacePart>(80, large), {}};
+        const Status written = writeSurfaceFile(folder_.filePath("large." + ending).toStdString(), content);
+        QVERIFY(!written);
+        QCOMPARE(written.error().kind, ErrorKind::OutOfResource);
+        QVERIFY2(QString::fromStdString(written.error().text).contains(part), written.error().text.c_str());
+        QVERIFY(!QFile::exists(folder_.filePath("large." + ending)));
+    }
+
+    void aFullDiskKeepsTheOldFile()
+    {
+        const SmallDisk disk(64 << 10);
+        if (!disk.ok())
+            QSKIP("skipped: no right to mount a small disk");
+        const RandomSurface small(4, 1, 1), large(5000, 20000, 2);
+        for (const QString& ending : endings) {
+            const std::filesystem::path path = disk.folder() / ("surface." + ending.toStdString());
+            QVERIFY(writeSurfaceFile(path, contentOf(small.part("a"), small.part("b"))));
+            const auto size = std::filesystem::file_size(path);
+            const Status written = writeSurfaceFile(path, contentOf(large.part("a"), large.part("b")));
+            QVERIFY(!written);
+            QCOMPARE(written.error().kind, ErrorKind::CannotWrite);
+            QCOMPARE(std::filesystem::file_size(path), size);
+            QVERIFY(std::filesystem::remove(path));
+            QVERIFY2(std::filesystem::is_empty(disk.folder()), "nothing is left behind");
+        }
+    }
+
+    void progressAndCancellation()
+    {
+        const RandomSurface one(50'000, 100'000, 1);
+        const SurfaceContent content = contentOf(one.part("a"), one.part("b"));
+        for (const QString& ending : endings) {
+            const QTemporaryDir folder;
+            const std::filesystem::path path = folder.filePath("surface." + ending).toStdString();
+            std::vector<double> fractions;
+            const auto note = [&](double fraction, std::string_view) { fractions.push_back(fraction); };
+            QVERIFY(writeSurfaceFile(path, content, Progress({}, note)));
+            QVERIFY(fractions.size() > 10 && std::ranges::is_sorted(fractions));
+            QVERIFY2(fractions.back() > 0.8 && fractions.back() <= 1, qPrintable(ending));
+            QVERIFY(std::filesystem::remove(path));
+            std::stop_source source;
+            const auto stop = [&](double fraction, std::string_view) {
+                if (fraction > 0.5)
+                    source.request_stop();
+            };
+            const Status written = writeSurfaceFile(path, content, Progress(source.get_token(), stop));
+            QVERIFY(!written && written.error().kind == ErrorKind::Cancelled);
+            QVERIFY(QDir(folder.path()).isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot));
+        }
+    }
+
+    /// A cube of six tetrahedra, and one tetrahedron apart: closed, outwards, with the cube's volume.
+    void theBoundaryOfAMesh()
+    {
+        std::vector<Eigen::Vector3d> corners;
+        for (int i = 0; i < 8; ++i)
+            corners.emplace_back(i & 1, i >> 1 & 1, i >> 2);
+        corners.insert(corners.end(), {{9, 9, 9}, {5, 5, 5}, {6, 5, 5}, {5, 6, 5}, {5, 5, 6}});
+        std::vector<std::array<std::uint32_t, 4>> tetrahedra = {{9, 10, 11, 12}};
+        for (const auto& [a, b] : {std::pair{1, 3}, {3, 2}, {2, 6}, {6, 4}, {4, 5}, {5, 1}})
+            tetrahedra.push_back({0, std::uint32_t(a), std::uint32_t(b), 7});
+        const BoundaryFaces boundary = boundaryFaces(corners.size(), tetrahedra);
+        QCOMPARE(boundary.triangles.size(), std::size_t(4 + 12));
+        QCOMPARE(boundary.vertices.size(), std::size_t(12)); // corner 8 is in no tetrahedron
+        std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+        double volume = 0;
+        for (const auto& t : boundary.triangles) {
+            const auto at = [&](std::size_t corner) { return corners[boundary.vertices[t[corner]]]; };
+            volume += at(0).dot(at(1).cross(at(2))) / 6;
+            for (std::size_t side = 0; side < 3; ++side) {
+                ++sides[{t[side], t[(side + 1) % 3]}];
+                --sides[{t[(side + 1) % 3], t[side]}];
+            }
+        }
+        QVERIFY(std::ranges::all_of(sides, [](const auto& side) { return side.second == 0; }));
+        QVERIFY(std::abs(volume - (1 + 1. / 6)) < 1e-12);
+    }
+
+private:
+    static SurfaceContent contentOf(SurfacePart one, SurfacePart other)
+    {
+        if (std::holds_alternative<float>(one.values))
+            one.values = 1.5F;
+        if (std::holds_alternative<float>(other.values))
+            other.values = 2.0F;
+        return {"isosurfaces", "isovalue", {std::move(one), std::move(other)}, {{"error", 0.5}}};
+    }
+
+    static void compare(const VtkReader& read, const Expected& expected, const QString& ending, bool valued)
+    {
+        QCOMPARE(read.told()["cells"].toInteger(), static_cast<qint64>(expected.corners.size() / 3));
+        QCOMPARE(read.told()["cell types"].toArray(), QJsonArray{5});
+        const auto points = vectorsOf(read.array<float>("points"));
+        const auto corners = read.array<std::uint32_t>("cells");
+        QCOMPARE(corners.size(), expected.corners.size());
+        const auto positions = ending == "glb" ? turned(expected.positions) : expected.positions;
+        if (ending == "stl") {
+            for (std::size_t i = 0; i < corners.size(); ++i)
+                QCOMPARE(points[corners[i]], positions[expected.corners[i]]);
+            return;
+        }
+        QCOMPARE(points, positions);
+        QCOMPARE(corners, expected.corners);
+        if (!valued)
+            compareNormals(vectorsOf(read.array<float>("point." + read.told()["active normals"].toString())),
+                           ending == "glb" ? turned(expected.normals) : expected.normals);
+        if (ending.startsWith("vt")) {
+            QCOMPARE(read.told()["active point"].toString(), QString("isovalue"));
+            QCOMPARE(read.array<float>("point.isovalue"), expected.values);
+            QCOMPARE(read.told()["facts"].toObject()["error"].toDouble(), 0.5);
+        }
+    }
+    /// VTK may have made them of length 1 once more.
+    static void compareNormals(const std::vector<Eigen::Vector3f>& read, const std::vector<Eigen::Vector3f>& expected)
+    {
+        QCOMPARE(read.size(), expected.size());
+        for (std::size_t i = 0; i < read.size(); ++i)
+            QVERIFY((read[i] - expected[i]).norm() < 1e-6F);
+    }
+
+    QTemporaryDir folder_;
+};
+
+QTEST_GUILESS_MAIN(SurfaceFileTest)
+#include "surface_file_test.moc"
