@@ -6,7 +6,7 @@
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "core/history/query/mesh_extractor.h"
-#include "core/verify/mesh_claims.h"
+#include "core/verify/mesh_bounds.h"
 #include "plugins/host/output_check.h"
 #include "plugins/writers/surface_file.h"
 

@@ -6,7 +6,7 @@
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "core/history/query/mesh_extractor.h"
-#include "core/verify/mesh_claims.h"
+#include "core/verify/mesh_bounds.h"
 #include "core/verify/verification.h"
 #include "core/verify/verify_mesh.h"
 #include "plugins/host/dataset_opening.h"
@@ -26,7 +26,7 @@ QJsonArray toJson(const std::vector<std::string>& texts)
     return list;
 }
 
-QJsonObject levelFigures(const LevelVerdict& level, bool warps)
+QJsonObject levelFigures(const LevelReport& level, bool warps)
 {
     QJsonObject figures = {{"error", level.asked.error},
                            {"warping", warps ? level.asked.warping : 0},
@@ -48,7 +48,7 @@ QJsonObject levelFigures(const LevelVerdict& level, bool warps)
     return figures;
 }
 
-std::vector<std::string> levelRow(const LevelVerdict& level, bool warps, bool twoSided)
+std::vector<std::string> levelRow(const LevelReport& level, bool warps, bool twoSided)
 {
     const auto yes = [](bool answer) { return std::string(answer ? "yes" : "NO"); };
     std::vector<std::string> row = {
@@ -64,13 +64,13 @@ std::vector<std::string> levelRow(const LevelVerdict& level, bool warps, bool tw
 }
 
 /// Each failure once, with all levels that it is true of.
-std::string failureText(const Verdict& verdict)
+std::string failureText(const VerificationReport& verdict)
 {
     std::string text;
     for (const std::string& failure : verdict.failures)
         text += "\n" + failure;
     std::vector<std::pair<std::string, std::string>> levelsOfFailures;
-    for (const LevelVerdict& level : verdict.levels)
+    for (const LevelReport& level : verdict.levels)
         for (const std::string& failure : level.failures) {
             const auto known =
                 std::ranges::find(levelsOfFailures, failure, [](const auto& entry) { return entry.first; });
@@ -85,7 +85,7 @@ std::string failureText(const Verdict& verdict)
 }
 
 /// On what is inverted and no failure.
-std::string remarkOn(const Verdict& verdict)
+std::string remarkOn(const VerificationReport& verdict)
 {
     if (std::ranges::all_of(verdict.levels, [](const auto& level) { return level.invertedInData == 0; }))
         return {};
@@ -93,7 +93,7 @@ std::string remarkOn(const Verdict& verdict)
            std::to_string(verdict.foldedCells) + " folded).\n";
 }
 
-Outcome describe(const Verdict& verdict, const std::string& path, bool warps)
+Outcome describe(const VerificationReport& verdict, const std::string& path, bool warps)
 {
     Outcome outcome;
     QJsonArray levels;
@@ -105,7 +105,7 @@ Outcome describe(const Verdict& verdict, const std::string& path, bool warps)
         std::ranges::any_of(verdict.levels, [](const auto& level) { return level.twoSidedWarping.has_value(); });
     if (twoSided)
         rows[0].emplace_back("from both sides %");
-    for (const LevelVerdict& level : verdict.levels) {
+    for (const LevelReport& level : verdict.levels) {
         levels.append(levelFigures(level, warps));
         rows.push_back(levelRow(level, warps, twoSided));
     }
@@ -120,18 +120,18 @@ Outcome describe(const Verdict& verdict, const std::string& path, bool warps)
 }
 
 /// Extracts the mesh that the query asks for, and proves it. A model that gives none is no proof.
-Result<LevelVerdict> verifyExtracted(const std::shared_ptr<const Model>& model, const Dataset& original,
-                                     const MeshQuery& query, const Progress& progress)
+Result<LevelReport> verifyExtracted(const std::shared_ptr<const Model>& model, const Dataset& original,
+                                    const MeshQuery& query, const Progress& progress)
 {
     constexpr double extracted = 0.3;
     MeshExtractor extractor(model);
     const auto mesh = extractor.extract(query, progress.part(0, extracted));
     auto level = mesh ? verifyMesh(*model, original, query, **mesh, progress.part(extracted, 1))
-                      : Result<LevelVerdict>(mesh.error());
+                      : Result<LevelReport>(mesh.error());
     const bool ofTheModel = !mesh || !model->checkIntact().ok();
     if (level || level.error().kind != ErrorKind::BadInput || !ofTheModel)
         return level;
-    LevelVerdict verdict;
+    LevelReport verdict;
     verdict.asked = keptEverywhere(query, 1);
     verdict.failures = {level.error().text};
     return verdict;

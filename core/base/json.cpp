@@ -165,7 +165,7 @@ private:
                 if (!name)
                     return std::nullopt;
                 if (isThere(*name))
-                    return fail("the member \"" + shownText(*name) + "\" is there twice");
+                    return fail("the member \"" + printable(*name) + "\" is there twice");
                 skipBlanks();
                 if (!take(":"))
                     return fail("expected ':'");

@@ -27,19 +27,6 @@ std::string formatNumber(float number)
     return shortest(number);
 }
 
-std::string shownText(std::string_view text)
-{
-    constexpr std::size_t longest = 80;
-    constexpr char deleted = 127;
-    std::size_t end = std::min(text.size(), longest);
-    while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80)
-        --end;
-    std::string shown(text.substr(0, end));
-    std::ranges::replace_if(
-        shown, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == deleted; }, '?');
-    return end < text.size() ? shown + "..." : shown;
-}
-
 std::size_t utf8Bytes(std::string_view text) noexcept
 {
     const auto byte = [&](std::size_t place) -> unsigned {
@@ -61,6 +48,21 @@ std::size_t utf8Bytes(std::string_view text) noexcept
         place += length;
     }
     return place;
+}
+
+std::string printable(std::string_view text)
+{
+    constexpr std::size_t longest = 80;
+    constexpr char deleted = 127;
+    std::size_t end = std::min(text.size(), longest);
+    while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80)
+        --end;
+    std::string shown(text.substr(0, end));
+    std::ranges::replace_if(
+        shown, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == deleted; }, '?');
+    for (std::size_t at = utf8Bytes(shown); at < shown.size(); at += utf8Bytes(std::string_view(shown).substr(at)))
+        shown[at] = '?';
+    return end < text.size() ? shown + "..." : shown;
 }
 
 } // namespace tetra

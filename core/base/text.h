@@ -43,9 +43,9 @@ inline std::string neededBytesText(std::uint64_t bytes)
                                  : formatNumber(std::ceil(size / 1e8) / 10) + " GB";
 }
 
-/// A piece of somebody's file or option for a message: at most 80 bytes and no half character, what controls a terminal
-/// replaced by '?'.
-std::string shownText(std::string_view text);
+/// A piece of somebody's file or option for a message: at most 80 bytes and no half character; what controls a
+/// terminal, and what is no UTF-8, is replaced by '?'.
+std::string printable(std::string_view text);
 
 /// The bytes at the front of `text` that are UTF-8 (RFC 3629); all of them, if the text is.
 std::size_t utf8Bytes(std::string_view text) noexcept;

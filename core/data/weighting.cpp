@@ -111,7 +111,7 @@ const TermKind* kindOf(std::string_view name)
 
 Error wrong(std::string_view term, const std::string& why)
 {
-    return {ErrorKind::WrongUsage, "The weight '" + shownText(term) + "' cannot be used: " + why + "."};
+    return {ErrorKind::WrongUsage, "The weight '" + printable(term) + "' cannot be used: " + why + "."};
 }
 
 /// The numbers of a term, the floor always among them.
@@ -121,7 +121,7 @@ Result<std::vector<double>> numbersOf(std::string_view term, std::string_view li
     for (const std::string_view part : parts(list, ',')) {
         const std::optional<double> number = parseNumber<double>(part);
         if (!number || !std::isfinite(*number))
-            return wrong(term, "'" + shownText(part) + "' is not a number");
+            return wrong(term, "'" + printable(part) + "' is not a number");
         numbers.push_back(*number);
     }
     const std::size_t least = kind.coordinates + 1;

@@ -133,7 +133,7 @@ Entry ExactOrder::evaluated(std::uint32_t vertex, DecimatedMesh::Legality legali
 void ExactOrder::collapse(const Entry& entry)
 {
     if (!mesh_.collapse(entry.vertex, entry.target)) {
-        const Entry other = evaluated(entry.vertex, DecimatedMesh::Legality::Whole);
+        const Entry other = evaluated(entry.vertex, DecimatedMesh::Legality::BigInteger);
         if (states_[entry.vertex].queued)
             queue_.push(other);
         return;

@@ -63,7 +63,7 @@ DecimatedMesh::DecimatedMesh(const DecimationMesh& mesh, const DecimationOptions
       mesh_(vertexCount(), mesh.tetrahedra, !mesh.box),
       warpings_(mesh.box && mesh.lifted.empty() ? 0 : mesh_.slotCount()), keys_(mesh_.slotCount()),
       boundaryPoints_(mesh_.triangleCount()), live_(mesh_.slotCount()),
-      star_(placedValues_, exactVolumes(mesh.positions)), boundaryJudge_(input_, measure_)
+      star_(placedValues_, exactVolumes(mesh.positions)), boundaryCost_(input_, measure_)
 {
     double largestValue = 0;
     for (const double value : input_.values)
@@ -352,9 +352,9 @@ double DecimatedMesh::evaluate(std::uint32_t linkPlace, double bound)
         return key;
     }
     if (!judging_)
-        boundaryJudge_.set(mesh_, star_, points_.points, boundaryPoints_);
+        boundaryCost_.set(mesh_, star_, points_.points, boundaryPoints_);
     judging_ = true;
-    return boundaryJudge_.evaluate(star_, linkPlace, fan_, bound);
+    return boundaryCost_.evaluate(star_, linkPlace, fan_, bound);
 }
 
 /// The error that the vertex itself gets is a bound from below on the key of a collapse. On an irregular boundary it
@@ -450,7 +450,7 @@ DecimatedMesh::Candidate DecimatedMesh::judge(std::uint32_t vertex, std::uint32_
     const auto place = static_cast<std::uint32_t>(std::ranges::find(star_.link(), target) - star_.link().begin());
     if (place < star_.link().size() && opens(place))
         candidates_.push_back(place);
-    return bestOfCandidates(Legality::Whole);
+    return bestOfCandidates(Legality::BigInteger);
 }
 
 /// The key that the faces of the star opposite to its vertex have by the points outside: collapses leave it as it is.
@@ -487,7 +487,7 @@ void DecimatedMesh::setBoundaryChange(std::uint32_t linkPlace)
 bool DecimatedMesh::boundaryAllows(std::uint32_t linkPlace)
 {
     const auto comesWithTetrahedron = [&](const VertexStar::RimTriangle& rim) {
-        return BoundaryJudge::comesWithTetrahedron(star_, rim, linkPlace);
+        return BoundaryCost::comesWithTetrahedron(star_, rim, linkPlace);
     };
     if (std::ranges::none_of(star_.rim(), comesWithTetrahedron))
         return false;
@@ -503,8 +503,8 @@ bool DecimatedMesh::collapseOnBoundary(std::uint32_t vertex, std::uint32_t targe
     if (!boundaryAllows(place))
         return false;
     boundary_->replace(removedTriangles_, addedTriangles_);
-    boundaryJudge_.set(mesh_, star_, points_.points, boundaryPoints_);
-    boundaryJudge_.evaluate(star_, place, fan_, std::numeric_limits<double>::infinity());
+    boundaryCost_.set(mesh_, star_, points_.points, boundaryPoints_);
+    boundaryCost_.evaluate(star_, place, fan_, std::numeric_limits<double>::infinity());
     mesh_.collapse(vertex, target);
     clearStates();
     for (const VertexStar::RimTriangle& rim : star_.rim())
@@ -516,7 +516,7 @@ bool DecimatedMesh::collapseOnBoundary(std::uint32_t vertex, std::uint32_t targe
 /// Gives the points to the tetrahedra and boundary triangles that have them, as they were evaluated.
 void DecimatedMesh::relateToBoundary()
 {
-    for (const BoundaryJudge::Error& error : boundaryJudge_.errors()) {
+    for (const BoundaryCost::Error& error : boundaryCost_.errors()) {
         if (error.keptBy != none)
             boundaryPoints_.takeOutside(error.keptBy, error.point);
         if (error.inFan != none) {
@@ -527,7 +527,7 @@ void DecimatedMesh::relateToBoundary()
             boundaryPoints_.addOutside(error.triangle, error.point, roundedUp(error.error), roundedUp(error.warping));
         }
     }
-    for (const BoundaryJudge::Warping& warping : boundaryJudge_.warpings())
+    for (const BoundaryCost::Warping& warping : boundaryCost_.warpings())
         boundaryPoints_.addOfBoundary(warping.triangle, warping.point, roundedUp(warping.warping));
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/decimate/boundary_judge.h"
+#include "core/decimate/boundary_cost.h"
 #include "core/decimate/boundary_surface.h"
-#include "core/decimate/collapse_fan.h"
 #include "core/decimate/collapse_log.h"
+#include "core/decimate/collapse_star.h"
 #include "core/decimate/collapsible_mesh.h"
 #include "core/decimate/decimation.h"
 #include "core/decimate/vertex_star.h"
@@ -79,14 +79,14 @@ public:
     };
     /// How far best() looks at what forbids collapses of boundary vertices of irregular meshes: what lies behind their
     /// neighbours takes long and seldom does, and collapse() asks for it anyway.
-    enum class Legality { Whole, OfStar };
+    enum class Legality { BigInteger, OfStar };
     /// Asks for the memory that looking at a vertex needs, step by step: each one needs what that before has fetched.
     void fetchAhead(std::uint32_t vertex, int step) const;
     static constexpr int fetchSteps = 3;
 
     /// The legal collapse of a vertex that has the smallest key; among equals the one that leaves the fewest
     /// tetrahedra, then the one onto the nearest target.
-    Candidate best(std::uint32_t vertex, Legality legality = Legality::Whole);
+    Candidate best(std::uint32_t vertex, Legality legality = Legality::BigInteger);
     /// The collapse of a vertex onto a neighbour, if it is legal.
     Candidate judge(std::uint32_t vertex, std::uint32_t target);
 
@@ -154,7 +154,7 @@ private:
     const DecimationMesh input_;
     const std::vector<PlacedValue> placedValues_;
     const DecimationOptions options_;
-    FanMeasure measure_;
+    CollapseMeasure measure_;
     CollapsibleMesh mesh_;
     std::vector<float> warpings_; ///< own ones, by slot; empty where there are none
     IndexPool pool_;
@@ -168,16 +168,16 @@ private:
 
     VertexStar star_;
     LinkCondition linkCondition_;
-    BoundaryJudge boundaryJudge_;
+    BoundaryCost boundaryCost_;
     std::vector<SurfaceTriangle> addedTriangles_;
     std::vector<SurfaceTriangle> removedTriangles_;
     StarPoints points_;
-    ApexFan fan_;
-    ApexFan around_; ///< the star itself
+    CollapseStar fan_;
+    CollapseStar around_; ///< the star itself
     LinkSamples samples_;
     bool gathered_ = false;          ///< whether points_ is the star's
     bool sampled_ = false;           ///< whether samples_ are
-    bool judging_ = false;           ///< whether boundaryJudge_ is the star's
+    bool judging_ = false;           ///< whether boundaryCost_ is the star's
     std::uint32_t evaluated_ = none; ///< the place in the star's link that all of points_ were evaluated for last
     std::vector<std::uint32_t> candidates_; ///< places in the star's link
     std::vector<double> leastKeys_;         ///< of each candidate: a bound from below

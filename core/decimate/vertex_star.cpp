@@ -333,7 +333,7 @@ bool LinkCondition::allows(const CollapsibleMesh& mesh, const VertexStar& star, 
         return false;
     shared_.clear();
     sharedEdges_.clear();
-    sharedRim_.clear();
+    sharedLink_.clear();
     for (std::size_t face = 0; face < star.faces().size(); ++face)
         if (star.holds(face, linkPlace)) {
             std::uint32_t others[2];
@@ -347,10 +347,10 @@ bool LinkCondition::allows(const CollapsibleMesh& mesh, const VertexStar& star, 
     for (const VertexStar::RimTriangle& triangle : star.rim())
         for (std::size_t i = 0; i < 2; ++i)
             if (triangle.corners[i] == linkPlace)
-                sharedRim_.push_back(star.link()[triangle.corners[1 - i]]);
+                sharedLink_.push_back(star.link()[triangle.corners[1 - i]]);
     sortOut(shared_);
     sortOut(sharedEdges_);
-    if (sharedRim_.size() != 2)
+    if (sharedLink_.size() != 2)
         return false;
 
     for (const std::uint32_t slot : mesh.star(target)) {
@@ -387,7 +387,7 @@ bool LinkCondition::allows(const CollapsibleMesh& mesh, const VertexStar& star, 
             if (has(rimEdges_, edge))
                 return false;
             for (const std::uint32_t end : ends)
-                if (has(rim_, end) && end != sharedRim_[0] && end != sharedRim_[1])
+                if (has(rim_, end) && end != sharedLink_[0] && end != sharedLink_[1])
                     return false;
         }
     }

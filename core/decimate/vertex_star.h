@@ -118,13 +118,13 @@ private:
     using Edge = std::uint64_t;
     static Edge edgeOf(std::uint32_t a, std::uint32_t b) { return a < b ? Edge(a) << 32 | b : Edge(b) << 32 | a; }
 
-    std::vector<std::uint32_t> link_;      ///< vertices around the star's, sorted
-    std::vector<Edge> edges_;              ///< of the link, sorted
-    std::vector<std::uint32_t> rim_;       ///< vertices joined to it by boundary edges, sorted
-    std::vector<Edge> rimEdges_;           ///< opposite to it in boundary triangles, sorted
-    std::vector<std::uint32_t> shared_;    ///< vertices that have a triangle with it and the target, sorted
-    std::vector<Edge> sharedEdges_;        ///< edges that have a tetrahedron with them, sorted
-    std::vector<std::uint32_t> sharedRim_; ///< vertices that have a boundary triangle with them
+    std::vector<std::uint32_t> link_;       ///< vertices around the star's, sorted
+    std::vector<Edge> edges_;               ///< of the link, sorted
+    std::vector<std::uint32_t> rim_;        ///< vertices joined to it by boundary edges, sorted
+    std::vector<Edge> rimEdges_;            ///< opposite to it in boundary triangles, sorted
+    std::vector<std::uint32_t> shared_;     ///< vertices that have a triangle with it and the target, sorted
+    std::vector<Edge> sharedEdges_;         ///< edges that have a tetrahedron with them, sorted
+    std::vector<std::uint32_t> sharedLink_; ///< vertices that have a boundary triangle with them
 };
 
 } // namespace tetra

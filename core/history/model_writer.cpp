@@ -4,8 +4,8 @@
 #include "core/base/rounding.h"
 #include "core/base/text.h"
 #include "core/data/dataset_checks.h"
+#include "core/history/batch_builder.h"
 #include "core/history/file_layout.h"
-#include "core/history/history_arranger.h"
 
 #include <algorithm>
 #include <array>
@@ -214,7 +214,7 @@ std::uint32_t fewestSites(DomainClass domain)
 
 constexpr std::size_t fileBufferBytes = 1 << 20;
 
-class HistoryFileWriter final : public ModelWriter, private ArrangedBatchSink {
+class HistoryFileWriter final : public ModelWriter, private BatchSink {
 public:
     HistoryFileWriter(FileWriter file, const Dataset& dataset, ModelDescription description,
                       std::filesystem::path spoolFolder)
@@ -232,9 +232,9 @@ public:
     std::uint64_t tetrahedronCount() const noexcept override { return destroyers_.size(); }
 
 private:
-    Status add(const ArrangedBatch& batch) override;
+    Status add(const Batch& batch) override;
     Status writeArrays(float finalError);
-    void storeMeshSizes(const ArrangedBatch& batch);
+    void storeMeshSizes(const Batch& batch);
     Status writeHistoryKind();
     Status writeGeometry();
     Status writeAllSamples();
@@ -258,7 +258,7 @@ private:
     SpooledArray<std::uint16_t> ownErrors_{spool_};
     SpooledArray<std::uint16_t> ownWarpings_{spool_};
 
-    HistoryArranger arranger_;
+    BatchBuilder arranger_;
     std::vector<std::array<std::uint32_t, 3>> otherSites_; ///< of a batch, on their way to the file
     std::vector<std::int64_t> growth_;                     ///< of the mesh by each of a batch's sites
     std::int64_t meshSize_ = 0;
@@ -303,7 +303,7 @@ Status HistoryFileWriter::add(const HistoryStep& step)
     }
 }
 
-Status HistoryFileWriter::add(const ArrangedBatch& batch)
+Status HistoryFileWriter::add(const Batch& batch)
 {
     for (std::size_t place = 0; place < batch.points.size(); ++place) {
         points_.push_back(static_cast<std::uint32_t>(batch.points[place]));
@@ -312,12 +312,12 @@ Status HistoryFileWriter::add(const ArrangedBatch& batch)
         starOffsets_.push_back(batch.firstTetrahedron + (place == 0 ? 0 : batch.starEnds[place - 1]));
     }
     storeMeshSizes(batch);
-    for (const ArrangedBatch::Destruction& destruction : batch.destructions)
+    for (const Batch::Destruction& destruction : batch.destructions)
         destroyers_[destruction.tetrahedron] = destruction.destroyer;
     const double extent = description_.range.extent();
     const double diagonal = description_.bounds.diagonal().norm();
     otherSites_.clear();
-    for (const ArrangedBatch::Tetrahedron& tetrahedron : batch.tetrahedra) {
+    for (const Batch::Tetrahedron& tetrahedron : batch.tetrahedra) {
         otherSites_.push_back({tetrahedron.sites[1], tetrahedron.sites[2], tetrahedron.sites[3]});
         destroyers_.push_back(Model::never);
         ownErrors_.push_back(halfBound(tetrahedron.error, extent));
@@ -330,10 +330,10 @@ Status HistoryFileWriter::add(const ArrangedBatch& batch)
 }
 
 /// The mesh has a size where a group ends; its other sites get the same one.
-void HistoryFileWriter::storeMeshSizes(const ArrangedBatch& batch)
+void HistoryFileWriter::storeMeshSizes(const Batch& batch)
 {
     growth_.assign(batch.points.size(), 0);
-    for (const ArrangedBatch::Destruction& destruction : batch.destructions)
+    for (const Batch::Destruction& destruction : batch.destructions)
         --growth_[destruction.destroyer - batch.firstSite];
     std::size_t first = 0;
     for (std::size_t place = 0; place < batch.points.size(); ++place) {

@@ -118,9 +118,9 @@ private:
 };
 
 /// What the blocks left, dealt to parts by the corners.
-class DealtFaces {
+class BinnedFaces {
 public:
-    explicit DealtFaces(std::vector<Buffer<OpenFace>> blocks)
+    explicit BinnedFaces(std::vector<Buffer<OpenFace>> blocks)
     {
         std::size_t count = 0;
         for (const auto& block : blocks)
@@ -215,7 +215,7 @@ FaceAdjacency matchFaces(std::span<const MeshCell> tetrahedra)
         for (std::size_t b = range.begin(); b != range.end(); ++b)
             left[b] = matcher.match(tetrahedra, b * blockSize, std::min((b + 1) * blockSize, tetrahedra.size()));
     });
-    DealtFaces(std::move(left)).match(adjacency.neighbours);
+    BinnedFaces(std::move(left)).match(adjacency.neighbours);
     adjacency.innerFaces = innerFacesOf(adjacency.neighbours);
     return adjacency;
 }

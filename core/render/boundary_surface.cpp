@@ -340,7 +340,7 @@ TriangleMesh colouredByValue(const TriangleMesh& surface, const TransferFunction
     return colouring.take();
 }
 
-Result<Surface> BoundaryMaker::plain(const BoundaryLook& look, const Progress& progress)
+Result<Surface> BoundaryCache::plain(const BoundaryLook& look, const Progress& progress)
 {
     if (!(look.opacity > 0 && look.opacity <= 1))
         return Error{ErrorKind::WrongUsage, "The boundary's opacity must be above 0 and at most 1."};
@@ -353,7 +353,7 @@ Result<Surface> BoundaryMaker::plain(const BoundaryLook& look, const Progress& p
     return Surface{boundary_, look.colour, look.opacity, look.backFacesOnly};
 }
 
-Result<Surface> BoundaryMaker::coloured(const TransferFunction& function, const BoundaryLook& look,
+Result<Surface> BoundaryCache::coloured(const TransferFunction& function, const BoundaryLook& look,
                                         const Progress& progress)
 try {
     if (const Status usable = checkTransferFunction(function); !usable)

@@ -40,9 +40,9 @@ struct BoundaryLook {
 
 /// Makes the boundary of one mesh, in a look that changes: extracted once, coloured anew for another transfer function.
 /// Used from one thread at a time.
-class BoundaryMaker {
+class BoundaryCache {
 public:
-    explicit BoundaryMaker(std::shared_ptr<const TetrahedralMesh> mesh) : mesh_(std::move(mesh)) {}
+    explicit BoundaryCache(std::shared_ptr<const TetrahedralMesh> mesh) : mesh_(std::move(mesh)) {}
 
     /// Errors: those of extractBoundary(), an opacity outside (0, 1].
     Result<Surface> plain(const BoundaryLook& look, const Progress& progress = {});

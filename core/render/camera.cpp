@@ -307,7 +307,7 @@ private:
     void fail(const JsonValue& value, std::string_view key, const std::string& what)
     {
         if (!error_)
-            error_ = Error{ErrorKind::BadInput, "The key \"" + shownText(key) + "\" of the camera " + what + " (" +
+            error_ = Error{ErrorKind::BadInput, "The key \"" + printable(key) + "\" of the camera " + what + " (" +
                                                     describePlace(value.place) + ")."};
     }
 

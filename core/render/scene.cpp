@@ -73,7 +73,7 @@ Result<std::vector<ClipPlane>> parseClipPlanes(std::string_view text)
         const auto plane = parsePlane(part);
         if (!plane)
             return Error{ErrorKind::WrongUsage,
-                         "'" + shownText(part) +
+                         "'" + printable(part) +
                              "' is no clip plane: give four numbers nx,ny,nz,offset, the first three not all zero; "
                              "points with nx x + ny y + nz z >= offset are shown."};
         planes.push_back(*plane);

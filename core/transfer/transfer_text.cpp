@@ -39,7 +39,7 @@ Status checkMembers(const JsonValue& object, std::initializer_list<std::string_v
             return wrongFunction(object, std::string(what) + " has no \"" + std::string(name) + "\"");
     for (const auto& [name, value] : *object.object())
         if (std::ranges::find(needed, name) == needed.end() && std::ranges::find(optional, name) == optional.end())
-            return wrongFunction(value, "\"" + shownText(name) + "\" is not known here");
+            return wrongFunction(value, "\"" + printable(name) + "\" is not known here");
     return {};
 }
 

@@ -127,8 +127,8 @@ PointCloud cutBetween(const PointCloud& points, std::size_t axis, std::int64_t l
 
 } // namespace
 
-Result<LiftedOriginal> LiftedOriginal::make(const Dataset& original, bool leftHanded,
-                                            std::vector<std::string>& failures, const Progress& progress)
+Result<CurvilinearOriginal> CurvilinearOriginal::make(const Dataset& original, bool leftHanded,
+                                                      std::vector<std::string>& failures, const Progress& progress)
 {
     const std::size_t layerCount = original.lattice.size[2] - 1;
     const std::string activity = "Verifying the cells of the grid";
@@ -150,7 +150,7 @@ Result<LiftedOriginal> LiftedOriginal::make(const Dataset& original, bool leftHa
         exact.add(count[0]);
         rough.add(count[1]);
     }
-    LiftedOriginal result;
+    CurvilinearOriginal result;
     const bool agrees = leftHanded == exact.leftHanded() || leftHanded == rough.leftHanded();
     if (!agrees)
         failures.push_back(std::string("The model takes the grid for a ") + (leftHanded ? "left" : "right") +
@@ -179,7 +179,7 @@ Result<LiftedOriginal> LiftedOriginal::make(const Dataset& original, bool leftHa
 
 /// Cuts the tetrahedron into slices of the grid's layers, these into columns along x, and looks how far the columns
 /// reach. Only layers and rows that have folded cells are looked at.
-bool LiftedOriginal::bears(const CellCorners& corners) const
+bool CurvilinearOriginal::bears(const CellCorners& corners) const
 {
     LatticePoint least = corners[0], most = corners[0];
     PointCloud tetrahedron;
@@ -214,12 +214,12 @@ bool LiftedOriginal::bears(const CellCorners& corners) const
 
 namespace {
 
-constexpr std::size_t liftedCellsAtOnce = 256;
+constexpr std::size_t curvilinearCellsAtOnce = 256;
 
 /// What of a mesh holds in physical space: that its cells are not inverted, and how far they are from the grid.
-class LiftedCheck {
+class CurvilinearCheck {
 public:
-    explicit LiftedCheck(const MeshToVerify& mesh)
+    explicit CurvilinearCheck(const MeshToVerify& mesh)
         : model_(mesh.model), original_(mesh.original), weights_(mesh.weights), cells_(mesh.cells),
           claims_(mesh.claims), lifted_(*mesh.lifted), diagonal_(original_.bounds().diagonal().norm()),
           allowance_(1e-12 * diagonal_ + 0x1p-44 * farthest(original_)), withinOwn_(original_.pointCount())
@@ -227,7 +227,7 @@ public:
     }
 
     Status run(const Progress& progress);
-    void moveTo(LevelVerdict& verdict);
+    void moveTo(LevelReport& verdict);
 
 private:
     /// Coordinates of this size are rounded, in the builder as here.
@@ -251,8 +251,8 @@ private:
     const Dataset& original_;
     const Weights& weights_;
     const LevelCells& cells_;
-    const MeshClaims& claims_;
-    const LiftedOriginal& lifted_;
+    const MeshBounds& claims_;
+    const CurvilinearOriginal& lifted_;
     double diagonal_;
     double allowance_;                         ///< by which a claim may be exceeded
     std::vector<std::atomic<bool>> withinOwn_; ///< for each sample whether one of its cells' own warpings bounds it
@@ -263,13 +263,13 @@ private:
     Findings tooLarge_;
 };
 
-Status LiftedCheck::run(const Progress& progress)
+Status CurvilinearCheck::run(const Progress& progress)
 {
-    return verifyEach(cells_.size(), liftedCellsAtOnce, "Verifying the warping at every sample", progress,
+    return verifyEach(cells_.size(), curvilinearCellsAtOnce, "Verifying the warping at every sample", progress,
                       [this](std::size_t number) { checkCell(number); });
 }
 
-void LiftedCheck::checkVolume(std::size_t number, const std::array<Eigen::Vector3d, 4>& places)
+void CurvilinearCheck::checkVolume(std::size_t number, const std::array<Eigen::Vector3d, 4>& places)
 {
     const int sign = volumeSign(places[0], places[1], places[2], places[3]);
     if (sign == 0)
@@ -282,7 +282,7 @@ void LiftedCheck::checkVolume(std::size_t number, const std::array<Eigen::Vector
         });
 }
 
-void LiftedCheck::checkCell(std::size_t number)
+void CurvilinearCheck::checkCell(std::size_t number)
 {
     const CellCorners corners = cells_.corners(number);
     const std::int64_t volume = sixVolumes(corners);
@@ -321,7 +321,7 @@ void LiftedCheck::checkCell(std::size_t number)
         });
 }
 
-void LiftedCheck::moveTo(LevelVerdict& verdict)
+void CurvilinearCheck::moveTo(LevelReport& verdict)
 {
     Findings beyondOwn;
     const bool ofHistory = cells_.size() > 0 && cells_.historyNumber(0).has_value();
@@ -342,9 +342,9 @@ void LiftedCheck::moveTo(LevelVerdict& verdict)
 
 } // namespace
 
-Status verifyLifted(const MeshToVerify& mesh, LevelVerdict& verdict, const Progress& progress)
+Status verifyCurvilinear(const MeshToVerify& mesh, LevelReport& verdict, const Progress& progress)
 {
-    LiftedCheck check(mesh);
+    CurvilinearCheck check(mesh);
     const Status done = check.run(progress);
     check.moveTo(verdict);
     return done;

@@ -15,12 +15,12 @@ namespace tetra {
 
 /// The grid of a model of curvilinear data as verification sees it: its hand, its folded cells, and so which
 /// tetrahedra may be inverted (S5, FORMAT.md). Exact; finds all that by itself and in another way than builders do.
-class LiftedOriginal {
+class CurvilinearOriginal {
 public:
     /// `original` is curvilinear. Says in `failures` if `leftHanded`, the model's word, is not true of it. An Error
     /// only if cancelled.
-    static Result<LiftedOriginal> make(const Dataset& original, bool leftHanded, std::vector<std::string>& failures,
-                                       const Progress& progress);
+    static Result<CurvilinearOriginal> make(const Dataset& original, bool leftHanded,
+                                            std::vector<std::string>& failures, const Progress& progress);
 
     /// The sign of volumes that are not inverted.
     int hand() const noexcept { return hand_; }

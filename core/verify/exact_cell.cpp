@@ -17,11 +17,11 @@ namespace tetra {
 namespace {
 
 /// A whole number of any length.
-class Whole {
+class BigInteger {
 public:
-    Whole() = default;
+    BigInteger() = default;
     /// `mantissa` * 2^shift.
-    Whole(std::int64_t mantissa, int shift) : negative_(mantissa < 0)
+    BigInteger(std::int64_t mantissa, int shift) : negative_(mantissa < 0)
     {
         auto magnitude = static_cast<std::uint64_t>(negative_ ? -mantissa : mantissa);
         digits_.assign(static_cast<std::size_t>(shift / digitBits), 0);
@@ -34,21 +34,21 @@ public:
 
     int sign() const { return digits_.empty() ? 0 : negative_ ? -1 : 1; }
 
-    friend Whole operator-(const Whole& a, const Whole& b)
+    friend BigInteger operator-(const BigInteger& a, const BigInteger& b)
     {
-        Whole minusB = b;
+        BigInteger minusB = b;
         minusB.negative_ = !b.negative_;
         return a + minusB;
     }
-    friend Whole operator+(const Whole& a, const Whole& b)
+    friend BigInteger operator+(const BigInteger& a, const BigInteger& b)
     {
         if (a.negative_ == b.negative_)
-            return Whole(sum(a.digits_, b.digits_), a.negative_);
+            return BigInteger(sum(a.digits_, b.digits_), a.negative_);
         if (less(a.digits_, b.digits_))
-            return Whole(difference(b.digits_, a.digits_), b.negative_);
-        return Whole(difference(a.digits_, b.digits_), a.negative_);
+            return BigInteger(difference(b.digits_, a.digits_), b.negative_);
+        return BigInteger(difference(a.digits_, b.digits_), a.negative_);
     }
-    friend Whole operator*(const Whole& a, const Whole& b)
+    friend BigInteger operator*(const BigInteger& a, const BigInteger& b)
     {
         std::vector<std::uint32_t> product(a.digits_.size() + b.digits_.size(), 0);
         for (std::size_t i = 0; i < a.digits_.size(); ++i) {
@@ -60,14 +60,14 @@ public:
             }
             product[i + b.digits_.size()] = static_cast<std::uint32_t>(carry);
         }
-        return Whole(std::move(product), a.negative_ != b.negative_);
+        return BigInteger(std::move(product), a.negative_ != b.negative_);
     }
 
 private:
     static constexpr int digitBits = 32;
     using Digits = std::vector<std::uint32_t>; ///< the lowest first, the highest not zero
 
-    Whole(Digits digits, bool negative) : digits_(std::move(digits)), negative_(negative) { trim(); }
+    BigInteger(Digits digits, bool negative) : digits_(std::move(digits)), negative_(negative) { trim(); }
     void trim()
     {
         while (!digits_.empty() && digits_.back() == 0)
@@ -110,7 +110,7 @@ private:
 using VolumeCorners = std::array<Eigen::Vector3d, 4>;
 
 /// The coordinates as whole numbers of the smallest unit that any of them needs.
-std::array<std::array<Whole, 3>, 4> inWholeUnits(const VolumeCorners& corners)
+std::array<std::array<BigInteger, 3>, 4> inWholeUnits(const VolumeCorners& corners)
 {
     constexpr int mantissaBits = std::numeric_limits<double>::digits;
     int smallest = std::numeric_limits<int>::max();
@@ -120,7 +120,7 @@ std::array<std::array<Whole, 3>, 4> inWholeUnits(const VolumeCorners& corners)
                 std::frexp(coordinate, &exponent);
                 smallest = std::min(smallest, exponent - mantissaBits);
             }
-    std::array<std::array<Whole, 3>, 4> whole;
+    std::array<std::array<BigInteger, 3>, 4> whole;
     for (std::size_t corner = 0; corner < 4; ++corner)
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double coordinate = corners[corner][static_cast<Eigen::Index>(axis)];
@@ -128,8 +128,8 @@ std::array<std::array<Whole, 3>, 4> inWholeUnits(const VolumeCorners& corners)
                 continue;
             int exponent = 0;
             const double fraction = std::frexp(coordinate, &exponent);
-            whole[corner][axis] = Whole(static_cast<std::int64_t>(std::ldexp(fraction, mantissaBits)),
-                                        exponent - mantissaBits - smallest);
+            whole[corner][axis] = BigInteger(static_cast<std::int64_t>(std::ldexp(fraction, mantissaBits)),
+                                             exponent - mantissaBits - smallest);
         }
     return whole;
 }
@@ -137,7 +137,7 @@ std::array<std::array<Whole, 3>, 4> inWholeUnits(const VolumeCorners& corners)
 int exactSign(const VolumeCorners& corners)
 {
     const auto p = inWholeUnits(corners);
-    std::array<std::array<Whole, 3>, 3> edge;
+    std::array<std::array<BigInteger, 3>, 3> edge;
     for (std::size_t row = 0; row < 3; ++row)
         for (std::size_t axis = 0; axis < 3; ++axis)
             edge[row][axis] = p[row + 1][axis] - p[0][axis];

@@ -326,7 +326,7 @@ std::vector<PointTriangle> boundaryOf(const Dataset& dataset, std::vector<std::s
     const FaceRule rule{[](const auto&) { return true; },
                         [&](std::uint32_t point) { return textOf((*dataset.positions)[point]); }};
     std::vector<BoundaryFace> faces;
-    LevelVerdict found;
+    LevelReport found;
     if (!verifyFaces(cells, rule, found, {}, &faces) || !found.conforming)
         failures.push_back("The dataset's own tetrahedra do not conform." +
                            (found.failures.empty() ? std::string() : " " + found.failures.front()));

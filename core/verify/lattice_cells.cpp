@@ -35,7 +35,7 @@ public:
     }
 
     Status run(const Progress& progress);
-    void moveTo(LevelVerdict& verdict);
+    void moveTo(LevelReport& verdict);
 
 private:
     using Number = typename Errors::Number;
@@ -63,7 +63,7 @@ private:
     std::span<const Sample> samples_;
     const Weights& weights_; ///< only with RoundedError
     const LevelCells& cells_;
-    const MeshClaims& claims_;
+    const MeshBounds& claims_;
     double extent_;
     std::vector<std::atomic<std::uint8_t>> states_;
     tbb::enumerable_thread_specific<double> largest_{0.0};
@@ -125,7 +125,7 @@ std::string SampleCheck<Sample, Errors>::describe(std::uint64_t sample, double e
            " %, in the cell with corners " + textOf(cells_.corners(cell)) + ".";
 }
 
-template <class Sample, class Errors> void SampleCheck<Sample, Errors>::moveTo(LevelVerdict& verdict)
+template <class Sample, class Errors> void SampleCheck<Sample, Errors>::moveTo(LevelReport& verdict)
 {
     Findings notCovered;
     Findings beyondOwn;
@@ -150,7 +150,7 @@ template <class Sample, class Errors> void SampleCheck<Sample, Errors>::moveTo(L
 }
 
 /// Flat and inverted cells, and whether the volumes add up to the domain's.
-void verifyVolumes(const LevelCells& cells, const Lattice& lattice, LevelVerdict& verdict)
+void verifyVolumes(const LevelCells& cells, const Lattice& lattice, LevelReport& verdict)
 {
     Findings wrong;
     std::int64_t sum = 0;
@@ -187,7 +187,7 @@ FaceRule faceRule(const LevelCells& cells, const Lattice& lattice)
 
 } // namespace
 
-Status verifyLatticeCells(const MeshToVerify& mesh, LevelVerdict& verdict, const Progress& progress)
+Status verifyLatticeCells(const MeshToVerify& mesh, LevelReport& verdict, const Progress& progress)
 {
     const Dataset& original = mesh.original;
     const bool lifted = original.domain == DomainClass::Curvilinear;
@@ -210,7 +210,7 @@ Status verifyLatticeCells(const MeshToVerify& mesh, LevelVerdict& verdict, const
         return !rounds ? run.template operator()<ExactError<Sample>>()
                        : run.template operator()<RoundedError<Sample>>();
     });
-    return samples && lifted ? verifyLifted(mesh, verdict, progress.part(samplesEnd, 1)) : samples;
+    return samples && lifted ? verifyCurvilinear(mesh, verdict, progress.part(samplesEnd, 1)) : samples;
 }
 
 } // namespace tetra

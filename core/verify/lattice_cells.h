@@ -3,7 +3,7 @@
 
 #include "core/verify/curvilinear_cells.h"
 #include "core/verify/level_faces.h"
-#include "core/verify/mesh_claims.h"
+#include "core/verify/mesh_bounds.h"
 #include "core/verify/verify_parts.h"
 
 namespace tetra {
@@ -14,15 +14,15 @@ struct MeshToVerify {
     const Dataset& original;
     const Weights& weights;
     const LevelCells& cells;
-    const MeshClaims& claims;
-    const LiftedOriginal* lifted = nullptr; ///< of curvilinear data
+    const MeshBounds& claims;
+    const CurvilinearOriginal* lifted = nullptr; ///< of curvilinear data
 };
 
 /// Cells of a regular lattice or of curvilinear data: they conform, fill the domain, have volume, and keep what is
 /// claimed at every sample; cells of a history also their own errors. Appends to `verdict`.
-Status verifyLatticeCells(const MeshToVerify& mesh, LevelVerdict& verdict, const Progress& progress);
+Status verifyLatticeCells(const MeshToVerify& mesh, LevelReport& verdict, const Progress& progress);
 
 /// What of cells of curvilinear data holds in physical space: inverted cells, and the warping at every sample (R4).
-Status verifyLifted(const MeshToVerify& mesh, LevelVerdict& verdict, const Progress& progress);
+Status verifyCurvilinear(const MeshToVerify& mesh, LevelReport& verdict, const Progress& progress);
 
 } // namespace tetra

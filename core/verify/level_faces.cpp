@@ -53,7 +53,7 @@ public:
     }
 
     Status run(const Progress& progress);
-    void moveTo(LevelVerdict& verdict)
+    void moveTo(LevelReport& verdict)
     {
         verdict.conforming = findings_.none();
         findings_.moveTo(verdict.failures);
@@ -154,7 +154,7 @@ void FaceCheck::checkFace(std::span<const LevelFace> sameFace)
 
 } // namespace
 
-Status verifyFaces(const LevelCells& cells, const FaceRule& rule, LevelVerdict& verdict, const Progress& progress,
+Status verifyFaces(const LevelCells& cells, const FaceRule& rule, LevelReport& verdict, const Progress& progress,
                    std::vector<BoundaryFace>* boundary)
 {
     FaceCheck check(cells, rule, boundary);

@@ -80,7 +80,7 @@ struct FaceRule {
 /// Every face belongs to two cells, one on each side, or to one and lies on the domain's boundary. Sorts the faces in
 /// batches of at most about 8 million. The faces of one cell go to `boundary` if it is given, in a fixed order. An
 /// Error only if cancelled.
-Status verifyFaces(const LevelCells& cells, const FaceRule& rule, LevelVerdict& verdict, const Progress& progress,
+Status verifyFaces(const LevelCells& cells, const FaceRule& rule, LevelReport& verdict, const Progress& progress,
                    std::vector<BoundaryFace>* boundary = nullptr);
 
 } // namespace tetra

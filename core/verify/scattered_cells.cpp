@@ -187,7 +187,7 @@ constexpr std::size_t scatteredSitesAtOnce = 64;
 
 /// How many cells hold a place inside the domain. Conforming positive cells whose boundary is the domain's cover every
 /// place equally often, so one tells of all.
-void verifyCoveredOnce(const ScatteredOriginal& original, const LevelCells& cells, LevelVerdict& verdict)
+void verifyCoveredOnce(const ScatteredOriginal& original, const LevelCells& cells, LevelReport& verdict)
 {
     for (std::size_t number = 0; number < cells.size(); ++number) {
         const PlacedCell cell = placedCell(original.positions, cells, number);
@@ -225,15 +225,15 @@ bool onHull(const Model& model, const ScatteredOriginal& original, std::uint32_t
 }
 
 /// The mesh of the first sites.
-Result<LevelVerdict> verifyPrefix(const Model& model, const ScatteredOriginal& original,
-                                  const std::vector<LatticePoint>& places, const Weights& weights, std::uint32_t sites,
-                                  double claimed, const Progress& progress)
+Result<LevelReport> verifyPrefix(const Model& model, const ScatteredOriginal& original,
+                                 const std::vector<LatticePoint>& places, const Weights& weights, std::uint32_t sites,
+                                 double claimed, const Progress& progress)
 {
-    LevelVerdict verdict;
+    LevelReport verdict;
     verdict.sites = sites;
     const LevelCells cells(model, places, sites);
     if (const Status done =
-            verifyScatteredCells(model, original, weights, cells, MeshClaims(claimed, 0), verdict, progress);
+            verifyScatteredCells(model, original, weights, cells, MeshBounds(claimed, 0), verdict, progress);
         !done)
         return done.error();
     return verdict;
@@ -249,7 +249,7 @@ ScatteredOriginal::ScatteredOriginal(const Dataset& dataset)
         values[point] = dataset.values.at(point);
 }
 
-void verifyPlacedVolumes(const ScatteredOriginal& original, const LevelCells& cells, LevelVerdict& verdict)
+void verifyPlacedVolumes(const ScatteredOriginal& original, const LevelCells& cells, LevelReport& verdict)
 {
     Findings wrong;
     tbb::parallel_for(std::size_t(0), cells.size(), [&](std::size_t number) {
@@ -264,7 +264,7 @@ void verifyPlacedVolumes(const ScatteredOriginal& original, const LevelCells& ce
 }
 
 Status verifyScatteredCells(const Model& model, const ScatteredOriginal& original, const Weights& weights,
-                            const LevelCells& cells, const MeshClaims& claims, LevelVerdict& verdict,
+                            const LevelCells& cells, const MeshBounds& claims, LevelReport& verdict,
                             const Progress& progress)
 {
     verdict.covers = true;
@@ -348,12 +348,12 @@ Status verifyScatteredHistory(const Model& model, const ScatteredOriginal& origi
     return {};
 }
 
-Result<LevelVerdict> verifyScatteredLevel(const Model& model, const ScatteredOriginal& original,
-                                          const std::vector<LatticePoint>& places, const Weights& weights,
-                                          const Accuracy& asked, const Progress& progress)
+Result<LevelReport> verifyScatteredLevel(const Model& model, const ScatteredOriginal& original,
+                                         const std::vector<LatticePoint>& places, const Weights& weights,
+                                         const Accuracy& asked, const Progress& progress)
 {
     const std::uint32_t sites = firstPassage(model, asked.error / 100 * original.extent);
-    Result<LevelVerdict> verdict =
+    Result<LevelReport> verdict =
         verifyPrefix(model, original, places, weights, sites, claimedKey(model, sites), progress);
     if (verdict)
         verdict->asked = asked;

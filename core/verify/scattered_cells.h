@@ -3,7 +3,7 @@
 
 #include "core/verify/findings.h"
 #include "core/verify/level_faces.h"
-#include "core/verify/mesh_claims.h"
+#include "core/verify/mesh_bounds.h"
 #include "core/verify/verify_parts.h"
 
 #include <Eigen/Core>
@@ -120,7 +120,7 @@ struct ScatteredOriginal {
 Status verifyPlacedHistory(const Model& model, const ScatteredOriginal& original, std::vector<std::string>& failures,
                            const Progress& progress);
 /// That cells are positive; appends to `verdict`.
-void verifyPlacedVolumes(const ScatteredOriginal& original, const LevelCells& cells, LevelVerdict& verdict);
+void verifyPlacedVolumes(const ScatteredOriginal& original, const LevelCells& cells, LevelReport& verdict);
 
 /// verifyPlacedHistory(), and that the first mesh fills the convex hull of all points: with that, a later mesh fills it
 /// if its boundary faces have the first mesh's sites on one side only. For a history whose indices can be followed. An
@@ -131,14 +131,14 @@ Status verifyScatteredHistory(const Model& model, const ScatteredOriginal& origi
 
 /// As verifyLevel(). Claims are kept if they are exceeded by no more than 1e-12 of the value range: the interpolation
 /// is computed with 113 bits where it is close.
-Result<LevelVerdict> verifyScatteredLevel(const Model& model, const ScatteredOriginal& original,
-                                          const std::vector<LatticePoint>& places, const Weights& weights,
-                                          const Accuracy& asked, const Progress& progress);
+Result<LevelReport> verifyScatteredLevel(const Model& model, const ScatteredOriginal& original,
+                                         const std::vector<LatticePoint>& places, const Weights& weights,
+                                         const Accuracy& asked, const Progress& progress);
 
 /// Cells of scattered data: they conform, fill the domain, have volume, and keep what is claimed at every point. Takes
 /// the first mesh to fill the domain, see verifyScatteredHistory(). Appends to `verdict`.
 Status verifyScatteredCells(const Model& model, const ScatteredOriginal& original, const Weights& weights,
-                            const LevelCells& cells, const MeshClaims& claims, LevelVerdict& verdict,
+                            const LevelCells& cells, const MeshBounds& claims, LevelReport& verdict,
                             const Progress& progress);
 
 /// By how much of the value range a claimed error may be exceeded where interpolation is computed with 113 bits.
@@ -149,7 +149,7 @@ class PointCheck {
 public:
     /// All outlive it.
     PointCheck(const Model& model, const ScatteredOriginal& original, const Weights& weights, const LevelCells& cells,
-               const MeshClaims& claims)
+               const MeshBounds& claims)
         : model_(model), original_(original), weights_(weights), cells_(cells), claims_(claims),
           states_(original.positions.size())
     {
@@ -187,7 +187,7 @@ private:
     const ScatteredOriginal& original_;
     const Weights& weights_;
     const LevelCells& cells_;
-    const MeshClaims& claims_;
+    const MeshBounds& claims_;
     std::vector<std::atomic<std::uint8_t>> states_;
     mutable tbb::enumerable_thread_specific<double> largest_{0.0};
     Findings tooLarge_;

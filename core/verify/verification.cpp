@@ -18,21 +18,21 @@ namespace tetra {
 
 namespace {
 
-LevelVerdict notChecked(const Accuracy& asked)
+LevelReport notChecked(const Accuracy& asked)
 {
-    LevelVerdict verdict;
+    LevelReport verdict;
     verdict.asked = asked;
     verdict.failures = {"Not checked, because the model as a whole is wrong."};
     return verdict;
 }
 
-Result<Verdict> verifyAll(const Model& model, const Dataset& original, const std::vector<Accuracy>& levels,
-                          const Progress& progress)
+Result<VerificationReport> verifyAll(const Model& model, const Dataset& original, const std::vector<Accuracy>& levels,
+                                     const Progress& progress)
 {
     constexpr double bytesEnd = 0.05; // how far it is after each part
     constexpr double historyEnd = 0.17;
     constexpr double groupsEnd = 0.2;
-    Verdict verdict;
+    VerificationReport verdict;
     if (const Status done = verifyBytes(model, verdict.failures, progress.part(0, bytesEnd)); !done)
         return done.error();
     std::vector<LatticePoint> places;
@@ -46,10 +46,10 @@ Result<Verdict> verifyAll(const Model& model, const Dataset& original, const std
     std::optional<IrregularOriginal> irregular;
     if (usable && original.domain == DomainClass::Scattered)
         scattered.emplace(original);
-    std::optional<LiftedOriginal> lifted;
+    std::optional<CurvilinearOriginal> lifted;
     if (usable && original.domain == DomainClass::Curvilinear) {
-        auto made =
-            LiftedOriginal::make(original, model.description().leftHanded, verdict.failures, progress.withCallback({}));
+        auto made = CurvilinearOriginal::make(original, model.description().leftHanded, verdict.failures,
+                                              progress.withCallback({}));
         if (!made)
             return made.error();
         lifted = *std::move(made);
@@ -87,7 +87,7 @@ Result<Verdict> verifyAll(const Model& model, const Dataset& original, const std
         const double share = (1 - groupsEnd) / static_cast<double>(levels.size());
         const double begin = groupsEnd + share * static_cast<double>(number);
         const Progress part = progress.part(begin, begin + share);
-        Result<LevelVerdict> level =
+        Result<LevelReport> level =
             scattered ? verifyScatteredLevel(model, *scattered, places, *weights, levels[number], part)
             : irregular
                 ? verifyIrregularLevel(model, *irregular, places, *weights, levels[number], part)
@@ -106,13 +106,13 @@ Result<Verdict> verifyAll(const Model& model, const Dataset& original, const std
 
 } // namespace
 
-bool Verdict::ok() const noexcept
+bool VerificationReport::ok() const noexcept
 {
-    return failures.empty() && std::ranges::all_of(levels, &LevelVerdict::ok);
+    return failures.empty() && std::ranges::all_of(levels, &LevelReport::ok);
 }
 
-Result<Verdict> verify(const Model& model, const Dataset& original, const std::vector<Accuracy>& levels,
-                       const Progress& progress)
+Result<VerificationReport> verify(const Model& model, const Dataset& original, const std::vector<Accuracy>& levels,
+                                  const Progress& progress)
 {
     try {
         return verifyAll(model, original, levels, progress);
@@ -176,18 +176,18 @@ double claimedKey(const Model& model, std::uint32_t sites)
     return static_cast<double>(sites < model.siteCount() ? model.runningErrors()[sites] : model.finalError());
 }
 
-Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, const LiftedOriginal* lifted,
-                                 const std::vector<LatticePoint>& places, const Weights& weights, const Accuracy& asked,
-                                 const Progress& progress)
+Result<LevelReport> verifyLevel(const Model& model, const Dataset& original, const CurvilinearOriginal* lifted,
+                                const std::vector<LatticePoint>& places, const Weights& weights, const Accuracy& asked,
+                                const Progress& progress)
 {
-    LevelVerdict verdict;
+    LevelReport verdict;
     verdict.asked = asked;
     verdict.sites = firstPassage(
         model, keyAsked(model, original.values.range().extent(), original.bounds().diagonal().norm(), asked));
     const double claimed = claimedKey(model, verdict.sites);
     const double warpingWeight = model.description().warpingWeight;
     const LevelCells cells(model, places, verdict.sites);
-    const MeshClaims claims(claimed, warpingWeight > 0 ? claimed / warpingWeight : 0);
+    const MeshBounds claims(claimed, warpingWeight > 0 ? claimed / warpingWeight : 0);
     if (const Status done = verifyLatticeCells({model, original, weights, cells, claims, lifted}, verdict, progress);
         !done)
         return done.error();

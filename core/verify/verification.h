@@ -13,7 +13,7 @@
 namespace tetra {
 
 /// What the checker found of one level (B3).
-struct LevelVerdict {
+struct LevelReport {
     Accuracy asked;
     std::uint32_t sites = 0;
     std::uint64_t tetrahedra = 0;
@@ -34,11 +34,11 @@ struct LevelVerdict {
     bool ok() const noexcept { return failures.empty(); }
 };
 
-struct Verdict {
+struct VerificationReport {
     std::vector<std::string>
         failures; ///< of the file as a whole: checksums, structure, sites and values against the dataset
     std::uint64_t foldedCells = 0; ///< of curvilinear data: cells of the grid that have an inverted corner (S5)
-    std::vector<LevelVerdict> levels;
+    std::vector<LevelReport> levels;
     bool ok() const noexcept;
 };
 
@@ -48,7 +48,7 @@ struct Verdict {
 /// without volume are counted apart, and so are inverted ones that the grid itself makes, which are no failure (S5).
 /// Irregular data: the boundary, wherever it lies, is a manifold that does not meet itself, with the components and the
 /// surfaces of the original (S12). An Error only if checking itself was impossible.
-Result<Verdict> verify(const Model& model, const Dataset& original, const std::vector<Accuracy>& levels,
-                       const Progress& progress = {});
+Result<VerificationReport> verify(const Model& model, const Dataset& original, const std::vector<Accuracy>& levels,
+                                  const Progress& progress = {});
 
 } // namespace tetra

@@ -261,7 +261,7 @@ public:
     {
     }
 
-    Status run(LevelVerdict& verdict, const Progress& progress);
+    Status run(LevelReport& verdict, const Progress& progress);
 
 private:
     void checkManifold();
@@ -484,7 +484,7 @@ void BoundaryCheck::checkCoveredOnce()
     }
 }
 
-Status BoundaryCheck::run(LevelVerdict& verdict, const Progress& progress)
+Status BoundaryCheck::run(LevelReport& verdict, const Progress& progress)
 {
     checkManifold();
     checkComponents();
@@ -512,7 +512,7 @@ MeshBoundary::MeshBoundary(const IrregularOriginal& original, const LevelCells& 
 }
 
 Status verifyBoundary(const IrregularOriginal& original, const LevelCells& cells, const MeshBoundary& boundary,
-                      LevelVerdict& verdict, const Progress& progress)
+                      LevelReport& verdict, const Progress& progress)
 {
     return BoundaryCheck(original, cells, boundary).run(verdict, progress);
 }

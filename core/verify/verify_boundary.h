@@ -36,6 +36,6 @@ struct MeshBoundary {
 /// only. Where the original's own faces meet they may go on doing so. For cells that conform; appends to `verdict`. An
 /// Error only if cancelled.
 Status verifyBoundary(const IrregularOriginal& original, const LevelCells& cells, const MeshBoundary& boundary,
-                      LevelVerdict& verdict, const Progress& progress);
+                      LevelReport& verdict, const Progress& progress);
 
 } // namespace tetra

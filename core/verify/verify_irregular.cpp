@@ -34,7 +34,7 @@ public:
     }
 
     Status run(const Progress& progress);
-    void moveTo(LevelVerdict& verdict);
+    void moveTo(LevelReport& verdict);
 
 private:
     /// A point, and what is next to it on the boundary.
@@ -217,7 +217,7 @@ void RelatedCheck::checkOwn(const Related& related, bool covered)
         });
 }
 
-void RelatedCheck::moveTo(LevelVerdict& verdict)
+void RelatedCheck::moveTo(LevelReport& verdict)
 {
     const auto larger = [](double a, double b) { return std::max(a, b); };
     verdict.largestError = std::max(verdict.largestError, original_.points.percent(largestError_.combine(larger)));
@@ -228,7 +228,7 @@ void RelatedCheck::moveTo(LevelVerdict& verdict)
 
 } // namespace
 
-Status verifyRelated(const IrregularMesh& mesh, LevelVerdict& verdict, const Progress& progress)
+Status verifyRelated(const IrregularMesh& mesh, LevelReport& verdict, const Progress& progress)
 {
     PointCheck inside(mesh.model, mesh.original.points, mesh.weights, mesh.cells, mesh.claims);
     if (const Status done = inside.run(progress.part(0, 0.6)); !done)
@@ -256,7 +256,7 @@ bool claimsTwoSides(const Model& model)
 }
 
 /// What the boundary's places farthest from the original's say; weights are of points, so none is judged with them.
-void verifyTwoSides(const IrregularMesh& mesh, LevelVerdict& verdict)
+void verifyTwoSides(const IrregularMesh& mesh, LevelReport& verdict)
 {
     const BoundaryDistances distances = distancesToOriginal(mesh.original, mesh.boundary.triangles);
     const double percent = 100 / mesh.original.diagonal;
@@ -269,11 +269,11 @@ void verifyTwoSides(const IrregularMesh& mesh, LevelVerdict& verdict)
                                    textOf(percent * claimed) + " %.");
 }
 
-Result<LevelVerdict> verifyPrefix(const Model& model, const IrregularOriginal& original,
-                                  const std::vector<LatticePoint>& places, const Weights& weights, std::uint32_t sites,
-                                  const MeshClaims& claims, const Progress& progress)
+Result<LevelReport> verifyPrefix(const Model& model, const IrregularOriginal& original,
+                                 const std::vector<LatticePoint>& places, const Weights& weights, std::uint32_t sites,
+                                 const MeshBounds& claims, const Progress& progress)
 {
-    LevelVerdict verdict;
+    LevelReport verdict;
     verdict.sites = sites;
     const LevelCells cells(model, places, sites);
     if (const Status done = verifyIrregularCells(model, original, weights, cells, claims, verdict, progress); !done)
@@ -284,7 +284,7 @@ Result<LevelVerdict> verifyPrefix(const Model& model, const IrregularOriginal& o
 } // namespace
 
 Status verifyIrregularCells(const Model& model, const IrregularOriginal& original, const Weights& weights,
-                            const LevelCells& cells, const MeshClaims& claims, LevelVerdict& verdict,
+                            const LevelCells& cells, const MeshBounds& claims, LevelReport& verdict,
                             const Progress& progress)
 {
     verdict.covers = true;
@@ -315,7 +315,7 @@ Status verifyIrregularHistory(const Model& model, const IrregularOriginal& origi
     if (const Status done = verifyPlacedHistory(model, original.points, failures, progress.part(0, 0.5)); !done)
         return done;
     const auto first = verifyPrefix(model, original, places, weights, initialSiteCount(model),
-                                    MeshClaims(anything, anything), progress.part(0.5, 1));
+                                    MeshBounds(anything, anything), progress.part(0.5, 1));
     if (!first)
         return first.error();
     for (const std::string& failure : first->failures)
@@ -323,14 +323,14 @@ Status verifyIrregularHistory(const Model& model, const IrregularOriginal& origi
     return {};
 }
 
-Result<LevelVerdict> verifyIrregularLevel(const Model& model, const IrregularOriginal& original,
-                                          const std::vector<LatticePoint>& places, const Weights& weights,
-                                          const Accuracy& asked, const Progress& progress)
+Result<LevelReport> verifyIrregularLevel(const Model& model, const IrregularOriginal& original,
+                                         const std::vector<LatticePoint>& places, const Weights& weights,
+                                         const Accuracy& asked, const Progress& progress)
 {
     const std::uint32_t sites = firstPassage(model, keyAsked(model, original.points.extent, original.diagonal, asked));
     const double claimed = claimedKey(model, sites);
-    const MeshClaims claims(claimed, claimed / model.description().warpingWeight);
-    Result<LevelVerdict> verdict = verifyPrefix(model, original, places, weights, sites, claims, progress);
+    const MeshBounds claims(claimed, claimed / model.description().warpingWeight);
+    Result<LevelReport> verdict = verifyPrefix(model, original, places, weights, sites, claims, progress);
     if (verdict)
         verdict->asked = asked;
     return verdict;

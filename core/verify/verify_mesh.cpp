@@ -62,12 +62,12 @@ std::vector<LatticePoint> placesOf(const Dataset& original, const std::vector<st
     return places;
 }
 
-Result<LevelVerdict> verifyWhole(const Model& model, const Dataset& original, const MeshQuery& query,
-                                 const ExtractedMesh& mesh, const Progress& progress)
+Result<LevelReport> verifyWhole(const Model& model, const Dataset& original, const MeshQuery& query,
+                                const ExtractedMesh& mesh, const Progress& progress)
 {
     if (const Status right = model.checkPrefix(model.siteCount(), Model::Stars, progress); !right)
         return right.error();
-    LevelVerdict verdict;
+    LevelReport verdict;
     verdict.asked = keptEverywhere(query, mesh.scale);
     verdict.sites = static_cast<std::uint32_t>(mesh.mesh.positions.size());
     verdict.tetrahedra = mesh.mesh.tetrahedra.size();
@@ -82,11 +82,11 @@ Result<LevelVerdict> verifyWhole(const Model& model, const Dataset& original, co
         return verdict;
     const std::vector<LatticePoint> places = placesOf(original, points);
     const LevelCells cells(points, places, cellsOf(model, mesh));
-    const MeshClaims claims(query, mesh.scale, original);
-    std::optional<LiftedOriginal> lifted;
+    const MeshBounds claims(query, mesh.scale, original);
+    std::optional<CurvilinearOriginal> lifted;
     if (original.domain == DomainClass::Curvilinear) {
-        auto made =
-            LiftedOriginal::make(original, model.description().leftHanded, verdict.failures, progress.withCallback({}));
+        auto made = CurvilinearOriginal::make(original, model.description().leftHanded, verdict.failures,
+                                              progress.withCallback({}));
         if (!made)
             return made.error();
         lifted = *std::move(made);
@@ -112,8 +112,8 @@ Result<LevelVerdict> verifyWhole(const Model& model, const Dataset& original, co
 
 } // namespace
 
-Result<LevelVerdict> verifyMesh(const Model& model, const Dataset& original, const MeshQuery& query,
-                                const ExtractedMesh& mesh, const Progress& progress)
+Result<LevelReport> verifyMesh(const Model& model, const Dataset& original, const MeshQuery& query,
+                               const ExtractedMesh& mesh, const Progress& progress)
 {
     if (!query.values.empty() || query.window)
         return Error{ErrorKind::WrongUsage, "Only a mesh of the whole domain can be verified: ask for it without a "

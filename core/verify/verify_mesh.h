@@ -22,8 +22,8 @@ namespace tetra {
 /// extraction. The query has no values and no window. What it needs of the model are its sites, their running errors
 /// and, of scattered data, that its first mesh fills the domain, which verify() proves. An Error only if checking
 /// itself was impossible.
-Result<LevelVerdict> verifyMesh(const Model& model, const Dataset& original, const MeshQuery& query,
-                                const ExtractedMesh& mesh, const Progress& progress = {});
+Result<LevelReport> verifyMesh(const Model& model, const Dataset& original, const MeshQuery& query,
+                               const ExtractedMesh& mesh, const Progress& progress = {});
 
 /// The dataset's point that each vertex of an extracted mesh is, for verification: the point of its site, or the one
 /// that the mesh names. Position and value must be the dataset's, rounded to float, and no two vertices the same point;

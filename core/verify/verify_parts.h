@@ -13,7 +13,7 @@
 
 namespace tetra {
 
-class LiftedOriginal;
+class CurvilinearOriginal;
 
 /// The parts of verify(). Each appends to `failures` what it found, and gives an Error only if it was cancelled.
 
@@ -64,9 +64,9 @@ Result<Weights> weightsOf(const Model& model, const Dataset& original, std::vect
                           const Progress& progress);
 
 /// One level, proved from the file's arrays and the original samples alone. `lifted`: of curvilinear data.
-Result<LevelVerdict> verifyLevel(const Model& model, const Dataset& original, const LiftedOriginal* lifted,
-                                 const std::vector<LatticePoint>& places, const Weights& weights, const Accuracy& asked,
-                                 const Progress& progress);
+Result<LevelReport> verifyLevel(const Model& model, const Dataset& original, const CurvilinearOriginal* lifted,
+                                const std::vector<LatticePoint>& places, const Weights& weights, const Accuracy& asked,
+                                const Progress& progress);
 
 /// For messages: "(3, 0, 17)".
 std::string textOf(const LatticePoint& point);

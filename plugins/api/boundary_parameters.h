@@ -65,8 +65,8 @@ inline Parameter boundaryTransferParameter(const FieldExtent& field)
 }
 
 /// Adds the boundary of the maker's mesh to a scene, behind its other surfaces, if the values ask for one. The
-/// parameters are those of the renderer. Errors: those of BoundaryMaker.
-inline Status addBoundary(BoundaryMaker& maker, const std::vector<Parameter>& parameters, const ParameterValues& values,
+/// parameters are those of the renderer. Errors: those of BoundaryCache.
+inline Status addBoundary(BoundaryCache& maker, const std::vector<Parameter>& parameters, const ParameterValues& values,
                           const Progress& progress, Scene& scene)
 {
     const auto shown = parameterValue<std::string>(parameters, values, boundaryId);

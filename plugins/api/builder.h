@@ -4,7 +4,7 @@
 #include "core/base/progress.h"
 #include "core/data/dataset.h"
 #include "core/data/site_density.h"
-#include "core/history/planned_model_writer.h"
+#include "core/history/fixed_size_writer.h"
 #include "core/mesh/history.h"
 #include "plugins/api/parameter.h"
 
@@ -61,8 +61,8 @@ struct BuildAbilities {
 
 /// Opens the model for a builder that knows it beforehand. `parameters` replace or join those that the model keeps as
 /// its provenance: what the builder chose by itself.
-using PlannedTarget = std::function<Result<std::unique_ptr<PlannedModelWriter>>(
-    const PlannedCounts& counts, const std::vector<std::pair<std::string, std::string>>& parameters)>;
+using PlannedTarget = std::function<Result<std::unique_ptr<FixedSizeModelWriter>>(
+    const FixedCounts& counts, const std::vector<std::pair<std::string, std::string>>& parameters)>;
 
 /// Where a build puts what it makes.
 struct BuildTarget {

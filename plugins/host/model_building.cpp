@@ -103,9 +103,9 @@ Result<EndedBuild> buildInto(const Builder& builder, const std::string& id, cons
         return writer.error();
     const auto watch = control.live != nullptr ? control.live->watch(**writer, dataset, description) : nullptr;
     BuildTarget target{.history = watch ? *watch : **writer, .workFolder = folder->path(), .resume = control.resume};
-    target.planned = [&](const PlannedCounts& counts, const auto& chosen) {
-        return PlannedModelWriter::create(output, dataset, withParameters(description, chosen), counts,
-                                          target.workFolder);
+    target.planned = [&](const FixedCounts& counts, const auto& chosen) {
+        return FixedSizeModelWriter::create(output, dataset, withParameters(description, chosen), counts,
+                                            target.workFolder);
     };
     auto report = callPlugin(id, [&] { return builder.build(dataset, values, target, progress); });
     if (!report && report.error().kind == ErrorKind::Cancelled && keeps(control) && (*writer)->siteCount() > 0)

@@ -11,7 +11,7 @@
 
 namespace tetra {
 
-/// The head of a binary little-endian PLY file. Line breaks in texts and blanks in names are mended.
+/// The head of a binary little-endian PLY file. Line breaks in texts and blanks in names are repaired.
 class PlyHead {
 public:
     PlyHead& comment(std::string_view text);

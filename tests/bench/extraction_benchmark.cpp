@@ -12,7 +12,7 @@
 #include "core/data/samples.h"
 #include "core/history/extraction.h"
 #include "core/history/model_writer.h"
-#include "core/history/query/sharp_focus.h"
+#include "core/history/query/region_refiner.h"
 #include "core/refine/lattice/lattice_refinement.h"
 
 #include <QCommandLineParser>
@@ -159,7 +159,7 @@ std::vector<BenchCase> measureModel(const std::filesystem::path& path, const QSt
         cases.push_back(measureExtraction(*model, name, error, repeats));
     for (const auto& some : {focusBoxCases(model, name, repeats), fieldCases(model, name, repeats)})
         cases.insert(cases.end(), some.begin(), some.end());
-    for (BenchCase& one : SharpFocus::fits(*model) ? measureFocus(*model, name, repeats) : std::vector<BenchCase>())
+    for (BenchCase& one : RegionRefiner::fits(*model) ? measureFocus(*model, name, repeats) : std::vector<BenchCase>())
         cases.push_back(std::move(one));
     return cases;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/focus_cases.h"
 
-#include "core/history/query/sharp_focus.h"
+#include "core/history/query/region_refiner.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +71,7 @@ BenchCase made(const QString& name, std::vector<double> seconds, const Uniform& 
     return one;
 }
 
-void measureBox(SharpFocus& focus, const Box& box, const Eigen::Vector3d& towards, const Uniform& uniform,
+void measureBox(RegionRefiner& focus, const Box& box, const Eigen::Vector3d& towards, const Uniform& uniform,
                 const QString& name, int repeats, std::vector<BenchCase>& cases)
 {
     std::vector<double> seconds;
@@ -108,7 +108,7 @@ void measureBox(SharpFocus& focus, const Box& box, const Eigen::Vector3d& toward
 std::vector<BenchCase> measureFocus(const Model& model, const QString& name, int repeats)
 {
     std::vector<BenchCase> cases;
-    if (!SharpFocus::fits(model))
+    if (!RegionRefiner::fits(model))
         return cases;
     Uniform uniform;
     const std::uint32_t sites = meshSizeAt(model, {inner}).sites;
@@ -119,7 +119,7 @@ std::vector<BenchCase> measureFocus(const Model& model, const QString& name, int
     uniform.fine = extractPrefix(model, sites).value();
     uniform.coarse = extractPrefix(model, meshSizeAt(model, {outer}).sites).value();
 
-    SharpFocus focus(model);
+    RegionRefiner focus(model);
     const Eigen::AlignedBox3d bounds = model.description().lattice.bounds();
     const Eigen::Vector3d dense = densestPlace(uniform.fine, bounds);
     for (const bool atCentre : {true, false})

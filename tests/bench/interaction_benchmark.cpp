@@ -50,7 +50,7 @@ Result<Level> makeLevel(const std::shared_ptr<const Model>& model, MeshExtractor
     if (!mesh)
         return mesh.error();
     const ModelDescription& description = model->description();
-    VolumeMaker maker({*mesh, &(*mesh)->mesh});
+    VolumeCache maker({*mesh, &(*mesh)->mesh});
     const auto volume = maker.update(sequentialTransferFunction(description.range.minimum, description.range.maximum,
                                                                 description.bounds.diagonal().norm() / unitDistances),
                                      false);

@@ -24,7 +24,7 @@ inline TransferFunction boundaryFunction()
 inline Scene boundaryScene(unsigned seed, const QString& look, bool withVolume)
 {
     const auto mesh = std::make_shared<const TetrahedralMesh>(holedMesh(seed));
-    BoundaryMaker maker(mesh);
+    BoundaryCache maker(mesh);
     BoundaryLook wanted;
     wanted.opacity = look == "translucent" ? 0.3f : look == "faint values" ? 0.5f : 1;
     wanted.backFacesOnly = look == "far side" || look == "faint values";
@@ -36,7 +36,7 @@ inline Scene boundaryScene(unsigned seed, const QString& look, bool withVolume)
     scene.surfaces.push_back(*surface);
     if (!withVolume)
         return scene;
-    auto volume = VolumeMaker(mesh).update(boundaryFunction(), false);
+    auto volume = VolumeCache(mesh).update(boundaryFunction(), false);
     if (!volume)
         qFatal("%s", volume.error().text.c_str());
     scene.volume = *std::move(volume);

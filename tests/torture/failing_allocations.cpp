@@ -168,8 +168,8 @@ Status buildModelInBlocks(const Dataset& dataset)
     const auto made = makeLatticeRuns(options, LatticeSamples(dataset.values.as<std::uint8_t>()), runs, {});
     if (!made)
         return made.error();
-    const PlannedModelOpener open = [&](const PlannedCounts& counts) {
-        return PlannedModelWriter::create(modelPath, dataset, builtBy("refinement"), counts, folder->path());
+    const PlannedModelOpener open = [&](const FixedCounts& counts) {
+        return FixedSizeModelWriter::create(modelPath, dataset, builtBy("refinement"), counts, folder->path());
     };
     const auto merged = mergeRuns(runs, folder->path(), open, {});
     return merged ? Status() : merged.error();

@@ -235,7 +235,7 @@ void BoundaryTest::itHidesNothingFromDoubleClicks()
     camera.azimuth = camera.elevation = 0;
     const PictureProjection projection(camera, QSizeF(100, 100));
     const auto depth = [&] {
-        const auto place = seenPlace(seen, projection.sightLine(QPointF(50, 50)));
+        const auto place = seenPlace(seen, projection.pickingRay(QPointF(50, 50)));
         return place ? place->place.y() : 99.0;
     };
     QVERIFY(std::abs(depth() - 0.5) < 1e-6);

@@ -265,7 +265,7 @@ void RegionHandlesTest::aPixelShowsTheNearestSurface()
         const PictureProjection projection(camera, pictureSize);
         const Eigen::Vector3d wanted(3, -10, -7);
         const auto at = [&projection](const Scene& seen, QPointF pixel) {
-            return seenPlace(*surfacesOf(seen), projection.sightLine(pixel));
+            return seenPlace(*surfacesOf(seen), projection.pickingRay(pixel));
         };
         const auto found = at(scene, *projection.pixelOf(wanted));
         QVERIFY(found && (found->place - wanted).norm() < 1e-6);

@@ -57,7 +57,7 @@ QString literalsOfTheSources()
     return all.replace("\\\"", "\x01");
 }
 
-/// Whole in one literal, or the end of one and the beginning of another.
+/// BigInteger in one literal, or the end of one and the beginning of another.
 bool isMadeOf(const QString& literals, const QString& part)
 {
     if (literals.contains(part))
@@ -195,11 +195,11 @@ void SentencesTest::whatReadersRemark()
     QFETCH(QString, language);
     const Speaking speaking(language);
     for (const std::uint64_t count : {1, 3}) {
-        Mending mending{count, count, count, count, count, count, 0,     count,
+        Repairs repairs{count, count, count, count, count, count, 0,     count,
                         count, count, count, count, count, count, count, true};
         for (const std::uint64_t cells : {count, count + 1}) { // all turned over, and some
-            mending.cells = cells;
-            const auto remarks = mendingRemarks(mending);
+            repairs.cells = cells;
+            const auto remarks = repairRemarks(repairs);
             QCOMPARE(remarks.size(), std::size_t(15));
             for (const std::string& remark : remarks) {
                 const QString told = translatedSentence(remark);

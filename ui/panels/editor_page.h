@@ -8,7 +8,7 @@ namespace tetra {
 class ValuePick;
 
 /// The widget of the editor plugin `id` over the workbench's session and what is picked in the picture. Where the
-/// plugin cannot be used, a page named "transfer.missing" says why, and what mends it.
+/// plugin cannot be used, a page named "transfer.missing" says why, and what repairs it.
 QWidget* makeEditorPage(Workbench& workbench, ValuePick& pick, const std::string& id);
 
 } // namespace tetra

@@ -83,7 +83,7 @@ Status writeSurfaces(const SurfaceOrder& order, const Progress& progress)
         return writeSurfaces(whole, progress.part(extracted, 1));
     }
     const std::shared_ptr<const TetrahedralMesh> mesh(order.mesh.mesh, &order.mesh.mesh->mesh);
-    const auto surfaces = IsosurfaceSet(mesh).update(visible, progress.part(0, found));
+    const auto surfaces = IsosurfaceCache(mesh).update(visible, progress.part(0, found));
     if (!surfaces)
         return surfaces.error();
     SurfaceContent content{.title = "isosurfaces", .valueName = "isovalue", .parts = {}, .facts = factsOf(order.mesh)};

@@ -12,7 +12,7 @@ namespace tetra {
 /// The content of a small file: a transfer function, a camera. Errors: it cannot be read, or has more than 64 MiB.
 Result<std::string> readTextFile(const std::filesystem::path& path);
 
-/// Whole or not at all.
+/// BigInteger or not at all.
 Status writeTextFile(const std::filesystem::path& path, std::string_view text);
 
 } // namespace tetra

@@ -56,7 +56,7 @@ Eigen::Vector3d PictureProjection::movement(const Eigen::Vector3d& place, QPoint
     return (right() * pixels.x() - up() * pixels.y()) * unitsPerPixel(place);
 }
 
-SightLine PictureProjection::sightLine(QPointF pixel) const
+PickingRay PictureProjection::pickingRay(QPointF pixel) const
 {
     const Eigen::Vector3d target = eye_ - distance_ * towardsViewer();
     const Eigen::Vector3d seen = target + movement(target, pixel - middle_);

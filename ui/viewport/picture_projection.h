@@ -27,7 +27,7 @@ public:
     Eigen::Vector3d movement(const Eigen::Vector3d& place, QPointF pixels) const;
 
     /// What is seen at a pixel lies on this line.
-    SightLine sightLine(QPointF pixel) const;
+    PickingRay pickingRay(QPointF pixel) const;
 
     Eigen::Vector3d right() const { return axes_.col(0); }
     Eigen::Vector3d up() const { return axes_.col(1); }

@@ -6,7 +6,7 @@
 namespace tetra {
 namespace {
 
-std::optional<SeenPlace> seenOrNothing(const Scene& scene, const SightLine& line, const Progress& progress)
+std::optional<SeenPlace> seenOrNothing(const Scene& scene, const PickingRay& line, const Progress& progress)
 try {
     return seenPlace(scene, line, progress);
 } catch (const std::bad_alloc&) {
@@ -15,7 +15,7 @@ try {
 
 } // namespace
 
-void ScenePick::find(std::shared_ptr<const Scene> scene, const SightLine& line, Found found)
+void ScenePick::find(std::shared_ptr<const Scene> scene, const PickingRay& line, Found found)
 {
     job_.submit(
         [this, number = ++newest_, scene = std::move(scene), line, found = std::move(found)](std::stop_token stop) {

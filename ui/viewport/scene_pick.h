@@ -22,7 +22,7 @@ public:
     using QObject::QObject;
 
     /// `found` is called in this thread, unless another line is asked about before, or forget() is called.
-    void find(std::shared_ptr<const Scene> scene, const SightLine& line, Found found);
+    void find(std::shared_ptr<const Scene> scene, const PickingRay& line, Found found);
     void forget();
     bool busy() const noexcept { return newest_ != done_; }
 

@@ -104,7 +104,7 @@ void ValuePick::look()
     const auto scene = viewport_.scene();
     if (!wanted_ || !scene || viewport_.previewing() || workbench_.sceneBuilder().busy())
         return;
-    const SightLine line = viewport_.projection().sightLine(*wanted_);
+    const PickingRay line = viewport_.projection().pickingRay(*wanted_);
     wanted_.reset();
     seen_.find(scene, line,
                [this, scene, isovalues = isovaluesOf(*scene, workbench_.session().view().isovalues())](

@@ -48,7 +48,7 @@ struct ComplexValues {
 
 /// The irregular dataset that such cells make (R1, S6, S20), which passes checkIrregular(): every cell is cut into
 /// tetrahedra, quadratic ones through all their nodes; cells blanked or with a value that is not finite are holes.
-/// Harmless things are mended and said in `remarks`: points on one place (the mean of their values), points that no
+/// Harmless things are repaired and said in `remarks`: points on one place (the mean of their values), points that no
 /// cell uses, cells with a repeated corner, of no volume, turned over or there twice. Refused with a count and an
 /// example: polyhedra, overlapping cells, faces in three cells, a boundary that is no manifold or meets itself, numbers
 /// of points out of range, nothing left. One thread, about 300 bytes a tetrahedron; safe from any thread.

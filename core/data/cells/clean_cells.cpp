@@ -29,35 +29,36 @@ public:
 
 } // namespace
 
-std::vector<std::string> mendingRemarks(const Mending& mending)
+std::vector<std::string> repairRemarks(const Repairs& repairs)
 {
     Remarks remarks;
-    if (mending.cellValues)
+    if (repairs.cellValues)
         remarks.sentences.emplace_back("The values belong to cells: each point got the mean of the cells around it.");
-    remarks.add(mending.flatShapes, "cell is", "cells are",
+    remarks.add(repairs.flatShapes, "cell is", "cells are",
                 " a vertex, line or polygon without volume and not part of the mesh.");
-    remarks.add(mending.blanked, "cell is", "cells are", " blanked out in the file: a hole.");
-    remarks.add(mending.notFinite, "cell has", "cells have", " a value that is not finite and became a hole.");
-    remarks.add(mending.repeated, "cell names a corner twice, has no volume and was",
+    remarks.add(repairs.blanked, "cell is", "cells are", " blanked out in the file: a hole.");
+    remarks.add(repairs.notFinite, "cell has", "cells have", " a value that is not finite and became a hole.");
+    remarks.add(repairs.repeated, "cell names a corner twice, has no volume and was",
                 "cells name a corner twice, have no volume and were", " left out.");
-    remarks.add(mending.flat, "cell without volume was", "cells without volume were", " left out.");
-    if (mending.turned > 0 && mending.turned == mending.cells)
+    remarks.add(repairs.flat, "cell without volume was", "cells without volume were", " left out.");
+    if (repairs.turned > 0 && repairs.turned == repairs.cells)
         remarks.sentences.emplace_back("All cells had inverted orientation and were corrected.");
     else
-        remarks.add(mending.turned, "cell had inverted orientation and was", "cells had inverted orientation and were",
+        remarks.add(repairs.turned, "cell had inverted orientation and was", "cells had inverted orientation and were",
                     " corrected.");
-    remarks.add(mending.welded, "point", "points", " on the place of another one joined with it.");
-    remarks.add(mending.conflicting, "place had", "places had", " different values and got their mean.");
-    remarks.add(mending.middles, "node in the middle of an edge or face was",
+    remarks.add(repairs.welded, "point", "points", " on the place of another one joined with it.");
+    remarks.add(repairs.conflicting, "place had", "places had", " different values and got their mean.");
+    remarks.add(repairs.middles, "node in the middle of an edge or face was",
                 "nodes in the middle of edges and faces were",
                 " left out: not all cells there have them, or cells bend too much.");
-    remarks.add(mending.recut, "cell was", "cells were", " cut along other diagonals, because the faces are not flat.");
-    remarks.add(mending.warped, "cell was", "cells were",
+    remarks.add(repairs.resplit, "cell was", "cells were",
+                " cut along other diagonals, because the faces are not flat.");
+    remarks.add(repairs.warped, "cell was", "cells were",
                 " left out: too warped to be cut into tetrahedra without a new point.");
-    remarks.add(mending.duplicates, "tetrahedron was", "tetrahedra were", " there twice.");
-    remarks.add(mending.pinching, "tetrahedron was", "tetrahedra were",
+    remarks.add(repairs.duplicates, "tetrahedron was", "tetrahedra were", " there twice.");
+    remarks.add(repairs.pinching, "tetrahedron was", "tetrahedra were",
                 " left out where parts of the mesh touched in an edge or a point only.");
-    remarks.add(mending.unused, "point is", "points are", " of no cell: left out.");
+    remarks.add(repairs.unused, "point is", "points are", " of no cell: left out.");
     return std::move(remarks.sentences);
 }
 
@@ -165,12 +166,12 @@ constexpr std::array<std::uint8_t, 27> triquadraticGrid = {0,  8,  1,  11, 24, 9
 
 class Preparing {
 public:
-    Preparing(const CellComplex& complex, const ComplexValues& values, Mending& mending)
-        : complex_(complex), values_(values), mending_(mending)
+    Preparing(const CellComplex& complex, const ComplexValues& values, Repairs& repairs)
+        : complex_(complex), values_(values), repairs_(repairs)
     {
     }
 
-    Result<PreparedCells> run()
+    Result<CleanCells> run()
     {
         if (const Status sound = choose(); !sound)
             return sound.error();
@@ -193,9 +194,9 @@ private:
             const CellShape shape = complex_.shapes[cell];
             const auto corners = cornersOf(complex_, cell);
             if (!complex_.blanked.empty() && complex_.blanked[cell] != 0)
-                ++mending_.blanked;
+                ++repairs_.blanked;
             else if (shape == CellShape::Flat)
-                ++mending_.flatShapes;
+                ++repairs_.flatShapes;
             else if (shape == CellShape::Polyhedron)
                 polyhedra.add(cell);
             else if (corners.size() != nodeCount(shape))
@@ -203,7 +204,7 @@ private:
             else if (std::ranges::any_of(corners, [&](std::uint64_t p) { return p >= complex_.positions.size(); }))
                 range.add(cell);
             else if (!hasValue(complex_, values_, cell))
-                ++mending_.notFinite;
+                ++repairs_.notFinite;
             else if (!std::ranges::all_of(corners, [&](std::uint64_t p) { return complex_.positions[p].allFinite(); }))
                 places.add(cell);
             else
@@ -233,7 +234,7 @@ private:
                 used[point] = true;
         std::vector<std::uint32_t> first = firstOnPlace(complex_.positions, used);
         for (std::size_t point = 0; point < first.size(); ++point)
-            mending_.welded += first[point] != point;
+            repairs_.welded += first[point] != point;
         return first;
     }
 
@@ -276,7 +277,7 @@ private:
         cells_.shapes.push_back(CellShape::QuadraticHexahedron);
         for (const std::uint64_t point : corners.first(kept))
             cells_.nodes.push_back(first[point]);
-        mending_.middles += corners.size() - kept;
+        repairs_.middles += corners.size() - kept;
         close(cell);
     }
 
@@ -288,10 +289,10 @@ private:
 
     const CellComplex& complex_;
     const ComplexValues& values_;
-    Mending& mending_;
+    Repairs& repairs_;
     std::vector<std::size_t> chosen_;
     bool allTriquadratic_ = false;
-    PreparedCells cells_;
+    CleanCells cells_;
 };
 
 std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b)
@@ -315,16 +316,16 @@ CellShape withoutMiddles(CellShape shape)
 
 } // namespace
 
-Result<PreparedCells> prepareCells(const CellComplex& complex, const ComplexValues& values, Mending& mending)
+Result<CleanCells> cleanCells(const CellComplex& complex, const ComplexValues& values, Repairs& repairs)
 {
     if (const Status fits = checkArrays(complex, values); !fits)
         return fits.error();
-    return Preparing(complex, values, mending).run();
+    return Preparing(complex, values, repairs).run();
 }
 
-void dropMiddles(PreparedCells& cells, Mending& mending)
+void dropMiddles(CleanCells& cells, Repairs& repairs)
 {
-    PreparedCells linear;
+    CleanCells linear;
     linear.shapes.reserve(cells.count());
     std::vector<std::uint32_t> dropped;
     for (std::size_t cell = 0; cell < cells.count(); ++cell) {
@@ -336,12 +337,12 @@ void dropMiddles(PreparedCells& cells, Mending& mending)
         linear.offsets.push_back(linear.nodes.size());
     }
     std::ranges::sort(dropped);
-    mending.middles += static_cast<std::uint64_t>(std::ranges::unique(dropped).begin() - dropped.begin());
+    repairs.middles += static_cast<std::uint64_t>(std::ranges::unique(dropped).begin() - dropped.begin());
     linear.origins = std::move(cells.origins);
     cells = std::move(linear);
 }
 
-bool dropMiddlesIfMixed(PreparedCells& cells, Mending& mending)
+bool dropMiddlesIfMixed(CleanCells& cells, Repairs& repairs)
 {
     if (std::ranges::none_of(cells.shapes, isQuadratic))
         return false;
@@ -357,7 +358,7 @@ bool dropMiddlesIfMixed(PreparedCells& cells, Mending& mending)
             const std::uint32_t middle =
                 isQuadratic(cells.shapes[cell]) ? nodes[topology.cornerCount + edge] : noMiddle;
             if (middles.try_emplace(edgeKey(nodes[a], nodes[b]), middle).first->second != middle) {
-                dropMiddles(cells, mending);
+                dropMiddles(cells, repairs);
                 return true;
             }
         }

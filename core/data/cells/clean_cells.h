@@ -13,7 +13,7 @@
 namespace tetra {
 
 /// What was changed to make a sound mesh of cells as they came.
-struct Mending {
+struct Repairs {
     std::uint64_t flatShapes = 0;  ///< vertices, lines and polygons, left out
     std::uint64_t blanked = 0;     ///< cells that the file hides
     std::uint64_t notFinite = 0;   ///< cells without a finite value
@@ -25,7 +25,7 @@ struct Mending {
     std::uint64_t conflicting = 0; ///< places whose points had different values
     std::uint64_t unused = 0;      ///< points of no cell
     std::uint64_t middles = 0;     ///< nodes in the middle of edges and faces that were not used
-    std::uint64_t recut = 0;       ///< cells with other diagonals than the rule's
+    std::uint64_t resplit = 0;     ///< cells with other diagonals than the rule's
     std::uint64_t warped = 0;      ///< cells that have no cut, left out
     std::uint64_t duplicates = 0;  ///< tetrahedra that were there twice
     std::uint64_t pinching = 0;    ///< tetrahedra left out where parts touched in an edge or a point
@@ -33,7 +33,7 @@ struct Mending {
 };
 
 /// In sentences for the user; what did not happen is not said.
-std::vector<std::string> mendingRemarks(const Mending& mending);
+std::vector<std::string> repairRemarks(const Repairs& repairs);
 
 /// For each point, the first of those on exactly its place (so its own number if it is the first, or alone); only
 /// points with `used` count, the others get their own. O(points), by a hash table; fewer than 2^32 - 1 points.
@@ -41,7 +41,7 @@ std::vector<std::uint32_t> firstOnPlace(std::span<const Eigen::Vector3d> positio
 
 /// Cells whose numbers are sound and few kinds: voxels are hexahedra, triquadratic cells eight of them, what has no
 /// value, no volume or no place in the domain is gone.
-struct PreparedCells {
+struct CleanCells {
     std::vector<CellShape> shapes;
     std::vector<std::uint64_t> offsets{0}; ///< the nodes of cell c are nodes[offsets[c]] up to nodes[offsets[c + 1]]
     std::vector<std::uint32_t> nodes;
@@ -54,15 +54,15 @@ struct PreparedCells {
     }
 };
 
-/// Sorts out what irregularDataset() cannot use and joins points on one place. `mending` is told. Errors: BadInput for
+/// Sorts out what irregularDataset() cannot use and joins points on one place. `repairs` is told. Errors: BadInput for
 /// arrays that do not fit together, numbers of points out of range, polyhedra, points of cells at places that are not
 /// finite; OutOfResource for more points than 32 bits number.
-Result<PreparedCells> prepareCells(const CellComplex& complex, const ComplexValues& values, Mending& mending);
+Result<CleanCells> cleanCells(const CellComplex& complex, const ComplexValues& values, Repairs& repairs);
 
 /// Leaves out the nodes in the middle of edges where cells do not agree on them: all of them, so that the mesh
 /// conforms. Returns whether there were such cells.
-bool dropMiddlesIfMixed(PreparedCells& cells, Mending& mending);
+bool dropMiddlesIfMixed(CleanCells& cells, Repairs& repairs);
 /// Makes all cells linear.
-void dropMiddles(PreparedCells& cells, Mending& mending);
+void dropMiddles(CleanCells& cells, Repairs& repairs);
 
 } // namespace tetra

@@ -16,8 +16,8 @@ namespace tetra {
 namespace {
 
 /// Of all searches together, a few seconds' worth. A warped cell takes some dozens of steps, so that meshes that can be
-/// mended are; a mesh of garbage is given up.
-constexpr std::uint64_t mostRecuttingSteps = 1'000'000;
+/// repaired are; a mesh of garbage is given up.
+constexpr std::uint64_t mostResplittingSteps = 1'000'000;
 
 using FaceKey = std::array<std::uint32_t, 4>;
 
@@ -28,25 +28,25 @@ FaceKey keyOf(const CellPolygon& quadrilateral)
     return key;
 }
 
-class Recutting {
+class Resplitting {
 public:
-    Recutting(std::span<const Eigen::Vector3d> positions, const PreparedCells& cells,
-              const std::vector<std::uint32_t>& failing)
+    Resplitting(std::span<const Eigen::Vector3d> positions, const CleanCells& cells,
+                const std::vector<std::uint32_t>& failing)
         : positions_(positions), cells_(cells), failing_(failing)
     {
     }
 
-    RecutCells run(const Progress& progress)
+    ResplitCells run(const Progress& progress)
     {
         findNeighbours();
-        // What a turned diagonal does to a neighbour may let that be mended, too.
+        // What a turned diagonal does to a neighbour may let that be repaired, too.
         for (bool progressed = true; progressed;) {
             progressed = false;
             for (const std::uint32_t cell : failing_) {
                 if (progress.cancelled() || stepsLeft_ == 0)
                     break;
                 if (!result_.pieces.contains(cell))
-                    progressed = mend(cell) || progressed;
+                    progressed = repair(cell) || progressed;
             }
         }
         for (const std::uint32_t cell : failing_)
@@ -103,7 +103,7 @@ private:
             }
     }
 
-    bool mend(std::uint32_t cell)
+    bool repair(std::uint32_t cell)
     {
         const std::vector<CellPolygon> faces = quadrilateralsOf(cells_.shapes[cell], cells_.nodesOf(cell));
         std::vector<std::uint32_t> masks(std::size_t(1) << faces.size());
@@ -146,20 +146,20 @@ private:
     }
 
     std::span<const Eigen::Vector3d> positions_;
-    const PreparedCells& cells_;
+    const CleanCells& cells_;
     const std::vector<std::uint32_t>& failing_;
     std::map<FaceKey, std::vector<std::uint32_t>> sides_;
     std::set<FaceKey> turned_;
-    std::uint64_t stepsLeft_ = mostRecuttingSteps;
-    RecutCells result_;
+    std::uint64_t stepsLeft_ = mostResplittingSteps;
+    ResplitCells result_;
 };
 
 } // namespace
 
-RecutCells recutCells(std::span<const Eigen::Vector3d> positions, const PreparedCells& cells,
-                      const std::vector<std::uint32_t>& failing, const Progress& progress)
+ResplitCells resplitCells(std::span<const Eigen::Vector3d> positions, const CleanCells& cells,
+                          const std::vector<std::uint32_t>& failing, const Progress& progress)
 {
-    return Recutting(positions, cells, failing).run(progress);
+    return Resplitting(positions, cells, failing).run(progress);
 }
 
 namespace {
@@ -181,8 +181,8 @@ bool countsAsTurned(CellShape shape)
 
 class Cutting {
 public:
-    Cutting(std::span<const Eigen::Vector3d> positions, const PreparedCells& cells, Mending& mending)
-        : positions_(positions), cells_(cells), mending_(mending)
+    Cutting(std::span<const Eigen::Vector3d> positions, const CleanCells& cells, Repairs& repairs)
+        : positions_(positions), cells_(cells), repairs_(repairs)
     {
         result_.tetrahedra.reserve(cells.count());
         result_.cells.reserve(cells.count());
@@ -206,19 +206,19 @@ public:
         return {};
     }
 
-    Status recut(const Progress& progress)
+    Status resplit(const Progress& progress)
     {
         if (failing_.empty())
             return {};
-        RecutCells recut = recutCells(positions_, cells_, failing_, progress);
+        ResplitCells resplit = resplitCells(positions_, cells_, failing_, progress);
         if (progress.cancelled())
             return cancelledError(cuttingCells);
-        mending_.recut += recut.pieces.size();
-        removeOf(recut.pieces);
-        for (const auto& [cell, pieces] : recut.pieces)
+        repairs_.resplit += resplit.pieces.size();
+        removeOf(resplit.pieces);
+        for (const auto& [cell, pieces] : resplit.pieces)
             for (const auto& piece : pieces)
                 add(cell, piece);
-        result_.warped = std::move(recut.warped);
+        result_.warped = std::move(resplit.warped);
         return {};
     }
     CutCells take() { return std::move(result_); }
@@ -241,12 +241,12 @@ private:
                 std::swap(piece[0], piece[1]);
         }
         if (positive + negative == 0) {
-            ++(repeatsCorner(shape, nodes) ? mending_.repeated : mending_.flat);
+            ++(repeatsCorner(shape, nodes) ? repairs_.repeated : repairs_.flat);
             return;
         }
         if (countsAsTurned(shape))
-            mending_.turned += negative > positive;
-        ++mending_.cells;
+            repairs_.turned += negative > positive;
+        ++repairs_.cells;
         if (std::max(positive, negative) < pieces_.size()) {
             failing_.push_back(cell);
             return;
@@ -261,11 +261,11 @@ private:
         result_.cells.push_back(cell);
     }
 
-    void removeOf(const std::map<std::uint32_t, CellPieces>& recut)
+    void removeOf(const std::map<std::uint32_t, CellPieces>& resplit)
     {
         std::size_t kept = 0;
         for (std::size_t i = 0; i < result_.cells.size(); ++i)
-            if (!recut.contains(result_.cells[i])) {
+            if (!resplit.contains(result_.cells[i])) {
                 result_.cells[kept] = result_.cells[i];
                 result_.tetrahedra[kept++] = result_.tetrahedra[i];
             }
@@ -274,8 +274,8 @@ private:
     }
 
     std::span<const Eigen::Vector3d> positions_;
-    const PreparedCells& cells_;
-    Mending& mending_;
+    const CleanCells& cells_;
+    Repairs& repairs_;
     CellPieces pieces_;
     std::vector<std::uint32_t> failing_;
     CutCells result_;
@@ -283,14 +283,14 @@ private:
 
 } // namespace
 
-Result<CutCells> cutCells(std::span<const Eigen::Vector3d> positions, const PreparedCells& cells, Mending& mending,
+Result<CutCells> cutCells(std::span<const Eigen::Vector3d> positions, const CleanCells& cells, Repairs& repairs,
                           const Progress& progress)
 {
-    Cutting cutting(positions, cells, mending);
+    Cutting cutting(positions, cells, repairs);
     if (const Status cut = cutting.cutAll(progress); !cut)
         return cut.error();
-    if (const Status recut = cutting.recut(progress); !recut)
-        return recut.error();
+    if (const Status resplit = cutting.resplit(progress); !resplit)
+        return resplit.error();
     return cutting.take();
 }
 

@@ -36,7 +36,7 @@ private:
     std::vector<std::uint32_t> counts_;
 };
 
-std::vector<double> valuesOfCells(const CellComplex& complex, const ComplexValues& values, const PreparedCells& cells,
+std::vector<double> valuesOfCells(const CellComplex& complex, const ComplexValues& values, const CleanCells& cells,
                                   const CutCells& cut)
 {
     constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
@@ -56,10 +56,10 @@ std::vector<double> valuesOfCells(const CellComplex& complex, const ComplexValue
     return means.take();
 }
 
-std::vector<double> valuesOfPoints(const CellComplex& complex, const ComplexValues& values, const PreparedCells& cells,
-                                   Mending& mending)
+std::vector<double> valuesOfPoints(const CellComplex& complex, const ComplexValues& values, const CleanCells& cells,
+                                   Repairs& repairs)
 {
-    if (mending.welded == 0)
+    if (repairs.welded == 0)
         return values.values;
     std::vector<bool> used(complex.positions.size());
     for (const std::uint64_t origin : cells.origins)
@@ -74,7 +74,7 @@ std::vector<double> valuesOfPoints(const CellComplex& complex, const ComplexValu
         conflict[first[point]] = conflict[first[point]] || values.values[point] != values.values[first[point]];
         means.add(first[point], values.values[point]);
     }
-    mending.conflicting = static_cast<std::uint64_t>(std::ranges::count(conflict, true));
+    repairs.conflicting = static_cast<std::uint64_t>(std::ranges::count(conflict, true));
     std::vector<double> result = values.values;
     for (std::size_t point = 0; point < result.size(); ++point)
         if (conflict[point])
@@ -84,15 +84,15 @@ std::vector<double> valuesOfPoints(const CellComplex& complex, const ComplexValu
 
 } // namespace
 
-std::vector<double> pointValues(const CellComplex& complex, const ComplexValues& values, const PreparedCells& cells,
-                                const CutCells& cut, Mending& mending)
+std::vector<double> pointValues(const CellComplex& complex, const ComplexValues& values, const CleanCells& cells,
+                                const CutCells& cut, Repairs& repairs)
 {
-    mending.cellValues = values.perCell;
+    repairs.cellValues = values.perCell;
     return values.perCell ? valuesOfCells(complex, values, cells, cut)
-                          : valuesOfPoints(complex, values, cells, mending);
+                          : valuesOfPoints(complex, values, cells, repairs);
 }
 
-SampleType typeOfPointValues(const ComplexValues& values, const Mending& mending, const std::vector<double>& usedValues)
+SampleType typeOfPointValues(const ComplexValues& values, const Repairs& repairs, const std::vector<double>& usedValues)
 {
     const auto exceeds = [&](double largest) {
         return std::ranges::any_of(usedValues, [&](double value) { return std::abs(value) > largest; });
@@ -105,7 +105,7 @@ SampleType typeOfPointValues(const ComplexValues& values, const Mending& mending
                        value <= static_cast<double>(std::numeric_limits<T>::max());
             });
         });
-        if (fits && !values.perCell && mending.conflicting == 0)
+        if (fits && !values.perCell && repairs.conflicting == 0)
             return type;
         type = sampleSize(type) > sizeof(std::uint16_t) ? SampleType::Float64 : SampleType::Float32;
     }
@@ -120,9 +120,9 @@ using Tetrahedra = std::vector<std::array<std::uint32_t, 4>>;
 /// Holes that cells too warped to be cut leave are said; with more than one in so many the mesh is another one.
 constexpr std::uint64_t cellsPerWarpedOne = 100;
 
-Status checkWarped(const CellComplex& complex, const PreparedCells& cells, const CutCells& cutChecked, Mending& mending)
+Status checkWarped(const CellComplex& complex, const CleanCells& cells, const CutCells& cutChecked, Repairs& repairs)
 {
-    mending.warped = cutChecked.warped.size();
+    repairs.warped = cutChecked.warped.size();
     if (cutChecked.warped.size() * cellsPerWarpedOne <= cells.count())
         return {};
     const std::uint64_t origin = cells.origins[cutChecked.warped.front()];
@@ -134,34 +134,33 @@ Status checkWarped(const CellComplex& complex, const PreparedCells& cells, const
                      formatNumber(place[2]) + "). Repair the mesh in the program that made it."};
 }
 
-Result<CutCells> cutChecked(const CellComplex& complex, PreparedCells& cells, Mending& mending,
-                            const Progress& progress)
+Result<CutCells> cutChecked(const CellComplex& complex, CleanCells& cells, Repairs& repairs, const Progress& progress)
 {
-    const Mending before = mending;
-    dropMiddlesIfMixed(cells, mending);
-    auto result = cutCells(complex.positions, cells, mending, progress);
-    if (!result || result->warped.empty() || mending.middles > before.middles)
+    const Repairs before = repairs;
+    dropMiddlesIfMixed(cells, repairs);
+    auto result = cutCells(complex.positions, cells, repairs, progress);
+    if (!result || result->warped.empty() || repairs.middles > before.middles)
         return result;
-    Mending again = before;
+    Repairs again = before;
     dropMiddles(cells, again);
     if (again.middles == before.middles)
         return result;
-    mending = again;
-    return cutCells(complex.positions, cells, mending, progress);
+    repairs = again;
+    return cutCells(complex.positions, cells, repairs, progress);
 }
 
 /// Without holes that the file has or that were made, parts that touch in an edge or a point are the mesh's own, and
 /// so is what would be taken away: no more than one in so many tetrahedra.
 constexpr std::uint64_t tetrahedraPerPinchingOne = 100;
 
-Status mendMesh(std::span<const Eigen::Vector3d> positions, CutCells& cutChecked, Mending& mending,
-                const Progress& progress)
+Status repairMesh(std::span<const Eigen::Vector3d> positions, CutCells& cutChecked, Repairs& repairs,
+                  const Progress& progress)
 {
     MeshFaces faces = findMeshFaces(cutChecked.tetrahedra);
-    mending.duplicates = removeDuplicates(cutChecked, faces);
-    const bool holes = mending.blanked + mending.notFinite + mending.warped > 0;
+    repairs.duplicates = removeDuplicates(cutChecked, faces);
+    const bool holes = repairs.blanked + repairs.notFinite + repairs.warped > 0;
     const std::uint64_t count = cutChecked.tetrahedra.size();
-    mending.pinching =
+    repairs.pinching =
         removePinches(cutChecked, faces, holes ? count : count / tetrahedraPerPinchingOne, progress.part(0, 0.3));
     return checkTetrahedra(positions, cutChecked.tetrahedra, faces, progress.part(0.3, 1));
 }
@@ -203,19 +202,19 @@ Result<ScalarField> fieldOf(const std::vector<double>& values, SampleType type)
 Result<Dataset> irregularDataset(const CellComplex& complex, const ComplexValues& values, const Source& source,
                                  const Progress& progress)
 try {
-    Mending mending;
-    auto cells = prepareCells(complex, values, mending);
+    Repairs repairs;
+    auto cells = cleanCells(complex, values, repairs);
     if (!cells)
         return cells.error();
-    auto cutting = cutChecked(complex, *cells, mending, progress.part(0, 0.5));
+    auto cutting = cutChecked(complex, *cells, repairs, progress.part(0, 0.5));
     if (!cutting)
         return cutting.error();
-    if (const Status sound = checkWarped(complex, *cells, *cutting, mending); !sound)
+    if (const Status sound = checkWarped(complex, *cells, *cutting, repairs); !sound)
         return sound.error();
     if (cutting->tetrahedra.empty())
         return Error{ErrorKind::BadInput, "No cell of the mesh has a volume: nothing is left."};
-    const std::vector<double> all = pointValues(complex, values, *cells, *cutting, mending);
-    if (const Status sound = mendMesh(complex.positions, *cutting, mending, progress.part(0.5, 0.95)); !sound)
+    const std::vector<double> all = pointValues(complex, values, *cells, *cutting, repairs);
+    if (const Status sound = repairMesh(complex.positions, *cutting, repairs, progress.part(0.5, 0.95)); !sound)
         return sound.error();
     Tetrahedra tetrahedra = std::move(cutting->tetrahedra);
 
@@ -226,11 +225,11 @@ try {
         (*positions)[point] = complex.positions[used[point]];
         usedValues[point] = all[used[point]];
     }
-    const auto field = fieldOf(usedValues, typeOfPointValues(values, mending, usedValues));
+    const auto field = fieldOf(usedValues, typeOfPointValues(values, repairs, usedValues));
     if (!field)
         return field.error();
-    const std::uint64_t explained = used.size() + mending.welded + mending.middles;
-    mending.unused = complex.positions.size() - std::min<std::uint64_t>(explained, complex.positions.size());
+    const std::uint64_t explained = used.size() + repairs.welded + repairs.middles;
+    repairs.unused = complex.positions.size() - std::min<std::uint64_t>(explained, complex.positions.size());
 
     Dataset dataset;
     dataset.domain = DomainClass::Irregular;
@@ -240,7 +239,7 @@ try {
     dataset.tetrahedra = std::make_shared<const Tetrahedra>(std::move(tetrahedra));
     dataset.source = source;
     dataset.source.hash = contentHash(dataset.values, dataset.positions, dataset.tetrahedra);
-    dataset.remarks = mendingRemarks(mending);
+    dataset.remarks = repairRemarks(repairs);
     return dataset;
 } catch (const std::bad_alloc&) {
     return Error{ErrorKind::OutOfResource, "Not enough memory for the mesh. Take a part of it."};

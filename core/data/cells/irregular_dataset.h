@@ -11,12 +11,12 @@
 namespace tetra {
 
 /// A value for each point of the complex that a tetrahedron uses, others hold anything: its own, the mean of those on
-/// its place, or the mean of the cells around it. `mending` is told.
-std::vector<double> pointValues(const CellComplex& complex, const ComplexValues& values, const PreparedCells& cells,
-                                const CutCells& cut, Mending& mending);
+/// its place, or the mean of the cells around it. `repairs` is told.
+std::vector<double> pointValues(const CellComplex& complex, const ComplexValues& values, const CleanCells& cells,
+                                const CutCells& cut, Repairs& repairs);
 
 /// The type that holds such values: means of whole numbers are none, and a float cannot hold every double.
-SampleType typeOfPointValues(const ComplexValues& values, const Mending& mending,
+SampleType typeOfPointValues(const ComplexValues& values, const Repairs& repairs,
                              const std::vector<double>& usedValues);
 
 } // namespace tetra

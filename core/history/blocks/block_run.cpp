@@ -22,7 +22,7 @@ namespace tetra {
 
 void BlockRunRecorder::start()
 {
-    arranger_ = std::make_unique<HistoryArranger>(pointCount_, static_cast<ArrangedBatchSink&>(*this));
+    arranger_ = std::make_unique<BatchBuilder>(pointCount_, static_cast<BatchSink&>(*this));
     finalKey_ = 0;
     siteCount_ = 0;
     words_.clear();
@@ -43,12 +43,12 @@ Status BlockRunRecorder::finish(float finalKey)
     return done;
 }
 
-Status BlockRunRecorder::add(const ArrangedBatch& batch)
+Status BlockRunRecorder::add(const Batch& batch)
 {
-    for (const ArrangedBatch::Tetrahedron& made : batch.tetrahedra)
+    for (const Batch::Tetrahedron& made : batch.tetrahedra)
         tetrahedra_.push_back({made.sites, WideTetrahedron::never, halfBound(made.error, valueExtent_)});
     destroyed_.assign(batch.points.size(), 0);
-    for (const ArrangedBatch::Destruction& destruction : batch.destructions) {
+    for (const Batch::Destruction& destruction : batch.destructions) {
         tetrahedra_[destruction.tetrahedron].destroyer = destruction.destroyer;
         ++destroyed_[destruction.destroyer - batch.firstSite];
     }
@@ -64,7 +64,7 @@ Status BlockRunRecorder::add(const ArrangedBatch& batch)
     return {};
 }
 
-void BlockRunRecorder::addGroup(const ArrangedBatch& batch, std::size_t first, std::size_t end)
+void BlockRunRecorder::addGroup(const Batch& batch, std::size_t first, std::size_t end)
 {
     std::uint32_t destroyed = 0;
     for (std::size_t place = first; place < end; ++place)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/history/history_arranger.h"
+#include "core/history/batch_builder.h"
 
 #include <array>
 #include <bit>
@@ -52,7 +52,7 @@ using WideTetrahedron = BlockRunTetrahedron<std::uint32_t>;
 static_assert(sizeof(NarrowTetrahedron) == 12 && sizeof(WideTetrahedron) == 24);
 
 /// Takes the history of one block after another, in memory used again.
-class BlockRunRecorder final : public HistorySink, private ArrangedBatchSink {
+class BlockRunRecorder final : public HistorySink, private BatchSink {
 public:
     /// `pointCount` and `valueExtent` of the whole dataset.
     BlockRunRecorder(std::uint64_t pointCount, double valueExtent) : pointCount_(pointCount), valueExtent_(valueExtent)
@@ -71,13 +71,13 @@ public:
     std::uint64_t tetrahedronCount() const noexcept { return tetrahedra_.size(); }
 
 private:
-    Status add(const ArrangedBatch& batch) override;
-    void addGroup(const ArrangedBatch& batch, std::size_t first, std::size_t end);
+    Status add(const Batch& batch) override;
+    void addGroup(const Batch& batch, std::size_t first, std::size_t end);
     void narrow();
 
     std::uint64_t pointCount_;
     double valueExtent_;
-    std::unique_ptr<HistoryArranger> arranger_;
+    std::unique_ptr<BatchBuilder> arranger_;
     float finalKey_ = 0;
     std::uint64_t livingCount_ = 0;
     std::uint32_t siteCount_ = 0;

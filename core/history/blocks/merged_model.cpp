@@ -322,7 +322,7 @@ using PiecePointer = std::shared_ptr<SectionPiece>;
 /// Reads, translates and writes at once; the first thing that goes wrong stops all.
 class StarPipeline {
 public:
-    StarPipeline(const RunFiles& runs, const MergedNumbers& numbers, PlannedModelWriter& writer,
+    StarPipeline(const RunFiles& runs, const MergedNumbers& numbers, FixedSizeModelWriter& writer,
                  const Progress& progress, std::uint64_t sliceTetrahedra)
         : runs_(runs), numbers_(numbers), writer_(writer), progress_(progress), maker_(runs, sliceTetrahedra)
     {
@@ -338,7 +338,7 @@ private:
 
     const RunFiles& runs_;
     const MergedNumbers& numbers_;
-    PlannedModelWriter& writer_;
+    FixedSizeModelWriter& writer_;
     const Progress& progress_;
     ChunkMaker maker_;
     std::atomic<bool> failed_ = false;
@@ -412,12 +412,12 @@ void StarPipeline::fail(const Error& error)
     failed_ = true;
 }
 
-Result<PlannedCounts> merge(RunFiles& runs, const std::filesystem::path& workFolder, const PlannedModelOpener& open,
-                            const Progress& progress, std::uint64_t sliceTetrahedra)
+Result<FixedCounts> merge(RunFiles& runs, const std::filesystem::path& workFolder, const PlannedModelOpener& open,
+                          const Progress& progress, std::uint64_t sliceTetrahedra)
 {
     if (const Status opened = runs.open(); !opened)
         return opened.error();
-    PlannedCounts counts;
+    FixedCounts counts;
     float finalKey = 0;
     std::uint64_t living = 0;
     for (std::uint32_t block = 0; block < runs.blockCount(); ++block) {
@@ -431,7 +431,7 @@ Result<PlannedCounts> merge(RunFiles& runs, const std::filesystem::path& workFol
     if (!numbers)
         return numbers.error();
     counts.sites = numbers->siteCount();
-    const Result<std::unique_ptr<PlannedModelWriter>> writer = open(counts);
+    const Result<std::unique_ptr<FixedSizeModelWriter>> writer = open(counts);
     if (!writer)
         return writer.error();
     const Progress writing = progress.part(numberedShare, 1);
@@ -446,8 +446,8 @@ Result<PlannedCounts> merge(RunFiles& runs, const std::filesystem::path& workFol
 
 } // namespace
 
-Result<PlannedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const PlannedModelOpener& open,
-                                const Progress& progress, std::uint64_t sliceTetrahedra)
+Result<FixedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const PlannedModelOpener& open,
+                              const Progress& progress, std::uint64_t sliceTetrahedra)
 {
     try {
         return merge(runs, workFolder, open, progress, sliceTetrahedra);

@@ -5,7 +5,7 @@
 #include "core/base/scratch_file.h"
 #include "core/history/blocks/block_merge.h"
 #include "core/history/blocks/block_run.h"
-#include "core/history/planned_model_writer.h"
+#include "core/history/fixed_size_writer.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -104,12 +104,12 @@ struct TranslatedStars {
 Result<TranslatedStars> translateStars(const MergedChunk& chunk, const RunFiles& runs, const MergedNumbers& numbers);
 
 /// Opens the model that is to be written, once its size is known.
-using PlannedModelOpener = std::function<Result<std::unique_ptr<PlannedModelWriter>>(const PlannedCounts&)>;
+using PlannedModelOpener = std::function<Result<std::unique_ptr<FixedSizeModelWriter>>(const FixedCounts&)>;
 
 /// Merges the runs of all blocks into one model, on all threads that TBB may use; the result does not depend on their
 /// number nor on the slices in which large groups are taken. Memory: some buffers, the sites of one batch, and a slice
 /// a thread. Errors: the runs' and the model's files, memory, cancelled.
-Result<PlannedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const PlannedModelOpener& open,
-                                const Progress& progress, std::uint64_t sliceTetrahedra = usualSliceTetrahedra);
+Result<FixedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const PlannedModelOpener& open,
+                              const Progress& progress, std::uint64_t sliceTetrahedra = usualSliceTetrahedra);
 
 } // namespace tetra

@@ -25,7 +25,7 @@ constexpr double moreThanAsked = 1 + std::numeric_limits<double>::epsilon();
 /// The set while it grows. What was added is looked at in turn.
 class Growth {
 public:
-    Growth(const Model& model, const HistoryLinks& links, const FieldJudge& judge, std::uint32_t prefix)
+    Growth(const Model& model, const HistoryLinks& links, const RefinementCriterion& judge, std::uint32_t prefix)
         : model_(model), links_(links), judge_(judge), set_{SiteSet(model.siteCount(), prefix), prefix,
                                                             prefix > 0 ? model.meshSizes()[prefix - 1] : 0, 1}
     {
@@ -40,7 +40,7 @@ private:
 
     const Model& model_;
     const HistoryLinks& links_;
-    const FieldJudge& judge_;
+    const RefinementCriterion& judge_;
     ClosedSet set_;
     std::vector<std::uint32_t> added_; ///< behind the prefix, in the order in which they are looked at
     Buffer<std::uint64_t> candidates_;
@@ -114,7 +114,7 @@ void Growth::addGroup(std::uint32_t site)
 
 } // namespace
 
-Result<ClosedSet> smallestClosedSet(const Model& model, const HistoryLinks& links, const FieldJudge& judge,
+Result<ClosedSet> smallestClosedSet(const Model& model, const HistoryLinks& links, const RefinementCriterion& judge,
                                     std::uint32_t prefix, const Progress& progress)
 {
     return Growth(model, links, judge, prefix).run(progress);
@@ -131,7 +131,7 @@ constexpr std::uint64_t hopelessAtLeast = 1 << 16;
 /// before anything better.
 class BudgetGrowth {
 public:
-    BudgetGrowth(const Model& model, const HistoryLinks& links, const FieldJudge& judge, std::uint64_t budget)
+    BudgetGrowth(const Model& model, const HistoryLinks& links, const RefinementCriterion& judge, std::uint64_t budget)
         : model_(model), links_(links), judge_(judge),
           budget_(std::min(budget, model.tetrahedronCount())), set_{SiteSet(model.siteCount(), 0), 0, 0, 1}
     {
@@ -155,7 +155,7 @@ private:
 
     const Model& model_;
     const HistoryLinks& links_;
-    const FieldJudge& judge_;
+    const RefinementCriterion& judge_;
     const std::uint64_t budget_;
     ClosedSet set_;
     std::vector<Coarse> queue_;          ///< a heap
@@ -268,7 +268,7 @@ Error BudgetGrowth::impossible() const
 
 } // namespace
 
-Result<ClosedSet> closedSetWithin(const Model& model, const HistoryLinks& links, const FieldJudge& judge,
+Result<ClosedSet> closedSetWithin(const Model& model, const HistoryLinks& links, const RefinementCriterion& judge,
                                   std::uint64_t budget, const Progress& progress)
 {
     return BudgetGrowth(model, links, judge, budget).run(progress);

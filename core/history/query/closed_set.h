@@ -5,8 +5,8 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/history/model.h"
-#include "core/history/query/field_judge.h"
 #include "core/history/query/history_links.h"
+#include "core/history/query/refinement_criterion.h"
 
 #include <algorithm>
 #include <bit>
@@ -89,7 +89,7 @@ inline std::uint64_t growthBy(const Model& model, const GroupOfSites& group)
 /// The tetrahedra that the site created, that none of the sites destroys, and that may be coarser than the judge
 /// allows. In `buffer`, which is used from star to star: written without a branch on what no processor could predict.
 inline std::span<const std::uint64_t> coarseCandidates(const Model& model, const SiteSet& sites,
-                                                       const FieldJudge& judge, std::uint32_t site,
+                                                       const RefinementCriterion& judge, std::uint32_t site,
                                                        Buffer<std::uint64_t>& buffer)
 {
     const auto star = starOf(model, site);
@@ -118,13 +118,13 @@ struct ClosedSet {
 /// The smallest closed set that holds the first `prefix` sites (which end a group) and whose mesh the judge allows, as
 /// far as the model has finer tetrahedra: each one that is too coarse must be destroyed, and only its destroyer does
 /// that. O(the set and what it creates). `links` cover the judge's finest prefix. Errors: cancelled, a damaged file.
-Result<ClosedSet> smallestClosedSet(const Model& model, const HistoryLinks& links, const FieldJudge& judge,
+Result<ClosedSet> smallestClosedSet(const Model& model, const HistoryLinks& links, const RefinementCriterion& judge,
                                     std::uint32_t prefix, const Progress& progress);
 
 /// The same with the fields multiplied by the least number, at least 1, for which the mesh has at most `budget`
 /// tetrahedra. Refines what is farthest from what was asked first, and takes back what was begun when the budget is
 /// passed. Error: WrongUsage if even the coarsest mesh has more.
-Result<ClosedSet> closedSetWithin(const Model& model, const HistoryLinks& links, const FieldJudge& judge,
+Result<ClosedSet> closedSetWithin(const Model& model, const HistoryLinks& links, const RefinementCriterion& judge,
                                   std::uint64_t budget, const Progress& progress);
 
 /// Takes the mesh of a closed set out of the file: vertices are its sites, ascending, tetrahedra come by creator. The

@@ -18,12 +18,12 @@ namespace tetra {
 namespace {
 
 /// Insertions between two looks at whether the work was cancelled.
-constexpr std::size_t liftedInsertionsAtOnce = 1024;
+constexpr std::size_t curvilinearInsertionsAtOnce = 1024;
 /// Likewise points, and tetrahedra.
 constexpr std::uint32_t pointsLoadedAtOnce = 1 << 16;
 constexpr std::size_t slotsAtOnce = 256;
 /// Larger grids would need gigabytes.
-constexpr std::uint64_t mostLiftedPoints = 1 << 25;
+constexpr std::uint64_t mostCurvilinearPoints = 1 << 25;
 
 std::vector<Eigen::Vector3d> positionsOf(const Model& model)
 {
@@ -33,11 +33,11 @@ std::vector<Eigen::Vector3d> positionsOf(const Model& model)
     return positions;
 }
 
-LiftedGrid gridOf(const Model& model, std::span<const Eigen::Vector3d> positions)
+CurvilinearGrid gridOf(const Model& model, std::span<const Eigen::Vector3d> positions)
 {
     return visitSampleType(model.description().sampleType, [&]<class T>() {
         const std::span samples(reinterpret_cast<const T*>(model.samples().data()), model.samples().size() / sizeof(T));
-        return LiftedGrid(model.description().lattice.size, positions, LatticeSamples(samples));
+        return CurvilinearGrid(model.description().lattice.size, positions, LatticeSamples(samples));
     });
 }
 
@@ -60,7 +60,7 @@ BlockDivision divisionOf(const Model& model)
 
 } // namespace
 
-class LiftedFocus::Work {
+class CurvilinearFocus::Work {
 public:
     explicit Work(const Model& model)
         : model_(model), blocks_(divisionOf(model)), positions_(positionsOf(model)), grid_(gridOf(model, positions_))
@@ -86,7 +86,7 @@ private:
     const Model& model_;
     BlockDivision blocks_;
     std::vector<Eigen::Vector3d> positions_;
-    LiftedGrid grid_;
+    CurvilinearGrid grid_;
     bool prepared_ = false;
     LocalDelaunay mesh_;
     std::uint32_t coarseSites_ = 0; ///< of the mesh that is loaded
@@ -94,13 +94,13 @@ private:
     std::vector<std::uint32_t> siteOfPoint_;
     std::vector<std::uint32_t> addedSites_; ///< of mesh_.added()
 
-    LiftedLimits limits_;
+    CurvilinearLimits limits_;
     std::vector<double> keys_; ///< the limits as keys
     std::vector<WorstSample> worst_;
     std::vector<std::uint32_t> slots_;
 };
 
-Status LiftedFocus::Work::findLimits(const MeshQuery& query, const Progress& progress)
+Status CurvilinearFocus::Work::findLimits(const MeshQuery& query, const Progress& progress)
 {
     const double perError = model_.description().range.extent() / 100;
     const double perWarping = model_.diagonal() / 100;
@@ -135,7 +135,7 @@ Status LiftedFocus::Work::findLimits(const MeshQuery& query, const Progress& pro
     return {};
 }
 
-Status LiftedFocus::Work::prepare()
+Status CurvilinearFocus::Work::prepare()
 {
     if (prepared_)
         return {};
@@ -154,7 +154,7 @@ Status LiftedFocus::Work::prepare()
     return {};
 }
 
-Status LiftedFocus::Work::load(std::uint32_t sites, const Progress& progress)
+Status CurvilinearFocus::Work::load(std::uint32_t sites, const Progress& progress)
 {
     if (const Status prepared = prepare(); !prepared)
         return prepared;
@@ -166,12 +166,12 @@ Status LiftedFocus::Work::load(std::uint32_t sites, const Progress& progress)
     return {};
 }
 
-std::uint32_t LiftedFocus::Work::siteAt(PackedPoint point)
+std::uint32_t CurvilinearFocus::Work::siteAt(PackedPoint point)
 {
     return siteOfPoint_[grid_.lattice().index(point)];
 }
 
-Status LiftedFocus::Work::add(PackedPoint point, std::uint32_t site)
+Status CurvilinearFocus::Work::add(PackedPoint point, std::uint32_t site)
 {
     if (!mesh_.add({&point, 1}))
         return focusTooLarge();
@@ -180,10 +180,10 @@ Status LiftedFocus::Work::add(PackedPoint point, std::uint32_t site)
 }
 
 /// Those that a uniform mesh has whose key is the limit where they lie.
-Status LiftedFocus::Work::insertSites(const Progress& progress)
+Status CurvilinearFocus::Work::insertSites(const Progress& progress)
 {
     for (std::uint32_t site = coarseSites_; site < model_.siteCount(); ++site) {
-        if (site % liftedInsertionsAtOnce == 0) {
+        if (site % curvilinearInsertionsAtOnce == 0) {
             if (progress.cancelled())
                 return cancelledError("Extracting the mesh");
             progress.report(static_cast<double>(site) / model_.siteCount(), "Refining the focus");
@@ -200,19 +200,19 @@ Status LiftedFocus::Work::insertSites(const Progress& progress)
 }
 
 /// Adds the worst samples of these tetrahedra to worst_; false if the work was cancelled.
-bool LiftedFocus::Work::scan(std::span<const std::uint32_t> slots, ScannedPart part, const Progress& progress)
+bool CurvilinearFocus::Work::scan(std::span<const std::uint32_t> slots, ScannedPart part, const Progress& progress)
 {
     for (std::size_t first = 0; first < slots.size(); first += slotsAtOnce) {
         if (progress.cancelled())
             return false;
-        scanLiftedSamples(mesh_, slots.subspan(first, std::min(slotsAtOnce, slots.size() - first)), grid_, blocks_,
-                          limits_, part, worst_);
+        scanCurvilinearSamples(mesh_, slots.subspan(first, std::min(slotsAtOnce, slots.size() - first)), grid_, blocks_,
+                               limits_, part, worst_);
     }
     return true;
 }
 
 /// Looks at what changed, and at what did not but lies where limits are not the largest.
-Status LiftedFocus::Work::look(bool coarseIsKnown, const Progress& progress)
+Status CurvilinearFocus::Work::look(bool coarseIsKnown, const Progress& progress)
 {
     slots_.clear();
     for (std::uint32_t slot = 0; slot < mesh_.mesh().slotCount(); ++slot)
@@ -227,12 +227,12 @@ Status LiftedFocus::Work::look(bool coarseIsKnown, const Progress& progress)
 }
 
 /// In rounds: the worst first, unless one before it has changed its tetrahedron; then what changed is looked at.
-Status LiftedFocus::Work::repair(const Progress& progress)
+Status CurvilinearFocus::Work::repair(const Progress& progress)
 {
     while (!worst_.empty()) {
         std::ranges::sort(worst_, isWorse);
         for (std::size_t i = 0; i < worst_.size(); ++i) {
-            if (i % liftedInsertionsAtOnce == 0 && progress.cancelled())
+            if (i % curvilinearInsertionsAtOnce == 0 && progress.cancelled())
                 return cancelledError("Extracting the mesh");
             const DelaunayTetrahedron& now = mesh_.mesh()[worst_[i].slot];
             if (!(now.determinant() > 0) || now.vertices != worst_[i].tetrahedron || mesh_.isVertex(worst_[i].point))
@@ -248,7 +248,7 @@ Status LiftedFocus::Work::repair(const Progress& progress)
     return {};
 }
 
-void LiftedFocus::Work::write(ExtractedMesh& mesh) const
+void CurvilinearFocus::Work::write(ExtractedMesh& mesh) const
 {
     writeRefined(model_, coarse_.mesh, mesh_, addedSites_, mesh);
     const std::span<const PackedPoint> added = mesh_.added();
@@ -259,7 +259,8 @@ void LiftedFocus::Work::write(ExtractedMesh& mesh) const
     }
 }
 
-Result<ExtractedMesh> LiftedFocus::Work::extract(const MeshQuery& query, const Progress& progress, ExtractedMesh reuse)
+Result<ExtractedMesh> CurvilinearFocus::Work::extract(const MeshQuery& query, const Progress& progress,
+                                                      ExtractedMesh reuse)
 {
     for (const Status& right :
          {model_.check(model_.samples(), progress), model_.check(model_.floatSamplePositions(), progress),
@@ -289,20 +290,20 @@ Result<ExtractedMesh> LiftedFocus::Work::extract(const MeshQuery& query, const P
     return reuse;
 }
 
-bool LiftedFocus::fits(const Model& model)
+bool CurvilinearFocus::fits(const Model& model)
 {
     const auto& size = model.description().lattice.size;
     return model.description().domain == DomainClass::Curvilinear && model.description().delaunay &&
-           !model.samples().empty() && model.description().lattice.pointCount() <= mostLiftedPoints &&
+           !model.samples().empty() && model.description().lattice.pointCount() <= mostCurvilinearPoints &&
            PackedLattice::fits(size) && exactWithMetric(size, {1, 1, 1}) && parameterOf(model, "weights").empty();
 }
 
-LiftedFocus::LiftedFocus(const Model& model) : work_(std::make_unique<Work>(model)) {}
-LiftedFocus::~LiftedFocus() = default;
-LiftedFocus::LiftedFocus(LiftedFocus&&) noexcept = default;
-LiftedFocus& LiftedFocus::operator=(LiftedFocus&&) noexcept = default;
+CurvilinearFocus::CurvilinearFocus(const Model& model) : work_(std::make_unique<Work>(model)) {}
+CurvilinearFocus::~CurvilinearFocus() = default;
+CurvilinearFocus::CurvilinearFocus(CurvilinearFocus&&) noexcept = default;
+CurvilinearFocus& CurvilinearFocus::operator=(CurvilinearFocus&&) noexcept = default;
 
-Result<ExtractedMesh> LiftedFocus::extract(const MeshQuery& query, const Progress& progress, ExtractedMesh reuse)
+Result<ExtractedMesh> CurvilinearFocus::extract(const MeshQuery& query, const Progress& progress, ExtractedMesh reuse)
 try {
     Result<ExtractedMesh> mesh = work_->extract(query, progress, std::move(reuse));
     if (!mesh && mesh.error().kind != ErrorKind::Cancelled)

@@ -398,7 +398,7 @@ private:
         if (error_)
             return;
         skipBlanks();
-        const std::string found = place_ == text_.size() ? "the text ends" : "there is '" + shownText(rest()) + "'";
+        const std::string found = place_ == text_.size() ? "the text ends" : "there is '" + printable(rest()) + "'";
         error_ =
             Error{ErrorKind::WrongUsage, "The error field cannot be read at character " + std::to_string(place_ + 1) +
                                              ": expected " + std::string(expected) + ", but " + found + "."};

@@ -4,10 +4,10 @@
 #include "core/history/extraction.h"
 #include "core/history/query/closed_set.h"
 #include "core/history/query/curvilinear_focus.h"
-#include "core/history/query/field_judge.h"
 #include "core/history/query/history_links.h"
 #include "core/history/query/mesh_query.h"
-#include "core/history/query/sharp_focus.h"
+#include "core/history/query/refinement_criterion.h"
+#include "core/history/query/region_refiner.h"
 #include "core/history/query/window.h"
 #include "core/history/site_positions.h"
 
@@ -162,7 +162,7 @@ private:
     bool insertionIsBetter(const MeshQuery& query);
     Status extractByInsertion(const MeshQuery& query, const Progress& progress);
     Status extractWithinBudget(const MeshQuery& query, const Progress& progress);
-    Status coverSites(std::uint32_t sites);
+    Status ensureSites(std::uint32_t sites);
     /// A mesh that goes to a caller and comes back when nobody holds it any more.
     struct LendableMesh {
         ExtractedMesh content;
@@ -175,11 +175,11 @@ private:
     std::shared_ptr<const Model> model_;
     SitePlaces places_;
     HistoryLinks links_;
-    std::optional<SharpFocus> focus_;        ///< of a regular lattice
-    std::optional<LiftedFocus> liftedFocus_; ///< of a curvilinear grid
-    bool insertionFitsHistory_ = true;       ///< as far as is known: its meshes are Delaunay
-    std::shared_ptr<LendableMesh> whole_;    ///< the last mesh before values and window; null after an error
-    std::uint32_t uniformSites_ = 0;         ///< of that, if it is uniform; else 0
+    std::optional<RegionRefiner> focus_;               ///< of a regular lattice
+    std::optional<CurvilinearFocus> curvilinearFocus_; ///< of a curvilinear grid
+    bool insertionFitsHistory_ = true;                 ///< as far as is known: its meshes are Delaunay
+    std::shared_ptr<LendableMesh> whole_;              ///< the last mesh before values and window; null after an error
+    std::uint32_t uniformSites_ = 0;                   ///< of that, if it is uniform; else 0
 };
 
 Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::Work::extract(const MeshQuery& query,
@@ -266,14 +266,14 @@ Status MeshExtractor::Work::extractUniform(const MeshQuery& query, const Progres
 
 Status MeshExtractor::Work::extractClosedSet(const MeshQuery& query, const Progress& progress)
 {
-    FieldJudge judge(*model_, query, places_);
+    RefinementCriterion judge(*model_, query, places_);
     const std::uint32_t finest = meshSizeAt(*model_, judge.finest()).sites;
     constexpr unsigned all = Model::Batches | Model::Stars | Model::OwnBounds;
     if (const Status right = model_->checkPrefix(finest, all, progress); !right)
         return right;
     if (const Status linked = links_.cover(*model_, finest, progress.part(0, 0.3)); !linked)
         return linked;
-    if (const Status covered = coverSites(finest); !covered)
+    if (const Status covered = ensureSites(finest); !covered)
         return covered;
     judge.lookAtSites(finest);
     const auto set = query.budget
@@ -294,14 +294,14 @@ const char* MeshExtractor::Work::obstacleToInsertion(const MeshQuery& query) con
         return "needs a model made by refinement, whose meshes are Delaunay ones";
     if (model_->samples().empty())
         return "needs all samples of the dataset, which this model's file does not hold";
-    if (LiftedFocus::fits(*model_))
+    if (CurvilinearFocus::fits(*model_))
         return nullptr;
     const SpaceRamp* const ramp = query.error.asSpaceRamp();
     if (ramp == nullptr || !(ramp->inner < ramp->outer))
         return "into a lattice is for one box, sphere or half-space of smaller error";
     if (query.budget && scaledField(query.error, 2).asSpaceRamp() == nullptr)
         return "within a budget needs a sharp border, or an error of at least 0.001 % to fall off from";
-    return SharpFocus::fits(*model_) ? nullptr : "does not know how this model was built, or its grid is too large";
+    return RegionRefiner::fits(*model_) ? nullptr : "does not know how this model was built, or its grid is too large";
 }
 
 /// Closed sets are small for graded fields, and quick for large foci. In computational space, where much of a grid
@@ -352,11 +352,11 @@ Status MeshExtractor::Work::extractByInsertion(const MeshQuery& query, const Pro
         return extractWithinBudget(query, progress);
     ExtractedMesh& out = startWhole();
     const bool lifted = model_->description().domain == DomainClass::Curvilinear;
-    if (lifted && !liftedFocus_)
-        liftedFocus_.emplace(*model_);
+    if (lifted && !curvilinearFocus_)
+        curvilinearFocus_.emplace(*model_);
     if (!lifted && !focus_)
         focus_.emplace(*model_);
-    auto found = lifted ? liftedFocus_->extract(query, progress, std::move(out))
+    auto found = lifted ? curvilinearFocus_->extract(query, progress, std::move(out))
                         : focus_->extract(*query.error.asSpaceRamp(), false, progress, std::move(out));
     if (!found) {
         // Of another builder: only looking at its meshes tells.
@@ -367,7 +367,7 @@ Status MeshExtractor::Work::extractByInsertion(const MeshQuery& query, const Pro
     return {};
 }
 
-Status MeshExtractor::Work::coverSites(std::uint32_t sites)
+Status MeshExtractor::Work::ensureSites(std::uint32_t sites)
 {
     if (sites <= places_.positions.size())
         return {};

@@ -95,7 +95,7 @@ TetrahedronPieces splitPyramid(const std::array<std::uint32_t, 4>& base, std::ui
     return pieces;
 }
 
-void orderBySides(std::array<std::uint32_t, 4>& tetrahedron, std::array<int, 4>& sides)
+void orderBySigns(std::array<std::uint32_t, 4>& tetrahedron, std::array<int, 4>& sides)
 {
     bool odd = false;
     const auto swap = [&](std::size_t i) {
@@ -154,7 +154,7 @@ public:
             kept.push_back(tetrahedron);
             return;
         }
-        orderBySides(tetrahedron, sides);
+        orderBySigns(tetrahedron, sides);
         const TetrahedronPieces pieces = piecesOf(tetrahedron, sides);
         kept.insert(kept.end(), pieces.tetrahedra.begin(), pieces.tetrahedra.begin() + pieces.count);
     }

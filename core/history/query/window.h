@@ -109,7 +109,7 @@ TetrahedronPieces splitPyramid(const std::array<std::uint32_t, 4>& base, std::ui
 
 /// Sorts the vertices so that their sides fall, but for those that are not positive if there is only one that is, which
 /// come in any order. Orientation is kept.
-void orderBySides(std::array<std::uint32_t, 4>& tetrahedron, std::array<int, 4>& sides);
+void orderBySigns(std::array<std::uint32_t, 4>& tetrahedron, std::array<int, 4>& sides);
 
 /// Cuts a mesh off at a box, whose faces are rounded to floats as vertices are: so the new vertices lie in them
 /// exactly. One plane after the other; what is cut are the edges from one side of a plane to the other. Tetrahedra that

@@ -258,8 +258,8 @@ int cornerSignOf(const CellPositions& corners, unsigned corner)
 
 } // namespace
 
-LiftedGrid::LiftedGrid(const std::array<std::uint32_t, 3>& size, std::span<const Eigen::Vector3d> positions,
-                       const LatticeSamples& samples)
+CurvilinearGrid::CurvilinearGrid(const std::array<std::uint32_t, 3>& size, std::span<const Eigen::Vector3d> positions,
+                                 const LatticeSamples& samples)
     : lattice_(size)
 {
     points_.resize(positions.size());
@@ -290,7 +290,7 @@ LiftedGrid::LiftedGrid(const std::array<std::uint32_t, 3>& size, std::span<const
 
 /// Finds the handedness, for which signs in doubles will do, and the folded cells, which are looked for only if not all
 /// corners of cells are of that hand without doubt.
-void LiftedGrid::lookAtCells()
+void CurvilinearGrid::lookAtCells()
 {
     const auto& size = lattice_.size();
     const auto forEachCell = [&](const auto& visit) {
@@ -330,13 +330,13 @@ void LiftedGrid::lookAtCells()
     foldedCells_ = FoldedCells(std::move(folded));
 }
 
-int LiftedGrid::orientation(const std::array<PackedPoint, 4>& vertices) const
+int CurvilinearGrid::orientation(const std::array<PackedPoint, 4>& vertices) const
 {
     return handedness_ *
            orientationSign(position(vertices[0]), position(vertices[1]), position(vertices[2]), position(vertices[3]));
 }
 
-bool LiftedGrid::bears(const std::array<PackedPoint, 4>& vertices) const
+bool CurvilinearGrid::bears(const std::array<PackedPoint, 4>& vertices) const
 {
     FoldedCells::Corners corners{};
     for (std::size_t i = 0; i < 4; ++i)

@@ -56,23 +56,23 @@ private:
 bool isOfOneCell(const FoldedCells::Corners& corners);
 
 /// A point of a curvilinear grid lifted into physical space: x, y, z and the value, for arithmetic on all four at once.
-struct alignas(32) LiftedPoint {
+struct alignas(32) PhysicalPoint {
     std::array<double, 4> components{};
     std::array<double, 3> position() const noexcept { return {components[0], components[1], components[2]}; }
 };
 
 /// A curvilinear grid in computational space (a lattice of unit spacing) with what lies in physical space at each
 /// point. 32 bytes a point. Immutable.
-class LiftedGrid {
+class CurvilinearGrid {
 public:
     /// `positions` holds one a point, all finite, in the lattice's order; values and weights come from `samples`.
     /// Nothing is referred to afterwards. Allocations throw std::bad_alloc.
-    LiftedGrid(const std::array<std::uint32_t, 3>& size, std::span<const Eigen::Vector3d> positions,
-               const LatticeSamples& samples);
+    CurvilinearGrid(const std::array<std::uint32_t, 3>& size, std::span<const Eigen::Vector3d> positions,
+                    const LatticeSamples& samples);
 
     const PackedLattice& lattice() const noexcept { return lattice_; }
-    const LiftedPoint& operator[](std::uint32_t index) const noexcept { return points_[index]; }
-    const LiftedPoint& at(PackedPoint point) const noexcept { return points_[lattice_.index(point)]; }
+    const PhysicalPoint& operator[](std::uint32_t index) const noexcept { return points_[index]; }
+    const PhysicalPoint& at(PackedPoint point) const noexcept { return points_[lattice_.index(point)]; }
     std::array<double, 3> position(PackedPoint point) const noexcept { return at(point).position(); }
 
     /// Whether points have weights that multiply their errors and warpings (R6); weight() only if so.
@@ -99,7 +99,7 @@ private:
     void lookAtCells();
 
     PackedLattice lattice_;
-    Buffer<LiftedPoint> points_;
+    Buffer<PhysicalPoint> points_;
     Buffer<float> weights_;
     int handedness_ = 1;
     FoldedCells foldedCells_;

@@ -63,19 +63,19 @@ void StarPlacement::run(const PackedLattice& lattice, const Star& star, std::spa
     if (points_.capacity() > std::max(roomWorthKeeping, 16 * points.size()))
         *this = StarPlacement();
     gatherCoordinates(lattice, star.apex(), points);
-    findCones(star, {x_, y_, z_}, planes_, owners_);
+    locateInStar(star, {x_, y_, z_}, planes_, owners_);
     sortByOwner(star.faceCount());
 }
 
 namespace {
 
 /// The lifted vertices of one tetrahedron and what a point's place in it needs.
-struct LiftedFace {
+struct PhysicalFace {
     const Star::Face& face;
-    const LiftedPoint& apex;
-    const LiftedPoint& a;
-    const LiftedPoint& b;
-    const LiftedPoint& c;
+    const PhysicalPoint& apex;
+    const PhysicalPoint& a;
+    const PhysicalPoint& b;
+    const PhysicalPoint& c;
 };
 
 struct PlacedPoints {
@@ -84,10 +84,10 @@ struct PlacedPoints {
     std::size_t count;
 };
 
-TETRA_SIMD_CLONES void measure(const LiftedGrid& grid, const LiftedFace& lifted, const PlacedPoints& placed,
+TETRA_SIMD_CLONES void measure(const CurvilinearGrid& grid, const PhysicalFace& lifted, const PlacedPoints& placed,
                                double* squaredErrors, double* squaredWarpings)
 {
-    const auto load = [](Double4& to, const LiftedPoint& from) { std::memcpy(&to, &from, sizeof to); };
+    const auto load = [](Double4& to, const PhysicalPoint& from) { std::memcpy(&to, &from, sizeof to); };
     Double4 apex, a, b, c;
     load(apex, lifted.apex);
     load(a, lifted.a);
@@ -115,7 +115,7 @@ TETRA_SIMD_CLONES void measure(const LiftedGrid& grid, const LiftedFace& lifted,
 
 } // namespace
 
-void CurvilinearRelocation::weigh(const LiftedGrid& grid)
+void CurvilinearRedistribution::weigh(const CurvilinearGrid& grid)
 {
     for (std::size_t i = 0; i < placed().size(); ++i) {
         const double weight = grid.weight(placed()[i]);
@@ -124,12 +124,12 @@ void CurvilinearRelocation::weigh(const LiftedGrid& grid)
     }
 }
 
-void CurvilinearRelocation::run(const LiftedGrid& grid, const Star& star, std::span<const PackedPoint> points)
+void CurvilinearRedistribution::run(const CurvilinearGrid& grid, const Star& star, std::span<const PackedPoint> points)
 {
     placement_.run(grid.lattice(), star, points);
-    rim_.resize(star.rim().size());
-    for (std::size_t i = 0; i < rim_.size(); ++i)
-        rim_[i] = grid.at(star.rim()[i]);
+    link_.resize(star.link().size());
+    for (std::size_t i = 0; i < link_.size(); ++i)
+        link_[i] = grid.at(star.link()[i]);
     squaredErrors_.resize(placed().size());
     squaredWarpings_.resize(placed().size());
     for (std::size_t f = 0; f < star.faceCount(); ++f) {
@@ -138,8 +138,8 @@ void CurvilinearRelocation::run(const LiftedGrid& grid, const Star& star, std::s
         if (count == 0)
             continue;
         const std::array<std::uint32_t, 3>& corners = star.corners()[f];
-        const LiftedFace lifted{star.faces()[f], grid.at(star.apex()), rim_[corners[0]], rim_[corners[1]],
-                                rim_[corners[2]]};
+        const PhysicalFace lifted{star.faces()[f], grid.at(star.apex()), link_[corners[0]], link_[corners[1]],
+                                  link_[corners[2]]};
         measure(grid, lifted, {placed().data() + first, placement_.coordinates().data() + first, count},
                 squaredErrors_.data() + first, squaredWarpings_.data() + first);
     }
@@ -164,7 +164,7 @@ struct Worst {
 
 } // namespace
 
-CurvilinearMesh::CurvilinearMesh(const LiftedGrid& grid, const BlockDivision& blocks, const Options& options)
+CurvilinearMesh::CurvilinearMesh(const CurvilinearGrid& grid, const BlockDivision& blocks, const Options& options)
     : grid_(grid), blocks_(blocks), options_(options)
 {
     queue_.start(roundedUp(std::max(options.largestError, options.warpingWeight * options.largestWarping)));
@@ -192,13 +192,13 @@ std::uint32_t CurvilinearMesh::takeBucketNumber()
 /// Makes the bucket of `slot` out of what the relocation placed into `face` of its star.
 CurvilinearMesh::Accuracy CurvilinearMesh::fillBucket(std::uint32_t slot, std::size_t face, double determinant)
 {
-    const std::uint32_t first = relocation_.offsets()[face];
-    const std::uint32_t count = relocation_.offsets()[face + 1] - first;
+    const std::uint32_t first = redistribution_.offsets()[face];
+    const std::uint32_t count = redistribution_.offsets()[face + 1] - first;
     if (count == 0)
         return {};
-    const std::span<const PackedPoint> points = relocation_.placed().subspan(first, count);
-    const double* const errors = relocation_.scaledSquaredErrors().data() + first;
-    const double* const warpings = relocation_.scaledSquaredWarpings().data() + first;
+    const std::span<const PackedPoint> points = redistribution_.placed().subspan(first, count);
+    const double* const errors = redistribution_.scaledSquaredErrors().data() + first;
+    const double* const warpings = redistribution_.scaledSquaredWarpings().data() + first;
     const double squaredWeight = options_.warpingWeight * options_.warpingWeight;
     Worst error, warping, key;
     for (std::size_t i = 0; i < count; ++i) {
@@ -292,12 +292,12 @@ bool CurvilinearMesh::insertIntoBlock(PackedPoint point, std::uint32_t slot, std
     collectDestroyed();
     pointsMoved_ += points_.size();
     const Star& star = delaunay_.star();
-    rimSites_.resize(star.rim().size());
+    rimSites_.resize(star.link().size());
     for (std::size_t i = 0; i < rimSites_.size(); ++i)
-        rimSites_[i] = siteOfPoint_[index(star.rim()[i])] - 1;
+        rimSites_[i] = siteOfPoint_[index(star.link()[i])] - 1;
     const bool hasPoints = points_.size() > 1;
     if (hasPoints)
-        relocation_.run(grid_, star, points_);
+        redistribution_.run(grid_, star, points_);
     for (std::size_t face = 0; face < star.faceCount(); ++face) {
         const std::uint32_t created = delaunay_.created()[face];
         slots_[created] = {static_cast<std::uint32_t>(tetrahedronCount_++), none, block, 1};
@@ -440,7 +440,7 @@ void CurvilinearMesh::distribute(std::uint32_t block, std::uint32_t firstSlot)
         const std::uint32_t slot = firstSlot + number;
         const auto& vertices = delaunay_[slot].vertices;
         startStar_.set(vertices[0], {{{vertices[1], vertices[2], vertices[3]}}}, {1, 1, 1});
-        relocation_.run(grid_, startStar_, inside[number]);
+        redistribution_.run(grid_, startStar_, inside[number]);
         slots_[slot] = {none, none, block, 1};
         startAccuracies_.push_back(fillBucket(slot, 0, delaunay_[slot].determinant()));
         std::vector<PackedPoint>().swap(inside[number]);

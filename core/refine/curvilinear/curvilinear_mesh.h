@@ -65,7 +65,7 @@ private:
 };
 
 /// Which of a star's tetrahedra each point of its cavity lies in. Exact (S8); a point on a shared face goes to one of
-/// them by a fixed rule (S9), that of findCones().
+/// them by a fixed rule (S9), that of locateInStar().
 class StarPlacement {
 public:
     /// The points must lie in the star. They may be in any order; the apex is passed over.
@@ -93,10 +93,10 @@ private:
 /// Distributes the points of a cavity over the tetrahedra of its star and finds their warpings and errors (R4, R5), the
 /// inner loop of curvilinear refinement: the position and the value of a point less what the barycentric weights of
 /// computational space make of its tetrahedron's vertices, all four components in one vector.
-class CurvilinearRelocation {
+class CurvilinearRedistribution {
 public:
     /// The points must lie in the star. They may be in any order; the apex is passed over.
-    void run(const LiftedGrid& grid, const Star& star, std::span<const PackedPoint> points);
+    void run(const CurvilinearGrid& grid, const Star& star, std::span<const PackedPoint> points);
 
     /// Face f of the star contains the points placed()[offsets()[f]] up to offsets()[f + 1].
     std::span<const PackedPoint> placed() const noexcept { return placement_.placed(); }
@@ -107,10 +107,10 @@ public:
     std::span<const double> scaledSquaredWarpings() const noexcept { return squaredWarpings_; }
 
 private:
-    void weigh(const LiftedGrid& grid);
+    void weigh(const CurvilinearGrid& grid);
 
     StarPlacement placement_;
-    Buffer<LiftedPoint> rim_;
+    Buffer<PhysicalPoint> link_;
     Buffer<double> squaredErrors_;
     Buffer<double> squaredWarpings_;
 };
@@ -137,7 +137,7 @@ public:
     };
 
     /// `grid` must outlive the mesh.
-    CurvilinearMesh(const LiftedGrid& grid, const BlockDivision& blocks, const Options& options);
+    CurvilinearMesh(const CurvilinearGrid& grid, const BlockDivision& blocks, const Options& options);
 
     /// Makes the corners of the blocks the first sites and hands them to `sink`. Errors: too large a grid, refused
     /// memory, the sink's.
@@ -156,7 +156,7 @@ public:
     Candidate worstWarping();
     /// The cure of the foremost flipped tetrahedron that may not stay so, the deepest point in its circumsphere (S5).
     /// None if there is no such tetrahedron: then all of inverted() are those that the grid itself makes
-    /// (LiftedGrid::bears()).
+    /// (CurvilinearGrid::bears()).
     Candidate flipped();
 
     /// Inserts the candidate's point into every block that has it and hands the step to `sink`.
@@ -201,7 +201,7 @@ private:
     std::uint32_t takeBucketNumber();
     std::uint32_t index(PackedPoint point) const { return grid_.lattice().index(point); }
 
-    const LiftedGrid& grid_;
+    const CurvilinearGrid& grid_;
     const BlockDivision blocks_;
     const Options options_;
     LatticeDelaunay delaunay_;
@@ -215,7 +215,7 @@ private:
     ReservedArray<SlotState> slots_;
     ReservedArray<std::uint32_t> siteOfPoint_; ///< plus one; 0 while it is none
     std::vector<std::uint32_t> hints_;         ///< a live slot of each block
-    CurvilinearRelocation relocation_;
+    CurvilinearRedistribution redistribution_;
     Star startStar_;
 
     std::uint32_t siteCount_ = 0;

@@ -45,7 +45,7 @@ Status checkSize(const std::array<std::uint32_t, 3>& size, const BlockDivision& 
     return PointPool::checkSize(points);
 }
 
-Result<CurvilinearRefinementResult> refine(const LiftedGrid& grid, const BlockDivision& blocks,
+Result<CurvilinearRefinementResult> refine(const CurvilinearGrid& grid, const BlockDivision& blocks,
                                            const CurvilinearRefinementOptions& options, HistorySink& sink,
                                            const Progress& progress)
 {
@@ -100,7 +100,7 @@ Result<CurvilinearRefinementResult> refineCurvilinear(const std::array<std::uint
     if (Status status = checkSize(size, blocks); !status)
         return status.error();
     try {
-        return refine(LiftedGrid(size, positions, samples), blocks, options, sink, progress);
+        return refine(CurvilinearGrid(size, positions, samples), blocks, options, sink, progress);
     } catch (const std::bad_alloc&) {
         return Error{ErrorKind::OutOfResource, "Not enough memory to refine this grid. Close other programs, use a "
                                                "machine with more memory, or crop or subsample the data."};

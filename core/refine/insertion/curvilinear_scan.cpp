@@ -14,15 +14,16 @@ namespace tetra {
 namespace {
 
 /// What is so little below a limit may be beyond it, but for rounding.
-constexpr double nearlyOneLifted = 1 - 1e-12;
+constexpr double nearlyOnePhysical = 1 - 1e-12;
 
 using LatticePlace = std::array<std::int32_t, 3>;
 using Lifted = Eigen::Array4d; ///< x, y, z and the value
 
 /// One tetrahedron in computational space, and what it has at its vertices in physical space.
-class LiftedTetrahedron {
+class PhysicalTetrahedron {
 public:
-    LiftedTetrahedron(const PackedLattice& lattice, const LiftedGrid& grid, const DelaunayTetrahedron& tetrahedron)
+    PhysicalTetrahedron(const PackedLattice& lattice, const CurvilinearGrid& grid,
+                        const DelaunayTetrahedron& tetrahedron)
         : determinant_(tetrahedron.determinant())
     {
         for (std::size_t i = 0; i < 4; ++i) {
@@ -47,7 +48,7 @@ public:
 
     /// What the point has less what the tetrahedron makes of its vertices there; false if it lies outside. Volumes of
     /// integers, so exact.
-    bool residual(const LatticePlace& place, const LiftedPoint& point, Lifted& result) const
+    bool residual(const LatticePlace& place, const PhysicalPoint& point, Lifted& result) const
     {
         const Eigen::Vector3d offset(place[0] - corners_[0][0], place[1] - corners_[0][1], place[2] - corners_[0][2]);
         std::array<double, 4> volumes{};
@@ -75,9 +76,9 @@ private:
     std::array<Eigen::Vector3d, 3> normals_; ///< towards the corners 1, 2, 3
 };
 
-class LiftedScan {
+class CurvilinearScan {
 public:
-    LiftedScan(const LocalDelaunay& mesh, const LiftedGrid& grid, const LiftedLimits& limits)
+    CurvilinearScan(const LocalDelaunay& mesh, const CurvilinearGrid& grid, const CurvilinearLimits& limits)
         : mesh_(mesh), lattice_(mesh.lattice()), grid_(grid), limits_(limits)
     {
     }
@@ -86,7 +87,7 @@ public:
     WorstSample worstOf(std::uint32_t slot, ScannedPart part) const
     {
         const DelaunayTetrahedron& tetrahedron = mesh_.mesh()[slot];
-        const LiftedTetrahedron lifted(lattice_, grid_, tetrahedron);
+        const PhysicalTetrahedron lifted(lattice_, grid_, tetrahedron);
         LatticePlace first = lifted.first, last = lifted.last;
         if (part == ScannedPart::Limited)
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -105,7 +106,7 @@ public:
     }
 
 private:
-    void compare(const LiftedTetrahedron& lifted, const LatticePlace& place, WorstSample& worst) const
+    void compare(const PhysicalTetrahedron& lifted, const LatticePlace& place, WorstSample& worst) const
     {
         const PackedPoint point =
             lattice_.pack(static_cast<std::uint32_t>(place[0]), static_cast<std::uint32_t>(place[1]),
@@ -129,17 +130,17 @@ private:
     /// How far beyond its limit, 0 if not at all. What rounding alone makes is nothing.
     static double excessOf(double amount, double limit, double least)
     {
-        return amount > least && amount > limit * nearlyOneLifted ? amount / limit : 0;
+        return amount > least && amount > limit * nearlyOnePhysical ? amount / limit : 0;
     }
 
     const LocalDelaunay& mesh_;
     const PackedLattice& lattice_;
-    const LiftedGrid& grid_;
-    const LiftedLimits& limits_;
+    const CurvilinearGrid& grid_;
+    const CurvilinearLimits& limits_;
 };
 
 /// The cure of a flipped tetrahedron that may not stay so.
-std::optional<WorstSample> cureOf(const LocalDelaunay& mesh, std::uint32_t slot, const LiftedGrid& grid,
+std::optional<WorstSample> cureOf(const LocalDelaunay& mesh, std::uint32_t slot, const CurvilinearGrid& grid,
                                   const BlockDivision& blocks)
 {
     const DelaunayTetrahedron& tetrahedron = mesh.mesh()[slot];
@@ -178,11 +179,11 @@ std::optional<WorstSample> cureOf(const LocalDelaunay& mesh, std::uint32_t slot,
 
 } // namespace
 
-void scanLiftedSamples(const LocalDelaunay& mesh, std::span<const std::uint32_t> slots, const LiftedGrid& grid,
-                       const BlockDivision& blocks, const LiftedLimits& limits, ScannedPart part,
-                       std::vector<WorstSample>& worst)
+void scanCurvilinearSamples(const LocalDelaunay& mesh, std::span<const std::uint32_t> slots,
+                            const CurvilinearGrid& grid, const BlockDivision& blocks, const CurvilinearLimits& limits,
+                            ScannedPart part, std::vector<WorstSample>& worst)
 {
-    const LiftedScan scan(mesh, grid, limits);
+    const CurvilinearScan scan(mesh, grid, limits);
     for (const std::uint32_t slot : slots) {
         if (!(mesh.mesh()[slot].determinant() > 0))
             continue;

@@ -15,7 +15,7 @@ namespace tetra {
 
 /// How large error and warping may be at each point of a curvilinear grid, in its order: in units of the values and of
 /// length.
-struct LiftedLimits {
+struct CurvilinearLimits {
     std::vector<double> errors;
     std::vector<double> warpings;
     /// Elsewhere than in these points limits are the largest of all. Empty if first > last.
@@ -27,8 +27,8 @@ struct LiftedLimits {
 /// are looked at more than once), but for vertices, and appends the worst of each tetrahedron that has one whose error
 /// or warping is beyond its limit (R4, R5). Instead of that, for a tetrahedron that is flipped in physical space and
 /// may not stay so, its cure (S5), of infinite excess. What lies where and what is flipped is found exactly.
-void scanLiftedSamples(const LocalDelaunay& mesh, std::span<const std::uint32_t> slots, const LiftedGrid& grid,
-                       const BlockDivision& blocks, const LiftedLimits& limits, ScannedPart part,
-                       std::vector<WorstSample>& worst);
+void scanCurvilinearSamples(const LocalDelaunay& mesh, std::span<const std::uint32_t> slots,
+                            const CurvilinearGrid& grid, const BlockDivision& blocks, const CurvilinearLimits& limits,
+                            ScannedPart part, std::vector<WorstSample>& worst);
 
 } // namespace tetra

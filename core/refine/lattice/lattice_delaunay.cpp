@@ -285,14 +285,14 @@ TETRA_SIMD_CLONES void LatticeDelaunay::writeStar(PackedPoint point)
     const std::uint32_t* const slots = created_.data();
     const std::array<std::uint32_t, 3>* const corners = star_.corners().data();
     const std::array<std::uint32_t, 3>* const partners = star_.partners(created_, none).data();
-    const PackedPoint* const rim = star_.rim().data();
+    const PackedPoint* const link = star_.link().data();
     const Star::Face* const faces = star_.faces().data();
     const CavityFace* const cavityFaces = cavityFaces_.data();
     DelaunayTetrahedron* const tetrahedra = records();
     for (std::size_t i = 0; i < count; ++i) {
         const auto& [a, b, c] = corners[i];
         const CavityFace& face = cavityFaces[i];
-        tetrahedra[slots[i]] = {{point, rim[a], rim[b], rim[c]},
+        tetrahedra[slots[i]] = {{point, link[a], link[b], link[c]},
                                 {face.outside, partners[i][0], partners[i][1], partners[i][2]},
                                 faces[i].sphere};
         tetrahedra[static_cast<std::int32_t>(face.outside)].neighbours[face.outsideFace] = slots[i];

@@ -111,15 +111,15 @@ TETRA_SIMD_CLONES void BoxRefinement::fillBuckets(std::span<const std::uint32_t>
     filledFaces_.resize(slots.size());
     for (std::uint32_t face = 0; face < slots.size(); ++face) {
         filledFaces_[filledCount] = face;
-        filledCount += relocation_.count(face) > 0;
+        filledCount += redistribution_.count(face) > 0;
     }
     places_.resize(slots.size());
     for (const std::uint32_t face : std::span(filledFaces_).first(filledCount)) {
-        const std::uint32_t count = relocation_.count(face);
+        const std::uint32_t count = redistribution_.count(face);
         const std::uint32_t number = takeBucketNumber();
         PointBucket& bucket = buckets_[number];
-        bucket = {count, count > 1 ? pool_.allocate(count) : PointPool::nowhere, relocation_.worstPoint(face),
-                  relocation_.worstError(face), slots[face]};
+        bucket = {count, count > 1 ? pool_.allocate(count) : PointPool::nowhere, redistribution_.worstPoint(face),
+                  redistribution_.worstError(face), slots[face]};
         places_[face] = bucket.place;
         slots_[slots[face]].bucket = number;
         if (bucket.error > 0)
@@ -127,9 +127,9 @@ TETRA_SIMD_CLONES void BoxRefinement::fillBuckets(std::span<const std::uint32_t>
         if (counts(bucket.error))
             pointsAboveStop_ += count;
     }
-    const std::span<const std::int32_t> owners = relocation_.owners();
+    const std::span<const std::int32_t> owners = redistribution_.owners();
     for (std::size_t i = 0; i < owners.size(); ++i)
-        pool_.put(places_[static_cast<std::size_t>(owners[i])]++, relocation_.points()[i]);
+        pool_.put(places_[static_cast<std::size_t>(owners[i])]++, redistribution_.points()[i]);
 }
 
 /// Takes the points of the last insertion's cavity, without `apex`, and the history numbers of what it destroyed, and
@@ -217,10 +217,10 @@ Status BoxRefinement::insertWorst(PointBucket worst)
         starHistory_[face] = {{rimSites[corners[0]], rimSites[corners[1]], rimSites[corners[2]]}};
     }
     if (!points_.empty()) {
-        relocation_.run(lattice_, *samples_, star, points_);
+        redistribution_.run(lattice_, *samples_, star, points_);
         fillBuckets(created);
         for (std::size_t face = 0; face < created.size(); ++face)
-            starHistory_[face].error = relocation_.worstError(face);
+            starHistory_[face].error = redistribution_.worstError(face);
     }
     tetrahedronCount_ += star.faceCount();
     ++siteCount_;
@@ -291,9 +291,9 @@ Status BoxRefinement::distributeStart()
         startErrors_[slot] = 0;
         if (inside[slot].empty())
             continue;
-        relocation_.run(lattice_, *samples_, star, inside[slot]);
+        redistribution_.run(lattice_, *samples_, star, inside[slot]);
         fillBuckets({&slot, 1});
-        startErrors_[slot] = relocation_.worstError(0);
+        startErrors_[slot] = redistribution_.worstError(0);
         std::vector<PackedPoint>().swap(inside[slot]);
     }
     return {};

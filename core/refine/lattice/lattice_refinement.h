@@ -9,7 +9,7 @@
 #include "core/refine/lattice/lattice_samples.h"
 #include "core/refine/lattice/packed_lattice.h"
 #include "core/refine/lattice/point_pool.h"
-#include "core/refine/lattice/relocation.h"
+#include "core/refine/lattice/redistribution.h"
 
 #include <Eigen/Core>
 
@@ -116,7 +116,7 @@ private:
     ErrorQueue queue_;
     ReservedArray<SlotState> slots_;
     Star startStar_;
-    Relocation relocation_;
+    Redistribution redistribution_;
     std::uint64_t pointsAboveStop_ = 0; ///< points in tetrahedra that must still be refined: what is left to do
     std::uint32_t siteCount_ = 0;
     std::uint64_t tetrahedronCount_ = 0;

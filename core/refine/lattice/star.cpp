@@ -14,20 +14,21 @@ namespace tetra {
 
 namespace {
 
-constexpr std::size_t rimLanes = 4;
+constexpr std::size_t linkLanes = 4;
 
-/// x, y, z relative to the apex and the weighted square of each vertex, a few at a time and so up to rimLanes - 1
+/// x, y, z relative to the apex and the weighted square of each vertex, a few at a time and so up to linkLanes - 1
 /// beyond the last. Gives the largest absolute coordinate.
-TETRA_SIMD_CLONES double unpackRim(const PackedLattice& lattice, PackedPoint apex, const std::array<double, 3>& weights,
-                                   const PackedPoint* rim, std::size_t count, std::array<double, 4>* coordinates)
+TETRA_SIMD_CLONES double unpackLink(const PackedLattice& lattice, PackedPoint apex,
+                                    const std::array<double, 3>& weights, const PackedPoint* link, std::size_t count,
+                                    std::array<double, 4>* coordinates)
 {
     const PackedLattice local = lattice;
     const double weightX = weights[0], weightY = weights[1], weightZ = weights[2];
     const std::int32_t apexX = local.x(apex), apexY = local.y(apex), apexZ = local.z(apex);
     Int4 reach = {};
-    for (std::size_t i = 0; i < count; i += rimLanes) {
+    for (std::size_t i = 0; i < count; i += linkLanes) {
         Int4 packed, offsetX, offsetY, offsetZ;
-        std::memcpy(&packed, rim + i, sizeof packed);
+        std::memcpy(&packed, link + i, sizeof packed);
         local.unpack(packed, offsetX, offsetY, offsetZ);
         offsetX -= apexX;
         offsetY -= apexY;
@@ -50,15 +51,15 @@ TETRA_SIMD_CLONES double unpackRim(const PackedLattice& lattice, PackedPoint ape
     return 1.0 + static_cast<double>(reach[0] | reach[1] | reach[2] | reach[3]);
 }
 
-/// `rim` holds x, y, z and the weighted square of each vertex.
+/// `link` holds x, y, z and the weighted square of each vertex.
 TETRA_SIMD_CLONES void computeFaces(std::span<const std::array<std::uint32_t, 3>> corners,
-                                    const std::array<double, 4>* rim, Star::Face* faces)
+                                    const std::array<double, 4>* link, Star::Face* faces)
 {
     for (std::size_t i = 0; i < corners.size(); ++i) {
         Double4 a, b, c;
-        std::memcpy(&a, &rim[corners[i][0]], sizeof a);
-        std::memcpy(&b, &rim[corners[i][1]], sizeof b);
-        std::memcpy(&c, &rim[corners[i][2]], sizeof c);
+        std::memcpy(&a, &link[corners[i][0]], sizeof a);
+        std::memcpy(&b, &link[corners[i][1]], sizeof b);
+        std::memcpy(&c, &link[corners[i][2]], sizeof c);
         // A cross product is u.yzx * v.zxy - u.zxy * v.yzx; the fourth lanes cancel to 0.
         const Double4 aYzx = __builtin_shufflevector(a, a, 1, 2, 0, 3),
                       aZxy = __builtin_shufflevector(a, a, 2, 0, 1, 3);
@@ -85,34 +86,34 @@ Status Star::attach(const PackedLattice& lattice)
 {
     lattice_ = &lattice;
     // Stamps of another lattice in the same memory count as old ones.
-    rimStart_ += rimCount_;
-    rimCount_ = 0;
+    linkStart_ += linkCount_;
+    linkCount_ = 0;
     const auto& size = lattice.size();
     return marks_.ensure(std::uint64_t(size[0]) * size[1] * size[2], "the marks of the refinement's points");
 }
 
 /// Finds the distinct vertices of the faces. Without a branch on whether one is new, which nobody could predict.
-TETRA_SIMD_CLONES void Star::numberRim(std::span<const std::array<PackedPoint, 3>> faces)
+TETRA_SIMD_CLONES void Star::numberLink(std::span<const std::array<PackedPoint, 3>> faces)
 {
-    rimStart_ += rimCount_;
-    // After two thousand million rim vertices the stamps begin anew. Memory that was never written stays untaken.
-    if (rimStart_ > std::numeric_limits<std::uint32_t>::max() / 2) {
+    linkStart_ += linkCount_;
+    // After two thousand million link vertices the stamps begin anew. Memory that was never written stays untaken.
+    if (linkStart_ > std::numeric_limits<std::uint32_t>::max() / 2) {
         for (std::uint64_t i = 0; i < marks_.capacity(); ++i)
             if (marks_[i].stamp != 0)
                 marks_[i].stamp = 0;
-        rimStart_ = 0;
+        linkStart_ = 0;
     }
-    rim_.resize(3 * faces.size() + rimLanes);
-    labels_.resize(rim_.size());
+    link_.resize(3 * faces.size() + linkLanes);
+    labels_.resize(link_.size());
     corners_.resize(faces.size());
     indices_.resize(3 * faces.size());
     latticeIndices(*lattice_, {faces.data()->data(), 3 * faces.size()}, indices_.data());
     const std::uint32_t* index = indices_.data();
     Mark* const marks = marks_.data();
     std::uint32_t* const labels = labels_.data();
-    PackedPoint* const rim = rim_.data();
+    PackedPoint* const link = link_.data();
     std::array<std::uint32_t, 3>* const corners = corners_.data();
-    const std::uint32_t start = rimStart_ + 1;
+    const std::uint32_t start = linkStart_ + 1;
     std::uint32_t count = 0;
     for (std::size_t face = 0; face < faces.size(); ++face)
         for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -121,25 +122,25 @@ TETRA_SIMD_CLONES void Star::numberRim(std::span<const std::array<PackedPoint, 3
             const std::uint32_t known = mark.stamp;
             const bool isNew = known < start;
             const std::uint32_t place = isNew ? count : known - start;
-            rim[count] = point;
+            link[count] = point;
             labels[count] = mark.label;
             mark.stamp = start + place;
             corners[face][corner] = place;
             count += isNew;
         }
-    rimCount_ = count;
-    std::fill_n(rim + count, rimLanes, apex_);
+    linkCount_ = count;
+    std::fill_n(link + count, linkLanes, apex_);
 }
 
 void Star::set(PackedPoint apex, std::span<const std::array<PackedPoint, 3>> faces,
                const std::array<double, 3>& weights)
 {
     apex_ = apex;
-    numberRim(faces);
-    rimCoordinates_.resize(rimCount_ + rimLanes);
-    reach_ = unpackRim(*lattice_, apex, weights, rim_.data(), rimCount_, rimCoordinates_.data());
+    numberLink(faces);
+    linkCoordinates_.resize(linkCount_ + linkLanes);
+    reach_ = unpackLink(*lattice_, apex, weights, link_.data(), linkCount_, linkCoordinates_.data());
     faces_.resize(corners_.size());
-    computeFaces(corners_, rimCoordinates_.data(), faces_.data());
+    computeFaces(corners_, linkCoordinates_.data(), faces_.data());
 }
 
 /// An edge (u, v) of one face is (v, u) of its partner: note, then look up, without a branch.
@@ -164,17 +165,17 @@ TETRA_SIMD_CLONES std::span<const std::array<std::uint32_t, 3>> Star::partners(s
                                                                                std::uint32_t absent)
 {
     constexpr std::size_t usualStride = 32;
-    if (rimCount_ > edgeStride_) {
-        edgeStride_ = std::bit_ceil(std::max<std::size_t>(rimCount_, usualStride));
+    if (linkCount_ > edgeStride_) {
+        edgeStride_ = std::bit_ceil(std::max<std::size_t>(linkCount_, usualStride));
         edges_.assign(edgeStride_ * edgeStride_, absent);
     }
     partners_.resize(corners_.size());
-    const bool usual = rimCount_ <= usualStride;
+    const bool usual = linkCount_ <= usualStride;
     if (usual)
         linkFaces(names, std::integral_constant<std::size_t, usualStride>());
     else
         linkFaces(names, edgeStride_);
-    std::fill_n(edges_.data(), rimCount_ * (usual ? usualStride : edgeStride_), absent);
+    std::fill_n(edges_.data(), linkCount_ * (usual ? usualStride : edgeStride_), absent);
     return partners_;
 }
 
@@ -195,7 +196,7 @@ const std::array<float, 12>& normalsOf(const std::array<float, 12>& normals)
 /// The owners of `groups` times eight points from number `i`, which share the loading of the planes. Branch free: every
 /// face is tested.
 template <std::size_t groups, class Numbers, class Mask, class Face> [[gnu::always_inline]] inline void
-findOwnersAt(std::size_t i, std::span<const Face> faces, const ConePoints& points, std::int32_t* owners)
+findOwnersAt(std::size_t i, std::span<const Face> faces, const LocatedPoints& points, std::int32_t* owners)
 {
     const auto load = [i](Numbers& to, std::span<const float> from, std::size_t group) {
         Float8 numbers;
@@ -228,7 +229,7 @@ findOwnersAt(std::size_t i, std::span<const Face> faces, const ConePoints& point
 }
 
 TETRA_SIMD_CLONES void findOwnersFloat(std::span<const Star::Face> faces, std::array<float, 12>* planes,
-                                       const ConePoints& points, std::span<std::int32_t> owners)
+                                       const LocatedPoints& points, std::span<std::int32_t> owners)
 {
     for (std::size_t face = 0; face < faces.size(); ++face)
         for (std::size_t k = 0; k < 12; ++k)
@@ -241,7 +242,7 @@ TETRA_SIMD_CLONES void findOwnersFloat(std::span<const Star::Face> faces, std::a
         findOwnersAt<1, Float8, Int8>(i, narrow, points, owners.data());
 }
 
-TETRA_SIMD_CLONES void findOwnersDouble(std::span<const Star::Face> faces, const ConePoints& points,
+TETRA_SIMD_CLONES void findOwnersDouble(std::span<const Star::Face> faces, const LocatedPoints& points,
                                         std::span<std::int32_t> owners)
 {
     for (std::size_t i = 0; i < owners.size(); i += coneSearchLanes)
@@ -250,8 +251,8 @@ TETRA_SIMD_CLONES void findOwnersDouble(std::span<const Star::Face> faces, const
 
 } // namespace
 
-void findCones(const Star& star, const ConePoints& points, Buffer<std::array<float, 12>>& planes,
-               std::span<std::int32_t> owners)
+void locateInStar(const Star& star, const LocatedPoints& points, Buffer<std::array<float, 12>>& planes,
+                  std::span<std::int32_t> owners)
 {
     if (star.reach() <= exactReachOfFloat) {
         planes.resize(star.faceCount());

@@ -27,7 +27,7 @@ public:
     };
 
     /// `usedStamps` of the two thousand million that tell rims apart count as used already; the result is the same.
-    explicit Star(std::uint32_t usedStamps = 0) : rimStart_(usedStamps) {}
+    explicit Star(std::uint32_t usedStamps = 0) : linkStart_(usedStamps) {}
 
     /// Must come first; `lattice` must outlive the star. Error: refused memory.
     Status attach(const PackedLattice& lattice);
@@ -37,19 +37,19 @@ public:
 
     std::size_t faceCount() const noexcept { return corners_.size(); }
     PackedPoint apex() const noexcept { return apex_; }
-    /// The rim: the distinct vertices of the faces.
-    std::span<const PackedPoint> rim() const noexcept { return {rim_.data(), rimCount_}; }
-    /// What label() was given for each rim vertex.
-    std::span<const std::uint32_t> labels() const noexcept { return {labels_.data(), rimCount_}; }
-    /// Gives a point a number that labels() tells when it is on the rim.
+    /// The link: the distinct vertices of the faces.
+    std::span<const PackedPoint> link() const noexcept { return {link_.data(), linkCount_}; }
+    /// What label() was given for each link vertex.
+    std::span<const std::uint32_t> labels() const noexcept { return {labels_.data(), linkCount_}; }
+    /// Gives a point a number that labels() tells when it is on the link.
     void label(PackedPoint point, std::uint32_t number) { marks_[lattice_->index(point)].label = number; }
-    /// Fetches what is kept for a point that will probably be on the next rim.
+    /// Fetches what is kept for a point that will probably be on the next link.
     void prefetch(PackedPoint point) const { __builtin_prefetch(&marks_[lattice_->index(point)]); }
 
-    /// The three rim vertices a, b, c of each face, as positions in rim().
+    /// The three link vertices a, b, c of each face, as positions in link().
     std::span<const std::array<std::uint32_t, 3>> corners() const noexcept { return corners_; }
     std::span<const Face> faces() const noexcept { return faces_; }
-    /// A bound on the absolute coordinates of the rim, relative to the apex: less than twice the largest, if more
+    /// A bound on the absolute coordinates of the link, relative to the apex: less than twice the largest, if more
     /// than 1.
     double reach() const noexcept { return reach_; }
 
@@ -59,23 +59,23 @@ public:
 
 private:
     template <class Stride> void linkFaces(std::span<const std::uint32_t> names, Stride stride);
-    void numberRim(std::span<const std::array<PackedPoint, 3>> faces);
+    void numberLink(std::span<const std::array<PackedPoint, 3>> faces);
 
     const PackedLattice* lattice_ = nullptr;
     PackedPoint apex_ = 0;
     double reach_ = 0;
     struct Mark {
-        std::uint32_t stamp; ///< above rimStart_, by its position + 1, if the point is on the present rim
+        std::uint32_t stamp; ///< above linkStart_, by its position + 1, if the point is on the present link
         std::uint32_t label;
     };
     ReservedArray<Mark> marks_;
-    std::uint32_t rimStart_;
-    std::uint32_t rimCount_ = 0;
+    std::uint32_t linkStart_;
+    std::uint32_t linkCount_ = 0;
     Buffer<std::uint32_t> indices_;
-    Buffer<PackedPoint> rim_;
+    Buffer<PackedPoint> link_;
     Buffer<std::uint32_t> labels_;
     Buffer<std::array<std::uint32_t, 3>> corners_;
-    Buffer<std::array<double, 4>> rimCoordinates_;
+    Buffer<std::array<double, 4>> linkCoordinates_;
     Buffer<Face> faces_;
     Buffer<std::array<std::uint32_t, 3>> partners_;
     std::vector<std::uint32_t> edges_;
@@ -86,13 +86,13 @@ private:
 constexpr std::size_t coneSearchLanes = 8;
 
 /// The coordinates of points relative to a star's apex.
-struct ConePoints {
+struct LocatedPoints {
     std::span<const float> x, y, z;
 };
 
 /// owners[i] = the last face of the star whose cone, seen from the apex, contains point i. Exact: signs of integers, in
 /// floats where the star is small enough, else in doubles. Branch free, O(points * faces). `planes` is room to work in.
-void findCones(const Star& star, const ConePoints& points, Buffer<std::array<float, 12>>& planes,
-               std::span<std::int32_t> owners);
+void locateInStar(const Star& star, const LocatedPoints& points, Buffer<std::array<float, 12>>& planes,
+                  std::span<std::int32_t> owners);
 
 } // namespace tetra

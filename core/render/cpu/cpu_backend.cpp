@@ -295,7 +295,7 @@ private:
         statistics.orderReused = hasVolume(scene); // until a part needs a new one
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const auto share = [&](double part) { return (static_cast<double>(i) + part) / double(parts.size()); };
-            const KeptOrder::Request request{nullptr, camera, view, parts[i], options.orderTolerance};
+            const CachedOrder::Request request{nullptr, camera, view, parts[i], options.orderTolerance};
             if (Status status = orderCells(scene, request, progress.part(share(0), share(0.1)), statistics); !status)
                 return status.error();
             const PartView part{parts[i], partOf(transform, parts[i]), partOf(view, parts[i])};
@@ -309,7 +309,7 @@ private:
         return picture;
     }
 
-    Status orderCells(const Scene& scene, KeptOrder::Request request, const Progress& progress,
+    Status orderCells(const Scene& scene, CachedOrder::Request request, const Progress& progress,
                       RenderStatistics& statistics)
     {
         const auto start = std::chrono::steady_clock::now();
@@ -330,8 +330,8 @@ private:
         return status;
     }
 
-    KeptOrder order_;
-    KeptOrder fineOrder_;
+    CachedOrder order_;
+    CachedOrder fineOrder_;
     RenderStatistics statistics_;
 };
 

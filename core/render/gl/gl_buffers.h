@@ -106,7 +106,7 @@ struct VolumeBuffers {
     std::vector<CellChunk> chunks;
     std::size_t cells = 0;     ///< in all chunks
     std::size_t sentBytes = 0; ///< for them
-    KeptOrder order;           ///< that the chunks are in
+    CachedOrder order;         ///< that the chunks are in
     std::weak_ptr<const VolumeTransfer> transfer;
 };
 

@@ -106,7 +106,7 @@ Status makeLayers(const GlFunctions& gl, SampleTargets& targets)
     return checkComplete(gl);
 }
 
-Status HalfLight::prepare(int width, int height)
+Status MedianDepth::prepare(int width, int height)
 {
     current_ = 0;
     if (width == width_ && height == height_)
@@ -124,7 +124,7 @@ Status HalfLight::prepare(int width, int height)
     return {};
 }
 
-void HalfLight::bindStep(const GlProgram& program, const SampleTargets& targets, bool first) const
+void MedianDepth::bindStep(const GlProgram& program, const SampleTargets& targets, bool first) const
 {
     gl_.bindFramebuffer(gl::framebuffer, framebuffers_[1 - current_].name());
     program.use();
@@ -134,7 +134,7 @@ void HalfLight::bindStep(const GlProgram& program, const SampleTargets& targets,
     program.set("first", first ? 1 : 0);
 }
 
-std::vector<float> HalfLight::read() const
+std::vector<float> MedianDepth::read() const
 {
     const std::size_t samples = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
     std::vector<std::array<float, 2>> ranges(samples);

@@ -74,9 +74,9 @@ Status makeLayers(const GlFunctions& gl, SampleTargets& targets);
 /// drawn again and again, each time only up to the middle of the range that is left. Blending cannot tell a fragment
 /// how much light is left, so there is no way in one pass. The context must be current for everything; `gl` must
 /// outlive it.
-class HalfLight {
+class MedianDepth {
 public:
-    explicit HalfLight(const GlFunctions& gl) : gl_(gl) {}
+    explicit MedianDepth(const GlFunctions& gl) : gl_(gl) {}
 
     /// So often a range is halved: depths are exact to what floats tell apart.
     static constexpr int steps = 24;

@@ -56,7 +56,7 @@ private:
     std::optional<SurfacePainter> surfaces_;
     VolumePainter volume_;
     SampleTargets targets_;
-    HalfLight halfLight_{gl_};
+    MedianDepth medianDepth_{gl_};
     GlObject emptyVertexArray_;
     GlObject layerQuery_;
     GlObject fragmentQuery_;
@@ -231,24 +231,24 @@ Status ScenePainter::Implementation::drawTranslucent(bool withVolume, unsigned n
 Status ScenePainter::Implementation::findDepth(bool withVolume, const SampleView& view, const PictureOptions& options,
                                                const Progress& progress)
 {
-    if (Status status = halfLight_.prepare(view.width, view.height); !status)
+    if (Status status = medianDepth_.prepare(view.width, view.height); !status)
         return status;
     gl_.viewport(0, 0, view.width, view.height);
     const Progress silent = progress.withCallback({});
     const std::size_t fragments = statistics_.fragments;
-    for (int step = 0; step <= HalfLight::steps; ++step) {
+    for (int step = 0; step <= MedianDepth::steps; ++step) {
         setDrawingState(gl_);
         if (step > 0)
-            if (Status status = drawTranslucent(withVolume, halfLight_.nearest(), silent); !status)
+            if (Status status = drawTranslucent(withVolume, medianDepth_.nearest(), silent); !status)
                 return status;
         gl_.disable(gl::depthTest);
-        halfLight_.bindStep(*programs_.bisect, targets_, step == 0);
+        medianDepth_.bindStep(*programs_.bisect, targets_, step == 0);
         drawOverScreen();
-        halfLight_.stepDone();
-        progress.report(static_cast<double>(step) / HalfLight::steps, drawingScene);
+        medianDepth_.stepDone();
+        progress.report(static_cast<double>(step) / MedianDepth::steps, drawingScene);
     }
     statistics_.fragments = fragments;
-    std::vector<float> depths = halfLight_.read();
+    std::vector<float> depths = medianDepth_.read();
     depth_ = pixelDepths(depths, view, options.samplesPerAxis);
     return {};
 }

@@ -43,7 +43,7 @@ public:
 
     /// Of the last picture.
     RenderStatistics statistics() const noexcept;
-    /// Picture::depth of the last picture, if it was wanted. It takes HalfLight::steps times as long as the picture.
+    /// Picture::depth of the last picture, if it was wanted. It takes MedianDepth::steps times as long as the picture.
     /// Where a hybrid's order is WithCell, too, depths are those of Exact.
     std::vector<float> takeDepth() noexcept;
 

@@ -53,7 +53,7 @@ std::vector<VolumePart> partsOf(const std::optional<RegionInView>& region)
 {
     using Place = VolumePart::Place;
     if (!region)
-        return {{Place::Whole}};
+        return {{Place::BigInteger}};
     std::vector<VolumePart> parts;
     const auto addLayer = [&](Place place, bool fine, float begin, float end) {
         const float first = std::max(0.0f, begin), last = std::min(1.0f, end);
@@ -143,7 +143,7 @@ std::vector<Eigen::Vector4f> cutsOf(const std::vector<ClipPlane>& planes, const 
 
 } // namespace
 
-Status VolumePainter::prepareBuffers(const Volume& volume, const KeptOrder::Request& order, int threads,
+Status VolumePainter::prepareBuffers(const Volume& volume, const CachedOrder::Request& order, int threads,
                                      const Progress& progress, DrawnVolume& drawn)
 {
     const Result<VolumeBuffers*> kept = drawn.kept.buffersOf(volume.mesh);
@@ -179,7 +179,7 @@ Status VolumePainter::prepareVolume(const Volume& volume, const SampleView& view
     drawn.segments = scaleSegments(volume.transfer->segments, view_.unit);
     drawn.buffers = nullptr;
     fillSegments(gl_, drawn.segments, drawn.segmentBuffer);
-    const KeptOrder::Request order{
+    const CachedOrder::Request order{
         volume.mesh, view.camera, view_, {0, 0, view.width, view.height}, options.orderTolerance};
     return prepareBuffers(volume, order, options.threads, progress, drawn);
 }

@@ -30,8 +30,8 @@ RegionInView regionInView(const FocusVolume& focus, const VolumeView& view);
 
 /// A part of each ray, of one of the two volumes. The numbers of places are those of focus.frag.
 struct VolumePart {
-    enum class Place { Whole, Before, FrontBorder, Within, BackBorder, Behind };
-    Place place = Place::Whole;
+    enum class Place { BigInteger, Before, FrontBorder, Within, BackBorder, Behind };
+    Place place = Place::BigInteger;
     bool fine = false;
     Eigen::Vector2f shares{0, 1}; ///< of the way through the border on one side, where the part begins and ends
 };
@@ -100,8 +100,8 @@ private:
 
     Status prepareVolume(const Volume& volume, const SampleView& view, const PictureOptions& options,
                          const Progress& progress, DrawnVolume& drawn);
-    Status prepareBuffers(const Volume& volume, const KeptOrder::Request& order, int threads, const Progress& progress,
-                          DrawnVolume& drawn);
+    Status prepareBuffers(const Volume& volume, const CachedOrder::Request& order, int threads,
+                          const Progress& progress, DrawnVolume& drawn);
     void setUniforms(const GlProgram& program) const;
     void setVolume(const GlProgram& program, const DrawnVolume& volume) const;
     Status drawPart(const PainterPrograms& programs, const SampleTargets& targets, const VolumeLayers& layers,

@@ -93,7 +93,7 @@ TETRA_SIMD_16 CrossedTetrahedron* findSixteenAtOnce(std::span<const CrossedCorne
 
 } // namespace
 
-VertexSides::VertexSides(std::span<const float> values, double isovalue) : bytes_(values.size() + padding)
+VertexSigns::VertexSigns(std::span<const float> values, double isovalue) : bytes_(values.size() + padding)
 {
     const float threshold = smallestInside(isovalue);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, values.size(), 1 << 15), [&](const auto& range) {
@@ -102,7 +102,7 @@ VertexSides::VertexSides(std::span<const float> values, double isovalue) : bytes
     std::fill_n(bytes_.end() - padding, padding, std::uint8_t(0));
 }
 
-CrossedTetrahedron* findCrossed(std::span<const CrossedCorners> tetrahedra, std::size_t first, const VertexSides& sides,
+CrossedTetrahedron* findCrossed(std::span<const CrossedCorners> tetrahedra, std::size_t first, const VertexSigns& sides,
                                 CrossedTetrahedron* found)
 {
 #if defined(TETRA_SIMD_16)

@@ -12,10 +12,10 @@ namespace tetra {
 
 /// Which vertices are inside a surface: those whose value is at least its isovalue (S16). A byte each, four times
 /// smaller than the values, so that more of them are in the cache.
-class VertexSides {
+class VertexSigns {
 public:
     /// O(values), on all threads. May throw std::bad_alloc.
-    VertexSides(std::span<const float> values, double isovalue);
+    VertexSigns(std::span<const float> values, double isovalue);
 
     std::size_t size() const noexcept { return bytes_.size() - padding; }
     /// 1 for each vertex inside, 0 for the others; after the last one come `padding` bytes more that may be read.
@@ -36,7 +36,7 @@ inline constexpr std::size_t crossedTetrahedronRoom = 16;
 /// Finds the tetrahedra that have corners on both sides, in order; the first one is number `first` of its run. `found`
 /// has room for all of them and crossedTetrahedronRoom more. Returns the end of what it found. O(tetrahedra).
 CrossedTetrahedron* findCrossed(std::span<const std::array<std::uint32_t, 4>> tetrahedra, std::size_t first,
-                                const VertexSides& sides, CrossedTetrahedron* found);
+                                const VertexSigns& sides, CrossedTetrahedron* found);
 
 /// How an isosurface crosses a tetrahedron: the corners of a triangle (3) or of a quadrilateral (4) in order, each on
 /// the edge between an inside and an outside corner of the tetrahedron. Seen from outside they run counterclockwise.

@@ -2,7 +2,7 @@
 #include "core/render/isosurface/isosurface.h"
 
 #include "core/base/simd.h"
-#include "core/render/isosurface/surface_runs.h"
+#include "core/render/isosurface/surface_chunks.h"
 
 #include <Eigen/Geometry>
 #include <tbb/parallel_for.h>
@@ -22,8 +22,8 @@ namespace {
 template <class Visit> void forEachCorner(const TetrahedralMesh& mesh, Visit&& visit)
 {
     const std::size_t count = mesh.tetrahedra.size();
-    tbb::parallel_for(std::size_t(0), (count + surfaceRunSize - 1) / surfaceRunSize, [&](std::size_t run) {
-        for (std::size_t t = run * surfaceRunSize; t < std::min(count, (run + 1) * surfaceRunSize); ++t)
+    tbb::parallel_for(std::size_t(0), (count + surfaceChunkSize - 1) / surfaceChunkSize, [&](std::size_t run) {
+        for (std::size_t t = run * surfaceChunkSize; t < std::min(count, (run + 1) * surfaceChunkSize); ++t)
             for (const std::uint32_t vertex : mesh.tetrahedra[t])
                 visit(vertex, static_cast<std::uint32_t>(run));
     });
@@ -62,10 +62,10 @@ TETRA_SIMD_CLONES void renumber(const Triangle* triangles, std::size_t count, co
             renumbered[i][corner] = numbers[triangles[i][corner]];
 }
 
-Buffer<Triangle> joinTriangles(std::span<const SurfaceRun> runs, const SurfaceVertices& vertices)
+Buffer<Triangle> joinTriangles(std::span<const SurfaceChunk> runs, const SurfaceVertices& vertices)
 {
     std::vector<std::size_t> first(1, 0);
-    for (const SurfaceRun& run : runs)
+    for (const SurfaceChunk& run : runs)
         first.push_back(first.back() + run.triangles.size());
     Buffer<Triangle> triangles(first.back());
     tbb::parallel_for(std::size_t(0), runs.size(), [&](std::size_t run) {
@@ -93,11 +93,11 @@ Result<TriangleMesh> extract(const TetrahedralMesh& mesh, const IsosurfaceIndex*
                              std::span<const Eigen::Vector3f> gradients, double isovalue, const Progress& progress)
 {
     progress.report(0, extractingIsosurface);
-    const std::vector<SurfaceRun> runs = makeSurfaceRuns(mesh, index, isovalue, progress);
+    const std::vector<SurfaceChunk> runs = makeSurfaceChunks(mesh, index, isovalue, progress);
     if (progress.cancelled())
         return cancelledError(extractingIsosurface);
     std::uint64_t edges = 0;
-    for (const SurfaceRun& run : runs)
+    for (const SurfaceChunk& run : runs)
         edges += run.edges.size();
     if (edges > largestRunEdgeCount)
         return Error{ErrorKind::OutOfResource, "The isosurface has more than four thousand million vertices. Lower the "

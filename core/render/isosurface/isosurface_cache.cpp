@@ -56,14 +56,14 @@ bool isUsable(const Isovalue& isovalue)
 
 } // namespace
 
-IsosurfaceSet::IsosurfaceSet(std::shared_ptr<OrderedMesh> mesh) : mesh_(std::move(mesh)) {}
+IsosurfaceCache::IsosurfaceCache(std::shared_ptr<OrderedMesh> mesh) : mesh_(std::move(mesh)) {}
 
-IsosurfaceSet::IsosurfaceSet(std::shared_ptr<const TetrahedralMesh> mesh)
+IsosurfaceCache::IsosurfaceCache(std::shared_ptr<const TetrahedralMesh> mesh)
     : mesh_(std::make_shared<OrderedMesh>(std::move(mesh)))
 {
 }
 
-Status IsosurfaceSet::chooseMesh(const Progress& progress)
+Status IsosurfaceCache::chooseMesh(const Progress& progress)
 {
     if (index_)
         return {};
@@ -81,13 +81,13 @@ Status IsosurfaceSet::chooseMesh(const Progress& progress)
     return {};
 }
 
-Result<TriangleMesh> IsosurfaceSet::extract(double isovalue, const Progress& progress) const
+Result<TriangleMesh> IsosurfaceCache::extract(double isovalue, const Progress& progress) const
 {
     return index_ ? extractIsosurface(*chosen_, *index_, gradients_, isovalue, progress)
                   : extractIsosurface(*chosen_, gradients_, isovalue, progress);
 }
 
-Status IsosurfaceSet::extractMissing(std::span<const Isovalue> isovalues, const Progress& progress)
+Status IsosurfaceCache::extractMissing(std::span<const Isovalue> isovalues, const Progress& progress)
 {
     std::vector<double> missing;
     for (const Isovalue& isovalue : isovalues)
@@ -118,7 +118,7 @@ Status IsosurfaceSet::extractMissing(std::span<const Isovalue> isovalues, const 
     return failure.status();
 }
 
-Result<std::vector<Surface>> IsosurfaceSet::update(std::span<const Isovalue> isovalues, const Progress& progress)
+Result<std::vector<Surface>> IsosurfaceCache::update(std::span<const Isovalue> isovalues, const Progress& progress)
 try {
     if (!std::ranges::all_of(isovalues, isUsable))
         return Error{ErrorKind::WrongUsage, "An isovalue must be a finite number, and its opacity between 0 and 1."};

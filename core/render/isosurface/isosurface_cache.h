@@ -20,10 +20,10 @@ namespace tetra {
 /// of each isovalue for as long as the value is in the list: to change a colour, an opacity or the visibility extracts
 /// nothing. From its second extraction on it takes the mesh in spatial order with an index, which are not worth their
 /// time for one alone, or from the first if the mesh is in that order already. Used from one thread at a time.
-class IsosurfaceSet {
+class IsosurfaceCache {
 public:
-    explicit IsosurfaceSet(std::shared_ptr<OrderedMesh> mesh);
-    explicit IsosurfaceSet(std::shared_ptr<const TetrahedralMesh> mesh);
+    explicit IsosurfaceCache(std::shared_ptr<OrderedMesh> mesh);
+    explicit IsosurfaceCache(std::shared_ptr<const TetrahedralMesh> mesh);
 
     /// The surfaces of the isovalues that are seen, in their order. Extracts what is missing, all at once on all
     /// threads. What was finished before a cancellation or an error is kept. Errors: an isovalue that is no number or

@@ -18,7 +18,7 @@ namespace tetra {
 namespace {
 
 constexpr std::size_t cellsFacedAtOnce = 1 << 12;
-constexpr std::size_t facingLanes = 8;
+constexpr std::size_t classificationLanes = 8;
 
 /// A position that loads at once.
 struct alignas(16) PaddedPosition {
@@ -33,8 +33,8 @@ template <class Lanes> struct Vectors {
 TETRA_SIMD_INLINE void loadCorner(const PaddedPosition* positions, const std::array<std::uint32_t, 4>* cells,
                                   std::size_t corner, Vectors<Float8>& vectors)
 {
-    Float4 rows[facingLanes];
-    for (std::size_t lane = 0; lane < facingLanes; ++lane)
+    Float4 rows[classificationLanes];
+    for (std::size_t lane = 0; lane < classificationLanes; ++lane)
         std::memcpy(&rows[lane], &positions[cells[lane][corner]], sizeof rows[lane]);
     Float8 unused;
     transpose(rows, vectors.x, vectors.y, vectors.z, unused);
@@ -158,8 +158,8 @@ bool allKnown(std::uint64_t facing)
 }
 
 /// The facing of a cell, some faces of which are not known yet.
-std::uint8_t exactFacing(const std::array<std::uint32_t, 4>& cell, const PaddedPosition* positions,
-                         const std::array<double, 3>& from, double perspective, unsigned known)
+std::uint8_t exactClass(const std::array<std::uint32_t, 4>& cell, const PaddedPosition* positions,
+                        const std::array<double, 3>& from, double perspective, unsigned known)
 {
     using Point = std::array<double, 3>;
     for (unsigned face = 0; face < 4; ++face) {
@@ -188,18 +188,18 @@ TETRA_SIMD_INLINE void faceEight(const std::array<std::uint32_t, 4>* cells, cons
     faceEight<Float8>(corners, eye, perspective, 1e-6f, quick);
     Byte8 bytes = __builtin_convertvector(quick, Byte8);
     std::uint64_t known = 0;
-    std::memcpy(&known, &bytes, facingLanes);
-    std::memcpy(facing, &known, facingLanes);
+    std::memcpy(&known, &bytes, classificationLanes);
+    std::memcpy(facing, &known, classificationLanes);
     if (allKnown(known))
         return;
     Long8 sure;
     faceEight<Double8>(corners, eye, perspective, 1e-14, sure);
     bytes = __builtin_convertvector(sure, Byte8);
-    std::memcpy(&known, &bytes, facingLanes);
-    std::memcpy(facing, &known, facingLanes);
+    std::memcpy(&known, &bytes, classificationLanes);
+    std::memcpy(facing, &known, classificationLanes);
     if (!allKnown(known))
-        for (std::size_t lane = 0; lane < facingLanes; ++lane)
-            facing[lane] = exactFacing(cells[lane], positions, {eye[0], eye[1], eye[2]}, perspective, facing[lane]);
+        for (std::size_t lane = 0; lane < classificationLanes; ++lane)
+            facing[lane] = exactClass(cells[lane], positions, {eye[0], eye[1], eye[2]}, perspective, facing[lane]);
 }
 
 /// `count` at least 8 cells.
@@ -208,8 +208,9 @@ TETRA_SIMD_CLONES void faceCells(const std::array<std::uint32_t, 4>* cells, std:
                                  std::uint8_t* facing)
 {
     const double from[3] = {eye[0], eye[1], eye[2]}; // no byte of it can be one of `facing`
-    for (std::size_t first = 0; first < count; first += facingLanes) {
-        const std::size_t start = std::min(first, count - facingLanes); // the last eight may overlap those before
+    for (std::size_t first = 0; first < count; first += classificationLanes) {
+        const std::size_t start =
+            std::min(first, count - classificationLanes); // the last eight may overlap those before
         faceEight(cells + start, positions, from, perspective, facing + start);
     }
 }
@@ -226,18 +227,18 @@ Buffer<PaddedPosition> paddedPositions(const TetrahedralMesh& mesh)
 
 } // namespace
 
-Buffer<std::uint8_t> faceFacing(const TetrahedralMesh& mesh, const EyePoint& eye)
+Buffer<std::uint8_t> classifyFaces(const TetrahedralMesh& mesh, const EyePoint& eye)
 {
     const Buffer<PaddedPosition> positions = paddedPositions(mesh);
     const auto& cells = mesh.tetrahedra;
     const double perspective = eye.perspective ? 1 : 0;
     Buffer<std::uint8_t> facing(cells.size());
-    if (cells.size() < facingLanes) {
-        std::array<std::array<std::uint32_t, 4>, facingLanes> padded{};
-        std::array<std::uint8_t, facingLanes> bits{};
+    if (cells.size() < classificationLanes) {
+        std::array<std::array<std::uint32_t, 4>, classificationLanes> padded{};
+        std::array<std::uint8_t, classificationLanes> bits{};
         std::ranges::copy(cells, padded.begin());
         if (!cells.empty())
-            faceCells(padded.data(), facingLanes, positions.data(), eye.place.data(), perspective, bits.data());
+            faceCells(padded.data(), classificationLanes, positions.data(), eye.place.data(), perspective, bits.data());
         std::copy_n(bits.begin(), facing.size(), facing.begin());
         return facing;
     }

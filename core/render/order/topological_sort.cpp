@@ -109,7 +109,7 @@ void findStates(std::span<const std::uint8_t> states, std::uint8_t least, std::u
 
 } // namespace
 
-CellTaking::CellTaking(const HidingGraph& graph, OrderEnd end)
+TopologicalSort::TopologicalSort(const OcclusionGraph& graph, OrderEnd end)
     : adjacency_(&graph.adjacency), relations_(graph.relations, graph.cellCount(), end), states_(graph.cellCount()),
       cells_(graph.cellCount()), end_(graph.cellCount())
 {
@@ -122,7 +122,7 @@ CellTaking::CellTaking(const HidingGraph& graph, OrderEnd end)
     findStates(states_, 0, oneHolder, [&](std::uint32_t cell) { cells_[free_++] = cell; });
 }
 
-void CellTaking::take(std::size_t most)
+void TopologicalSort::take(std::size_t most)
 {
     while (taken_ < std::min(most, free_)) {
         const std::span batch = std::span(cells_).subspan(taken_, std::min({batchSize, most - taken_, free_ - taken_}));
@@ -133,7 +133,7 @@ void CellTaking::take(std::size_t most)
     }
 }
 
-void CellTaking::releaseHeldBy(std::span<const std::uint32_t> batch)
+void TopologicalSort::releaseHeldBy(std::span<const std::uint32_t> batch)
 {
     std::array<std::uint32_t, 4 * batchSize + 3> held;
     const std::size_t count =
@@ -148,7 +148,7 @@ void CellTaking::releaseHeldBy(std::span<const std::uint32_t> batch)
 }
 
 /// Each of these cells has one holder less. Those that are free by that come to the front of `cells`; without a branch.
-void CellTaking::release(std::span<std::uint32_t> cells)
+void TopologicalSort::release(std::span<std::uint32_t> cells)
 {
     CellState* const states = states_.data(); // else read anew after each state, which could be any byte
     std::size_t freed = 0;
@@ -162,7 +162,7 @@ void CellTaking::release(std::span<std::uint32_t> cells)
     free_ += freed;
 }
 
-void CellTaking::leave(std::span<const std::uint32_t> cells)
+void TopologicalSort::leave(std::span<const std::uint32_t> cells)
 {
     // What is free is held back for the moment, so that it may be left like the others.
     std::vector<std::uint32_t> waiting(cells_.data() + taken_, cells_.data() + free_);
@@ -183,14 +183,14 @@ void CellTaking::leave(std::span<const std::uint32_t> cells)
     free_ = taken_ + waiting.size();
 }
 
-std::vector<std::uint32_t> CellTaking::held() const
+std::vector<std::uint32_t> TopologicalSort::held() const
 {
     std::vector<std::uint32_t> cells;
     findStates(states_, oneHolder, beyondHeld, [&](std::uint32_t cell) { cells.push_back(cell); });
     return cells;
 }
 
-void CellTaking::restrictTo(std::span<const std::uint32_t> cells)
+void TopologicalSort::restrictTo(std::span<const std::uint32_t> cells)
 {
     std::vector<CellState> kept;
     for (const std::uint32_t cell : cells)
@@ -203,7 +203,7 @@ void CellTaking::restrictTo(std::span<const std::uint32_t> cells)
     free_ -= std::ranges::remove_if(waiting, [&](std::uint32_t cell) { return states_[cell] >= oneHolder; }).size();
 }
 
-void CellTaking::free(std::uint32_t cell)
+void TopologicalSort::free(std::uint32_t cell)
 {
     states_[cell] |= never;
     cells_[free_++] = cell;

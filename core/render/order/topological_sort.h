@@ -48,9 +48,9 @@ private:
 };
 
 /// What hides what, from an eye. Refers to what it is made of.
-struct HidingGraph {
+struct OcclusionGraph {
     const FaceAdjacency& adjacency;
-    std::span<const std::uint8_t> facing; ///< faceFacing() of the cells
+    std::span<const std::uint8_t> facing; ///< classifyFaces() of the cells
     std::span<const CellRelation> relations;
 
     std::size_t cellCount() const noexcept { return facing.size(); }
@@ -61,10 +61,10 @@ struct HidingGraph {
 /// ends together there is little that is taken twice. Cells that hide each other in a circle, and what they hold back,
 /// never become free. Two takings of one graph share nothing that changes: they may run at the same time. Keeps the
 /// adjacency, but does not keep it alive; five bytes a cell, and what relations need.
-class CellTaking {
+class TopologicalSort {
 public:
     /// O(cells + relations). May throw std::bad_alloc.
-    CellTaking(const HidingGraph& graph, OrderEnd end);
+    TopologicalSort(const OcclusionGraph& graph, OrderEnd end);
 
     /// Takes cells until there are `most` of them in all, or until none is free. O(cells taken).
     void take(std::size_t most);

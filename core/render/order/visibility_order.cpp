@@ -28,7 +28,7 @@ double distanceOf(const TetrahedralMesh& mesh, std::uint32_t cell, const EyePoin
 
 /// When cycles hold back what is not taken: what lies behind all of them comes last, and in order; of the rest the
 /// nearest cell is taken each time that none is free. How often that was.
-std::size_t breakCycles(const TetrahedralMesh& mesh, const EyePoint& eye, CellTaking& front, CellTaking& back)
+std::size_t breakCycles(const TetrahedralMesh& mesh, const EyePoint& eye, TopologicalSort& front, TopologicalSort& back)
 {
     const std::size_t all = mesh.tetrahedra.size();
     const std::size_t before = back.taken().size();
@@ -56,11 +56,11 @@ std::size_t breakCycles(const TetrahedralMesh& mesh, const EyePoint& eye, CellTa
 VisibilityOrder orderByAdjacency(const TetrahedralMesh& mesh, const FaceAdjacency& adjacency, const EyePoint& eye,
                                  std::span<const CellRelation> relations)
 {
-    const Buffer<std::uint8_t> facing = faceFacing(mesh, eye);
-    const HidingGraph graph{adjacency, facing, relations};
+    const Buffer<std::uint8_t> facing = classifyFaces(mesh, eye);
+    const OcclusionGraph graph{adjacency, facing, relations};
     const std::size_t all = graph.cellCount();
-    std::optional<CellTaking> front, back;
-    const auto takeFrom = [&graph](OrderEnd end, std::optional<CellTaking>& cells, std::size_t most) {
+    std::optional<TopologicalSort> front, back;
+    const auto takeFrom = [&graph](OrderEnd end, std::optional<TopologicalSort>& cells, std::size_t most) {
         cells.emplace(graph, end);
         cells->take(most);
     };

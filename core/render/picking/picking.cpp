@@ -14,39 +14,39 @@ namespace tetra {
 
 namespace {
 
-constexpr SightPart emptyPart{1, 0};
+constexpr PickingInterval emptyPart{1, 0};
 
 /// Where the line has normal . place >= offset.
-SightPart partBeyond(const SightLine& line, const Eigen::Vector3d& normal, double offset)
+PickingInterval partBeyond(const PickingRay& line, const Eigen::Vector3d& normal, double offset)
 {
     const double slope = normal.dot(line.direction);
     const double missing = offset - normal.dot(line.origin);
     if (slope == 0)
-        return missing <= 0 ? SightPart{} : emptyPart;
-    SightPart part;
+        return missing <= 0 ? PickingInterval{} : emptyPart;
+    PickingInterval part;
     (slope > 0 ? part.from : part.to) = missing / slope;
     return part;
 }
 
 } // namespace
 
-SightPart common(const SightPart& one, const SightPart& other)
+PickingInterval common(const PickingInterval& one, const PickingInterval& other)
 {
     return {std::max(one.from, other.from), std::min(one.to, other.to)};
 }
 
-SightPart shownPart(const SightLine& line, std::span<const ClipPlane> planes)
+PickingInterval shownPart(const PickingRay& line, std::span<const ClipPlane> planes)
 {
-    SightPart part;
+    PickingInterval part;
     part.from = line.nearest;
     for (const ClipPlane& plane : planes)
         part = common(part, partBeyond(line, plane.normal, plane.offset));
     return part;
 }
 
-SightPart partWithin(const SightLine& line, const Box& box)
+PickingInterval partWithin(const PickingRay& line, const Box& box)
 {
-    SightPart part;
+    PickingInterval part;
     for (int axis = 0; axis < 3; ++axis) {
         const Eigen::Vector3d normal = Eigen::Vector3d::Unit(axis);
         part = common(part, partBeyond(line, normal, box.least[axis]));
@@ -55,7 +55,7 @@ SightPart partWithin(const SightLine& line, const Box& box)
     return part;
 }
 
-SightPart partWithin(const SightLine& line, const Sphere& sphere)
+PickingInterval partWithin(const PickingRay& line, const Sphere& sphere)
 {
     const Eigen::Vector3d toCentre = sphere.centre - line.origin;
     const double middle = toCentre.dot(line.direction);
@@ -72,13 +72,13 @@ constexpr double sameCrossing = 1e-9;
 
 /// Where a line passes through a triangle.
 struct TriangleCrossing {
-    double at;   ///< of SightLine
+    double at;   ///< of PickingRay
     double u, v; ///< weights of the second and the third corner
     bool front;  ///< the line comes from where the corners are seen counterclockwise
 };
 
 /// From either side (Möller and Trumbore).
-std::optional<TriangleCrossing> crossing(const SightLine& line, const std::array<Eigen::Vector3d, 3>& corners)
+std::optional<TriangleCrossing> crossing(const PickingRay& line, const std::array<Eigen::Vector3d, 3>& corners)
 {
     const Eigen::Vector3d one = corners[1] - corners[0];
     const Eigen::Vector3d other = corners[2] - corners[0];
@@ -112,8 +112,8 @@ bool isSame(const SurfaceCrossing& one, const SurfaceCrossing& other)
 
 } // namespace
 
-std::vector<SurfaceCrossing> surfaceCrossings(const std::vector<Surface>& surfaces, const SightLine& line,
-                                              const SightPart& part)
+std::vector<SurfaceCrossing> surfaceCrossings(const std::vector<Surface>& surfaces, const PickingRay& line,
+                                              const PickingInterval& part)
 {
     std::vector<SurfaceCrossing> crossings;
     for (std::size_t surface = 0; surface < surfaces.size(); ++surface) {
@@ -143,7 +143,7 @@ constexpr std::size_t cellsPerCheck = 1 << 16; ///< for a cancellation
 
 /// What a line has of a cell.
 struct RayInterval {
-    SightPart part;
+    PickingInterval part;
     double valueAtStart = 0;
     double valueAtEnd = 0;
 };
@@ -151,7 +151,7 @@ struct RayInterval {
 /// Coordinates in which the line is the third axis.
 class LineFrame {
 public:
-    explicit LineFrame(const SightLine& line) : line_(line)
+    explicit LineFrame(const PickingRay& line) : line_(line)
     {
         right_ = line.direction.unitOrthogonal();
         up_ = line.direction.cross(right_);
@@ -161,7 +161,7 @@ public:
     double along(const Eigen::Vector3d& place) const { return line_.direction.dot(place - line_.origin); }
 
 private:
-    const SightLine& line_;
+    const PickingRay& line_;
     Eigen::Vector3d right_, up_;
 };
 
@@ -176,7 +176,7 @@ bool allOnOneSide(const Four& numbers)
 /// Where the line passes through the faces of a cell that is seen along it. Nothing if it passes beside, or touches.
 std::optional<RayInterval> passageOf(const Four& right, const Four& up, const Four& along, const Four& values)
 {
-    RayInterval passage{{SightPart{}.to, SightPart{}.from}, 0, 0};
+    RayInterval passage{{PickingInterval{}.to, PickingInterval{}.from}, 0, 0};
     for (const auto& face : cornersOfFace) {
         std::array<double, 3> weights{};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -204,7 +204,7 @@ std::optional<RayInterval> passageOf(const Four& right, const Four& up, const Fo
 }
 
 /// Within a part of the line alone.
-std::optional<RayInterval> clippedInterval(const RayInterval& whole, const SightPart& part)
+std::optional<RayInterval> clippedInterval(const RayInterval& whole, const PickingInterval& part)
 {
     RayInterval passage = whole;
     passage.part = common(whole.part, part);
@@ -219,7 +219,7 @@ std::optional<RayInterval> clippedInterval(const RayInterval& whole, const Sight
     return passage;
 }
 
-std::vector<RayInterval> passagesAlong(const TetrahedralMesh& mesh, const SightLine& line, const SightPart& part,
+std::vector<RayInterval> passagesAlong(const TetrahedralMesh& mesh, const PickingRay& line, const PickingInterval& part,
                                        const Progress& progress)
 {
     const LineFrame frame(line);
@@ -261,7 +261,7 @@ double extinctionAt(const TransferSegment& segment, double value)
 }
 
 /// One slab for each segment that the values of the passage lie in, in the order in which the line meets them.
-void addSlabs(std::vector<SightSlab>& slabs, const RayInterval& passage, const std::vector<TransferSegment>& segments)
+void addSlabs(std::vector<PickingSlab>& slabs, const RayInterval& passage, const std::vector<TransferSegment>& segments)
 {
     const double rise = passage.valueAtEnd - passage.valueAtStart;
     const auto [least, largest] = std::minmax(passage.valueAtStart, passage.valueAtEnd);
@@ -273,7 +273,7 @@ void addSlabs(std::vector<SightSlab>& slabs, const RayInterval& passage, const s
             continue;
         const double low = std::max(least, here.begin), high = std::min(largest, here.end);
         const double start = rise < 0 ? high : low, end = rise < 0 ? low : high;
-        SightPart part = passage.part;
+        PickingInterval part = passage.part;
         if (rise != 0) {
             const double length = part.to - part.from;
             part = {passage.part.from + (start - passage.valueAtStart) / rise * length,
@@ -288,8 +288,8 @@ void addSlabs(std::vector<SightSlab>& slabs, const RayInterval& passage, const s
 
 } // namespace
 
-std::vector<SightSlab> slabsAlong(const Volume& volume, const SightLine& line, const SightPart& part,
-                                  const Progress& progress)
+std::vector<PickingSlab> slabsAlong(const Volume& volume, const PickingRay& line, const PickingInterval& part,
+                                    const Progress& progress)
 {
     if (part.isEmpty())
         return {};
@@ -297,7 +297,7 @@ std::vector<SightSlab> slabsAlong(const Volume& volume, const SightLine& line, c
     std::ranges::sort(passages, {}, [](const RayInterval& passage) { return passage.part.from; });
     const auto doubled = std::ranges::unique(passages, isSameInterval);
     passages.erase(doubled.begin(), doubled.end());
-    std::vector<SightSlab> slabs;
+    std::vector<PickingSlab> slabs;
     for (const RayInterval& passage : passages)
         addSlabs(slabs, passage, volume.transfer->segments);
     return slabs;
@@ -311,7 +311,7 @@ constexpr double leastShare = 1.0 / 255;
 /// What is left of the light on its way, and who has taken most so far.
 class LightOnItsWay {
 public:
-    explicit LightOnItsWay(const SightLine& line) : line_(line) {}
+    explicit LightOnItsWay(const PickingRay& line) : line_(line) {}
 
     void passSurface(const SurfaceCrossing& crossing, double opacity)
     {
@@ -320,7 +320,7 @@ public:
         light_ *= 1 - opacity;
     }
 
-    void passSlab(const SightSlab& slab)
+    void passSlab(const PickingSlab& slab)
     {
         const double length = slab.part.to - slab.part.from;
         const double rise = (slab.extinctionAtEnd - slab.extinctionAtStart) / length;
@@ -342,7 +342,7 @@ public:
     }
 
 private:
-    void compare(const SightSlab& slab, double within, double rise)
+    void compare(const PickingSlab& slab, double within, double rise)
     {
         const double depth = within * (slab.extinctionAtStart + rise * within / 2);
         const double taken = light_ * (slab.extinctionAtStart + rise * within) * std::exp(-depth);
@@ -353,7 +353,7 @@ private:
         volume_.value = std::lerp(slab.valueAtStart, slab.valueAtEnd, within / (slab.part.to - slab.part.from));
     }
 
-    const SightLine& line_;
+    const PickingRay& line_;
     double light_ = 1;
     double mostTaken_ = 0; ///< on a unit of length
     SeenPlace surface_;
@@ -361,7 +361,7 @@ private:
 };
 
 /// Where the fine volume counts for at least a half.
-SightPart partInFocus(const FocusVolume& focus, const SightLine& line)
+PickingInterval partInFocus(const FocusVolume& focus, const PickingRay& line)
 {
     const double margin = focus.border / 2;
     if (const auto* sphere = std::get_if<Sphere>(&focus.region))
@@ -371,27 +371,27 @@ SightPart partInFocus(const FocusVolume& focus, const SightLine& line)
     return partWithin(line, Box{box.least - more, box.largest + more});
 }
 
-std::vector<SightSlab> slabsOf(const Scene& scene, const SightLine& line, const SightPart& shown,
-                               const Progress& progress)
+std::vector<PickingSlab> slabsOf(const Scene& scene, const PickingRay& line, const PickingInterval& shown,
+                                 const Progress& progress)
 {
     if (!scene.volume)
         return {};
-    const SightPart focused = scene.focus ? partInFocus(*scene.focus, line) : SightPart{1, 0};
+    const PickingInterval focused = scene.focus ? partInFocus(*scene.focus, line) : PickingInterval{1, 0};
     if (focused.isEmpty())
         return slabsAlong(*scene.volume, line, shown, progress);
-    const SightPart before{shown.from, std::min(shown.to, focused.from)};
-    const SightPart behind{std::max(shown.from, focused.to), shown.to};
-    std::vector<SightSlab> slabs = slabsAlong(*scene.volume, line, before, progress);
+    const PickingInterval before{shown.from, std::min(shown.to, focused.from)};
+    const PickingInterval behind{std::max(shown.from, focused.to), shown.to};
+    std::vector<PickingSlab> slabs = slabsAlong(*scene.volume, line, before, progress);
     std::ranges::copy(slabsAlong(scene.focus->fine, line, common(shown, focused), progress), std::back_inserter(slabs));
     std::ranges::copy(slabsAlong(*scene.volume, line, behind, progress), std::back_inserter(slabs));
     return slabs;
 }
 
 /// What of a slab lies before a place, and what is left of it behind.
-SightSlab takeBefore(SightSlab& slab, double place)
+PickingSlab takeBefore(PickingSlab& slab, double place)
 {
     const double share = (place - slab.part.from) / (slab.part.to - slab.part.from);
-    SightSlab before = slab;
+    PickingSlab before = slab;
     before.part.to = slab.part.from = place;
     before.valueAtEnd = slab.valueAtStart = std::lerp(slab.valueAtStart, slab.valueAtEnd, share);
     before.extinctionAtEnd = slab.extinctionAtStart = std::lerp(slab.extinctionAtStart, slab.extinctionAtEnd, share);
@@ -400,13 +400,13 @@ SightSlab takeBefore(SightSlab& slab, double place)
 
 } // namespace
 
-std::optional<SeenPlace> seenPlace(const Scene& scene, const SightLine& line, const Progress& progress)
+std::optional<SeenPlace> seenPlace(const Scene& scene, const PickingRay& line, const Progress& progress)
 {
-    const SightPart shown = shownPart(line, scene.clipPlanes);
+    const PickingInterval shown = shownPart(line, scene.clipPlanes);
     if (shown.isEmpty())
         return std::nullopt;
     const std::vector<SurfaceCrossing> crossings = surfaceCrossings(scene.surfaces, line, shown);
-    std::vector<SightSlab> slabs = slabsOf(scene, line, shown, progress);
+    std::vector<PickingSlab> slabs = slabsOf(scene, line, shown, progress);
     if (progress.cancelled())
         return std::nullopt;
     LightOnItsWay light(line);

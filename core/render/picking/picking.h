@@ -15,7 +15,7 @@
 namespace tetra {
 
 /// A line of sight: at(t) is the farther from the viewer the larger t, a length in the units of the dataset.
-struct SightLine {
+struct PickingRay {
     Eigen::Vector3d origin{0, 0, 0};
     Eigen::Vector3d direction{0, 0, 1};                        ///< of unit length
     double nearest = -std::numeric_limits<double>::infinity(); ///< what is nearer lies behind the eye
@@ -24,7 +24,7 @@ struct SightLine {
 };
 
 /// What lies between two places of a line of sight.
-struct SightPart {
+struct PickingInterval {
     double from = -std::numeric_limits<double>::infinity();
     double to = std::numeric_limits<double>::infinity();
 
@@ -33,31 +33,31 @@ struct SightPart {
 };
 
 /// What both have.
-SightPart common(const SightPart& one, const SightPart& other);
+PickingInterval common(const PickingInterval& one, const PickingInterval& other);
 
 /// What is before the eye and left by the clip planes.
-SightPart shownPart(const SightLine& line, std::span<const ClipPlane> planes);
+PickingInterval shownPart(const PickingRay& line, std::span<const ClipPlane> planes);
 
 /// Where the line passes through a box or a sphere; empty if it does not.
-SightPart partWithin(const SightLine& line, const Box& box);
-SightPart partWithin(const SightLine& line, const Sphere& sphere);
+PickingInterval partWithin(const PickingRay& line, const Box& box);
+PickingInterval partWithin(const PickingRay& line, const Sphere& sphere);
 
 /// Where a line of sight passes through a surface.
 struct SurfaceCrossing {
-    double at = 0;           ///< of SightLine
+    double at = 0;           ///< of PickingRay
     std::size_t surface = 0; ///< of Scene::surfaces
     double value = 0;        ///< of the field there, if the surface tells
 };
 
 /// The crossings with what is drawn of the surfaces within `part`, the nearest first. Where the line meets an edge of a
 /// surface's triangles it passes through the surface once. O(triangles).
-std::vector<SurfaceCrossing> surfaceCrossings(const std::vector<Surface>& surfaces, const SightLine& line,
-                                              const SightPart& part);
+std::vector<SurfaceCrossing> surfaceCrossings(const std::vector<Surface>& surfaces, const PickingRay& line,
+                                              const PickingInterval& part);
 
 /// A piece of a line of sight in which value and extinction go in a straight line from one end to the other: what a ray
 /// has of a cell and of a segment of the transfer function.
-struct SightSlab {
-    SightPart part;
+struct PickingSlab {
+    PickingInterval part;
     double valueAtStart = 0;
     double valueAtEnd = 0;
     double extinctionAtStart = 0; ///< per unit of length of the dataset
@@ -66,8 +66,8 @@ struct SightSlab {
 
 /// All of a volume within `part`, the nearest first, those that nothing is seen of left out. O(cells), and a logarithm
 /// for each that is met. What was found so far if cancelled.
-std::vector<SightSlab> slabsAlong(const Volume& volume, const SightLine& line, const SightPart& part,
-                                  const Progress& progress = {});
+std::vector<PickingSlab> slabsAlong(const Volume& volume, const PickingRay& line, const PickingInterval& part,
+                                    const Progress& progress = {});
 
 /// What one sees along a line of sight, and where.
 struct SeenPlace {
@@ -86,6 +86,6 @@ struct SeenPlace {
 /// Nothing where less than 1/255 of the light is taken, as nothing is seen there. Unlike the largest jump of the
 /// opacity (A. Wiebel et al., "WYSIWYP: What You See Is What You Pick", 2012) it needs no smoothing of a sampled curve.
 /// O(triangles + cells). Nothing if cancelled. May throw std::bad_alloc.
-std::optional<SeenPlace> seenPlace(const Scene& scene, const SightLine& line, const Progress& progress = {});
+std::optional<SeenPlace> seenPlace(const Scene& scene, const PickingRay& line, const Progress& progress = {});
 
 } // namespace tetra

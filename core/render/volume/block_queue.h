@@ -85,7 +85,7 @@ template <class Lanes> struct BlockTest {
 /// Blocks are first found and then shaded, many at a time: whether a block is covered is hard to predict, and a wrong
 /// guess costs as much as half the shading.
 /// `lanes`: how many rays the machine does at a time, 4, 8 or 16.
-template <bool perspective, Extras extras, int lanes> class BlockQueue {
+template <bool perspective, KernelFeatures extras, int lanes> class BlockQueue {
 public:
     TETRA_SIMD_INLINE BlockQueue(const TileShading& shading, SampleBlock* blocks, int columns)
         : shading_(shading), blocks_(blocks), columns_(columns)
@@ -127,7 +127,7 @@ public:
         int i = 0;
         while (i < count_) {
             const CoveredBlock* next = queue_ + i;
-            if constexpr (extras == Extras::All)
+            if constexpr (extras == KernelFeatures::All)
                 if (next->meets != nullptr) {
                     shadeWithSurfaces(*next);
                     ++i;
@@ -135,7 +135,7 @@ public:
                 }
             if constexpr (lanes == 16)
                 if (i + 1 < count_ && next[0].cell == next[1].cell &&
-                    (extras != Extras::All || next[1].meets == nullptr)) {
+                    (extras != KernelFeatures::All || next[1].meets == nullptr)) {
                     shadeTwo<perspective, extras>(next[0], next[1], shading_.segments, shading_.depth);
                     i += 2;
                     continue;
@@ -178,7 +178,7 @@ private:
             BlockLimits* limits = nullptr;
             Float8 nearest = Float8{} + shading_.nearestBound;
             Float8 firstBack = now[3];
-            if constexpr (extras == Extras::All)
+            if constexpr (extras == KernelFeatures::All)
                 if (shading_.limits != nullptr) {
                     limits = shading_.limits + (block - blocks_);
                     nearest = limits->front;
@@ -207,7 +207,7 @@ private:
             next.slope = now[6];
             next.block = block;
             next.cell = &cell;
-            if constexpr (extras == Extras::All)
+            if constexpr (extras == KernelFeatures::All)
                 next.meets = limits != nullptr && meetsSurface(next, limits->next) ? limits : nullptr;
             count_ += covers ? 1 : 0;
             for (int i = 0; i < 7; ++i)
@@ -233,7 +233,7 @@ private:
     CoveredBlock queue_[capacity + 1];
 };
 
-template <bool perspective, Extras extras, int lanes> TETRA_SIMD_INLINE std::size_t
+template <bool perspective, KernelFeatures extras, int lanes> TETRA_SIMD_INLINE std::size_t
 drawCellsBy(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks, int columns)
 {
     BlockQueue<perspective, extras, lanes> queue(shading, blocks, columns);
@@ -245,19 +245,19 @@ drawCellsBy(std::span<const CellSetup> cells, const TileShading& shading, Sample
 }
 
 /// Each kernel is a function of its own for each instruction set: compilers take long over large ones.
-template <bool perspective, Extras extras>
+template <bool perspective, KernelFeatures extras>
 std::size_t drawByFours(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks, int columns)
 {
     return drawCellsBy<perspective, extras, 4>(cells, shading, blocks, columns);
 }
 
 #if defined(TETRA_SIMD_16)
-template <bool perspective, Extras extras> TETRA_SIMD_8 std::size_t
+template <bool perspective, KernelFeatures extras> TETRA_SIMD_8 std::size_t
 drawByEights(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks, int columns)
 {
     return drawCellsBy<perspective, extras, 8>(cells, shading, blocks, columns);
 }
-template <bool perspective, Extras extras> TETRA_SIMD_16 std::size_t
+template <bool perspective, KernelFeatures extras> TETRA_SIMD_16 std::size_t
 drawBySixteens(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks, int columns)
 {
     return drawCellsBy<perspective, extras, 16>(cells, shading, blocks, columns);
@@ -265,7 +265,7 @@ drawBySixteens(std::span<const CellSetup> cells, const TileShading& shading, Sam
 #endif
 
 /// By as many rays at a time as the machine can do.
-template <bool perspective, Extras extras> std::size_t
+template <bool perspective, KernelFeatures extras> std::size_t
 drawOnThisMachine(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks, int columns)
 {
 #if defined(TETRA_SIMD_16)
@@ -277,8 +277,8 @@ drawOnThisMachine(std::span<const CellSetup> cells, const TileShading& shading, 
     return drawByFours<perspective, extras>(cells, shading, blocks, columns);
 }
 
-template <Extras extras> std::size_t drawCellsWith(std::span<const CellSetup> cells, const TileShading& shading,
-                                                   SampleBlock* blocks, int columns)
+template <KernelFeatures extras> std::size_t drawCellsWith(std::span<const CellSetup> cells, const TileShading& shading,
+                                                           SampleBlock* blocks, int columns)
 {
     return shading.perspective ? drawOnThisMachine<true, extras>(cells, shading, blocks, columns)
                                : drawOnThisMachine<false, extras>(cells, shading, blocks, columns);

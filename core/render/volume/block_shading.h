@@ -78,7 +78,7 @@ struct CoveredBlock {
 };
 
 /// What is drawn beside the cells' own slabs.
-enum class Extras {
+enum class KernelFeatures {
     None,
     Depth,
     All, ///< depth, surfaces, clip planes, light
@@ -107,22 +107,22 @@ TETRA_SIMD_INLINE void store(SampleBlock& block, Float8 red, Float8 green, Float
     block.light = light;
 }
 
-template <bool perspective, Extras extras>
+template <bool perspective, KernelFeatures extras>
 TETRA_SIMD_INLINE void shadeOne(const CoveredBlock& covered, const ScaledSegment* segments, bool depth)
 {
     SampleBlock& block = *covered.block;
     CellRays<Float8> rays = {covered.front, covered.back, covered.slope, block.ray, {}, {}};
     Gathered<Float8> gathered = {block.red, block.green, block.blue, block.light};
     shade<perspective>(rays, *covered.cell, segments, gathered);
-    if constexpr (extras == Extras::All)
+    if constexpr (extras == KernelFeatures::All)
         if (covered.cell->perGradient > 0)
             relight<perspective>(gathered, {block.red, block.green, block.blue, block.light}, rays, *covered.cell);
-    if (extras == Extras::Depth || (extras == Extras::All && depth))
+    if (extras == KernelFeatures::Depth || (extras == KernelFeatures::All && depth))
         keepDepth(block, 0, gathered.light, rays.enter, rays.leave);
     store(block, gathered.red, gathered.green, gathered.blue, gathered.light);
 }
 
-template <bool perspective, Extras extras>
+template <bool perspective, KernelFeatures extras>
 TETRA_SIMD_INLINE void shadeHalves(const CoveredBlock& covered, const ScaledSegment* segments, bool depth)
 {
     SampleBlock& block = *covered.block;
@@ -136,11 +136,11 @@ TETRA_SIMD_INLINE void shadeHalves(const CoveredBlock& covered, const ScaledSegm
     Gathered<Float4> gathered[2] = {before[0], before[1]};
     for (int half = 0; half < 2; ++half) {
         shade<perspective>(rays[half], *covered.cell, segments, gathered[half]);
-        if constexpr (extras == Extras::All)
+        if constexpr (extras == KernelFeatures::All)
             if (covered.cell->perGradient > 0)
                 relight<perspective>(gathered[half], before[half], rays[half], *covered.cell);
     }
-    if (extras == Extras::Depth || (extras == Extras::All && depth))
+    if (extras == KernelFeatures::Depth || (extras == KernelFeatures::All && depth))
         keepDepth(block, 0, whole(gathered[0].light, gathered[1].light), whole(rays[0].enter, rays[1].enter),
                   whole(rays[0].leave, rays[1].leave));
     store(block, whole(gathered[0].red, gathered[1].red), whole(gathered[0].green, gathered[1].green),
@@ -160,8 +160,8 @@ TETRA_SIMD_INLINE Float8 highHalf(Float16 lanes)
     return __builtin_shufflevector(lanes, lanes, 8, 9, 10, 11, 12, 13, 14, 15);
 }
 
-/// Two blocks of one cell. `depth`: whether it is wanted, of Extras::All.
-template <bool perspective, Extras extras> TETRA_SIMD_INLINE void
+/// Two blocks of one cell. `depth`: whether it is wanted, of KernelFeatures::All.
+template <bool perspective, KernelFeatures extras> TETRA_SIMD_INLINE void
 shadeTwo(const CoveredBlock& one, const CoveredBlock& other, const ScaledSegment* segments, bool depth)
 {
     SampleBlock &a = *one.block, &b = *other.block;
@@ -174,13 +174,13 @@ shadeTwo(const CoveredBlock& one, const CoveredBlock& other, const ScaledSegment
     Gathered<Float16> gathered = {joined(a.red, b.red), joined(a.green, b.green), joined(a.blue, b.blue),
                                   joined(a.light, b.light)};
     shade<perspective>(rays, *one.cell, segments, gathered);
-    if constexpr (extras == Extras::All)
+    if constexpr (extras == KernelFeatures::All)
         if (one.cell->perGradient > 0)
             relight<perspective>(
                 gathered,
                 {joined(a.red, b.red), joined(a.green, b.green), joined(a.blue, b.blue), joined(a.light, b.light)},
                 rays, *one.cell);
-    if (extras == Extras::Depth || (extras == Extras::All && depth)) {
+    if (extras == KernelFeatures::Depth || (extras == KernelFeatures::All && depth)) {
         keepDepth(a, 0, lowHalf(gathered.light), lowHalf(rays.enter), lowHalf(rays.leave));
         keepDepth(b, 0, highHalf(gathered.light), highHalf(rays.enter), highHalf(rays.leave));
     }

@@ -68,7 +68,7 @@ std::vector<HullFace> facesInPicture(std::span<const std::array<std::uint32_t, 4
 }
 
 /// The faces of each tile.
-std::vector<std::vector<std::uint32_t>> dealFaces(const std::vector<HullFace>& faces, const TileGrid& grid)
+std::vector<std::vector<std::uint32_t>> binFaces(const std::vector<HullFace>& faces, const TileGrid& grid)
 {
     std::vector<std::vector<std::uint32_t>> tiles(grid.count());
     const TileFinder finder(grid);
@@ -216,7 +216,7 @@ std::vector<CellRelation> boundaryRelations(std::span<const std::array<std::uint
                                             const VolumeView& view, const TileGrid& grid, const Progress& progress)
 {
     const std::vector<HullFace> faces = facesInPicture(tetrahedra, adjacency, projected, view);
-    const auto facesOfTiles = dealFaces(faces, grid);
+    const auto facesOfTiles = binFaces(faces, grid);
     tbb::enumerable_thread_specific<std::vector<CellRelation>> found;
     tbb::enumerable_thread_specific<TileRelations> workers([&] { return TileRelations(faces, projected, view); });
     tbb::parallel_for(std::size_t(0), grid.count(), [&](std::size_t tile) {

@@ -219,14 +219,14 @@ constexpr std::string_view preparingVolume = "Preparing the volume";
 
 } // namespace
 
-VolumeMaker::VolumeMaker(std::shared_ptr<OrderedMesh> mesh) : tetrahedra_(std::move(mesh)) {}
+VolumeCache::VolumeCache(std::shared_ptr<OrderedMesh> mesh) : tetrahedra_(std::move(mesh)) {}
 
-VolumeMaker::VolumeMaker(std::shared_ptr<const TetrahedralMesh> mesh)
+VolumeCache::VolumeCache(std::shared_ptr<const TetrahedralMesh> mesh)
     : tetrahedra_(std::make_shared<OrderedMesh>(std::move(mesh)))
 {
 }
 
-Status VolumeMaker::makeMesh(const Progress& progress)
+Status VolumeCache::makeMesh(const Progress& progress)
 {
     if (mesh_)
         return {};
@@ -240,7 +240,7 @@ Status VolumeMaker::makeMesh(const Progress& progress)
     return {};
 }
 
-Status VolumeMaker::makeTransfer(const TransferFunction& function)
+Status VolumeCache::makeTransfer(const TransferFunction& function)
 {
     if (transfer_ && function_ == function)
         return {};
@@ -252,7 +252,7 @@ Status VolumeMaker::makeTransfer(const TransferFunction& function)
     return {};
 }
 
-Result<Volume> VolumeMaker::update(const TransferFunction& function, bool shaded, const Progress& progress)
+Result<Volume> VolumeCache::update(const TransferFunction& function, bool shaded, const Progress& progress)
 {
     progress.report(0, preparingVolume);
     if (progress.cancelled())

@@ -66,10 +66,10 @@ Eigen::AlignedBox3d drawnBounds(const Scene& scene);
 
 /// Makes volumes of one mesh for a transfer function that changes: the mesh is put in spatial order and made ready
 /// once, the function when it is another one. Used from one thread at a time.
-class VolumeMaker {
+class VolumeCache {
 public:
-    explicit VolumeMaker(std::shared_ptr<OrderedMesh> mesh);
-    explicit VolumeMaker(std::shared_ptr<const TetrahedralMesh> mesh);
+    explicit VolumeCache(std::shared_ptr<OrderedMesh> mesh);
+    explicit VolumeCache(std::shared_ptr<const TetrahedralMesh> mesh);
 
     /// Errors: those of inSpatialOrder(), makeVolumeMesh() and makeVolumeTransfer(), cancelled.
     Result<Volume> update(const TransferFunction& function, bool shaded, const Progress& progress = {});

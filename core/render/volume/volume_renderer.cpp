@@ -126,7 +126,7 @@ Result<VolumePicture> drawVolume(const VolumeMesh& mesh, const VolumeTransfer& t
     });
 }
 
-bool KeptOrder::fits(const Request& request) const
+bool CachedOrder::fits(const Request& request) const
 {
     if (request.mesh->mesh->tetrahedra.size() != order_.cells.size() || mesh_.lock() != request.mesh)
         return false;
@@ -140,7 +140,7 @@ bool KeptOrder::fits(const Request& request) const
     return orderDrift(request.mesh->bounds, camera_, request.camera) <= request.tolerance;
 }
 
-Status KeptOrder::prepare(const Request& request, const Progress& progress)
+Status CachedOrder::prepare(const Request& request, const Progress& progress)
 {
     reused_ = fits(request);
     if (reused_)

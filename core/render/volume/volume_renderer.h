@@ -66,7 +66,7 @@ Result<VolumePicture> drawVolume(const VolumeMesh& mesh, const VolumeTransfer& t
 
 /// The visibility order of the last picture, kept for the next one of the same mesh (S14). Does not keep the mesh
 /// alive. Used from one thread at a time.
-class KeptOrder {
+class CachedOrder {
 public:
     /// What an order is wanted for.
     struct Request {

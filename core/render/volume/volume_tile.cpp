@@ -10,8 +10,8 @@ std::size_t drawCells(std::span<const CellSetup> cells, const TileShading& shadi
     if (shading.extras)
         return drawCellsWithExtras(cells, shading, blocks, columns);
     if (shading.depth)
-        return drawCellsWith<Extras::Depth>(cells, shading, blocks, columns);
-    return drawCellsWith<Extras::None>(cells, shading, blocks, columns);
+        return drawCellsWith<KernelFeatures::Depth>(cells, shading, blocks, columns);
+    return drawCellsWith<KernelFeatures::None>(cells, shading, blocks, columns);
 }
 
 } // namespace tetra

@@ -6,7 +6,7 @@ namespace tetra {
 std::size_t drawCellsWithExtras(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks,
                                 int columns)
 {
-    return drawCellsWith<Extras::All>(cells, shading, blocks, columns);
+    return drawCellsWith<KernelFeatures::All>(cells, shading, blocks, columns);
 }
 
 void drawSurfacesBehind(const TileShading& shading, std::size_t lane, SampleBlock& block, BlockLimits& limits)

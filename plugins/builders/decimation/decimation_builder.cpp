@@ -213,8 +213,8 @@ Result<BuildReport> DecimationBuilder::build(const Dataset& dataset, const Param
         return result.error();
     BuildReport report{history.sites(), history.tetrahedra(), 0, 0};
     if (isGrid) {
-        const LiftedSigns signs =
-            finest > 0 ? liftedSigns(dataset, history.mesh()) : liftedSigns(dataset, mesh.tetrahedra);
+        const PhysicalSigns signs =
+            finest > 0 ? physicalSigns(dataset, history.mesh()) : physicalSigns(dataset, mesh.tetrahedra);
         report.inverted = signs.inverted;
         report.degenerate = signs.degenerate;
     }

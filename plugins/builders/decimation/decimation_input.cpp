@@ -72,14 +72,14 @@ DecimationMesh DecimationInput::mesh() const
     return mesh;
 }
 
-LiftedSigns liftedSigns(const Dataset& dataset, std::span<const std::array<std::uint32_t, 4>> tetrahedra)
+PhysicalSigns physicalSigns(const Dataset& dataset, std::span<const std::array<std::uint32_t, 4>> tetrahedra)
 {
     const auto at = [&](std::uint32_t point) {
         const Eigen::Vector3d& position = (*dataset.positions)[point];
         return std::array<double, 3>{position.x(), position.y(), position.z()};
     };
     const int right = isLeftHanded(dataset) ? -1 : 1;
-    LiftedSigns signs;
+    PhysicalSigns signs;
     for (const auto& corners : tetrahedra) {
         const int sign = orientationSign(at(corners[0]), at(corners[1]), at(corners[2]), at(corners[3]));
         signs.inverted += sign == -right ? 1 : 0;

@@ -36,12 +36,12 @@ private:
 };
 
 /// How tetrahedra that are positive where they were made lie in physical space.
-struct LiftedSigns {
+struct PhysicalSigns {
     std::uint64_t inverted = 0;   ///< turned over (S5): against the side that most of the grid's cells turn to
     std::uint64_t degenerate = 0; ///< without volume (S6)
 };
 
 /// Of a curvilinear dataset; exact. O(tetrahedra).
-LiftedSigns liftedSigns(const Dataset& dataset, std::span<const std::array<std::uint32_t, 4>> tetrahedra);
+PhysicalSigns physicalSigns(const Dataset& dataset, std::span<const std::array<std::uint32_t, 4>> tetrahedra);
 
 } // namespace tetra

@@ -2,7 +2,7 @@
 #include "plugins/builders/refinement/disk_need.h"
 
 #include "core/base/text.h"
-#include "core/history/planned_model_writer.h"
+#include "core/history/fixed_size_writer.h"
 
 #include <algorithm>
 #include <limits>
@@ -12,9 +12,9 @@ namespace tetra {
 DiskNeed diskNeed(const RunTotals& expected, SampleType type) noexcept
 {
     constexpr std::uint64_t mostSites = std::numeric_limits<std::uint32_t>::max();
-    const PlannedCounts counts{static_cast<std::uint32_t>(std::min(expected.sites, mostSites)), expected.tetrahedra};
+    const FixedCounts counts{static_cast<std::uint32_t>(std::min(expected.sites, mostSites)), expected.tetrahedra};
     const std::uint64_t siteNumbers = expected.sites * sizeof(std::uint32_t);
-    return {PlannedModelWriter::expectedBytes(counts, type, expected.points), expected.fileBytes + siteNumbers};
+    return {FixedSizeModelWriter::expectedBytes(counts, type, expected.points), expected.fileBytes + siteNumbers};
 }
 
 std::string textOf(const DiskNeed& need)

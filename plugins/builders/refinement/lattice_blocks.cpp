@@ -64,8 +64,8 @@ private:
     std::string told_;
 };
 
-Result<PlannedCounts> makeAndMerge(const Dataset& dataset, LatticeRunsOptions options, const LatticeBlocks& blocks,
-                                   const BuildTarget& target, const Progress& progress)
+Result<FixedCounts> makeAndMerge(const Dataset& dataset, LatticeRunsOptions options, const LatticeBlocks& blocks,
+                                 const BuildTarget& target, const Progress& progress)
 {
     DiskCheck disk(target.workFolder, dataset.values.type());
     options.check = [&](const RunTotals& soFar, const RunTotals& expected) { return disk.check(soFar, expected); };
@@ -76,7 +76,7 @@ Result<PlannedCounts> makeAndMerge(const Dataset& dataset, LatticeRunsOptions op
     });
     if (!made)
         return made.error();
-    const PlannedModelOpener open = [&](const PlannedCounts& counts) {
+    const PlannedModelOpener open = [&](const FixedCounts& counts) {
         return target.planned(counts, {{"block", std::to_string(blocks.cells)}});
     };
     return mergeRuns(runs, target.workFolder, open, progress.part(refinedShare, 1));
@@ -98,7 +98,7 @@ Result<BuildReport> buildLatticeInBlocks(const Dataset& dataset, const LatticeBl
     options.box.stopError = blocks.stopError;
     options.reuseIntact = target.resume;
     options.samplesIntact = [&dataset] { return dataset.checkIntact(); };
-    const Result<PlannedCounts> counts = makeAndMerge(dataset, options, blocks, target, progress);
+    const Result<FixedCounts> counts = makeAndMerge(dataset, options, blocks, target, progress);
     if (!counts)
         return counts.error();
     return BuildReport{counts->sites, counts->tetrahedra, 0, 0};

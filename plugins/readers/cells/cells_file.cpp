@@ -23,10 +23,10 @@ Error unknownArray(const std::string& name, const std::vector<FileArray>& arrays
 {
     std::string names;
     for (const FileArray& array : arrays)
-        names += (names.empty() ? "" : ", ") + shownText(array.name);
+        names += (names.empty() ? "" : ", ") + printable(array.name);
     if (names.empty())
         return {ErrorKind::BadInput, "it has no values, of points or of cells."};
-    return {ErrorKind::WrongUsage, "it has no array '" + shownText(name) + "'. There are: " + names + "."};
+    return {ErrorKind::WrongUsage, "it has no array '" + printable(name) + "'. There are: " + names + "."};
 }
 
 } // namespace tetra

@@ -102,7 +102,7 @@ Result<Dataset> CellsReader::read(const std::filesystem::path& path, const Param
     const auto made = [&](Result<CellsFile> file) -> Result<Dataset> {
         if (!file)
             return file.error();
-        const std::string array = file->arrayName.empty() ? "" : ", " + shownText(file->arrayName);
+        const std::string array = file->arrayName.empty() ? "" : ", " + printable(file->arrayName);
         return irregularDataset(file->complex, file->values,
                                 {.name = path.filename().string() + array, .path = path, .hash = 0},
                                 progress.part(readingShare, 1));

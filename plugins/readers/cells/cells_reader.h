@@ -6,7 +6,7 @@
 namespace tetra {
 
 /// Reads meshes of cells into irregular datasets (R1): VTK XML unstructured grids (.vtu) and AVS UCD in text (.inp),
-/// without a library of others. What irregularDataset() mends is among the remarks.
+/// without a library of others. What irregularDataset() repairs is among the remarks.
 class CellsReader : public Reader {
 public:
     std::vector<std::string> nameFilters() const override;

@@ -20,7 +20,7 @@ constexpr std::uint64_t mostPacking = 1032;
 
 Error wrong(const VtuArray& array, const std::string& what)
 {
-    return {ErrorKind::BadInput, "the array '" + shownText(array.name) + "' " + what + "."};
+    return {ErrorKind::BadInput, "the array '" + printable(array.name) + "' " + what + "."};
 }
 
 struct NumberType {
@@ -168,7 +168,7 @@ template <class Number> Result<std::vector<Number>> readText(const VtuArray& arr
         text.remove_prefix(word.size());
         const auto number = parseNumber<Number>(word);
         if (!number)
-            return wrong(array, "has '" + shownText(word.substr(0, 20)) + "' among its numbers");
+            return wrong(array, "has '" + printable(word.substr(0, 20)) + "' among its numbers");
         if (numbers.size() == count)
             return wrong(array, "has more than " + std::to_string(count) + " numbers");
         numbers.push_back(*number);
@@ -182,11 +182,11 @@ template <class Number>
 Result<std::vector<Number>> readNumbers(const VtuHead& head, const VtuArray& array, std::uint64_t count)
 {
     if (bytesOf(array) == 0)
-        return wrong(array, "is of type '" + shownText(array.type) + "', which is no number");
+        return wrong(array, "is of type '" + printable(array.type) + "', which is no number");
     if (array.format == "ascii")
         return readText<Number>(array, count);
     if (array.format != "binary" && array.format != "appended")
-        return wrong(array, "has the unknown format '" + shownText(array.format) + "'");
+        return wrong(array, "has the unknown format '" + printable(array.format) + "'");
     const auto bytes = ArrayReading(head, array, count).run();
     if (!bytes)
         return bytes.error();
@@ -207,7 +207,7 @@ Result<std::vector<Number>> readNumbers(const VtuHead& head, const VtuArray& arr
     if (array.type == "UInt64")
         return converted<Number, std::uint64_t>(*bytes);
     if constexpr (std::is_integral_v<Number>)
-        return wrong(array, "is of type '" + shownText(array.type) + "', not of whole numbers");
+        return wrong(array, "is of type '" + printable(array.type) + "', not of whole numbers");
     else if (array.type == "Float32")
         return converted<Number, float>(*bytes);
     else

@@ -152,7 +152,7 @@ private:
         const auto& among = chosen_.perCell ? piece.cellArrays : piece.pointArrays;
         const auto array = std::ranges::find(among, chosen_.name, &VtuArray::name);
         if (array == among.end() || array->components != chosen_.components)
-            return Error{ErrorKind::BadInput, "not every piece has the array '" + shownText(chosen_.name) + "'."};
+            return Error{ErrorKind::BadInput, "not every piece has the array '" + printable(chosen_.name) + "'."};
         const std::uint64_t count = chosen_.perCell ? piece.cells : piece.points;
         const auto components = static_cast<std::uint64_t>(chosen_.components);
         if (count > std::numeric_limits<std::uint64_t>::max() / components)

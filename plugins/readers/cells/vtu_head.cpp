@@ -51,14 +51,14 @@ private:
     Status fileTag(const XmlTag& tag)
     {
         if (tag.attribute("type") != "UnstructuredGrid")
-            return bad("it holds a " + shownText(tag.attribute("type")) +
+            return bad("it holds a " + printable(tag.attribute("type")) +
                        ", not an UnstructuredGrid. The VTK plugin reads those.");
         head_.bigEndian = tag.attribute("byte_order") == "BigEndian";
         head_.wideHeaders = tag.attribute("header_type") == "UInt64";
         const std::string compressor = tag.attribute("compressor");
         head_.packed = compressor == "vtkZLibDataCompressor";
         if (!compressor.empty() && !head_.packed)
-            return bad("it is packed by " + shownText(compressor) +
+            return bad("it is packed by " + printable(compressor) +
                        ", which the VTK plugin unpacks; zlib is read without it.");
         return {};
     }
@@ -112,16 +112,16 @@ private:
         if (array.components == 0)
             array.components = 1;
         if (array.components < 1 || array.components > mostComponents)
-            return bad("the array '" + shownText(array.name) + "' has " + shownText(components) + " components.");
+            return bad("the array '" + printable(array.name) + "' has " + printable(components) + " components.");
         if (array.format == "appended") {
             const auto offset = numberOf(tag, "offset");
             if (!offset)
-                return bad("the array '" + shownText(array.name) + "' does not say where it is.");
+                return bad("the array '" + printable(array.name) + "' does not say where it is.");
             offset_ = *offset;
         } else {
             const std::size_t end = bytes_.find('<', tag.end);
             if (end == std::string_view::npos && !tag.closes)
-                return bad("the array '" + shownText(array.name) + "' does not end.");
+                return bad("the array '" + printable(array.name) + "' does not end.");
             array.content = tag.closes ? std::string_view() : bytes_.substr(tag.end, end - tag.end);
         }
         place(std::move(array));

@@ -35,15 +35,4 @@ std::vector<std::string_view> split(std::string_view text, std::string_view sepa
     return parts;
 }
 
-std::string printable(std::string_view text)
-{
-    constexpr std::size_t longest = 80;
-    std::string shown(text.substr(0, longest));
-    std::ranges::replace_if(
-        shown, [](char letter) { return letter < ' ' || letter > '~'; }, '?');
-    if (text.size() > longest)
-        shown += "...";
-    return shown;
-}
-
 } // namespace tetra

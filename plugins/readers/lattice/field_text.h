@@ -17,7 +17,4 @@ std::string lowerCase(std::string_view text);
 /// The parts between any of `separators`, without empty ones.
 std::vector<std::string_view> split(std::string_view text, std::string_view separators);
 
-/// For messages: control characters and bytes that are no ASCII become '?', and long text is cut.
-std::string printable(std::string_view text);
-
 } // namespace tetra

@@ -35,7 +35,7 @@ std::string listOf(const std::vector<std::string>& names)
 {
     std::string list;
     for (const std::string& name : names)
-        list += (list.empty() ? "'" : ", '") + shownText(name) + "'";
+        list += (list.empty() ? "'" : ", '") + printable(name) + "'";
     return list;
 }
 
@@ -55,7 +55,7 @@ Result<std::size_t> namedColumn(const std::vector<std::string>& names, std::stri
 {
     if (const auto found = findColumn(names, withoutBlanks(wanted)))
         return *found;
-    return Error{ErrorKind::WrongUsage, "there is no column '" + shownText(withoutBlanks(wanted)) + "'; there are " +
+    return Error{ErrorKind::WrongUsage, "there is no column '" + printable(withoutBlanks(wanted)) + "'; there are " +
                                             listOf(names) + ", or give a number from 1 to " +
                                             std::to_string(names.size()) + "."};
 }
@@ -80,7 +80,7 @@ Result<std::array<std::size_t, 3>> positionColumns(const std::vector<std::string
     std::vector<std::string_view> parts;
     std::array<std::size_t, 3> columns{};
     if (!splitFields(wanted, ',', parts) || parts.size() != 3)
-        return Error{ErrorKind::WrongUsage, "'" + shownText(wanted) +
+        return Error{ErrorKind::WrongUsage, "'" + printable(wanted) +
                                                 "' does not name the three columns of the positions. Give three names "
                                                 "or numbers separated by commas, as in x,y,z or 1,2,3."};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -89,7 +89,7 @@ Result<std::array<std::size_t, 3>> positionColumns(const std::vector<std::string
             return column.error();
         if (std::find(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(axis), *column) !=
             columns.begin() + static_cast<std::ptrdiff_t>(axis))
-            return Error{ErrorKind::WrongUsage, "'" + shownText(wanted) + "' names the same column twice."};
+            return Error{ErrorKind::WrongUsage, "'" + printable(wanted) + "' names the same column twice."};
         columns[axis] = *column;
     }
     return columns;

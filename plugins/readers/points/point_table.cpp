@@ -126,7 +126,7 @@ Result<double> TableReading::number(std::size_t column) const
     const std::string_view field = fields_[column];
     if (const auto number = finiteNumber(field))
         return *number;
-    const std::string where = lineText(lines_.number()) + ", " + shownText(columns_.names[column]) + ": ";
+    const std::string where = lineText(lines_.number()) + ", " + printable(columns_.names[column]) + ": ";
     if (field.empty())
         return Error{ErrorKind::BadInput, where + "there is no number. Add it, or have incomplete rows skipped."};
     if (field.find(',') != std::string_view::npos)
@@ -147,7 +147,7 @@ Status TableReading::addRow()
         if (!coordinate)
             return coordinate.error();
         if (std::abs(*coordinate) > largestCoordinate)
-            return Error{ErrorKind::BadInput, lineText(lines_.number()) + ", " + shownText(columns_.names[column]) +
+            return Error{ErrorKind::BadInput, lineText(lines_.number()) + ", " + printable(columns_.names[column]) +
                                                   ": " + shown(fields_[column]) + " is too large for a position."};
         position[axis] = *coordinate;
     }

@@ -168,7 +168,7 @@ private:
     std::string zoneName(const TecplotZone& zone) const
     {
         return "its zone " + std::to_string(file_.zones.size() + 1) +
-               (zone.name.empty() ? "" : " ('" + shownText(zone.name) + "')");
+               (zone.name.empty() ? "" : " ('" + printable(zone.name) + "')");
     }
 
     Status record(const TecplotToken& token)
@@ -183,7 +183,7 @@ private:
         if (word == "FILETYPE") {
             const auto kind = tokens_.next();
             if (kind && tecplotUpper(kind->text) != "FULL")
-                return bad("it holds '" + shownText(kind->text) +
+                return bad("it holds '" + printable(kind->text) +
                            "', not a grid with its values. Write both into one file (FILETYPE = FULL).");
             return {};
         }
@@ -195,7 +195,7 @@ private:
             return bad("it has more numbers than its " + std::to_string(file_.zones.size()) +
                        " zones ask for. Its sizes are wrong, or it is damaged.");
         if (!isRecord(token))
-            return bad("it has '" + shownText(token.text) +
+            return bad("it has '" + printable(token.text) +
                        "' where a record as ZONE should begin. It is damaged, or no "
                        "Tecplot text.");
         for (auto next = tokens_.next(); next; next = tokens_.next()) // what is drawn beside the data
@@ -338,7 +338,7 @@ private:
         for (const auto& [list, word] : assignments(text)) {
             const std::string location = tecplotUpper(word);
             if (location != "CELLCENTERED" && location != "NODAL")
-                return bad(zoneName(header.zone) + " has a VARLOCATION '" + shownText(text) +
+                return bad(zoneName(header.zone) + " has a VARLOCATION '" + printable(text) +
                            "' that is not understood.");
             const bool perElement = location == "CELLCENTERED";
             if (!list.empty())
@@ -363,7 +363,7 @@ private:
         for (const auto& [list, word] : assignments(text)) {
             const auto from = list.empty() ? std::optional(file_.zones.size()) : parseNumber<std::size_t>(word);
             if (!from || *from < 1 || *from > file_.zones.size())
-                return bad(zoneName(header.zone) + " shares variables with zone '" + shownText(word) +
+                return bad(zoneName(header.zone) + " shares variables with zone '" + printable(word) +
                            "', which does not come before it. The file is damaged or cut.");
             for (const std::size_t variable : variablesIn(list.empty() ? word : list))
                 header.sharedFrom[variable] = *from - 1;
@@ -380,7 +380,7 @@ private:
         constexpr std::uint64_t most = 1'000'000'000'000;
         const auto value = parseNumber<std::uint64_t>(entry->second);
         if (!value || *value < 1 || *value > most)
-            return bad(zoneName(header.zone) + " has '" + entry->first + " = " + shownText(entry->second) +
+            return bad(zoneName(header.zone) + " has '" + entry->first + " = " + printable(entry->second) +
                        "'. It is damaged or cut short.");
         return *value;
     }
@@ -407,7 +407,7 @@ private:
              {"FEPOINT", Point}}};
         const auto kind = std::ranges::find(kinds, type, &std::pair<std::string_view, TecplotElement>::first);
         if (kind == kinds.end())
-            return bad(zoneName(header.zone) + " is of the type '" + shownText(type) +
+            return bad(zoneName(header.zone) + " is of the type '" + printable(type) +
                        "', which is not read. Divide its elements into bricks or tetrahedra.");
         header.zone.element = kind->second;
         const auto nodes = number(header, "N", "NODES", 0);
@@ -543,7 +543,7 @@ private:
             header.words.contains("DATAPACKING") ? header.words.find("DATAPACKING") : header.words.find("F");
         const std::string packing = format == header.words.end() ? "POINT" : format->second;
         if (packing != "POINT" && packing != "FEPOINT" && packing != "BLOCK" && packing != "FEBLOCK")
-            return bad(zoneName(zone) + " is packed as '" + shownText(packing) + "', which is not known.");
+            return bad(zoneName(zone) + " is packed as '" + printable(packing) + "', which is not known.");
         shortest_ = ~std::size_t(0);
         longest_ = 0;
         repeated_ = 0;
@@ -576,7 +576,7 @@ private:
                 for (std::uint64_t i = countOf(zone, own[place]); i > 0; --i)
                     if (!take(place))
                         return missing(header, countOf(zone, own[place]),
-                                       "values of '" + shownText(file_.variables[own[place]]) + "'");
+                                       "values of '" + printable(file_.variables[own[place]]) + "'");
         }
         if (repeated_ > 0)
             return bad(zoneName(zone) + " has more numbers than it should. Its sizes are wrong, or it is damaged.");
@@ -613,7 +613,7 @@ private:
             const auto node = parseNumber<std::uint64_t>(word);
             if (!node || *node < 1 || *node > zone.nodes)
                 return word.empty() ? missing(header, zone.elements, "elements")
-                                    : bad(zoneName(zone) + " has an element at node '" + shownText(word) +
+                                    : bad(zoneName(zone) + " has an element at node '" + printable(word) +
                                           "', and it has " + std::to_string(zone.nodes) + ". It is damaged.");
             keepLength(word);
             nodes->push_back(static_cast<std::int64_t>(*node - 1));

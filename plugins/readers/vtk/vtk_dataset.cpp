@@ -22,7 +22,7 @@ std::uint64_t product(const std::array<std::uint32_t, 3>& size)
 Result<ScalarField> fieldOf(VtkFindings& found, std::uint64_t points, const Progress& progress)
 {
     if (found.samples.size() / sampleSize(found.type) != points)
-        return Error{ErrorKind::BadInput, "its array '" + shownText(found.arrayName) + "' has " +
+        return Error{ErrorKind::BadInput, "its array '" + printable(found.arrayName) + "' has " +
                                               std::to_string(found.samples.size() / sampleSize(found.type)) +
                                               " values for " + std::to_string(points) + " points."};
     const auto samples = std::make_shared<const Buffer<std::byte>>(std::move(found.samples));
@@ -69,7 +69,7 @@ Result<Dataset> gridDataset(VtkFindings& found, const Progress& progress)
 Status checkPoints(const VtkFindings& found, std::span<const double> values)
 {
     if (values.size() != found.positions.size())
-        return Error{ErrorKind::BadInput, "its array '" + shownText(found.arrayName) + "' has " +
+        return Error{ErrorKind::BadInput, "its array '" + printable(found.arrayName) + "' has " +
                                               std::to_string(values.size()) + " values for " +
                                               std::to_string(found.positions.size()) + " points."};
     if (values.empty())

@@ -9,7 +9,7 @@
 
 namespace tetra {
 
-/// Keeps what VolumeMaker keeps of both meshes, and the boundary of the one outside.
+/// Keeps what VolumeCache keeps of both meshes, and the boundary of the one outside.
 class FocusSession : public RendererSession {
 public:
     /// `defaults` are the parameters for this mesh.
@@ -23,10 +23,10 @@ public:
 private:
     Eigen::AlignedBox3d bounds_;
     std::vector<Parameter> defaults_;
-    BoundaryMaker boundary_;
-    VolumeMaker volume_;
+    BoundaryCache boundary_;
+    VolumeCache volume_;
     std::optional<FocusMesh> focus_;
-    std::optional<VolumeMaker> fine_; ///< of the focus
+    std::optional<VolumeCache> fine_; ///< of the focus
 };
 
 } // namespace tetra

@@ -8,7 +8,7 @@
 
 namespace tetra {
 
-/// Keeps what IsosurfaceSet, VolumeMaker and BoundaryMaker keep.
+/// Keeps what IsosurfaceCache, VolumeCache and BoundaryCache keep.
 class HybridSession : public RendererSession {
 public:
     /// `defaults` are the parameters for this mesh.
@@ -25,9 +25,9 @@ private:
 
     Eigen::AlignedBox3d bounds_;
     std::vector<Parameter> defaults_;
-    BoundaryMaker boundary_;
-    IsosurfaceSet surfaces_;
-    VolumeMaker volume_;
+    BoundaryCache boundary_;
+    IsosurfaceCache surfaces_;
+    VolumeCache volume_;
 };
 
 } // namespace tetra

@@ -7,7 +7,7 @@
 
 namespace tetra {
 
-/// Keeps what IsosurfaceSet and BoundaryMaker keep.
+/// Keeps what IsosurfaceCache and BoundaryCache keep.
 class IsosurfaceSession : public RendererSession {
 public:
     /// `defaults` are the parameters for this mesh.
@@ -21,8 +21,8 @@ public:
 private:
     Eigen::AlignedBox3d bounds_;
     std::vector<Parameter> defaults_;
-    BoundaryMaker boundary_;
-    IsosurfaceSet surfaces_;
+    BoundaryCache boundary_;
+    IsosurfaceCache surfaces_;
 };
 
 } // namespace tetra

@@ -7,7 +7,7 @@
 
 namespace tetra {
 
-/// Keeps what VolumeMaker and BoundaryMaker keep: another transfer function leaves the mesh as it is, another shading
+/// Keeps what VolumeCache and BoundaryCache keep: another transfer function leaves the mesh as it is, another shading
 /// or clip plane both.
 class VolumeSession : public RendererSession {
 public:
@@ -22,8 +22,8 @@ public:
 private:
     Eigen::AlignedBox3d bounds_;
     std::vector<Parameter> defaults_;
-    BoundaryMaker boundary_;
-    VolumeMaker volume_;
+    BoundaryCache boundary_;
+    VolumeCache volume_;
 };
 
 } // namespace tetra

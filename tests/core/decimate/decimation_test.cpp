@@ -36,7 +36,7 @@ void compareSound(const TestMesh& mesh, const DecimationOptions& options, std::u
     QVERIFY2(last.empty(), last.c_str());
 }
 
-int liftedSign(const TestMesh& mesh, const std::array<std::uint32_t, 4>& points)
+int physicalSign(const TestMesh& mesh, const std::array<std::uint32_t, 4>& points)
 {
     const auto at = [&mesh](std::uint32_t point) {
         const Eigen::Vector3d& place = mesh.lifted[point];
@@ -53,7 +53,7 @@ class DecimationTest : public QObject {
 private slots:
     void latticesKeepTheirBox();
     void nonconvexMeshesStaySound();
-    void liftedGridsStaySound();
+    void curvilinearGridsStaySound();
     void everyOrderIsSound();
     void theSameInputGivesTheSameHistory();
     void stopsAtTheKey();
@@ -78,7 +78,7 @@ void DecimationTest::nonconvexMeshesStaySound()
         compareSound(nonconvexMesh(seed, seed % 3 == 0 ? 0 : .15), options, seed, seed % 25 == 0 ? 5 : 45);
 }
 
-void DecimationTest::liftedGridsStaySound()
+void DecimationTest::curvilinearGridsStaySound()
 {
     DecimationOptions options;
     options.warpingWeight = .5;
@@ -94,12 +94,12 @@ void DecimationTest::liftedGridsStaySound()
         QVERIFY(decimate(mesh.view(), options, history));
         int hand = 0;
         for (const auto& t : mesh.tetrahedra)
-            hand += liftedSign(mesh, {t[0], t[1], t[2], t[3]});
+            hand += physicalSign(mesh, {t[0], t[1], t[2], t[3]});
         for (const RecordedHistory::Tetrahedron& tetrahedron : history.tetrahedra) {
             std::array<std::uint32_t, 4> points{};
             for (std::size_t i = 0; i < 4; ++i)
                 points[i] = static_cast<std::uint32_t>(history.points[tetrahedron.sites[i]]);
-            QVERIFY(liftedSign(mesh, points) * (hand < 0 ? -1 : 1) >= 0);
+            QVERIFY(physicalSign(mesh, points) * (hand < 0 ? -1 : 1) >= 0);
         }
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimate/collapse_fan.h"
+#include "core/decimate/collapse_star.h"
 
 #include <QTest>
 
@@ -28,7 +28,7 @@ struct RandomFan {
                 faces.push_back(face);
     }
 
-    FanTetrahedra tetrahedra() const { return {columns, length, faces, {1, 0, -2}}; }
+    StarTetrahedra tetrahedra() const { return {columns, length, faces, {1, 0, -2}}; }
     /// The product of three rows of columns with a place from the apex.
     double at(std::size_t column, std::uint32_t face, const std::array<double, 3>& place) const
     {
@@ -46,28 +46,28 @@ struct RandomFan {
 
 } // namespace
 
-class FanLocationTest : public QObject {
+class StarLocatorTest : public QObject {
     Q_OBJECT
 private slots:
     void ownersAreTheFirstDeepest_data();
     void ownersAreTheFirstDeepest();
 };
 
-void FanLocationTest::ownersAreTheFirstDeepest_data()
+void StarLocatorTest::ownersAreTheFirstDeepest_data()
 {
     QTest::addColumn<int>("placeCount");
     QTest::newRow("few places") << 8;
     QTest::newRow("many places") << 1000;
 }
 
-void FanLocationTest::ownersAreTheFirstDeepest()
+void StarLocatorTest::ownersAreTheFirstDeepest()
 {
     QFETCH(int, placeCount);
     std::mt19937 random(7);
     std::uniform_int_distribution<int> coordinate(-4, 4);
     for (int round = 0; round < 20; ++round) {
         const RandomFan fan(random);
-        FanLocation location(fan.tetrahedra(), static_cast<std::size_t>(placeCount));
+        StarLocator location(fan.tetrahedra(), static_cast<std::size_t>(placeCount));
         for (int block = 0; block < placeCount / int(lanes); ++block) {
             std::array<std::array<double, lanes>, 3> places{};
             for (auto& coordinates : places)
@@ -84,5 +84,5 @@ void FanLocationTest::ownersAreTheFirstDeepest()
     }
 }
 
-QTEST_APPLESS_MAIN(FanLocationTest)
+QTEST_APPLESS_MAIN(StarLocatorTest)
 #include "fan_location_test.moc"

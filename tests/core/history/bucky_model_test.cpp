@@ -42,11 +42,11 @@ private slots:
         QVERIFY(verdict.ok());
         for (const std::string& failure : verdict->failures)
             qWarning("%s", failure.c_str());
-        for (const LevelVerdict& level : verdict->levels)
+        for (const LevelReport& level : verdict->levels)
             for (const std::string& failure : level.failures)
                 qWarning("%g %%: %s", level.asked.error, failure.c_str());
         QVERIFY(verdict->ok());
-        for (const LevelVerdict& level : verdict->levels)
+        for (const LevelReport& level : verdict->levels)
             QVERIFY(level.largestError <= level.asked.error + 1e-9);
     }
 

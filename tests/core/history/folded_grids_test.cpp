@@ -79,7 +79,7 @@ Result<std::uint64_t> buildFolded(const std::string& builder, const BentGrid& gr
     return result->inverted;
 }
 
-QString failuresOf(const LevelVerdict& level)
+QString failuresOf(const LevelReport& level)
 {
     QString text = QString::number(level.asked.error) + " %:";
     for (const std::string& failure : level.failures)
@@ -110,9 +110,9 @@ private slots:
         const BentGrid bent = foldedGridNamed(grid.toStdString());
         const Dataset dataset = datasetOfGrid(bent);
         const SlowGrid slow(bent);
-        const LiftedGrid lifted(bent.size, bent.positions, LatticeSamples(std::span<const double>(bent.values)));
+        const CurvilinearGrid lifted(bent.size, bent.positions, LatticeSamples(std::span<const double>(bent.values)));
         std::vector<std::string> failures;
-        const auto original = LiftedOriginal::make(dataset, isLeftHanded(dataset), failures, {});
+        const auto original = CurvilinearOriginal::make(dataset, isLeftHanded(dataset), failures, {});
         QVERIFY(original.ok() && failures.empty());
         QCOMPARE(lifted.foldedCells().count(), slow.foldedCells());
         QCOMPARE(original->foldedCells(), slow.foldedCells());
@@ -170,7 +170,7 @@ private slots:
         const auto verdict = verify(**model, dataset, allLevels);
         QVERIFY(verdict.ok() && verdict->failures.empty());
         QCOMPARE(verdict->foldedCells, slow.foldedCells());
-        for (const LevelVerdict& level : verdict->levels) {
+        for (const LevelReport& level : verdict->levels) {
             QVERIFY2(level.ok(), qPrintable(failuresOf(level)));
             std::uint64_t found = 0;
             forEachTetrahedron(**model, level.sites, [&](const std::array<std::uint32_t, 4>& points) {
@@ -184,7 +184,7 @@ private slots:
         }
         QCOMPARE(verdict->levels.back().inverted, inverted);
         std::vector<std::uint32_t> sites;
-        for (const LevelVerdict& level : verdict->levels)
+        for (const LevelReport& level : verdict->levels)
             sites.push_back(level.sites);
         const auto counted = countInverted(**model, sites);
         QVERIFY(counted.ok());
@@ -275,10 +275,10 @@ private slots:
             if (percent < (levels.empty() ? 100 : levels.back().error))
                 levels.push_back({percent, 100});
         }
-        const Verdict verdict = verdictOf(dataset, levels);
+        const VerificationReport verdict = verdictOf(dataset, levels);
         QVERIFY(verdict.failures.empty());
         int rejected = 0, mixed = 0;
-        for (const LevelVerdict& level : verdict.levels) {
+        for (const LevelReport& level : verdict.levels) {
             std::uint64_t inverted = 0, borne = 0;
             forEachTetrahedron(**model, level.sites, [&](const std::array<std::uint32_t, 4>& points) {
                 inverted += slow.isInverted(points) ? 1 : 0;
@@ -305,7 +305,7 @@ private slots:
             file.header().leftHanded = 1 - file.header().leftHanded;
             file.repairChecksums();
             writeBytes(path(), file.content);
-            const Verdict verdict = verdictOf(dataset, allLevels);
+            const VerificationReport verdict = verdictOf(dataset, allLevels);
             QCOMPARE(verdict.failures.size(), std::size_t(1));
             QVERIFY2(QString::fromStdString(verdict.failures[0]).contains("-handed"), verdict.failures[0].c_str());
         }
@@ -356,10 +356,10 @@ private:
         return *inverted;
     }
 
-    Verdict verdictOf(const Dataset& dataset, const std::vector<Accuracy>& levels) const
+    VerificationReport verdictOf(const Dataset& dataset, const std::vector<Accuracy>& levels) const
     {
         const auto model = Model::open(path());
-        const auto verdict = model ? verify(**model, dataset, levels) : Result<Verdict>(model.error());
+        const auto verdict = model ? verify(**model, dataset, levels) : Result<VerificationReport>(model.error());
         if (!verdict)
             qFatal("%s", verdict.error().text.c_str());
         return *verdict;

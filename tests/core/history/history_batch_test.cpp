@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A batch has one form, whatever the order in which its independent steps came (S1).
-#include "core/history/history_arranger.h"
+#include "core/history/batch_builder.h"
 
 #include <QTest>
 

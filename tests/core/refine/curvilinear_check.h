@@ -32,7 +32,7 @@ public:
                 for (std::uint32_t x = 0; x + 1 < grid.size[0]; ++x) {
                     const std::uint64_t o = (std::uint64_t(z) * grid.size[1] + y) * grid.size[0] + x;
                     const std::int64_t volume =
-                        liftedVolume({o, o + 1, o + grid.size[0], o + std::uint64_t(grid.size[0]) * grid.size[1]});
+                        physicalVolume({o, o + 1, o + grid.size[0], o + std::uint64_t(grid.size[0]) * grid.size[1]});
                     balance += volume > 0 ? 1 : volume < 0 ? -1 : 0;
                 }
         handedness_ = balance < 0 ? -1 : 1;
@@ -56,7 +56,7 @@ public:
             if (volume <= 0)
                 return findings;
             total += volume;
-            const std::int64_t lifted = handedness_ * liftedVolume(vertices);
+            const std::int64_t lifted = handedness_ * physicalVolume(vertices);
             findings.inverted += lifted < 0;
             findings.degenerate += lifted == 0;
             measure(tetrahedron, vertices, volume, covered, findings);
@@ -96,7 +96,7 @@ private:
         const Integers o = place(v[0]);
         return determinant(difference(place(v[1]), o), difference(place(v[2]), o), difference(place(v[3]), o));
     }
-    std::int64_t liftedVolume(const Vertices& v) const
+    std::int64_t physicalVolume(const Vertices& v) const
     {
         const auto lifted = [this](std::uint64_t point) -> Integers {
             const Eigen::Vector3d scaled = 64 * grid_.positions[point];

@@ -11,7 +11,7 @@ using namespace tetra;
 
 namespace {
 
-using Whole = __int128;
+using BigInteger = __int128;
 
 struct Point {
     std::int64_t x, y, z;
@@ -27,21 +27,21 @@ Point operator-(const Point& a, const Point& b)
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-Whole determinant(const Point& a, const Point& b, const Point& c)
+BigInteger determinant(const Point& a, const Point& b, const Point& c)
 {
-    return Whole(a.x) * (b.y * c.z - b.z * c.y) + Whole(a.y) * (b.z * c.x - b.x * c.z) +
-           Whole(a.z) * (b.x * c.y - b.y * c.x);
+    return BigInteger(a.x) * (b.y * c.z - b.z * c.y) + BigInteger(a.y) * (b.z * c.x - b.x * c.z) +
+           BigInteger(a.z) * (b.x * c.y - b.y * c.x);
 }
 
 /// Positive if e lies strictly inside the sphere of the positive tetrahedron (a, b, c, d), in the metric.
-Whole inSphere(const std::array<Point, 4>& t, const Point& e, const LatticeMetric& metric)
+BigInteger inSphere(const std::array<Point, 4>& t, const Point& e, const LatticeMetric& metric)
 {
     std::array<Point, 4> v{};
-    std::array<Whole, 4> square{};
+    std::array<BigInteger, 4> square{};
     for (std::size_t i = 0; i < 4; ++i) {
         v[i] = t[i] - e;
-        square[i] = Whole(metric[0]) * v[i].x * v[i].x + Whole(metric[1]) * v[i].y * v[i].y +
-                    Whole(metric[2]) * v[i].z * v[i].z;
+        square[i] = BigInteger(metric[0]) * v[i].x * v[i].x + BigInteger(metric[1]) * v[i].y * v[i].y +
+                    BigInteger(metric[2]) * v[i].z * v[i].z;
     }
     return square[0] * determinant(v[1], v[2], v[3]) - square[1] * determinant(v[0], v[2], v[3]) +
            square[2] * determinant(v[0], v[1], v[3]) - square[3] * determinant(v[0], v[1], v[2]);
@@ -52,7 +52,7 @@ QString faultOf(const LatticeDelaunay& mesh, const std::vector<PackedPoint>& ver
 {
     const PackedLattice& lattice = mesh.lattice();
     const auto& size = lattice.size();
-    Whole volume = 0;
+    BigInteger volume = 0;
     std::set<PackedPoint> used;
     for (std::uint32_t slot = 0; slot < mesh.slotCount(); ++slot) {
         const DelaunayTetrahedron& tetrahedron = mesh[slot];
@@ -63,7 +63,8 @@ QString faultOf(const LatticeDelaunay& mesh, const std::vector<PackedPoint>& ver
             corners[i] = point(lattice, tetrahedron.vertices[i]);
             used.insert(tetrahedron.vertices[i]);
         }
-        const Whole sixVolumes = determinant(corners[1] - corners[0], corners[2] - corners[0], corners[3] - corners[0]);
+        const BigInteger sixVolumes =
+            determinant(corners[1] - corners[0], corners[2] - corners[0], corners[3] - corners[0]);
         if (sixVolumes <= 0 || static_cast<double>(sixVolumes) != tetrahedron.determinant())
             return "a tetrahedron is flat, inverted or misjudges its volume";
         volume += sixVolumes;
@@ -99,7 +100,7 @@ QString faultOf(const LatticeDelaunay& mesh, const std::vector<PackedPoint>& ver
             if (inSphere(corners, point(lattice, vertex), metric) > 0)
                 return "a vertex lies strictly inside a circumsphere";
     }
-    if (volume != Whole(6) * (size[0] - 1) * (size[1] - 1) * (size[2] - 1))
+    if (volume != BigInteger(6) * (size[0] - 1) * (size[1] - 1) * (size[2] - 1))
         return "the tetrahedra do not fill the box";
     if (used != std::set<PackedPoint>(vertices.begin(), vertices.end()))
         return "a vertex is missing from the mesh";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/refine/lattice/relocation.h"
+#include "core/refine/lattice/redistribution.h"
 
 #include <QTest>
 
@@ -9,22 +9,22 @@ using namespace tetra;
 
 namespace {
 
-using Whole = __int128;
+using BigInteger = __int128;
 
 struct Offset {
     std::int64_t x, y, z;
 };
 
-Whole determinant(const Offset& a, const Offset& b, const Offset& c)
+BigInteger determinant(const Offset& a, const Offset& b, const Offset& c)
 {
-    return Whole(a.x) * (b.y * c.z - b.z * c.y) + Whole(a.y) * (b.z * c.x - b.x * c.z) +
-           Whole(a.z) * (b.x * c.y - b.y * c.x);
+    return BigInteger(a.x) * (b.y * c.z - b.z * c.y) + BigInteger(a.y) * (b.z * c.x - b.x * c.z) +
+           BigInteger(a.z) * (b.x * c.y - b.y * c.x);
 }
 
 } // namespace
 
 /// S8, S9: points go to a tetrahedron that contains them, with their exact error, near and far from the apex.
-class RelocationTest : public QObject {
+class RedistributionTest : public QObject {
     Q_OBJECT
 private slots:
     void agreesWithExactArithmetic_data()
@@ -70,26 +70,26 @@ private slots:
         std::vector<PackedPoint> points;
         for (int i = 0; i < 3000; ++i)
             points.push_back(lattice.pack(random() % n, random() % n, random() % n));
-        Relocation relocation;
+        Redistribution relocation;
         relocation.run(lattice, LatticeSamples(std::span<const std::uint8_t>(values)), star, points);
 
         QVERIFY(std::ranges::equal(relocation.points(), points));
         std::vector<std::uint32_t> counts(star.faceCount());
         for (std::size_t i = 0; i < points.size(); ++i) {
             const auto owner = static_cast<std::size_t>(relocation.owners()[i]);
-            const auto& rim = star.corners()[owner];
-            const PackedPoint a = star.rim()[rim[0]], b = star.rim()[rim[1]], c = star.rim()[rim[2]];
-            const Whole whole = determinant(offset(a), offset(b), offset(c));
+            const auto& link = star.corners()[owner];
+            const PackedPoint a = star.link()[link[0]], b = star.link()[link[1]], c = star.link()[link[2]];
+            const BigInteger whole = determinant(offset(a), offset(b), offset(c));
             QVERIFY(whole > 0);
             QVERIFY(star.faces()[owner].determinant() == static_cast<double>(whole));
             const PackedPoint p = points[i];
-            const Whole wa = determinant(offset(p), offset(b), offset(c));
-            const Whole wb = determinant(offset(a), offset(p), offset(c));
-            const Whole wc = determinant(offset(a), offset(b), offset(p));
+            const BigInteger wa = determinant(offset(p), offset(b), offset(c));
+            const BigInteger wb = determinant(offset(a), offset(p), offset(c));
+            const BigInteger wc = determinant(offset(a), offset(b), offset(p));
             QVERIFY(wa >= 0 && wb >= 0 && wc >= 0 && wa + wb + wc <= whole);
-            const auto value = [&](PackedPoint q) { return Whole(values[lattice.index(q)]); };
-            const Whole error = whole * (value(p) - value(apex)) - wa * (value(a) - value(apex)) -
-                                wb * (value(b) - value(apex)) - wc * (value(c) - value(apex));
+            const auto value = [&](PackedPoint q) { return BigInteger(values[lattice.index(q)]); };
+            const BigInteger error = whole * (value(p) - value(apex)) - wa * (value(a) - value(apex)) -
+                                     wb * (value(b) - value(apex)) - wc * (value(c) - value(apex));
             QCOMPARE(relocation.errors()[i],
                      static_cast<double>(error < 0 ? -error : error) / static_cast<double>(whole));
             QVERIFY(relocation.worstError(owner) >= relocation.errors()[i]);
@@ -113,7 +113,7 @@ private slots:
         values[lattice.index(first)] = 1e9 + 1;
         values[lattice.index(later)] = -1e9 - 2;
         values[lattice.index(last)] = 1e9 - 500;
-        Relocation relocation;
+        Redistribution relocation;
         relocation.run(lattice, LatticeSamples(std::span<const double>(values)), star, std::array{last, later, first});
         QCOMPARE(relocation.count(0), 3u);
         QCOMPARE(relocation.worstPoint(0), first);
@@ -122,5 +122,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RelocationTest)
+QTEST_APPLESS_MAIN(RedistributionTest)
 #include "relocation_test.moc"

@@ -42,7 +42,7 @@ private slots:
         const std::uint64_t before = residentBytes();
         for (std::uint32_t place = 0; place < 50; ++place) {
             setOctahedron(star, lattice, place % 3);
-            QCOMPARE(star.rim().size(), std::size_t(6));
+            QCOMPARE(star.link().size(), std::size_t(6));
             for (const auto& corners : star.corners())
                 QVERIFY(corners[0] < 6 && corners[1] < 6 && corners[2] < 6);
             for (const Star::Face& face : star.faces())

@@ -27,7 +27,7 @@ std::vector<Corners> randomTetrahedra(std::size_t count, std::uint32_t vertexCou
 }
 
 std::vector<CrossedTetrahedron> foundIn(std::span<const Corners> tetrahedra, std::size_t first,
-                                        const VertexSides& sides)
+                                        const VertexSigns& sides)
 {
     std::vector<CrossedTetrahedron> found(tetrahedra.size() + crossedTetrahedronRoom);
     found.resize(static_cast<std::size_t>(findCrossed(tetrahedra, first, sides, found.data()) - found.data()));
@@ -45,7 +45,7 @@ private slots:
         constexpr float infinity = std::numeric_limits<float>::infinity();
         const std::vector<float> values{-infinity, 0.1f, std::nextafter(0.1f, 1.0f), std::nanf(""), infinity};
         for (const double isovalue : {0.1, double(0.1f), 0.0, -double(infinity), double(infinity)}) {
-            const VertexSides sides(values, isovalue);
+            const VertexSigns sides(values, isovalue);
             QCOMPARE(sides.size(), values.size());
             for (std::size_t v = 0; v < values.size(); ++v)
                 QCOMPARE(sides.bytes()[v] != 0, double(values[v]) >= isovalue);
@@ -62,7 +62,7 @@ private slots:
             std::vector<float> values(vertexCount);
             for (float& value : values)
                 value = static_cast<float>(random() % 2);
-            const VertexSides sides(values, 0.5);
+            const VertexSigns sides(values, 0.5);
             const std::size_t first = random() % 16000;
             std::vector<CrossedTetrahedron> expected;
             for (std::size_t i = 0; i < count; ++i) {

@@ -35,7 +35,7 @@ Isovalue at(double value)
     return isovalue;
 }
 
-std::vector<Surface> surfacesOf(IsosurfaceSet& set, const std::vector<Isovalue>& isovalues)
+std::vector<Surface> surfacesOf(IsosurfaceCache& set, const std::vector<Isovalue>& isovalues)
 {
     auto surfaces = set.update(isovalues);
     if (!surfaces)
@@ -45,7 +45,7 @@ std::vector<Surface> surfacesOf(IsosurfaceSet& set, const std::vector<Isovalue>&
 
 } // namespace
 
-class IsosurfaceSetTest : public QObject {
+class IsosurfaceCacheTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -54,7 +54,7 @@ private slots:
     {
         const auto mesh = cone();
         const auto gradients = vertexGradients(*mesh);
-        IsosurfaceSet set(mesh);
+        IsosurfaceCache set(mesh);
         const std::vector<Isovalue> isovalues = {at(0.3), {0.2, 1, 0, 0, 0.25f, true}, at(0.4), at(0.3)};
         const auto surfaces = surfacesOf(set, isovalues);
         QCOMPARE(surfaces.size(), isovalues.size());
@@ -73,7 +73,7 @@ private slots:
     {
         const auto mesh = cone();
         const auto gradients = vertexGradients(*mesh);
-        IsosurfaceSet set(mesh);
+        IsosurfaceCache set(mesh);
         for (const double isovalue : {0.3, 0.35, 0.4, 0.3}) {
             const auto surfaces = surfacesOf(set, {at(isovalue)});
             const auto alone = extractIsosurface(*mesh, gradients, isovalue);
@@ -82,14 +82,14 @@ private slots:
         }
         const auto ordered = std::make_shared<OrderedMesh>(mesh);
         QVERIFY(ordered->ordered().ok());
-        IsosurfaceSet fromOrdered(ordered);
+        IsosurfaceCache fromOrdered(ordered);
         QVERIFY(testing::sameSurface(*surfacesOf(fromOrdered, {at(0.3)})[0].mesh,
                                      *extractIsosurface(*mesh, gradients, 0.3)));
     }
 
     void appearanceChangesExtractNothing()
     {
-        IsosurfaceSet set(cone());
+        IsosurfaceCache set(cone());
         std::vector<Isovalue> isovalues = {at(0.3), at(0.4)};
         const auto before = surfacesOf(set, isovalues);
         isovalues[0].opacity = 0.5f;
@@ -108,7 +108,7 @@ private slots:
 
     void surfacesOfRemovedValuesAreFreed()
     {
-        IsosurfaceSet set(cone());
+        IsosurfaceCache set(cone());
         auto surfaces = surfacesOf(set, {at(0.3), at(0.4)});
         const std::weak_ptr<const TriangleMesh> removed = surfaces[0].mesh;
         surfaces = surfacesOf(set, {at(0.4)});
@@ -117,7 +117,7 @@ private slots:
 
     void unseenSurfacesAreNotExtracted()
     {
-        IsosurfaceSet set(cone());
+        IsosurfaceCache set(cone());
         std::vector<Isovalue> isovalues = {at(0.3), at(0.4)};
         isovalues[0].visible = false;
         isovalues[1].opacity = 0;
@@ -126,7 +126,7 @@ private slots:
 
     void badValuesAreErrors()
     {
-        IsosurfaceSet set(cone());
+        IsosurfaceCache set(cone());
         std::vector<Isovalue> bad(3, at(0.3));
         bad[0].value = std::nan("");
         bad[1].opacity = 1.5f;
@@ -140,7 +140,7 @@ private slots:
 
     void theFirstFailureStopsTheOthers()
     {
-        IsosurfaceSet set(cone());
+        IsosurfaceCache set(cone());
         double last = 0;
         bool failed = false;
         const Progress progress({}, [&](double fraction, std::string_view) {
@@ -159,7 +159,7 @@ private slots:
 
     void reportsAndCancels()
     {
-        IsosurfaceSet set(cone());
+        IsosurfaceCache set(cone());
         std::stop_source stop;
         double last = 0;
         bool falls = false;
@@ -186,5 +186,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(IsosurfaceSetTest)
+QTEST_GUILESS_MAIN(IsosurfaceCacheTest)
 #include "isosurface_set_test.moc"

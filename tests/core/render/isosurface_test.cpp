@@ -291,7 +291,7 @@ private slots:
                 if (levels == 20)
                     for (float& value : mesh.values)
                         value = random() % 40 == 0 ? std::nanf("") : value;
-                QVERIFY(mesh.tetrahedra.size() > surfaceRunSize);
+                QVERIFY(mesh.tetrahedra.size() > surfaceChunkSize);
                 const auto ordered = inSpatialOrder(mesh).value();
                 const auto index = makeIsosurfaceIndex(ordered);
                 const auto gradients = vertexGradients(ordered);

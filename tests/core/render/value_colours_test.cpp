@@ -145,7 +145,7 @@ private slots:
     /// The maker extracts and colours what is new only.
     void theMakerKeepsWhatItHas()
     {
-        BoundaryMaker maker(std::make_shared<const TetrahedralMesh>(holedMesh(2)));
+        BoundaryCache maker(std::make_shared<const TetrahedralMesh>(holedMesh(2)));
         const auto plain = maker.plain({.opacity = 0.3f, .backFacesOnly = true});
         QVERIFY(plain.ok());
         QCOMPARE(plain->opacity, 0.3f);

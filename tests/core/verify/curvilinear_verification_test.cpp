@@ -19,12 +19,12 @@ using format::SectionId;
 
 namespace {
 
-QString textOf(const Verdict& verdict)
+QString textOf(const VerificationReport& verdict)
 {
     QString text;
     for (const std::string& failure : verdict.failures)
         text += QString::fromStdString(failure) + "\n";
-    for (const LevelVerdict& level : verdict.levels)
+    for (const LevelReport& level : verdict.levels)
         for (const std::string& failure : level.failures)
             text += QString::number(level.asked.error) + " %: " + QString::fromStdString(failure) + "\n";
     return text;
@@ -66,10 +66,10 @@ private slots:
         QFETCH(bool, mirrored);
         const Dataset dataset = bentBumps(type, {6, 5, 4}, precise, mirrored);
         writeModel(path(), dataset);
-        const Verdict verdict = verdictOf(dataset);
+        const VerificationReport verdict = verdictOf(dataset);
         QVERIFY2(verdict.ok(), qPrintable(textOf(verdict)));
         QVERIFY(verdict.levels[0].largestWarping > 0);
-        for (const LevelVerdict& level : verdict.levels) {
+        for (const LevelReport& level : verdict.levels) {
             QVERIFY(level.largestError <= level.asked.error + 1e-9);
             QVERIFY(level.largestWarping <= level.asked.warping + 1e-9);
             QVERIFY(level.conforming && level.covers && level.inverted == 0 && level.degenerate == 0);
@@ -102,9 +102,9 @@ private slots:
             return point / 5 % 4 == 0 ? whole.position(point % 5) : place; // the lines j = 0 of all k fall together
         });
         writeModel(path(), dataset);
-        const Verdict verdict = verdictOf(dataset);
+        const VerificationReport verdict = verdictOf(dataset);
         QVERIFY(verdict.levels.back().degenerate > 0);
-        for (const LevelVerdict& level : verdict.levels)
+        for (const LevelReport& level : verdict.levels)
             QVERIFY(level.conforming && level.covers);
         QVERIFY2(verdict.levels.back().ok(), qPrintable(textOf(verdict)));
     }
@@ -118,11 +118,11 @@ private slots:
                 return point == 2 + 5 * (1 + 4 * 2) ? Eigen::Vector3d(p + Eigen::Vector3d(0, 0, -4)) : p;
             });
         writeModel(path(), dataset);
-        const Verdict verdict = verdictOf(dataset);
+        const VerificationReport verdict = verdictOf(dataset);
         QVERIFY(verdict.failures.empty());
         QCOMPARE(verdict.foldedCells, std::uint64_t(4)); // below the point
         bool borne = false;
-        for (const LevelVerdict& level : verdict.levels) {
+        for (const LevelReport& level : verdict.levels) {
             QCOMPARE(level.ok(), level.inverted == level.invertedInData);
             borne = borne || (level.invertedInData > 0 && level.sites < verdict.levels.back().sites);
         }
@@ -142,13 +142,13 @@ private slots:
                                        static_cast<double>(point / 36)); // NOLINT(bugprone-integer-division)
             });
         writeModel(path(), dataset);
-        const Verdict verdict = verdictOf(dataset);
+        const VerificationReport verdict = verdictOf(dataset);
         QVERIFY(verdict.failures.empty());
         QCOMPARE(verdict.foldedCells, std::uint64_t(0));
         QVERIFY2(verdict.levels.back().ok(), qPrintable(textOf(verdict)));
         QCOMPARE(verdict.levels.back().inverted, std::uint64_t(0));
         bool found = false;
-        for (const LevelVerdict& level : verdict.levels) {
+        for (const LevelReport& level : verdict.levels) {
             QCOMPARE(level.ok(), level.inverted == 0);
             QCOMPARE(level.invertedInData, std::uint64_t(0));
             found = found || level.inverted > 0;
@@ -201,7 +201,7 @@ private slots:
         damage(file);
         file.repairChecksums();
         writeBytes(path(), file.content);
-        const Verdict verdict = verdictOf(dataset);
+        const VerificationReport verdict = verdictOf(dataset);
         QVERIFY(!verdict.ok());
         QVERIFY2(textOf(verdict).contains(says), qPrintable(textOf(verdict)));
     }
@@ -210,7 +210,7 @@ private slots:
     {
         const Dataset dataset = bentBumps(SampleType::Float32, {5, 4, 4});
         writeModel(path(), dataset);
-        const Verdict verdict = verdictOf(moved(dataset, [](std::uint64_t point, const Eigen::Vector3d& p) {
+        const VerificationReport verdict = verdictOf(moved(dataset, [](std::uint64_t point, const Eigen::Vector3d& p) {
             return point == 17 ? Eigen::Vector3d(p + Eigen::Vector3d(0.125, 0, 0)) : p;
         }));
         QVERIFY2(textOf(verdict).contains("other samples or positions"), qPrintable(textOf(verdict)));
@@ -254,7 +254,7 @@ private slots:
 
 private:
     std::filesystem::path path() const { return folder_->filePath("model.tan").toStdString(); }
-    Verdict verdictOf(const Dataset& dataset) const
+    VerificationReport verdictOf(const Dataset& dataset) const
     {
         const auto model = Model::open(path());
         if (!model)

@@ -2,7 +2,7 @@
 // The judge of irregular models (B3, R4, R5, S12): what decimation makes is proved, and each kind of lie is found.
 #include "core/data/weighting.h"
 #include "core/decimate/lattice_tetrahedra.h"
-#include "core/history/history_arranger.h"
+#include "core/history/batch_builder.h"
 #include "core/verify/verification.h"
 #include "tests/core/history/irregular/irregular_models.h"
 
@@ -19,14 +19,14 @@ namespace {
 
 const std::vector<Accuracy> levels = {{100, anyWarping}, {30, 30}, {10, 10}, {3, 3}, {1, 1}, {0, 0}};
 
-QString textOf(const Result<Verdict>& verdict)
+QString textOf(const Result<VerificationReport>& verdict)
 {
     if (!verdict)
         return "Error: " + QString::fromStdString(verdict.error().text);
     QStringList texts;
     for (const std::string& text : verdict->failures)
         texts << QString::fromStdString(text);
-    for (const LevelVerdict& level : verdict->levels)
+    for (const LevelReport& level : verdict->levels)
         for (const std::string& text : level.failures)
             texts << QString("%1 %: %2").arg(level.asked.error).arg(QString::fromStdString(text));
     return texts.join('\n');
@@ -102,13 +102,13 @@ private slots:
             const auto model = modelOf(path(), dataset, decimated(dataset));
             const auto verdict = verify(*model, dataset, levels);
             QVERIFY2(verdict.ok() && verdict->ok(), qPrintable(QString("seed %1\n").arg(seed) + textOf(verdict)));
-            for (const LevelVerdict& level : verdict->levels) {
+            for (const LevelReport& level : verdict->levels) {
                 QVERIFY(level.conforming && level.covers && level.inverted == 0);
                 QVERIFY(level.twoSidedWarping && *level.twoSidedWarping <= level.twoSidedBound);
                 QVERIFY(*level.twoSidedWarping >= level.largestWarping);
                 coarser += level.largestWarping > 0 ? 1 : 0;
             }
-            const LevelVerdict& finest = verdict->levels.back();
+            const LevelReport& finest = verdict->levels.back();
             QCOMPARE(finest.largestError, 0.0);
             QCOMPARE(finest.largestWarping, 0.0);
             QCOMPARE(finest.twoSidedBound, 0.0);

@@ -16,7 +16,7 @@ using namespace tetra;
 
 namespace {
 
-QString textOf(const Result<LevelVerdict>& verdict)
+QString textOf(const Result<LevelReport>& verdict)
 {
     if (!verdict)
         return "Error: " + QString::fromStdString(verdict.error().text);
@@ -77,7 +77,7 @@ private slots:
             const Case made = uniform(*model, levels[level]);
             const auto proved = verifyMesh(*model, dataset, made.query, made.mesh);
             QVERIFY2(proved.ok() && proved->ok(), qPrintable(textOf(proved)));
-            const LevelVerdict& same = verdict->levels[level];
+            const LevelReport& same = verdict->levels[level];
             QCOMPARE(proved->asked.error, same.asked.error);
             QCOMPARE(proved->asked.warping, same.asked.warping);
             QCOMPARE(proved->sites, same.sites);

@@ -19,12 +19,12 @@ namespace {
 
 using Others = std::array<std::uint32_t, 3>;
 
-QString textOf(const Verdict& verdict)
+QString textOf(const VerificationReport& verdict)
 {
     QStringList texts;
     for (const std::string& text : verdict.failures)
         texts << QString::fromStdString(text);
-    for (const LevelVerdict& level : verdict.levels)
+    for (const LevelReport& level : verdict.levels)
         for (const std::string& text : level.failures)
             texts << QString::number(level.asked.error) + " %: " + QString::fromStdString(text);
     return texts.join('\n');
@@ -79,7 +79,7 @@ private slots:
         QVERIFY2(verdict->ok(), qPrintable(textOf(*verdict)));
         QCOMPARE(verdict->levels.size(), levels.size());
         for (std::size_t i = 0; i < levels.size(); ++i) {
-            const LevelVerdict& level = verdict->levels[i];
+            const LevelReport& level = verdict->levels[i];
             const MeshSize size = meshSizeAt(**model, levels[i]);
             QCOMPARE(level.sites, size.sites);
             QCOMPARE(level.tetrahedra, size.tetrahedra);

@@ -49,7 +49,7 @@ inline std::uint64_t boundedSum(std::uint64_t a, std::uint64_t b)
 
 inline std::string nameOf(const std::filesystem::path& path)
 {
-    return "'" + shownText(path.filename().string()) + "'";
+    return "'" + printable(path.filename().string()) + "'";
 }
 
 } // namespace tetra

@@ -126,7 +126,7 @@ public:
         for (std::size_t i = 0; i < count; ++i)
             if (!takeNumber<Number>(rest, whole || count == 1 ? std::string_view::npos : valueWidth))
                 refuse(std::string("has no ") + what + " in line " + std::to_string(number_) + ", but '" +
-                       shownText(line_) + "'. It is damaged, or of another version of the format: export it again.");
+                       printable(line_) + "'. It is damaged, or of another version of the format: export it again.");
         // A number that nothing ends may be a part of one. The format gives each a width.
         if (!ends_ && rest.empty() && line_.size() < count * (whole ? indexWidth : valueWidth))
             endsBefore(what);
@@ -147,7 +147,7 @@ public:
         const auto number = leadingInteger(line_);
         if (!number || *number < 0)
             refuse(std::string("has no ") + what + " in line " + std::to_string(number_) + ", but '" +
-                   shownText(line_) + "'. It is damaged: export it again.");
+                   printable(line_) + "'. It is damaged: export it again.");
         // Each of them takes two bytes at least.
         if (static_cast<std::uint64_t>(*number) > text_.size())
             endsBefore(what);
@@ -275,7 +275,7 @@ public:
             else if (lines_.startsWith("FILE"))
                 more = files();
             else // VTK would look at this line for ever
-                lines_.refuse("has a section '" + shownText(lines_.line()) +
+                lines_.refuse("has a section '" + printable(lines_.line()) +
                               "', which VTK cannot pass over. Take it out, or put it behind the variables.");
         }
         if (case_.geometry.files.empty())
@@ -539,7 +539,7 @@ private:
         for (int axis = 0; good && axis < 3; ++axis)
             good = takeNumber<double>(rest, valueWidth).has_value();
         if (!good)
-            lines_.refuse("has no point in the line '" + shownText(lines_.line()) + "'. It is cut short or damaged.");
+            lines_.refuse("has no point in the line '" + printable(lines_.line()) + "'. It is cut short or damaged.");
         lines_.numbers<double>(1, "position"); // and is it whole
     }
 
@@ -562,7 +562,7 @@ private:
     {
         const auto number = leadingInteger(text);
         if (!number)
-            lines_.refuse("has a part without a number, in the line '" + shownText(lines_.line()) +
+            lines_.refuse("has a part without a number, in the line '" + printable(lines_.line()) +
                           "'. It is damaged.");
         return *number;
     }
@@ -570,7 +570,7 @@ private:
     void needPart()
     {
         if (!atPart())
-            lines_.refuse("has '" + shownText(lines_.line()) +
+            lines_.refuse("has '" + printable(lines_.line()) +
                           "' where a part should begin, which VTK passes over with "
                           "all that follows. It is damaged, or of another version of the format: export it again.");
     }
@@ -584,7 +584,7 @@ private:
         for (std::uint64_t& points : size) {
             const std::int64_t number = takeNumber<std::int64_t>(rest, std::string_view::npos).value_or(0);
             if (number < 1)
-                lines_.refuse("has a block of the size '" + shownText(lines_.line()) + "'. It is damaged.");
+                lines_.refuse("has a block of the size '" + printable(lines_.line()) + "'. It is damaged.");
             points = static_cast<std::uint64_t>(number);
         }
         return size;
@@ -658,7 +658,7 @@ private:
             return goldCoordinates(part);
         const std::string_view name = elementName(line);
         if (name.empty())
-            lines_.refuse("has '" + shownText(lines_.line()) +
+            lines_.refuse("has '" + printable(lines_.line()) +
                           "' where elements should begin. It is damaged, or of "
                           "another version of the format: export it again.");
         const ElementKind* kind = elementKindOf(name);
@@ -760,7 +760,7 @@ private:
             const std::string_view name = elementName(line);
             const ElementKind* kind = elementKindOf(line);
             if (name.empty() || (kind == nullptr && name != "point")) // VTK would look at this line for ever
-                lines_.refuse("has '" + shownText(line) +
+                lines_.refuse("has '" + printable(line) +
                               "' where elements should begin, which VTK does not know. It "
                               "is damaged, or of another version of the format: export it again.");
             const std::uint64_t count = lines_.size("number of elements");
@@ -768,7 +768,7 @@ private:
                 lines_.needData("element");
                 lines_.numbers<std::int64_t>(kind == nullptr ? 1 : kind->corners, "element");
                 if (kind != nullptr && countIntegers(lines_.line()) < kind->nodes)
-                    lines_.refuse("has an element with too few corners: '" + shownText(lines_.line()) +
+                    lines_.refuse("has an element with too few corners: '" + printable(lines_.line()) +
                                   "'. It is cut short or damaged.");
             }
             part.elements[name] += count;
@@ -787,7 +787,7 @@ private:
         const std::string_view line = withoutLeadingBlanks(lines_.line());
         const auto found = geometry_.parts.find(partNumber(gold_ ? line : line.substr(4)));
         if (found == geometry_.parts.end())
-            lines_.refuse("has values of part '" + shownText(line) +
+            lines_.refuse("has values of part '" + printable(line) +
                           "', which the geometry does not have. One of the "
                           "two is cut short, or they do not belong together.");
         return found->second;
@@ -834,7 +834,7 @@ private:
             const std::string_view name = elementName(lines_.line());
             const auto found = part.elements.find(name);
             if (found == part.elements.end())
-                lines_.refuse("has values of '" + shownText(lines_.line()) +
+                lines_.refuse("has values of '" + printable(lines_.line()) +
                               "', which the part does not have. It is damaged, or does not belong to the geometry.");
             read(found->second);
             missing.erase(name);
@@ -915,7 +915,7 @@ public:
         checked_.bytes = (*file)->bytes().size();
         if (asText(**file).find("master_server") != std::string_view::npos)
             return checked_; // a list of other cases
-        case_ = CaseFile(asText(**file), shownText(path_.filename().string())).read();
+        case_ = CaseFile(asText(**file), printable(path_.filename().string())).read();
         chooseTime();
         EnSightGeometry geometry;
         walk(case_.geometry, geometry, [](EnSightWalk& walk) { walk.geometryFile(); });
@@ -989,7 +989,7 @@ private:
             const fs::path path = path_.parent_path() / name;
             std::error_code ignored;
             if (!fs::exists(path, ignored))
-                throw EnSightProblem{"its file '" + shownText(name) +
+                throw EnSightProblem{"its file '" + printable(name) +
                                      "' is missing. Copy it into the folder of this one: they belong together."};
             const auto file = MappedFile::open(path);
             if (!file)
@@ -1000,7 +1000,7 @@ private:
                 isBinary_ = text.substr(0, 84).find("inary") != std::string_view::npos;
             if (isBinary_)
                 continue;
-            EnSightLines lines(text, shownText(name));
+            EnSightLines lines(text, printable(name));
             EnSightWalk walk(lines, geometry, case_.gold);
             walk.moveToStep(place->step);
             if (isGeometry)

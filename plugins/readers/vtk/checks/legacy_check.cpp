@@ -41,7 +41,7 @@ Result<CheckedFile> checkLegacy(const std::filesystem::path& path)
         rest.remove_prefix(rest.find('\n') == std::string_view::npos ? rest.size() : rest.find('\n') + 1);
     const bool isText = nextLegacyLine(rest).starts_with("ASCII");
     const std::string content = nextLegacyLine(rest);
-    const std::string shown = shownText(content.substr(0, content.find_last_not_of(" \t\r") + 1));
+    const std::string shown = printable(content.substr(0, content.find_last_not_of(" \t\r") + 1));
     const auto beginsWithOne = [&](std::initializer_list<std::string_view> kinds) {
         return std::ranges::any_of(kinds, [&](std::string_view kind) { return content.starts_with(kind); });
     };

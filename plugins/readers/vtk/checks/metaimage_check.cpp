@@ -119,7 +119,7 @@ Result<std::uint64_t> typeBytes(std::string_view type)
     // For VTK a long has 64 bits, for the files 32: half of the samples would be what was in memory.
     return Error{ErrorKind::BadInput,
                  type.empty() ? "its header does not say its ElementType. It is cut short: copy the file again."
-                              : "its samples are of the type '" + shownText(type) +
+                              : "its samples are of the type '" + printable(type) +
                                     "', which is not read. Write them as MET_INT, MET_FLOAT or MET_DOUBLE."};
 }
 
@@ -137,7 +137,7 @@ Result<MetaLayout> layoutOf(const MetaHeader& header)
         const auto size =
             static_cast<std::size_t>(i) < sizes.size() ? wholeNumber(sizes[static_cast<std::size_t>(i)]) : std::nullopt;
         if (!size || *size < 1 || *size > std::int64_t(1) << 31)
-            return wrongHeader("its DimSize is '" + shownText(header.text("DimSize")) + "' and not " +
+            return wrongHeader("its DimSize is '" + printable(header.text("DimSize")) + "' and not " +
                                std::to_string(*dimensions) + " numbers of points.");
         layout.size.push_back(static_cast<std::uint64_t>(*size));
     }
@@ -147,7 +147,7 @@ Result<MetaLayout> layoutOf(const MetaHeader& header)
     const std::string_view channelsText = header.text("ElementNumberOfChannels");
     const auto channels = channelsText.empty() ? std::optional<std::int64_t>(1) : wholeNumber(channelsText);
     if (!channels || *channels < 1 || *channels > 1'000'000)
-        return wrongHeader("its ElementNumberOfChannels is '" + shownText(channelsText) + "'.");
+        return wrongHeader("its ElementNumberOfChannels is '" + printable(channelsText) + "'.");
     layout.sampleBytes = *bytes * static_cast<std::uint64_t>(*channels);
     layout.isText = !header.isTrue("BinaryData");
     layout.isPacked = header.isTrue("CompressedData") && !layout.isText;
@@ -157,7 +157,7 @@ Result<MetaLayout> layoutOf(const MetaHeader& header)
     if (const auto text = header.text("HeaderSize"); !text.empty()) {
         const auto size = wholeNumber(text);
         if (!size || *size < -1)
-            return wrongHeader("its HeaderSize is '" + shownText(text) + "'.");
+            return wrongHeader("its HeaderSize is '" + printable(text) + "'.");
         if (*size < 0 && (layout.isPacked || layout.isText))
             return wrongHeader("its HeaderSize is -1, which says nothing where samples are packed or a text.");
         layout.headerSize = *size;
@@ -378,7 +378,7 @@ private:
         for (std::size_t i = 1; i < words.size(); ++i) {
             const auto number = wholeNumber(words[i]);
             if (!number || std::abs(*number) > 1'000'000'000)
-                return wrongHeader("its ElementDataFile is '" + shownText(name) + "'.");
+                return wrongHeader("its ElementDataFile is '" + printable(name) + "'.");
             numbers[i - 1] = *number;
         }
         if (words.size() == 2)
@@ -387,7 +387,7 @@ private:
             numbers[2] = (numbers[1] - numbers[0]) / layers;
         const auto [first, end, step] = numbers;
         if (step < 1 || 1 + (end - first) / step < layers)
-            return Error{ErrorKind::BadInput, "its ElementDataFile '" + shownText(name) +
+            return Error{ErrorKind::BadInput, "its ElementDataFile '" + printable(name) +
                                                   "' does not name a file for "
                                                   "each of its " +
                                                   std::to_string(layers) +
@@ -396,7 +396,7 @@ private:
         for (std::int64_t layer = 0; layer < layers; ++layer) {
             const auto file = numberedName(words[0], first + layer * step);
             if (!file || words[0].size() > longestWord)
-                return wrongHeader("its ElementDataFile '" + shownText(name) + "' is no name with a number as '%03d'.");
+                return wrongHeader("its ElementDataFile '" + printable(name) + "' is no name with a number as '%03d'.");
             if (const Status fits = checkFile(*file, layout_.samples(layout_.size.size() - 1)); !fits)
                 return fits;
         }

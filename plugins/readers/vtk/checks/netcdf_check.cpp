@@ -114,7 +114,7 @@ private:
                 return noHeader();
             // Programs take memory for as many, used or not.
             if (points > bytes_.size())
-                return wrongHeader("its dimension '" + shownText(dimension) + "' is " + std::to_string(points) +
+                return wrongHeader("its dimension '" + printable(dimension) + "' is " + std::to_string(points) +
                                    " long, more than the file has bytes.");
             lengths_.push_back(points);
         }
@@ -161,7 +161,7 @@ private:
             if (ended_)
                 return noHeader();
             if (dimension >= lengths_.size())
-                return wrongHeader("its variable '" + shownText(variable.name) +
+                return wrongHeader("its variable '" + printable(variable.name) +
                                    "' has dimensions that are not there.");
             const bool unlimited = lengths_[dimension] == 0;
             variable.hasRecords |= unlimited && i == 0;
@@ -176,7 +176,7 @@ private:
         if (ended_)
             return noHeader();
         if (variable.typeSize == 0)
-            return wrongHeader("its variable '" + shownText(variable.name) + "' is of no type that there is.");
+            return wrongHeader("its variable '" + printable(variable.name) + "' is of no type that there is.");
         variable.bytes = boundedProduct(values, variable.typeSize);
         variables_.push_back(std::move(variable));
         return {};
@@ -214,12 +214,12 @@ private:
                 return Error{
                     ErrorKind::BadInput,
                     "it has " + std::to_string(bytes_.size()) + " bytes, and its variable '" +
-                        shownText(variable.name) + "' " +
+                        printable(variable.name) + "' " +
                         (end == noNumber ? "is larger than any file."
                                          : "reaches to byte " + std::to_string(end) + ".") +
                         " It is cut short, or was not written to its end: copy the file again, or export it again."};
             if (bytes > 0 && variable.begin < at_)
-                return wrongHeader("its variable '" + shownText(variable.name) + "' begins within the header.");
+                return wrongHeader("its variable '" + printable(variable.name) + "' begins within the header.");
         }
         return {};
     }

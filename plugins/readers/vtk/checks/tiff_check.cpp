@@ -241,7 +241,7 @@ Result<CheckedFile> checkTiff(const std::vector<fs::path>& paths)
             return Error{ErrorKind::BadInput, which +
                                                   "it is of another size or type than the first file of its stack, "
                                                   "'" +
-                                                  shownText(paths.front().filename().string()) +
+                                                  printable(paths.front().filename().string()) +
                                                   "'. Put the layers of one volume alone into a folder."};
         const auto& shape = pages->front().shape;
         const std::uint64_t unpacked =

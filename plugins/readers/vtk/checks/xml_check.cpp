@@ -159,7 +159,7 @@ public:
         if (type_ == "Collection")
             return Error{ErrorKind::BadInput, "it is a list of files, one for each time step or part. Open one of its "
                                               "files" +
-                                                  (named_.empty() ? "" : ", such as '" + shownText(named_) + "'") +
+                                                  (named_.empty() ? "" : ", such as '" + printable(named_) + "'") +
                                                   "."};
         if (isGridType() && !isGrid_)
             return wrongXml("its element " + type_ + " is missing.");
@@ -200,7 +200,7 @@ private:
             whole_ = cellsIn(xmlAttribute(tag, "WholeExtent"));
             for (const std::string_view name : {"Spacing", "Origin"})
                 if (const auto value = xmlAttribute(tag, name); !value.empty() && !numbersIn<double, 3>(value))
-                    return wrongXml("its " + std::string(name) + " is '" + shownText(value) +
+                    return wrongXml("its " + std::string(name) + " is '" + printable(value) +
                                     "' and not three numbers.");
         }
         return {};
@@ -215,7 +215,7 @@ private:
             addUnpacked(xmlAttribute(tag, "type"), static_cast<std::uint64_t>(*components));
             return {};
         }
-        return wrongXml("its array '" + shownText(xmlAttribute(tag, "Name")) + "' has '" + shownText(text) +
+        return wrongXml("its array '" + printable(xmlAttribute(tag, "Name")) + "' has '" + printable(text) +
                         "' components.");
     }
 
@@ -261,11 +261,11 @@ private:
         std::error_code ignored;
         if (!fs::exists(path, ignored))
             return Error{ErrorKind::BadInput,
-                         "its file '" + shownText(name) +
+                         "its file '" + printable(name) +
                              "' is missing. Copy it into the folder of this one: they belong together."};
         const auto checked = XmlCheck(path, filesWithin_ - 1).run();
         if (!checked)
-            return Error{checked.error().kind, "its file '" + shownText(name) + "': " + checked.error().text};
+            return Error{checked.error().kind, "its file '" + printable(name) + "': " + checked.error().text};
         checked_.bytes = boundedSum(checked_.bytes, checked->bytes);
         checked_.unpackedBytes = boundedSum(checked_.unpackedBytes, checked->unpackedBytes);
         return {};

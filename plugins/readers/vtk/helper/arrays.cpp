@@ -47,7 +47,7 @@ std::string namesText(const std::vector<VtkArray>& arrays)
 {
     std::string text;
     for (const VtkArray& entry : arrays)
-        text += (text.empty() ? "'" : ", '") + shownText(entry.name) + "'" + (entry.perCell ? " (of cells)" : "");
+        text += (text.empty() ? "'" : ", '") + printable(entry.name) + "'" + (entry.perCell ? " (of cells)" : "");
     return text;
 }
 
@@ -157,7 +157,7 @@ Result<VtkSamples> samplesOf(const VtkArray& entry, const std::string& component
     const bool wantsMagnitude = component.empty() || component == "magnitude";
     const auto number = wantsMagnitude ? std::optional<std::uint32_t>(0) : parseNumber<std::uint32_t>(component);
     if (!number || *number >= static_cast<std::uint32_t>(components))
-        return Error{ErrorKind::WrongUsage, "its array '" + shownText(entry.name) + "' has no component '" + component +
+        return Error{ErrorKind::WrongUsage, "its array '" + printable(entry.name) + "' has no component '" + component +
                                                 "'. Choose one from 0 to " + std::to_string(components - 1) +
                                                 ", or 'magnitude'."};
     VtkSamples result =

@@ -144,7 +144,7 @@ Result<VtkFindings> pointFindings(vtkDataSet& data, const VtkArray& array, const
 {
     if (array.perCell)
         return Error{ErrorKind::BadInput,
-                     "its array '" + shownText(array.name) +
+                     "its array '" + printable(array.name) +
                          "' has values for its polygons, not its points. Choose an array of points."};
     VtkFindings found;
     found.kind = VtkDataKind::Points;

@@ -96,7 +96,7 @@ Result<VtkFindings> findingsOfMeshes(const std::vector<VtkLeaf>& meshes, const V
     }
     found.remarks.insert(found.remarks.begin(), first->samples.remarks.begin(), first->samples.remarks.end());
     if (without > 0)
-        found.remarks.push_back(std::to_string(without) + " of its parts have no '" + shownText(first->array.name) +
+        found.remarks.push_back(std::to_string(without) + " of its parts have no '" + printable(first->array.name) +
                                 "' and were left out.");
     return found;
 }
@@ -126,7 +126,7 @@ Result<VtkFindings> findingsOf(const std::vector<VtkLeaf>& leaves, const VtkRequ
     auto found = asMeshes ? findingsOfMeshes(meshes, request) : findingsOfOne(*first.data, request);
     if (found && !asMeshes)
         found->remarks.push_back("It contains " + std::to_string(leaves.size()) + " parts; this is the one called '" +
-                                 shownText(first.name) + "'. Choose another one with 'part'.");
+                                 printable(first.name) + "'. Choose another one with 'part'.");
     else if (found && meshes.size() < leaves.size())
         found->remarks.push_back(std::to_string(leaves.size() - meshes.size()) +
                                  " of its parts are no irregular meshes and were left out.");

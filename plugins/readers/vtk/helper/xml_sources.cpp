@@ -68,7 +68,7 @@ Result<VtkSource> makeXmlSource(const VtkRequest& request)
     if (found == readers.end())
         return Error{ErrorKind::BadInput,
                      type.empty() ? "it is no VTK file: its beginning does not say a type of data. Write it anew."
-                                  : "it holds data of the type '" + shownText(type) +
+                                  : "it holds data of the type '" + printable(type) +
                                         "', which are no volume. Write them as a grid, a mesh or points."};
     const vtkSmartPointer<vtkXMLReader> reader = found->second();
     reader->SetFileName(request.path.c_str());

@@ -98,7 +98,7 @@ private slots:
     /// Faces far from flat: whatever is accepted without leaving cells out covers the box.
     void warpedCellsAreCutAnotherWayOrRefused()
     {
-        int recut = 0, whole = 0;
+        int resplit = 0, whole = 0;
         for (std::uint32_t seed = 0; seed < 60; ++seed) {
             const RandomCells cells({5, 5, 5}, 0.24 + 0.002 * seed, seed, RandomCells::Kinds::NoTetrahedra);
             const auto dataset = datasetOf(cells.complex(), linearValues(cells.complex()));
@@ -113,9 +113,9 @@ private slots:
             QVERIFY(!remarks.contains("touched"));
             ++whole;
             QCOMPARE(totalVolume6(*dataset), 6 * cells.volume());
-            recut += remarks.contains("other diagonals");
+            resplit += remarks.contains("other diagonals");
         }
-        QVERIFY2(whole >= 20 && recut >= 5, qPrintable(QString("%1 whole, %2 recut").arg(whole).arg(recut)));
+        QVERIFY2(whole >= 20 && resplit >= 5, qPrintable(QString("%1 whole, %2 recut").arg(whole).arg(resplit)));
     }
 
     /// Quadratic neighbours agree on their common faces; the fine mesh has all nodes.

@@ -3,7 +3,7 @@
 // the whole history gives, and the independent judge proves it (B1, B3, R14, R25).
 #include "core/history/query/curvilinear_focus.h"
 #include "core/history/query/mesh_extractor.h"
-#include "core/history/query/sharp_focus.h"
+#include "core/history/query/region_refiner.h"
 #include "core/verify/verification.h"
 #include "tests/core/history/irregular/irregular_models.h"
 #include "tests/core/history/query/random_queries.h"
@@ -47,7 +47,7 @@ private slots:
             QVERIFY(verdict.ok());
             for (const std::string& failure : verdict->failures)
                 qWarning("%s", failure.c_str());
-            for (const LevelVerdict& level : verdict->levels)
+            for (const LevelReport& level : verdict->levels)
                 for (const std::string& failure : level.failures)
                     qWarning("%s", failure.c_str());
             QVERIFY(verdict->ok());
@@ -94,7 +94,7 @@ private slots:
         std::mt19937 random(4);
         for (const Case& one : cases_) {
             QVERIFY(!one.model->description().delaunay);
-            QVERIFY(!SharpFocus::fits(*one.model) && !LiftedFocus::fits(*one.model));
+            QVERIFY(!RegionRefiner::fits(*one.model) && !CurvilinearFocus::fits(*one.model));
             MeshExtractor extractor(one.model);
             MeshQuery query;
             query.error = randomRamp(random, *one.model);

@@ -2,7 +2,7 @@
 // R10, R25: what a history's meshes are is seen in them, not in who made them: foci are found in models whose meshes
 // are not Delaunay, too, and damage is told from that.
 #include "core/history/query/mesh_extractor.h"
-#include "core/history/query/sharp_focus.h"
+#include "core/history/query/region_refiner.h"
 #include "core/verify/verification.h"
 #include "core/verify/verify_mesh.h"
 #include "tests/core/history/model_fixture.h"
@@ -24,7 +24,7 @@ private slots:
         model_ = splitModel(dataset_, folder() / "split.tan");
         const auto verdict = verify(*model_, dataset_, {{5}, {0}});
         QVERIFY2(verdict->ok(), verdict->failures.empty() ? "a level" : verdict->failures[0].c_str());
-        QVERIFY(SharpFocus::fits(*model_));
+        QVERIFY(RegionRefiner::fits(*model_));
         query_.error = SpaceRamp{Sphere{dataset_.lattice.bounds().center(), 0.8}, 0, 20, 0};
     }
 

@@ -3,7 +3,7 @@
 // through the whole history gives, and the independent judge proves it (B1, B3, R14, R17, R25).
 #include "core/data/samples.h"
 #include "core/history/query/mesh_extractor.h"
-#include "core/history/query/sharp_focus.h"
+#include "core/history/query/region_refiner.h"
 #include "tests/core/history/model_fixture.h"
 #include "tests/core/history/query/brute_force.h"
 #include "tests/core/history/query/random_queries.h"
@@ -164,9 +164,9 @@ private slots:
                 MeshQuery query;
                 query.error = randomRamp(random, *one.model);
                 query.warping = query.error;
-                query.method = round == 0                     ? VariableMethod::Automatic
-                               : SharpFocus::fits(*one.model) ? VariableMethod::Insertion
-                                                              : VariableMethod::ClosedSet;
+                query.method = round == 0                        ? VariableMethod::Automatic
+                               : RegionRefiner::fits(*one.model) ? VariableMethod::Insertion
+                                                                 : VariableMethod::ClosedSet;
                 const auto mesh = extractor.extract(query);
                 QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text.c_str());
                 inserted += (*mesh)->method == VariableMethod::Insertion ? 1 : 0;

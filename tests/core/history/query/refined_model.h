@@ -23,8 +23,8 @@ inline std::shared_ptr<const Model> refinedModel(const std::filesystem::path& pa
         return nullptr;
     const auto writer = ModelWriter::create(path, dataset, {}, folder->path());
     BuildTarget target{.history = **writer, .workFolder = folder->path()};
-    target.planned = [&](const PlannedCounts& counts, const auto&) {
-        return PlannedModelWriter::create(path, dataset, {}, counts, work);
+    target.planned = [&](const FixedCounts& counts, const auto&) {
+        return FixedSizeModelWriter::create(path, dataset, {}, counts, work);
     };
     ParameterValues values = {{"error", error}};
     if (dataset.domain == DomainClass::RegularLattice)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // S1, R25: meshes with a sharp focus conform, cover, keep their error at every sample, and are what inserting the same
 // points into the coarse mesh gives however slowly.
-#include "core/history/query/sharp_focus.h"
+#include "core/history/query/region_refiner.h"
 
 #include "core/history/model_writer.h"
 #include "core/refine/lattice/lattice_refinement.h"
@@ -104,7 +104,7 @@ private:
 
 } // namespace
 
-class SharpFocusTest : public QObject {
+class RegionRefinerTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -113,8 +113,8 @@ private slots:
     {
         QFETCH(quint32, seed);
         const Case one = Cases(seed).next(folder());
-        QVERIFY(SharpFocus::fits(*one.model));
-        SharpFocus focus(*one.model);
+        QVERIFY(RegionRefiner::fits(*one.model));
+        RegionRefiner focus(*one.model);
         const std::uint64_t inside = focus.sitesInside(one.ramp);
         const auto mesh = focus.extract(one.ramp, true);
         QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text.c_str());
@@ -134,7 +134,7 @@ private slots:
     {
         QFETCH(quint32, seed);
         Case one = Cases(seed + 1000).next(folder());
-        SharpFocus focus(*one.model);
+        RegionRefiner focus(*one.model);
         const SlowFocus slow(*one.model, *focusDivision(*one.model));
         const bool real = one.dataset.values.type() == SampleType::Float32;
         ExtractedMesh last;
@@ -153,7 +153,7 @@ private slots:
         }
         // What came before does not show if it must not.
         const auto fresh = focus.extract(one.ramp, true);
-        const auto first = SharpFocus(*one.model).extract(one.ramp, true);
+        const auto first = RegionRefiner(*one.model).extract(one.ramp, true);
         QVERIFY(same(*fresh, *first));
         // Nor does another error outside, for which another mesh is loaded.
         SpaceRamp other = one.ramp;
@@ -175,11 +175,11 @@ private slots:
         const auto writer = ModelWriter::create(path, dataset, {});
         QVERIFY(refineLattice(options, LatticeSamples(dataset.values.as<std::uint8_t>()), **writer).ok());
         const auto model = Model::open(path).value();
-        QVERIFY(SharpFocus::fits(*model));
+        QVERIFY(RegionRefiner::fits(*model));
         const SlowFocus slow(*model, *focusDivision(*model));
         for (const double outer : {20.0, 1.0}) {
             const SpaceRamp ramp{Sphere{dataset.lattice.bounds().center(), 1.2}, 0.5, outer, 0};
-            const auto mesh = SharpFocus(*model).extract(ramp, true);
+            const auto mesh = RegionRefiner(*model).extract(ramp, true);
             QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text.c_str());
             QCOMPARE(slow.faultOf(byPoints(*model, *mesh), ramp, 0), std::string());
         }
@@ -195,7 +195,7 @@ private slots:
                                      Region(HalfSpace{{0, 0, 1}, centre.z()})})
             for (const double falloff : {0.0, 1.0}) {
                 const SpaceRamp ramp{region, 0, 10, falloff};
-                const auto mesh = SharpFocus(*model).extract(ramp, true);
+                const auto mesh = RegionRefiner(*model).extract(ramp, true);
                 QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text.c_str());
                 const SlowFocus slow(*model, *focusDivision(*model));
                 QCOMPARE(slow.faultOf(byPoints(*model, *mesh), ramp, 1e-12), std::string());
@@ -205,20 +205,20 @@ private slots:
     void canBeCancelled()
     {
         const Case one = Cases(1).next(folder());
-        SharpFocus focus(*one.model);
+        RegionRefiner focus(*one.model);
         std::stop_source stop;
         stop.request_stop();
         const SpaceRamp ramp{Sphere{one.dataset.lattice.bounds().center(), 2}, 0, 30, 0};
         const auto cancelled = focus.extract(ramp, false, Progress(stop.get_token(), {}));
         QVERIFY(!cancelled.ok());
         QCOMPARE(cancelled.error().kind, ErrorKind::Cancelled);
-        QVERIFY(same(*focus.extract(ramp, false), *SharpFocus(*one.model).extract(ramp, true)));
+        QVERIFY(same(*focus.extract(ramp, false), *RegionRefiner(*one.model).extract(ramp, true)));
     }
 
     void aRampTheWrongWayRoundIsRefused()
     {
         const Case one = Cases(1).next(folder());
-        const auto mesh = SharpFocus(*one.model).extract({Sphere{}, 5, 2, 0}, true);
+        const auto mesh = RegionRefiner(*one.model).extract({Sphere{}, 5, 2, 0}, true);
         QVERIFY(!mesh.ok());
         QCOMPARE(mesh.error().kind, ErrorKind::WrongUsage);
     }
@@ -244,9 +244,9 @@ private slots:
         const auto path = folder() / "damaged.tan";
         writeBytes(path, parts.content);
         const auto damaged = Model::open(path);
-        if (!damaged.ok() || !SharpFocus::fits(**damaged))
+        if (!damaged.ok() || !RegionRefiner::fits(**damaged))
             return;
-        SharpFocus focus(**damaged);
+        RegionRefiner focus(**damaged);
         Cases cases(seed);
         for (int i = 0; i < 5; ++i) {
             const SpaceRamp ramp = cases.ramp(dataset.lattice);
@@ -268,9 +268,9 @@ private slots:
         parts.section(format::SectionId::Samples).id = 999;
         parts.repairChecksums();
         writeBytes(folder() / "without.tan", parts.content);
-        QVERIFY(!SharpFocus::fits(*Model::open(folder() / "without.tan").value()));
+        QVERIFY(!RegionRefiner::fits(*Model::open(folder() / "without.tan").value()));
         writeModel(folder() / "bent.tan", bentBumps(SampleType::UInt8, {4, 5, 4}));
-        QVERIFY(!SharpFocus::fits(*Model::open(folder() / "bent.tan").value()));
+        QVERIFY(!RegionRefiner::fits(*Model::open(folder() / "bent.tan").value()));
     }
 
 private:
@@ -303,5 +303,5 @@ private:
     QTemporaryDir folder_;
 };
 
-QTEST_GUILESS_MAIN(SharpFocusTest)
+QTEST_GUILESS_MAIN(RegionRefinerTest)
 #include "sharp_focus_test.moc"

@@ -11,7 +11,7 @@ namespace tetra {
 
 namespace {
 
-using Whole = __int128;
+using BigInteger = __int128;
 using Vector = std::array<std::int64_t, 3>;
 
 template <class Place> Vector difference(const Place& a, const Place& b)
@@ -19,13 +19,13 @@ template <class Place> Vector difference(const Place& a, const Place& b)
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-Whole determinant(const Vector& a, const Vector& b, const Vector& c)
+BigInteger determinant(const Vector& a, const Vector& b, const Vector& c)
 {
-    return Whole(a[0]) * (b[1] * c[2] - b[2] * c[1]) + Whole(a[1]) * (b[2] * c[0] - b[0] * c[2]) +
-           Whole(a[2]) * (b[0] * c[1] - b[1] * c[0]);
+    return BigInteger(a[0]) * (b[1] * c[2] - b[2] * c[1]) + BigInteger(a[1]) * (b[2] * c[0] - b[0] * c[2]) +
+           BigInteger(a[2]) * (b[0] * c[1] - b[1] * c[0]);
 }
 
-template <class Place> Whole sixVolumes(const Place& a, const Place& b, const Place& c, const Place& d)
+template <class Place> BigInteger sixVolumes(const Place& a, const Place& b, const Place& c, const Place& d)
 {
     return determinant(difference(b, a), difference(c, a), difference(d, a));
 }
@@ -81,7 +81,8 @@ void SlowFocus::insertInto(const LatticeBox& box, std::uint32_t point)
     const LatticeMetric metric = latticeMetric(division_.box(0).size, model_.description().lattice.spacing).value();
     const Place p = placeOf(point);
     const auto square = [&](const Vector& v) {
-        return Whole(metric[0]) * v[0] * v[0] + Whole(metric[1]) * v[1] * v[1] + Whole(metric[2]) * v[2] * v[2];
+        return BigInteger(metric[0]) * v[0] * v[0] + BigInteger(metric[1]) * v[1] * v[1] +
+               BigInteger(metric[2]) * v[2] * v[2];
     };
     const auto isStrictlyInside = [&](const PointTetrahedron& t) {
         std::array<Vector, 4> v{};
@@ -121,7 +122,7 @@ std::vector<SlowFocus::Violation> SlowFocus::worstOf(const std::vector<PointTetr
         std::array<Place, 4> v{};
         for (std::size_t i = 0; i < 4; ++i)
             v[i] = placeOf(t[i]);
-        const Whole volume = sixVolumes(v[0], v[1], v[2], v[3]);
+        const BigInteger volume = sixVolumes(v[0], v[1], v[2], v[3]);
         const auto range = [&](auto coordinate) {
             const auto [least, most] =
                 std::minmax({v[0].*coordinate, v[1].*coordinate, v[2].*coordinate, v[3].*coordinate});
@@ -135,10 +136,10 @@ std::vector<SlowFocus::Violation> SlowFocus::worstOf(const std::vector<PointTetr
             for (std::int64_t y = y0; y <= y1; ++y)
                 for (std::int64_t x = x0; x <= x1; ++x) {
                     const Place p{x, y, z};
-                    const std::array<Whole, 4> weights = {
+                    const std::array<BigInteger, 4> weights = {
                         sixVolumes(p, v[1], v[2], v[3]), sixVolumes(p, v[0], v[3], v[2]),
                         sixVolumes(p, v[0], v[1], v[3]), sixVolumes(p, v[0], v[2], v[1])};
-                    if (std::ranges::any_of(weights, [](Whole weight) { return weight < 0; }))
+                    if (std::ranges::any_of(weights, [](BigInteger weight) { return weight < 0; }))
                         continue;
                     const auto point =
                         static_cast<std::uint32_t>(lattice.index(std::uint32_t(x), std::uint32_t(y), std::uint32_t(z)));
@@ -208,9 +209,9 @@ std::string SlowFocus::faultOf(const std::vector<PointTetrahedron>& mesh, const 
 {
     const auto& size = model_.description().lattice.size;
     std::map<std::array<std::uint32_t, 3>, int> sides;
-    Whole volume = 0;
+    BigInteger volume = 0;
     for (const PointTetrahedron& t : mesh) {
-        const Whole own = sixVolumes(placeOf(t[0]), placeOf(t[1]), placeOf(t[2]), placeOf(t[3]));
+        const BigInteger own = sixVolumes(placeOf(t[0]), placeOf(t[1]), placeOf(t[2]), placeOf(t[3]));
         if (own <= 0)
             return "a tetrahedron is flat or inverted";
         volume += own;
@@ -220,7 +221,7 @@ std::string SlowFocus::faultOf(const std::vector<PointTetrahedron>& mesh, const 
             ++sides[corners];
         }
     }
-    if (volume != Whole(6) * (size[0] - 1) * (size[1] - 1) * (size[2] - 1))
+    if (volume != BigInteger(6) * (size[0] - 1) * (size[1] - 1) * (size[2] - 1))
         return "the tetrahedra do not fill the domain";
     for (const auto& [corners, count] : sides) {
         const Place a = placeOf(corners[0]), b = placeOf(corners[1]), c = placeOf(corners[2]);

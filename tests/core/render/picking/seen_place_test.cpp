@@ -61,7 +61,7 @@ Surface wall(double y, float opacity)
     return {mesh, {}, opacity};
 }
 
-SightLine alongY(double x, double z)
+PickingRay alongY(double x, double z)
 {
     return {{x, -20, z}, {0, 1, 0}};
 }
@@ -79,8 +79,9 @@ void SeenPlaceTest::volumesAgreeWithSmallSteps()
     for (int round = 0; round < 200; ++round) {
         const Eigen::Vector3d from(coordinate(), -5 - coordinate(), coordinate());
         const Eigen::Vector3d to(coordinate(), extent + coordinate(), coordinate());
-        const SightLine line{from, (to - from).normalized()};
-        const SightPart inside = partWithin(line, Box{Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(extent)});
+        const PickingRay line{from, (to - from).normalized()};
+        const PickingInterval inside =
+            partWithin(line, Box{Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(extent)});
         double depth = 0, most = 0, place = 0;
         constexpr int steps = 100'000;
         const double step = (inside.to - inside.from) / steps;
@@ -187,7 +188,7 @@ void SeenPlaceTest::nothingIsSeenOfWhatIsTransparent()
     scene.volume = volumeOf(latticeMesh(2, extent, Split::Five, slanted), peaks());
     QVERIFY(!seenPlace(scene, alongY(-1, 1)));
     QVERIFY(seenPlace(scene, alongY(1, 1)));
-    SightLine behind = alongY(1, 1);
+    PickingRay behind = alongY(1, 1);
     behind.nearest = 40; // the eye is beyond all of it
     QVERIFY(!seenPlace(scene, behind));
 }

@@ -53,7 +53,7 @@ std::vector<CellRelation> edgesOf(const VolumeMesh& volume, const EyePoint& eye,
                                   std::span<const CellRelation> relations)
 {
     std::vector<CellRelation> edges(relations.begin(), relations.end());
-    const Buffer<std::uint8_t> facing = faceFacing(*volume.mesh, eye);
+    const Buffer<std::uint8_t> facing = classifyFaces(*volume.mesh, eye);
     for (std::uint32_t cell = 0; cell < facing.size(); ++cell)
         for (std::size_t face = 0; face < 4; ++face)
             if (((facing[cell] & volume.adjacency.innerFaces[cell]) >> face & 1) != 0)
@@ -121,7 +121,7 @@ void checkOrders(const VolumeMesh& volume, const EyePoint& eye, std::span<const 
 
 } // namespace
 
-class CellTakingTest : public QObject {
+class TopologicalSortTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -133,7 +133,7 @@ private slots:
     void leavesWhatIsTakenFromTheOtherEnd();
 };
 
-void CellTakingTest::keepsEveryEdge_data()
+void TopologicalSortTest::keepsEveryEdge_data()
 {
     QTest::addColumn<TetrahedralMesh>("mesh");
     for (const NamedMesh& named : volumeMeshes())
@@ -146,7 +146,7 @@ void CellTakingTest::keepsEveryEdge_data()
 }
 
 /// With faces alone, with relations that agree with them, and with a few that do not.
-void CellTakingTest::keepsEveryEdge()
+void TopologicalSortTest::keepsEveryEdge()
 {
     QFETCH(TetrahedralMesh, mesh);
     const VolumeMesh volume = volumeOf(mesh);
@@ -159,7 +159,7 @@ void CellTakingTest::keepsEveryEdge()
     }
 }
 
-void CellTakingTest::fewCells()
+void TopologicalSortTest::fewCells()
 {
     TetrahedralMesh mesh;
     const auto check = [&](std::size_t cells) {
@@ -185,7 +185,7 @@ void CellTakingTest::fewCells()
 }
 
 /// The two cells of a face need not agree on it then.
-void CellTakingTest::invertedCellsComeOnce()
+void TopologicalSortTest::invertedCellsComeOnce()
 {
     std::mt19937 random(22);
     for (const unsigned one : {50u, 5u, 2u}) { // of so many
@@ -202,14 +202,14 @@ void CellTakingTest::invertedCellsComeOnce()
     }
 }
 
-void CellTakingTest::takesAsManyAsAreWanted()
+void TopologicalSortTest::takesAsManyAsAreWanted()
 {
     const VolumeMesh volume = volumeOf(boxLattice(7, Split::Six));
     const EyePoint eye{volume.bounds.center() + Eigen::Vector3d(9, 40, 23), true};
-    const Buffer<std::uint8_t> facing = faceFacing(*volume.mesh, eye);
-    const HidingGraph graph{volume.adjacency, facing, {}};
+    const Buffer<std::uint8_t> facing = classifyFaces(*volume.mesh, eye);
+    const OcclusionGraph graph{volume.adjacency, facing, {}};
     for (const OrderEnd end : {OrderEnd::Front, OrderEnd::Back}) {
-        CellTaking taking(graph, end);
+        TopologicalSort taking(graph, end);
         for (const std::size_t most : {0, 1, 63, 64, 65, 700, 1500, 100000}) {
             taking.take(most);
             const auto cells = taking.taken();
@@ -225,17 +225,17 @@ void CellTakingTest::takesAsManyAsAreWanted()
     }
 }
 
-void CellTakingTest::leavesWhatIsTakenFromTheOtherEnd()
+void TopologicalSortTest::leavesWhatIsTakenFromTheOtherEnd()
 {
     const VolumeMesh volume = volumeOf(shakenLattice(0));
     const std::size_t cells = volume.mesh->tetrahedra.size();
     const EyePoint eye{volume.bounds.center() + Eigen::Vector3d(9, 40, 23), true};
-    const Buffer<std::uint8_t> facing = faceFacing(*volume.mesh, eye);
-    const HidingGraph graph{volume.adjacency, facing, {}};
+    const Buffer<std::uint8_t> facing = classifyFaces(*volume.mesh, eye);
+    const OcclusionGraph graph{volume.adjacency, facing, {}};
     const auto edges = edgesOf(volume, eye, {});
     for (const double fromFront : {0.0, 0.1, 0.5, 0.9, 1.0})
         for (const double fromBack : {0.0, 0.1, 0.5, 0.9, 1.0}) {
-            CellTaking front(graph, OrderEnd::Front), back(graph, OrderEnd::Back);
+            TopologicalSort front(graph, OrderEnd::Front), back(graph, OrderEnd::Back);
             front.take(static_cast<std::size_t>(fromFront * double(cells)));
             back.take(static_cast<std::size_t>(fromBack * double(cells)));
             front.leave(back.taken());
@@ -249,5 +249,5 @@ void CellTakingTest::leavesWhatIsTakenFromTheOtherEnd()
         }
 }
 
-QTEST_GUILESS_MAIN(CellTakingTest)
+QTEST_GUILESS_MAIN(TopologicalSortTest)
 #include "cell_taking_test.moc"

@@ -221,7 +221,7 @@ void VisibilityOrderTest::besideAVertexAtTheOrigin()
             mesh.positions.emplace_back(x, y, (x + y) / 3); // but for rounding in one plane
         }
         const std::array<double, 3> eye{1e-25 * coordinate(random), 1e-25 * coordinate(random), 1e-25};
-        const unsigned facing = faceFacing(mesh, {{eye[0], eye[1], eye[2]}, true})[0];
+        const unsigned facing = classifyFaces(mesh, {{eye[0], eye[1], eye[2]}, true})[0];
         for (std::size_t face = 0; face < 4; ++face) {
             const auto at = [&](std::size_t i) {
                 const Eigen::Vector3f& p = mesh.positions[cornersOfFace[face][i]];

@@ -15,7 +15,7 @@ TransferFunction ramp(float opacity)
     return {{{0, {1, 0, 0}, 0}, {1, {0, 0, 1}, opacity}}, 0.5};
 }
 
-Volume made(VolumeMaker& maker, const TransferFunction& function, bool shaded = false)
+Volume made(VolumeCache& maker, const TransferFunction& function, bool shaded = false)
 {
     auto volume = maker.update(function, shaded);
     if (!volume)
@@ -25,14 +25,14 @@ Volume made(VolumeMaker& maker, const TransferFunction& function, bool shaded = 
 
 } // namespace
 
-class VolumeMakerTest : public QObject {
+class VolumeCacheTest : public QObject {
     Q_OBJECT
 
 private slots:
     void keepsWhatFits()
     {
         const auto mesh = std::make_shared<const TetrahedralMesh>(testing::randomLattice(3));
-        VolumeMaker maker(mesh);
+        VolumeCache maker(mesh);
         const Volume first = made(maker, ramp(0.5f));
         QVERIFY(first.mesh->mesh->tetrahedra == inSpatialOrder(*mesh)->tetrahedra);
         QCOMPARE(first.transfer->classes.size(), mesh->tetrahedra.size());
@@ -51,7 +51,7 @@ private slots:
 
     void badFunctionsAreErrorsAndForgotten()
     {
-        VolumeMaker maker(std::make_shared<const TetrahedralMesh>(testing::oneCell()));
+        VolumeCache maker(std::make_shared<const TetrahedralMesh>(testing::oneCell()));
         TransferFunction descending = ramp(0.5f);
         std::swap(descending.points[0], descending.points[1]);
         for (int turn = 0; turn < 2; ++turn)
@@ -61,7 +61,7 @@ private slots:
 
     void reportsAndCancels()
     {
-        VolumeMaker maker(std::make_shared<const TetrahedralMesh>(testing::oneCell()));
+        VolumeCache maker(std::make_shared<const TetrahedralMesh>(testing::oneCell()));
         std::stop_source stop;
         double last = 0;
         bool falls = false;
@@ -78,5 +78,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(VolumeMakerTest)
+QTEST_GUILESS_MAIN(VolumeCacheTest)
 #include "volume_maker_test.moc"

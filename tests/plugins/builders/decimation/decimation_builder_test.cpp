@@ -244,7 +244,7 @@ private slots:
                                            [&](std::uint32_t site) { return std::uint32_t(history.points[site]); });
                 }
         }
-        LiftedSigns signs;
+        PhysicalSigns signs;
         for (const auto& t : tetrahedra) {
             const auto& at = *positions;
             const double volume = (at[t[1]] - at[t[0]]).dot((at[t[2]] - at[t[0]]).cross(at[t[3]] - at[t[0]]));

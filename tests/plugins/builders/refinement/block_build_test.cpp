@@ -284,10 +284,10 @@ private:
         if (!writer)
             return writer.error();
         BuildTarget target{.history = **writer, .workFolder = folder->path(), .resume = resume};
-        target.planned = [&](const PlannedCounts& counts, const auto& chosen) {
+        target.planned = [&](const FixedCounts& counts, const auto& chosen) {
             ModelDescription own = description;
             own.parameters = chosen;
-            return PlannedModelWriter::create(path(), dataset, own, counts, workFolder());
+            return FixedSizeModelWriter::create(path(), dataset, own, counts, workFolder());
         };
         std::stop_source source;
         const Progress cancelling(source.get_token(), [&](double fraction, std::string_view) {
@@ -319,12 +319,12 @@ private:
         if (stop == 0)
             for (const double percent : {5.0, 1.0, 0.0})
                 levels.push_back({percent});
-        const Result<Verdict> verdict = verify(**model, dataset, levels);
+        const Result<VerificationReport> verdict = verify(**model, dataset, levels);
         if (!verdict)
             return false;
         for (const std::string& failure : verdict->failures)
             qWarning("%s", failure.c_str());
-        for (const LevelVerdict& level : verdict->levels)
+        for (const LevelReport& level : verdict->levels)
             for (const std::string& failure : level.failures)
                 qWarning("%g %%: %s", level.asked.error, failure.c_str());
         return verdict->ok();

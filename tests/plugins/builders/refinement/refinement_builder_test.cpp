@@ -100,11 +100,11 @@ private slots:
             levels.push_back({percent});
         if (stop == 0)
             levels.push_back({0});
-        const Result<Verdict> verdict = verify(**model, dataset, levels);
+        const Result<VerificationReport> verdict = verify(**model, dataset, levels);
         QVERIFY(verdict.ok());
         for (const std::string& failure : verdict->failures)
             qWarning("%s", failure.c_str());
-        for (const LevelVerdict& level : verdict->levels)
+        for (const LevelReport& level : verdict->levels)
             for (const std::string& failure : level.failures)
                 qWarning("%s", failure.c_str());
         QVERIFY(verdict->ok());

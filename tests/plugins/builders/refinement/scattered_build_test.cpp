@@ -50,14 +50,14 @@ Dataset points(std::size_t count, bool onGrid, unsigned seed)
     return datasetOf(std::move(positions), std::move(values));
 }
 
-QString textOf(const Result<Verdict>& verdict)
+QString textOf(const Result<VerificationReport>& verdict)
 {
     if (!verdict)
         return QString::fromStdString(verdict.error().text);
     QStringList texts;
     for (const std::string& text : verdict->failures)
         texts << QString::fromStdString(text);
-    for (const LevelVerdict& level : verdict->levels)
+    for (const LevelReport& level : verdict->levels)
         for (const std::string& text : level.failures)
             texts << QString::number(level.asked.error) + " %: " + QString::fromStdString(text);
     return texts.join('\n');

@@ -18,12 +18,12 @@ Q_DECLARE_METATYPE(tetra::SampleType)
 
 namespace {
 
-QString failuresOf(const Verdict& verdict)
+QString failuresOf(const VerificationReport& verdict)
 {
     QStringList texts;
     for (const std::string& text : verdict.failures)
         texts << QString::fromStdString(text);
-    for (const LevelVerdict& level : verdict.levels)
+    for (const LevelReport& level : verdict.levels)
         for (const std::string& text : level.failures)
             texts << QString::fromStdString(text);
     return texts.join('\n');

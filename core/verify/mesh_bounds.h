@@ -11,12 +11,12 @@
 namespace tetra {
 
 /// What a mesh claims of its error and its warping at each sample, for verification.
-class MeshClaims {
+class MeshBounds {
 public:
     /// The same at all samples, in units of the values and of length.
-    MeshClaims(double error, double warping);
+    MeshBounds(double error, double warping);
     /// What the query's fields allow there, at this scale (keptPercent()). The dataset outlives it.
-    MeshClaims(const MeshQuery& query, double scale, const Dataset& original);
+    MeshBounds(const MeshQuery& query, double scale, const Dataset& original);
 
     bool areUniform() const noexcept { return original_ == nullptr; }
     /// In units of the values. Fields are computed in doubles, so theirs is 1e-12 of the range more.

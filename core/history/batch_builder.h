@@ -101,7 +101,7 @@ std::array<std::uint32_t, 4> latestFirst(const std::array<std::uint32_t, 4>& sit
 
 /// A complete batch (FORMAT.md): its sites in canonical order, and what is to be stored of it. Sites and tetrahedra
 /// have the numbers under which they are stored.
-struct ArrangedBatch {
+struct Batch {
     struct Tetrahedron {
         std::array<std::uint32_t, 4> sites; ///< positive, the latest first
         float error = 0;
@@ -124,18 +124,18 @@ struct ArrangedBatch {
 };
 
 /// Takes what complete batches are made of.
-class ArrangedBatchSink {
+class BatchSink {
 public:
-    virtual ~ArrangedBatchSink() = default;
+    virtual ~BatchSink() = default;
     /// May throw std::bad_alloc.
-    virtual Status add(const ArrangedBatch& batch) = 0;
+    virtual Status add(const Batch& batch) = 0;
 };
 
 /// Turns the steps of a history into batches while they come. Memory: 4 bytes a site, 4 a tetrahedron that was ever
 /// made, and one batch whole. Members that return a Status may throw std::bad_alloc.
-class HistoryArranger {
+class BatchBuilder {
 public:
-    HistoryArranger(std::uint64_t pointCount, ArrangedBatchSink& sink) : pointCount_(pointCount), sink_(sink) {}
+    BatchBuilder(std::uint64_t pointCount, BatchSink& sink) : pointCount_(pointCount), sink_(sink) {}
 
     /// Plugins are written by others: a step that does not fit is an Error whose text says only what is wrong with it,
     /// and the end of the history.
@@ -166,7 +166,7 @@ private:
     static constexpr std::uint32_t gone = 0xffffffff;
 
     std::uint64_t pointCount_;
-    ArrangedBatchSink& sink_;
+    BatchSink& sink_;
     Status failure_; ///< the first one, which every further call gives again
     HistoryBatch batch_;
     float runningKey_ = std::numeric_limits<float>::infinity();
@@ -175,13 +175,13 @@ private:
     ChunkedArray<std::uint32_t> finalNumbers_;  ///< of each of the builder's sites
     ChunkedArray<std::uint32_t> storedNumbers_; ///< of each of the builder's tetrahedra
 
-    std::vector<ArrangedBatch::Destruction> destructions_;
+    std::vector<Batch::Destruction> destructions_;
     std::vector<std::uint64_t> points_;
     std::vector<std::uint8_t> groupGoesOn_;
     std::vector<std::uint32_t> starEnds_;
-    std::vector<ArrangedBatch::Tetrahedron> staying_; ///< as they were made
-    std::vector<std::uint32_t> stayingNumbers_;       ///< theirs in the batch
-    std::vector<ArrangedBatch::Tetrahedron> sorted_;  ///< star by star
+    std::vector<Batch::Tetrahedron> staying_;   ///< as they were made
+    std::vector<std::uint32_t> stayingNumbers_; ///< theirs in the batch
+    std::vector<Batch::Tetrahedron> sorted_;    ///< star by star
 };
 
 } // namespace tetra

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/decimate/collapse_fan.h"
+#include "core/decimate/collapse_star.h"
 #include "core/decimate/collapsible_mesh.h"
 #include "core/decimate/decimation.h"
 #include "core/decimate/vertex_star.h"
@@ -64,11 +64,11 @@ std::array<double, 3> nearestWeights(const std::array<std::array<double, 3>, 3>&
 /// else was collapsed there. For the same reason a point outside that a new tetrahedron takes in, but that is related
 /// to one which stays, counts for both; such are looked for on the triangles around those that change. Coordinates are
 /// relative to the star's vertex.
-class BoundaryJudge {
+class BoundaryCost {
 public:
     static constexpr std::uint32_t none = CollapsibleMesh::none;
 
-    BoundaryJudge(const DecimationMesh& input, const FanMeasure& measure) : input_(input), measure_(measure) {}
+    BoundaryCost(const DecimationMesh& input, const CollapseMeasure& measure) : input_(input), measure_(measure) {}
 
     /// For collapses of a boundary vertex; `inside` are the removed points that its tetrahedra have, and itself.
     void set(const CollapsibleMesh& mesh, const VertexStar& star, std::span<const std::uint32_t> inside,
@@ -76,7 +76,7 @@ public:
 
     /// The largest of the errors and weighted warpings that a collapse gives, or, as soon as that exceeds `bound`, what
     /// it is so far. `fan` are the tetrahedra that it makes.
-    double evaluate(const VertexStar& star, std::uint32_t linkPlace, const ApexFan& fan, double bound);
+    double evaluate(const VertexStar& star, std::uint32_t linkPlace, const CollapseStar& fan, double bound);
 
     /// What becomes of a point by the collapse evaluated last.
     struct Error {
@@ -139,7 +139,7 @@ private:
     bool mayBeInStar(const Vector& place) const;
     double warpingOf(const Point& point, const Nearest& projection) const;
     double errorOf(const Point& point, double interpolated) const;
-    double judgeError(const Point& point, const ApexFan& fan);
+    double judgeError(const Point& point, const CollapseStar& fan);
     double judgeWarping(const Point& point);
     double weight(std::uint32_t point) const
     {
@@ -147,7 +147,7 @@ private:
     }
 
     const DecimationMesh& input_;
-    const FanMeasure& measure_;
+    const CollapseMeasure& measure_;
     std::uint32_t vertex_ = none;
     Vector least_{}, greatest_{}; ///< the box of the star
     std::vector<Triangle> ring_;  ///< the boundary triangles around those of the vertex

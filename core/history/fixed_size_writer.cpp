@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/history/planned_model_writer.h"
+#include "core/history/fixed_size_writer.h"
 
 #include "core/history/file_layout.h"
 #include "core/history/model_writer.h"
@@ -22,11 +22,11 @@ constexpr std::size_t bufferBytes = 1 << 20;
 
 } // namespace
 
-Status PlannedSections::plan(std::span<const PlannedSection> sections)
+Status FixedSizeSections::plan(std::span<const FixedSizeSection> sections)
 {
     std::uint64_t end = sizeof(Header) + (sections.size() + 1) * sizeof(Section);
     std::uint64_t chunks = 0;
-    for (const PlannedSection& planned : sections) {
+    for (const FixedSizeSection& planned : sections) {
         place(planned, end);
         chunks += format::chunkCount(cursors_.back().section.bytes);
     }
@@ -34,7 +34,7 @@ Status PlannedSections::plan(std::span<const PlannedSection> sections)
     return file_.extend(end);
 }
 
-void PlannedSections::place(const PlannedSection& planned, std::uint64_t& end)
+void FixedSizeSections::place(const FixedSizeSection& planned, std::uint64_t& end)
 {
     Cursor cursor;
     cursor.section.id = static_cast<std::uint32_t>(planned.id);
@@ -47,7 +47,7 @@ void PlannedSections::place(const PlannedSection& planned, std::uint64_t& end)
     cursors_.push_back(std::move(cursor));
 }
 
-Status PlannedSections::add(format::SectionId id, std::span<const std::byte> bytes)
+Status FixedSizeSections::add(format::SectionId id, std::span<const std::byte> bytes)
 {
     Cursor& to = cursor(id);
     assert(bytes.size() <= to.section.bytes - to.written);
@@ -62,7 +62,7 @@ Status PlannedSections::add(format::SectionId id, std::span<const std::byte> byt
     return {};
 }
 
-Status PlannedSections::finish(Header header)
+Status FixedSizeSections::finish(Header header)
 {
     ChunkSums sums;
     for (const Cursor& cursor : std::span(cursors_).first(cursors_.size() - 1))
@@ -87,7 +87,7 @@ Status PlannedSections::finish(Header header)
     return file_.commit();
 }
 
-PlannedSections::Cursor& PlannedSections::cursor(format::SectionId id)
+FixedSizeSections::Cursor& FixedSizeSections::cursor(format::SectionId id)
 {
     const auto found = std::ranges::find(cursors_, static_cast<std::uint32_t>(id),
                                          [](const Cursor& cursor) { return cursor.section.id; });
@@ -95,7 +95,7 @@ PlannedSections::Cursor& PlannedSections::cursor(format::SectionId id)
     return *found;
 }
 
-Status PlannedSections::flush(Cursor& cursor)
+Status FixedSizeSections::flush(Cursor& cursor)
 {
     const std::uint64_t offset = cursor.section.offset + cursor.written - cursor.buffer.size();
     const Status written = file_.overwrite(offset, cursor.buffer);
@@ -105,17 +105,17 @@ Status PlannedSections::flush(Cursor& cursor)
 
 using format::SectionId;
 
-Result<std::unique_ptr<PlannedModelWriter>>
-PlannedModelWriter::create(const std::filesystem::path& path, const Dataset& dataset, ModelDescription description,
-                           const PlannedCounts& counts, const std::filesystem::path& workFolder)
+Result<std::unique_ptr<FixedSizeModelWriter>>
+FixedSizeModelWriter::create(const std::filesystem::path& path, const Dataset& dataset, ModelDescription description,
+                             const FixedCounts& counts, const std::filesystem::path& workFolder)
 {
     describeSource(description, dataset);
     Result<FileWriter> file = FileWriter::create(path, 1, workFolder);
     if (!file)
         return file.error();
     try {
-        std::unique_ptr<PlannedModelWriter> writer(
-            new PlannedModelWriter(std::move(*file), dataset, std::move(description), counts));
+        std::unique_ptr<FixedSizeModelWriter> writer(
+            new FixedSizeModelWriter(std::move(*file), dataset, std::move(description), counts));
         if (const Status begun = writer->begin(); !begun)
             return begun.error();
         return writer;
@@ -125,29 +125,29 @@ PlannedModelWriter::create(const std::filesystem::path& path, const Dataset& dat
     }
 }
 
-PlannedModelWriter::PlannedModelWriter(FileWriter file, const Dataset& dataset, ModelDescription description,
-                                       const PlannedCounts& counts)
+FixedSizeModelWriter::FixedSizeModelWriter(FileWriter file, const Dataset& dataset, ModelDescription description,
+                                           const FixedCounts& counts)
     : target_(file.target()), sections_(std::move(file)), dataset_(dataset), description_(std::move(description)),
       planned_(counts)
 {
 }
 
-Status PlannedModelWriter::begin()
+Status FixedSizeModelWriter::begin()
 {
     const Result<std::string> text = textOf(description_, target_);
     if (!text)
         return text.error();
     const auto sampleBytes = static_cast<std::uint32_t>(sampleSize(dataset_.values.type()));
-    std::vector<PlannedSection> sections = {{SectionId::Text, 1, text->size()},
-                                            {SectionId::SitePoints, 4, planned_.sites},
-                                            {SectionId::SiteValues, sampleBytes, planned_.sites},
-                                            {SectionId::SiteRunningErrors, 4, planned_.sites},
-                                            {SectionId::StarOffsets, 8, planned_.sites + 1ull},
-                                            {SectionId::MeshSizes, 4, planned_.sites},
-                                            {SectionId::SiteGroups, 1, planned_.sites},
-                                            {SectionId::OtherSites, 12, planned_.tetrahedra},
-                                            {SectionId::Destroyers, 4, planned_.tetrahedra},
-                                            {SectionId::OwnErrors, 2, planned_.tetrahedra}};
+    std::vector<FixedSizeSection> sections = {{SectionId::Text, 1, text->size()},
+                                              {SectionId::SitePoints, 4, planned_.sites},
+                                              {SectionId::SiteValues, sampleBytes, planned_.sites},
+                                              {SectionId::SiteRunningErrors, 4, planned_.sites},
+                                              {SectionId::StarOffsets, 8, planned_.sites + 1ull},
+                                              {SectionId::MeshSizes, 4, planned_.sites},
+                                              {SectionId::SiteGroups, 1, planned_.sites},
+                                              {SectionId::OtherSites, 12, planned_.tetrahedra},
+                                              {SectionId::Destroyers, 4, planned_.tetrahedra},
+                                              {SectionId::OwnErrors, 2, planned_.tetrahedra}};
     if (samplesKept())
         sections.push_back({SectionId::Samples, sampleBytes, dataset_.pointCount(), 0});
     if (const Status planned = sections_.plan(sections); !planned)
@@ -155,7 +155,7 @@ Status PlannedModelWriter::begin()
     return sections_.add(SectionId::Text, std::as_bytes(std::span(*text)));
 }
 
-Status PlannedModelWriter::add(const PlannedStars& stars)
+Status FixedSizeModelWriter::add(const FixedSizeStars& stars)
 {
     if (stars.points.size() > planned_.sites - added_.sites ||
         stars.otherSites.size() > planned_.tetrahedra - added_.tetrahedra)
@@ -173,7 +173,7 @@ Status PlannedModelWriter::add(const PlannedStars& stars)
     return {};
 }
 
-Status PlannedModelWriter::addOffsets(std::span<const std::uint32_t> starSizes)
+Status FixedSizeModelWriter::addOffsets(std::span<const std::uint32_t> starSizes)
 {
     offsets_.clear();
     for (const std::uint32_t size : starSizes) {
@@ -184,7 +184,7 @@ Status PlannedModelWriter::addOffsets(std::span<const std::uint32_t> starSizes)
     return sections_.add(SectionId::StarOffsets, std::as_bytes(std::span(offsets_)));
 }
 
-Status PlannedModelWriter::addValues(std::span<const std::uint32_t> points)
+Status FixedSizeModelWriter::addValues(std::span<const std::uint32_t> points)
 {
     return visitSampleType(dataset_.values.type(), [&]<class T>() {
         const std::span<const T> samples = dataset_.values.as<T>();
@@ -195,7 +195,7 @@ Status PlannedModelWriter::addValues(std::span<const std::uint32_t> points)
     });
 }
 
-Status PlannedModelWriter::finish(float finalKey)
+Status FixedSizeModelWriter::finish(float finalKey)
 {
     if (added_.sites != planned_.sites || added_.tetrahedra != planned_.tetrahedra || !(finalKey >= 0) ||
         !std::isfinite(finalKey))
@@ -219,14 +219,14 @@ Status PlannedModelWriter::finish(float finalKey)
     return sections_.finish(header);
 }
 
-bool PlannedModelWriter::samplesKept() const noexcept
+bool FixedSizeModelWriter::samplesKept() const noexcept
 {
     return keepsSamples(dataset_.domain, dataset_.values.type(), 0, dataset_.pointCount(),
                         {planned_.sites, planned_.tetrahedra});
 }
 
-std::uint64_t PlannedModelWriter::expectedBytes(const PlannedCounts& counts, SampleType type,
-                                                std::uint64_t points) noexcept
+std::uint64_t FixedSizeModelWriter::expectedBytes(const FixedCounts& counts, SampleType type,
+                                                  std::uint64_t points) noexcept
 {
     constexpr std::uint64_t frontAndText = 4096;
     const ModelCounts whole{counts.sites, counts.tetrahedra};
@@ -235,7 +235,7 @@ std::uint64_t PlannedModelWriter::expectedBytes(const PlannedCounts& counts, Sam
     return content + format::chunkCount(content) * sizeof(std::uint64_t) + frontAndText;
 }
 
-Error PlannedModelWriter::notAsPlanned() const
+Error FixedSizeModelWriter::notAsPlanned() const
 {
     return {ErrorKind::BadInput, "The builder '" + description_.builder +
                                      "' made another history than it had announced. Nothing was written; report this "

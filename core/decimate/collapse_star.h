@@ -14,8 +14,8 @@
 
 namespace tetra {
 
-/// The tetrahedra of an ApexFan, as its members of the same names give them.
-struct FanTetrahedra {
+/// The tetrahedra of an CollapseStar, as its members of the same names give them.
+struct StarTetrahedra {
     std::span<const double> columns;
     std::size_t columnLength;
     std::span<const std::uint32_t> faces;
@@ -23,10 +23,10 @@ struct FanTetrahedra {
 };
 
 /// Finds out which tetrahedra of a fan places lie in, eight at once. Refers to what the tetrahedra refer to.
-class FanLocation {
+class StarLocator {
 public:
     /// For about `placeCount` places.
-    FanLocation(const FanTetrahedra& tetrahedra, std::size_t placeCount);
+    StarLocator(const StarTetrahedra& tetrahedra, std::size_t placeCount);
 
     /// For eight places, given by their coordinates, the face of the tetrahedron that has each: the one whose smallest
     /// weight is largest, of equals the first, so that rounding leaves no place without one. And how far the value
@@ -34,7 +34,7 @@ public:
     void locateEight(const std::array<const double*, 3>& places, std::uint32_t* owners, double* steps);
 
 private:
-    FanTetrahedra tetrahedra_;
+    StarTetrahedra tetrahedra_;
     bool many_;
     std::size_t latest_ = 0; ///< the tetrahedron of one of the places before, in faces
 };
@@ -82,7 +82,7 @@ private:
 
 /// The tetrahedra that a collapse makes: around a common apex, one for each face of the star that the apex does not lie
 /// in, as linear functions of the place from the apex.
-class ApexFan {
+class CollapseStar {
 public:
     /// Both must live on. The star has been measured.
     void set(const VertexStar& star, std::uint32_t linkPlace, const LinkSamples& samples);
@@ -118,10 +118,10 @@ private:
 
 /// The face whose tetrahedron of the fan a place from the apex lies in, of several the one that it lies deepest in;
 /// 2^32 - 1 if it lies outside of all by more than `tolerance`, in weights of corners.
-std::uint32_t faceAt(const ApexFan& fan, const std::array<double, 3>& place, double tolerance);
+std::uint32_t faceAt(const CollapseStar& fan, const std::array<double, 3>& place, double tolerance);
 
 /// What below cannot be told from none, because rounding makes as much; and how warpings compare with errors.
-struct FanMeasure {
+struct CollapseMeasure {
     double leastError = 0;
     double leastWarping = 0;
     double warpingWeight = 0;
@@ -130,12 +130,12 @@ struct FanMeasure {
 /// Gives each point to the tetrahedron of the fan that has it, and computes its error and warping (R4, R5) into
 /// `points`, which names the tetrahedra by their faces. Returns the largest of the errors and weighted warpings, or, as
 /// soon as that exceeds `bound`, what it is so far.
-double evaluateFan(const ApexFan& fan, const FanMeasure& measure, double bound, StarPoints& points);
+double evaluateFan(const CollapseStar& fan, const CollapseMeasure& measure, double bound, StarPoints& points);
 
 /// For each of some vertices of the link the unweighted error that the star's vertex gets by a collapse onto it: where
 /// the line from there through the vertex leaves the star. `fan` is the star itself; positive are the tetrahedra of
 /// each of these collapses.
-void vertexErrors(const VertexStar& star, const ApexFan& fan, const FanMeasure& measure, const LinkSamples& samples,
-                  std::span<const std::uint32_t> linkPlaces, std::vector<double>& errors);
+void vertexErrors(const VertexStar& star, const CollapseStar& fan, const CollapseMeasure& measure,
+                  const LinkSamples& samples, std::span<const std::uint32_t> linkPlaces, std::vector<double>& errors);
 
 } // namespace tetra

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/history/query/field_judge.h"
+#include "core/history/query/refinement_criterion.h"
 
 #include "core/base/rounding.h"
 
@@ -53,7 +53,7 @@ std::uint16_t halfWithin(double percent)
 
 } // namespace
 
-FieldJudge::FieldJudge(const Model& model, const MeshQuery& query, const SitePlaces& places)
+RefinementCriterion::RefinementCriterion(const Model& model, const MeshQuery& query, const SitePlaces& places)
     : model_(model), query_(query), places_(places), warps_(!model.ownWarpings().empty()),
       byValue_(query.error.dependsOnValue() || (warps_ && query.warping.dependsOnValue())),
       valuesBounded_(!weighted(model))
@@ -77,7 +77,7 @@ FieldJudge::FieldJudge(const Model& model, const MeshQuery& query, const SitePla
         finer_.reset();
 }
 
-void FieldJudge::lookAtSites(std::uint32_t checkedSites)
+void RefinementCriterion::lookAtSites(std::uint32_t checkedSites)
 {
     checkedSites_ = checkedSites;
     const SpaceRamp* const ramp = query_.error.asSpaceRamp();
@@ -90,7 +90,7 @@ void FieldJudge::lookAtSites(std::uint32_t checkedSites)
 }
 
 /// The field is nowhere less than at the corners less what it can fall within the box around them.
-FieldJudge::Quick FieldJudge::bySites(const std::array<std::uint32_t, 4>& sites, double error) const
+RefinementCriterion::Quick RefinementCriterion::bySites(const std::array<std::uint32_t, 4>& sites, double error) const
 {
     if (atSites_.empty())
         return Quick::Unknown;
@@ -110,7 +110,7 @@ FieldJudge::Quick FieldJudge::bySites(const std::array<std::uint32_t, 4>& sites,
     return error <= least - slope_ * size - 1e-12 * least ? Quick::Allowed : Quick::Unknown;
 }
 
-FieldJudge::Own FieldJudge::ownOf(std::uint64_t tetrahedron, std::uint32_t destroyer) const
+RefinementCriterion::Own RefinementCriterion::ownOf(std::uint64_t tetrahedron, std::uint32_t destroyer) const
 {
     const double extent = model_.description().range.extent();
     const double weight = model_.description().warpingWeight;
@@ -128,7 +128,7 @@ FieldJudge::Own FieldJudge::ownOf(std::uint64_t tetrahedron, std::uint32_t destr
 }
 
 /// A quick look at the boxes around the tetrahedron and around what is fine.
-bool FieldJudge::isOutside(const std::array<std::uint32_t, 4>& sites, double margin) const
+bool RefinementCriterion::isOutside(const std::array<std::uint32_t, 4>& sites, double margin) const
 {
     if (!finer_)
         return false;
@@ -144,13 +144,14 @@ bool FieldJudge::isOutside(const std::array<std::uint32_t, 4>& sites, double mar
 }
 
 /// Bounded, whatever the file says.
-std::array<std::uint32_t, 4> FieldJudge::sitesOf(std::uint64_t tetrahedron, std::uint32_t creator) const
+std::array<std::uint32_t, 4> RefinementCriterion::sitesOf(std::uint64_t tetrahedron, std::uint32_t creator) const
 {
     const std::array<std::uint32_t, 3> others = model_.otherSites()[tetrahedron];
     return {creator, std::min(others[0], creator), std::min(others[1], creator), std::min(others[2], creator)};
 }
 
-FieldJudge::Asked FieldJudge::askedOf(std::uint64_t tetrahedron, std::uint32_t creator, const Own& own) const
+RefinementCriterion::Asked RefinementCriterion::askedOf(std::uint64_t tetrahedron, std::uint32_t creator,
+                                                        const Own& own) const
 {
     const std::array<std::uint32_t, 4> sites = sitesOf(tetrahedron, creator);
     const double margin = rounding_ + own.warping / 100 * model_.diagonal();
@@ -171,13 +172,13 @@ FieldJudge::Asked FieldJudge::askedOf(std::uint64_t tetrahedron, std::uint32_t c
 }
 
 /// Most of them, without the destroyer's running key, which memory has to be waited for.
-bool FieldJudge::isAllowedOutside(std::uint64_t tetrahedron, std::uint32_t creator) const
+bool RefinementCriterion::isAllowedOutside(std::uint64_t tetrahedron, std::uint32_t creator) const
 {
     return finer_ && !warps_ && percentOf(model_.ownErrors()[tetrahedron]) <= largestError_ &&
            isOutside(sitesOf(tetrahedron, creator), rounding_);
 }
 
-bool FieldJudge::tooCoarse(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const
+bool RefinementCriterion::tooCoarse(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const
 {
     if (isAllowedOutside(tetrahedron, creator))
         return false;
@@ -193,7 +194,7 @@ bool FieldJudge::tooCoarse(std::uint64_t tetrahedron, std::uint32_t creator, std
     return own.error > asked.error || own.warping > asked.warping;
 }
 
-double FieldJudge::scaleFor(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const
+double RefinementCriterion::scaleFor(std::uint64_t tetrahedron, std::uint32_t creator, std::uint32_t destroyer) const
 {
     const Own own = ownOf(tetrahedron, destroyer);
     if (own.error == 0 && own.warping == 0)

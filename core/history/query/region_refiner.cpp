@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/history/query/sharp_focus.h"
+#include "core/history/query/region_refiner.h"
 
 #include "core/base/rounding.h"
 #include "core/base/simd.h"
@@ -250,11 +250,11 @@ std::optional<std::uint32_t> SiteGrid::siteAt(const PackedLattice& lattice, Pack
     return found;
 }
 
-Result<FineStars> FineStars::make(const Model& model, std::uint32_t firstCreator, std::uint32_t sites,
-                                  const Progress& progress)
+Result<TetrahedronSet> TetrahedronSet::make(const Model& model, std::uint32_t firstCreator, std::uint32_t sites,
+                                            const Progress& progress)
 {
     constexpr std::uint32_t creatorsAtOnce = 1 << 16;
-    FineStars stars;
+    TetrahedronSet stars;
     stars.firstCreator_ = firstCreator;
     stars.siteCount_ = sites;
     if (firstCreator >= sites)
@@ -287,7 +287,7 @@ Result<FineStars> FineStars::make(const Model& model, std::uint32_t firstCreator
     return stars;
 }
 
-bool FineStars::holds(const std::array<std::uint32_t, 4>& sites) const
+bool TetrahedronSet::holds(const std::array<std::uint32_t, 4>& sites) const
 {
     const std::size_t latest = static_cast<std::size_t>(std::ranges::max_element(sites) - sites.begin());
     const std::uint32_t creator = sites[latest];
@@ -325,12 +325,12 @@ LatticeSamples samplesOf(const Model& model)
 
 } // namespace
 
-SharpFocus::Work::Work(const Model& model)
+RegionRefiner::Work::Work(const Model& model)
     : model_(model), samples_(samplesOf(model)), lattice_(model.description().lattice.size)
 {
 }
 
-SharpFocus::Work::Range SharpFocus::Work::rangeOf(const FocusLimits& limits) const
+RegionRefiner::Work::Range RegionRefiner::Work::rangeOf(const FocusLimits& limits) const
 {
     const std::span<const float> errors = model_.runningErrors();
     const auto first = [&](double limit) {
@@ -346,7 +346,7 @@ SharpFocus::Work::Range SharpFocus::Work::rangeOf(const FocusLimits& limits) con
     return {coarse, fine, keeps(coarse, limits.most), keeps(fine, limits.least)};
 }
 
-Status SharpFocus::Work::makeIndex()
+Status RegionRefiner::Work::makeIndex()
 {
     if (sites_)
         return {};
@@ -360,7 +360,7 @@ Status SharpFocus::Work::makeIndex()
 
 /// The sites of the fine mesh that the limits ask for.
 template <class Visit>
-void SharpFocus::Work::forEachSite(const FocusLimits& limits, const Range& range, Visit&& visit) const
+void RegionRefiner::Work::forEachSite(const FocusLimits& limits, const Range& range, Visit&& visit) const
 {
     const std::span<const float> errors = model_.runningErrors();
     sites_->forEachCell(limits.firstAsked, limits.lastAsked, [&](const auto& cell, std::span<const Site> sites) {
@@ -378,7 +378,7 @@ void SharpFocus::Work::forEachSite(const FocusLimits& limits, const Range& range
     });
 }
 
-std::uint64_t SharpFocus::Work::sitesInside(const SpaceRamp& error)
+std::uint64_t RegionRefiner::Work::sitesInside(const SpaceRamp& error)
 {
     const FocusLimits limits(error, model_.description().lattice, model_.description().range.extent());
     if (!makeIndex())
@@ -389,7 +389,7 @@ std::uint64_t SharpFocus::Work::sitesInside(const SpaceRamp& error)
 }
 
 /// Those that are no vertices yet, in the history's order.
-void SharpFocus::Work::findMissing(const FocusLimits& limits, const Range& range)
+void RegionRefiner::Work::findMissing(const FocusLimits& limits, const Range& range)
 {
     missing_.clear();
     forEachSite(limits, range, [this](const Site& site) {
@@ -403,19 +403,19 @@ void SharpFocus::Work::findMissing(const FocusLimits& limits, const Range& range
     }
     // By digits, the last first.
     constexpr std::uint32_t digitBits = 11, digits = 1u << digitBits;
-    sortRoom_.resize(missing_.size());
+    sortScratch_.resize(missing_.size());
     for (std::uint32_t shift = 0; shift < 32 && range.fine >> shift != 0; shift += digitBits) {
         std::array<std::uint32_t, digits + 1> starts{};
         for (const Site& site : missing_)
             ++starts[(site.number >> shift & (digits - 1)) + 1];
         std::partial_sum(starts.begin(), starts.end(), starts.begin());
         for (const Site& site : missing_)
-            sortRoom_[starts[site.number >> shift & (digits - 1)]++] = site;
-        missing_.swap(sortRoom_);
+            sortScratch_[starts[site.number >> shift & (digits - 1)]++] = site;
+        missing_.swap(sortScratch_);
     }
 }
 
-Status SharpFocus::Work::prepare()
+Status RegionRefiner::Work::prepare()
 {
     if (prepared_)
         return {};
@@ -430,7 +430,7 @@ Status SharpFocus::Work::prepare()
     return {};
 }
 
-Status SharpFocus::Work::load(std::uint32_t sites, const Progress& progress)
+Status RegionRefiner::Work::load(std::uint32_t sites, const Progress& progress)
 {
     if (const Status prepared = prepare(); !prepared)
         return prepared;
@@ -447,7 +447,7 @@ Status SharpFocus::Work::load(std::uint32_t sites, const Progress& progress)
 }
 
 /// Whether the mesh of the last query is a good start: afterwards missing_ is what it lacks.
-bool SharpFocus::Work::canGoOn(const SpaceRamp& error, const FocusLimits& limits, const Range& range)
+bool RegionRefiner::Work::canGoOn(const SpaceRamp& error, const FocusLimits& limits, const Range& range)
 {
     if (!present_ || present_->inner != error.inner || present_->outer != error.outer ||
         present_->falloff != error.falloff || coarseSites_ != range.coarse)
@@ -467,7 +467,7 @@ bool SharpFocus::Work::canGoOn(const SpaceRamp& error, const FocusLimits& limits
     return surplus * surplusShare <= mesh_.added().size() + missing_.size();
 }
 
-Status SharpFocus::Work::insertMissing(const Progress& progress)
+Status RegionRefiner::Work::insertMissing(const Progress& progress)
 {
     points_.clear();
     for (const Site& site : missing_) {
@@ -485,7 +485,7 @@ Status SharpFocus::Work::insertMissing(const Progress& progress)
     return {};
 }
 
-void SharpFocus::Work::write(ExtractedMesh& mesh) const
+void RegionRefiner::Work::write(ExtractedMesh& mesh) const
 {
     writeRefined(model_, coarse_.mesh, mesh_, addedSites_, mesh);
     const Lattice& lattice = model_.description().lattice;
@@ -502,8 +502,8 @@ void SharpFocus::Work::write(ExtractedMesh& mesh) const
     });
 }
 
-Result<ExtractedMesh> SharpFocus::Work::extract(const SpaceRamp& error, bool fresh, const Progress& progress,
-                                                ExtractedMesh reuse)
+Result<ExtractedMesh> RegionRefiner::Work::extract(const SpaceRamp& error, bool fresh, const Progress& progress,
+                                                   ExtractedMesh reuse)
 {
     FocusLimits limits(error, model_.description().lattice, model_.description().range.extent());
     if (!(limits.least <= limits.most))
@@ -543,23 +543,23 @@ Result<ExtractedMesh> SharpFocus::Work::extract(const SpaceRamp& error, bool fre
     return reuse;
 }
 
-bool SharpFocus::fits(const Model& model)
+bool RegionRefiner::fits(const Model& model)
 {
     return !model.samples().empty() && focusDivision(model).has_value();
 }
 
-SharpFocus::SharpFocus(const Model& model) : work_(std::make_unique<Work>(model)) {}
-SharpFocus::~SharpFocus() = default;
-SharpFocus::SharpFocus(SharpFocus&&) noexcept = default;
-SharpFocus& SharpFocus::operator=(SharpFocus&&) noexcept = default;
+RegionRefiner::RegionRefiner(const Model& model) : work_(std::make_unique<Work>(model)) {}
+RegionRefiner::~RegionRefiner() = default;
+RegionRefiner::RegionRefiner(RegionRefiner&&) noexcept = default;
+RegionRefiner& RegionRefiner::operator=(RegionRefiner&&) noexcept = default;
 
-std::uint64_t SharpFocus::sitesInside(const SpaceRamp& error)
+std::uint64_t RegionRefiner::sitesInside(const SpaceRamp& error)
 {
     return work_->sitesInside(error);
 }
 
-Result<ExtractedMesh> SharpFocus::extract(const SpaceRamp& error, bool fresh, const Progress& progress,
-                                          ExtractedMesh reuse)
+Result<ExtractedMesh> RegionRefiner::extract(const SpaceRamp& error, bool fresh, const Progress& progress,
+                                             ExtractedMesh reuse)
 {
     try {
         Result<ExtractedMesh> mesh = work_->extract(error, fresh, progress, std::move(reuse));
@@ -582,7 +582,7 @@ constexpr std::size_t repairsAtOnce = 256;
 } // namespace
 
 /// The file's bounds on the errors of the coarse mesh's tetrahedra, in the order in which extraction gives these.
-void SharpFocus::Work::readBounds(std::uint32_t sites)
+void RegionRefiner::Work::readBounds(std::uint32_t sites)
 {
     const double extent = model_.description().range.extent();
     coarseBounds_.assign(coarse_.mesh.tetrahedra.size(), std::numeric_limits<float>::infinity());
@@ -595,21 +595,21 @@ void SharpFocus::Work::readBounds(std::uint32_t sites)
                 static_cast<float>(static_cast<double>(halfToFloat(model_.ownErrors()[t])) * extent * (1 + 1e-6));
 }
 
-Status SharpFocus::Work::knowStars(const Range& range, const Progress& progress)
+Status RegionRefiner::Work::knowStars(const Range& range, const Progress& progress)
 {
     // Beyond what the model has the bound is not known.
     const std::uint32_t sites = range.fineKnown ? range.fine : 0;
     if (fine_ && fine_->firstCreator() == range.coarse && fine_->siteCount() == sites)
         return {};
     fine_.reset();
-    Result<FineStars> stars = FineStars::make(model_, range.coarse, sites, progress);
+    Result<TetrahedronSet> stars = TetrahedronSet::make(model_, range.coarse, sites, progress);
     if (!stars)
         return stars.error();
     fine_ = *std::move(stars);
     return {};
 }
 
-std::array<std::uint32_t, 4> SharpFocus::Work::sitesOf(std::uint32_t slot) const
+std::array<std::uint32_t, 4> RegionRefiner::Work::sitesOf(std::uint32_t slot) const
 {
     std::array<std::uint32_t, 4> sites = mesh_.numbers(slot);
     for (std::uint32_t& site : sites)
@@ -619,8 +619,8 @@ std::array<std::uint32_t, 4> SharpFocus::Work::sitesOf(std::uint32_t slot) const
 
 /// Looks at slots_. In pieces whose findings are put together in order: it does not matter how many threads there are.
 /// Some are missing once the work was cancelled.
-void SharpFocus::Work::scan(const FocusLimits& limits, ScannedPart part, const Progress& progress,
-                            std::vector<WorstSample>& worst)
+void RegionRefiner::Work::scan(const FocusLimits& limits, ScannedPart part, const Progress& progress,
+                               std::vector<WorstSample>& worst)
 {
     constexpr std::size_t pieceSlots = 512;
     const std::size_t count = (slots_.size() + pieceSlots - 1) / pieceSlots;
@@ -649,7 +649,7 @@ void SharpFocus::Work::scan(const FocusLimits& limits, ScannedPart part, const P
 }
 
 /// Looks at what changed since the last look, unless its error is known to be small enough.
-void SharpFocus::Work::lookAtChanges(const FocusLimits& limits, bool mayBeKnown, const Progress& progress)
+void RegionRefiner::Work::lookAtChanges(const FocusLimits& limits, bool mayBeKnown, const Progress& progress)
 {
     worst_.clear();
     slots_.clear();
@@ -679,7 +679,7 @@ void SharpFocus::Work::lookAtChanges(const FocusLimits& limits, bool mayBeKnown,
 }
 
 /// Looks at what is inside now and did not change.
-void SharpFocus::Work::lookAtOthers(const FocusLimits& limits, bool outsideIsKnown, const Progress& progress)
+void RegionRefiner::Work::lookAtOthers(const FocusLimits& limits, bool outsideIsKnown, const Progress& progress)
 {
     slots_.clear();
     const auto least = static_cast<float>(limits.least);
@@ -707,7 +707,7 @@ void SharpFocus::Work::lookAtOthers(const FocusLimits& limits, bool outsideIsKno
 
 /// In rounds: the worst sample of each tetrahedron that is not good enough, the worst first, unless one before it has
 /// changed its tetrahedron; then what changed is looked at.
-Status SharpFocus::Work::repair(const FocusLimits& limits, const Progress& progress)
+Status RegionRefiner::Work::repair(const FocusLimits& limits, const Progress& progress)
 {
     while (!worst_.empty()) {
         std::ranges::sort(worst_, isWorse);

@@ -133,13 +133,13 @@ private:
 
 /// The tetrahedra of a prefix of the history, to ask for one by its sites: what a mesh has in common with the prefix's
 /// keeps the prefix's error. 8 bytes for each tetrahedron that is alive, made in one pass.
-class FineStars {
+class TetrahedronSet {
 public:
-    FineStars() = default;
+    TetrahedronSet() = default;
     /// Of the first `sites` sites, but only what those from `firstCreator` on created. Errors: a damaged file,
     /// cancelled.
-    static Result<FineStars> make(const Model& model, std::uint32_t firstCreator, std::uint32_t sites,
-                                  const Progress& progress);
+    static Result<TetrahedronSet> make(const Model& model, std::uint32_t firstCreator, std::uint32_t sites,
+                                       const Progress& progress);
 
     std::uint32_t firstCreator() const noexcept { return firstCreator_; }
     std::uint32_t siteCount() const noexcept { return siteCount_; }
@@ -177,15 +177,15 @@ private:
 /// For regular lattices whose file holds all samples. The coarse mesh with its adjacency is kept from query to query
 /// and restored by copying; a region that moves a little keeps the sites it leaves, up to a quarter of all. Used from
 /// one thread at a time.
-class SharpFocus {
+class RegionRefiner {
 public:
     /// Whether the model allows it: a regular lattice, unweighted, not too large, its file with all samples.
     static bool fits(const Model& model);
     /// `model` fits and outlives it.
-    explicit SharpFocus(const Model& model);
-    ~SharpFocus();
-    SharpFocus(SharpFocus&&) noexcept;
-    SharpFocus& operator=(SharpFocus&&) noexcept;
+    explicit RegionRefiner(const Model& model);
+    ~RegionRefiner();
+    RegionRefiner(RegionRefiner&&) noexcept;
+    RegionRefiner& operator=(RegionRefiner&&) noexcept;
 
     /// How many sites would be inserted for this ramp (inner < outer); cheap.
     std::uint64_t sitesInside(const SpaceRamp& error);
@@ -201,7 +201,7 @@ private:
 };
 
 /// What is kept from query to query: the coarse mesh, refined for the last of them, and what is known of its errors.
-class SharpFocus::Work {
+class RegionRefiner::Work {
 public:
     explicit Work(const Model& model);
 
@@ -248,16 +248,16 @@ private:
     std::uint32_t coarseSites_ = 0; ///< of the mesh that is loaded
     CoarseMesh coarse_;             ///< without its tetrahedra
     TetrahedronBoxes coarseBoxes_;
-    Buffer<float> coarseBounds_;    ///< on the errors of its tetrahedra
-    std::optional<FineStars> fine_; ///< of the mesh within
-    Buffer<float> bounds_;          ///< on the error in each slot, infinite if not known
+    Buffer<float> coarseBounds_;         ///< on the errors of its tetrahedra
+    std::optional<TetrahedronSet> fine_; ///< of the mesh within
+    Buffer<float> bounds_;               ///< on the error in each slot, infinite if not known
     std::vector<std::uint32_t> slots_;
 
     std::optional<SpaceRamp> present_; ///< what the mesh keeps now
     std::optional<FocusLimits> presentLimits_;
     std::vector<std::uint32_t> addedSites_; ///< of mesh_.added()
     std::vector<SiteGrid::Site> missing_;
-    std::vector<SiteGrid::Site> sortRoom_;
+    std::vector<SiteGrid::Site> sortScratch_;
     std::vector<PackedPoint> points_;
     std::vector<WorstSample> worst_;
     std::vector<WorstSample> others_;

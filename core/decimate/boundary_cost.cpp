@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimate/boundary_judge.h"
+#include "core/decimate/boundary_cost.h"
 
 #include <Eigen/Core>
 
@@ -75,8 +75,8 @@ constexpr double insideTolerance = 1e-11;
 
 } // namespace
 
-void BoundaryJudge::set(const CollapsibleMesh& mesh, const VertexStar& star, std::span<const std::uint32_t> inside,
-                        const BoundaryPoints& relations)
+void BoundaryCost::set(const CollapsibleMesh& mesh, const VertexStar& star, std::span<const std::uint32_t> inside,
+                       const BoundaryPoints& relations)
 {
     vertex_ = star.vertex();
     findRing(mesh, star);
@@ -104,7 +104,7 @@ void BoundaryJudge::set(const CollapsibleMesh& mesh, const VertexStar& star, std
 }
 
 /// What a tetrahedron has by itself may be related to a triangle, too: once is enough, where it stays if it can.
-void BoundaryJudge::dropDoubles()
+void BoundaryCost::dropDoubles()
 {
     ranks_.clear();
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -122,7 +122,7 @@ void BoundaryJudge::dropDoubles()
 }
 
 /// Whether the box around the star has the place, or nearly.
-bool BoundaryJudge::mayBeInStar(const Vector& place) const
+bool BoundaryCost::mayBeInStar(const Vector& place) const
 {
     constexpr double beyondRounding = 1e-9;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -134,7 +134,7 @@ bool BoundaryJudge::mayBeInStar(const Vector& place) const
 }
 
 /// The boundary triangles that share a vertex with those of the star's vertex.
-void BoundaryJudge::findRing(const CollapsibleMesh& mesh, const VertexStar& star)
+void BoundaryCost::findRing(const CollapsibleMesh& mesh, const VertexStar& star)
 {
     ring_.clear();
     kept_.clear();
@@ -154,15 +154,14 @@ void BoundaryJudge::findRing(const CollapsibleMesh& mesh, const VertexStar& star
             kept_.push_back(triangle);
 }
 
-void BoundaryJudge::addToRing(std::uint32_t triangle, const std::array<std::uint32_t, 3>& corners)
+void BoundaryCost::addToRing(std::uint32_t triangle, const std::array<std::uint32_t, 3>& corners)
 {
     if (std::ranges::find(corners, vertex_) == corners.end() &&
         std::ranges::find(ring_, triangle, &Triangle::number) == ring_.end())
         ring_.push_back(triangleOf(triangle, corners));
 }
 
-BoundaryJudge::Triangle BoundaryJudge::triangleOf(std::uint32_t number,
-                                                  const std::array<std::uint32_t, 3>& corners) const
+BoundaryCost::Triangle BoundaryCost::triangleOf(std::uint32_t number, const std::array<std::uint32_t, 3>& corners) const
 {
     Triangle triangle;
     triangle.number = number;
@@ -178,19 +177,19 @@ BoundaryJudge::Triangle BoundaryJudge::triangleOf(std::uint32_t number,
     return triangle;
 }
 
-void BoundaryJudge::addPoint(std::uint32_t point, std::uint32_t keptBy, bool ofRing, std::vector<Point>& to)
+void BoundaryCost::addPoint(std::uint32_t point, std::uint32_t keptBy, bool ofRing, std::vector<Point>& to)
 {
     to.push_back({point, keptBy, ofRing, placeOf(point)});
 }
 
-BoundaryJudge::Vector BoundaryJudge::placeOf(std::uint32_t vertex) const
+BoundaryCost::Vector BoundaryCost::placeOf(std::uint32_t vertex) const
 {
     const Eigen::Vector3d place = input_.positions[vertex] - input_.positions[vertex_];
     return {place.x(), place.y(), place.z()};
 }
 
 /// Takes the triangle, if it is nearer.
-void BoundaryJudge::approach(const Triangle& triangle, const Vector& place, Nearest& nearest) const
+void BoundaryCost::approach(const Triangle& triangle, const Vector& place, Nearest& nearest) const
 {
     double fromBox = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -218,7 +217,7 @@ void BoundaryJudge::approach(const Triangle& triangle, const Vector& place, Near
 }
 
 /// On the boundary triangles of the tetrahedra that the collapse makes.
-BoundaryJudge::Nearest BoundaryJudge::onFan(const Point& point) const
+BoundaryCost::Nearest BoundaryCost::onFan(const Point& point) const
 {
     Nearest nearest;
     for (const auto& triangles : {std::span(fresh_), std::span(kept_)})
@@ -227,19 +226,19 @@ BoundaryJudge::Nearest BoundaryJudge::onFan(const Point& point) const
     return nearest;
 }
 
-double BoundaryJudge::warpingOf(const Point& point, const Nearest& projection) const
+double BoundaryCost::warpingOf(const Point& point, const Nearest& projection) const
 {
     const double distance = std::sqrt(projection.squaredDistance);
     return distance > measure_.leastWarping ? weight(point.point) * distance : 0;
 }
 
-double BoundaryJudge::errorOf(const Point& point, double interpolated) const
+double BoundaryCost::errorOf(const Point& point, double interpolated) const
 {
     const double residual = std::abs(input_.values[point.point] - interpolated);
     return residual > measure_.leastError ? weight(point.point) * residual : 0;
 }
 
-double BoundaryJudge::judgeError(const Point& point, const ApexFan& fan)
+double BoundaryCost::judgeError(const Point& point, const CollapseStar& fan)
 {
     Vector place{};
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -261,14 +260,14 @@ double BoundaryJudge::judgeError(const Point& point, const ApexFan& fan)
     return std::max(error.error, measure_.warpingWeight * error.warping);
 }
 
-double BoundaryJudge::judgeWarping(const Point& point)
+double BoundaryCost::judgeWarping(const Point& point)
 {
     const Nearest projection = onFan(point);
     warpings_.push_back({point.point, projection.triangle, warpingOf(point, projection)});
     return measure_.warpingWeight * warpings_.back().warping;
 }
 
-double BoundaryJudge::evaluate(const VertexStar& star, std::uint32_t linkPlace, const ApexFan& fan, double bound)
+double BoundaryCost::evaluate(const VertexStar& star, std::uint32_t linkPlace, const CollapseStar& fan, double bound)
 {
     fresh_.clear();
     for (const VertexStar::RimTriangle& rim : star.rim())

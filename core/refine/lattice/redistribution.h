@@ -20,7 +20,7 @@ struct OwnedPoints {
 };
 
 /// Room to work in, used again.
-struct PointErrorRoom {
+struct PointErrorScratch {
     Buffer<double> values;
     Buffer<double> rimValues;
     Buffer<std::array<double, 4>> planes;
@@ -31,12 +31,12 @@ struct PointErrorRoom {
 /// boundary: so boxes agree about shared points (S3). For samples of up to 16 bits that is so for all points, because
 /// it is one division of exact integers (S8).
 void computeErrors(const PackedLattice& lattice, const LatticeSamples& samples, const Star& star,
-                   const OwnedPoints& owned, PointErrorRoom& room, std::span<double> errors);
+                   const OwnedPoints& owned, PointErrorScratch& room, std::span<double> errors);
 
 /// Distributes the points of a cavity over the tetrahedra of its star and finds their errors, the inner loop of
 /// refinement. Exact: a point's tetrahedron by signs of integers (S8, S9). A point on a shared face belongs to one of
 /// the star's tetrahedra that have it; its error is the same in all of them.
-class Relocation {
+class Redistribution {
 public:
     /// The points must lie in the star, in any order, without the apex; they are copied.
     void run(const PackedLattice& lattice, const LatticeSamples& samples, const Star& star,
@@ -73,7 +73,7 @@ private:
     Buffer<std::uint64_t> keys_;
     Buffer<FacePoints> faces_;
     Buffer<std::array<float, 12>> planes_;
-    PointErrorRoom room_;
+    PointErrorScratch room_;
 };
 
 } // namespace tetra

@@ -90,8 +90,8 @@ private:
     std::uint32_t count_ = 0;
 };
 
-/// The piece of an isosurface in one run of surfaceRunSize tetrahedra.
-struct SurfaceRun {
+/// The piece of an isosurface in one run of surfaceChunkSize tetrahedra.
+struct SurfaceChunk {
     std::vector<EdgeKey> edges;                     ///< that it crosses, each once, in order of appearance
     Buffer<std::array<std::uint32_t, 3>> triangles; ///< of indices among its edges
 };
@@ -99,8 +99,8 @@ struct SurfaceRun {
 /// Marches through the tetrahedra that have corners on both sides; a vertex is inside if its value is at least
 /// `isovalue` (S16). Without an index all are looked at. O(vertices + tetrahedra), on all threads. Incomplete if
 /// cancelled. May throw std::bad_alloc.
-std::vector<SurfaceRun> makeSurfaceRuns(const TetrahedralMesh& mesh, const IsosurfaceIndex* index, double isovalue,
-                                        const Progress& progress);
+std::vector<SurfaceChunk> makeSurfaceChunks(const TetrahedralMesh& mesh, const IsosurfaceIndex* index, double isovalue,
+                                            const Progress& progress);
 
 /// The vertices of an isosurface: one for each crossed edge of the mesh, whatever runs share the edge.
 struct SurfaceVertices {
@@ -116,19 +116,20 @@ inline constexpr std::uint64_t largestRunEdgeCount = 0xffffffff;
 /// Numbers the edges of a mesh with so many vertices. Most belong to one run only, as its index tells, or else the
 /// edges at their smaller ends; the others are dealt by hash to a fixed number of parts, so that every hash table fits
 /// the cache. O(edges), on all threads, and the same numbering with any number of them. May throw std::bad_alloc.
-SurfaceVertices numberVertices(std::span<const SurfaceRun> runs, const IsosurfaceIndex* index, std::size_t vertexCount);
+SurfaceVertices numberVertices(std::span<const SurfaceChunk> runs, const IsosurfaceIndex* index,
+                               std::size_t vertexCount);
 
 /// A vertex of a surface that lies in a vertex of the mesh, as all do whose edge ends there with the isovalue.
-struct Tie {
+struct CoincidentVertex {
     std::uint32_t meshVertex;
     std::uint32_t vertex;
-    auto operator<=>(const Tie&) const = default;
+    auto operator<=>(const CoincidentVertex&) const = default;
 };
 
 /// What placing vertices found that needs more work.
 struct PlacingFindings {
-    std::vector<Tie> ties;       ///< sorted
-    bool normalsMissing = false; ///< somewhere the gradient has no direction; the normal there is zero
+    std::vector<CoincidentVertex> ties; ///< sorted
+    bool normalsMissing = false;        ///< somewhere the gradient has no direction; the normal there is zero
 };
 
 /// Gives `surface` a position and a normal for each of the edges. Positions are interpolated in double precision; as
@@ -141,6 +142,6 @@ PlacingFindings placeVertices(const TetrahedralMesh& mesh, std::span<const Eigen
 /// Makes one vertex of those that lie in the same vertex of the mesh: the edges of a vertex whose value is the isovalue
 /// all cross there. Keeps the order, and leaves out the triangles that have no area then; without welding, leaving them
 /// out would tear the surface. O(vertices + triangles), all threads for triangles. May throw std::bad_alloc.
-void weldAtMeshVertices(std::span<const Tie> ties, TriangleMesh& surface);
+void weldAtMeshVertices(std::span<const CoincidentVertex> ties, TriangleMesh& surface);
 
 } // namespace tetra

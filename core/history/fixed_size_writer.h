@@ -15,7 +15,7 @@
 namespace tetra {
 
 /// A section whose size is known before its content.
-struct PlannedSection {
+struct FixedSizeSection {
     format::SectionId id = format::SectionId::Text;
     std::uint32_t elementBytes = 1;
     std::uint64_t count = 0;
@@ -24,13 +24,13 @@ struct PlannedSection {
 
 /// Writes the sections of a `.tan` file all at once, each from its beginning to its end, straight to their final
 /// places, and behind them the checksums of their chunks. Memory: one buffer a section. May throw std::bad_alloc.
-class PlannedSections {
+class FixedSizeSections {
 public:
-    explicit PlannedSections(FileWriter file) : file_(std::move(file)) {}
+    explicit FixedSizeSections(FileWriter file) : file_(std::move(file)) {}
 
     /// Lays the sections out in this order and takes their room on the disk. Comes first. An error tells a disk that is
     /// too full.
-    Status plan(std::span<const PlannedSection> sections);
+    Status plan(std::span<const FixedSizeSection> sections);
     /// Appends to a section, never beyond its planned size.
     Status add(format::SectionId id, std::span<const std::byte> bytes);
     /// Once every section is full: completes `header` with sizes and checksums, writes it with the table and commits.
@@ -44,7 +44,7 @@ private:
         SectionSums sums;
     };
 
-    void place(const PlannedSection& planned, std::uint64_t& end);
+    void place(const FixedSizeSection& planned, std::uint64_t& end);
     Cursor& cursor(format::SectionId id);
     Status flush(Cursor& cursor);
 
@@ -53,13 +53,13 @@ private:
 };
 
 /// How much a planned model holds.
-struct PlannedCounts {
+struct FixedCounts {
     std::uint32_t sites = 0;
     std::uint64_t tetrahedra = 0;
 };
 
 /// Consecutive sites of a model and the tetrahedra that they created, in the model's own numbers and order (FORMAT.md).
-struct PlannedStars {
+struct FixedSizeStars {
     std::span<const std::uint32_t> points;
     std::span<const float> runningKeys;
     std::span<const std::uint8_t> groupGoesOn;
@@ -72,24 +72,25 @@ struct PlannedStars {
 
 /// Writes a model whose numbers of sites, destroyers and order are known beforehand, as they are when the histories of
 /// blocks are merged: in constant memory. Nothing appears under `path` before finish() has succeeded. One thread.
-class PlannedModelWriter {
+class FixedSizeModelWriter {
 public:
     /// `description` as for ModelWriter. `workFolder` holds the file until it is complete; on the same disk as `path`.
-    static Result<std::unique_ptr<PlannedModelWriter>> create(const std::filesystem::path& path, const Dataset& dataset,
-                                                              ModelDescription description, const PlannedCounts& counts,
-                                                              const std::filesystem::path& workFolder = {});
+    static Result<std::unique_ptr<FixedSizeModelWriter>> create(const std::filesystem::path& path,
+                                                                const Dataset& dataset, ModelDescription description,
+                                                                const FixedCounts& counts,
+                                                                const std::filesystem::path& workFolder = {});
 
     /// Appends. An Error if there is more of anything than was planned.
-    Status add(const PlannedStars& stars);
+    Status add(const FixedSizeStars& stars);
     /// `finalKey` bounds the error of the mesh of all sites, in units of the values.
     Status finish(float finalKey);
 
     /// Bytes of a model of this size, of a lattice of so many points, as well as is known beforehand.
-    static std::uint64_t expectedBytes(const PlannedCounts& counts, SampleType type, std::uint64_t points) noexcept;
+    static std::uint64_t expectedBytes(const FixedCounts& counts, SampleType type, std::uint64_t points) noexcept;
 
 private:
-    PlannedModelWriter(FileWriter file, const Dataset& dataset, ModelDescription description,
-                       const PlannedCounts& counts);
+    FixedSizeModelWriter(FileWriter file, const Dataset& dataset, ModelDescription description,
+                         const FixedCounts& counts);
     Status begin();
     Status addOffsets(std::span<const std::uint32_t> starSizes);
     Status addValues(std::span<const std::uint32_t> points);
@@ -97,11 +98,11 @@ private:
     Error notAsPlanned() const;
 
     std::filesystem::path target_;
-    PlannedSections sections_;
+    FixedSizeSections sections_;
     Dataset dataset_;
     ModelDescription description_;
-    PlannedCounts planned_;
-    PlannedCounts added_;
+    FixedCounts planned_;
+    FixedCounts added_;
     std::vector<std::uint64_t> offsets_;
     Buffer<std::byte> values_;
 };

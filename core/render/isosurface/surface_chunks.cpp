@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/isosurface/surface_runs.h"
+#include "core/render/isosurface/surface_chunks.h"
 
 #include "core/base/simd.h"
 #include "core/render/isosurface/crossed_tetrahedra.h"
@@ -43,13 +43,13 @@ Triangle* writeTriangles(std::span<const CrossedTetrahedron> crossed, const std:
 /// What a thread keeps from run to run.
 class Marcher {
 public:
-    Marcher(const TetrahedralMesh& mesh, const VertexSides& sides)
-        : mesh_(mesh), sides_(sides), crossed_(surfaceRunSize + crossedTetrahedronRoom)
+    Marcher(const TetrahedralMesh& mesh, const VertexSigns& sides)
+        : mesh_(mesh), sides_(sides), crossed_(surfaceChunkSize + crossedTetrahedronRoom)
     {
     }
 
     /// Makes the surface in the chunks from `first` on that `isCrossed` tells.
-    template <class IsCrossed> SurfaceRun march(std::size_t first, std::size_t end, IsCrossed&& isCrossed)
+    template <class IsCrossed> SurfaceChunk march(std::size_t first, std::size_t end, IsCrossed&& isCrossed)
     {
         const std::span run = std::span(mesh_.tetrahedra).subspan(first, end - first);
         const std::span crossed = findCrossedIn(run, first / rangedChunkSize, isCrossed);
@@ -71,7 +71,7 @@ private:
     findCrossedIn(std::span<const RunCorners> run, std::size_t firstChunk, IsCrossed&& isCrossed)
     {
         const std::size_t chunkCount = (run.size() + rangedChunkSize - 1) / rangedChunkSize;
-        std::array<std::uint32_t, surfaceRunSize / rangedChunkSize + chunksAhead> chunks; // their first tetrahedra
+        std::array<std::uint32_t, surfaceChunkSize / rangedChunkSize + chunksAhead> chunks; // their first tetrahedra
         std::size_t count = 0;
         for (std::size_t chunk = 0; chunk < chunkCount; ++chunk) {
             chunks[count] = static_cast<std::uint32_t>(chunk * rangedChunkSize);
@@ -103,25 +103,25 @@ private:
     }
 
     const TetrahedralMesh& mesh_;
-    const VertexSides& sides_;
+    const VertexSigns& sides_;
     Buffer<CrossedTetrahedron> crossed_;
     EdgeTable edges_;
 };
 
 } // namespace
 
-std::vector<SurfaceRun> makeSurfaceRuns(const TetrahedralMesh& mesh, const IsosurfaceIndex* index, double isovalue,
-                                        const Progress& progress)
+std::vector<SurfaceChunk> makeSurfaceChunks(const TetrahedralMesh& mesh, const IsosurfaceIndex* index, double isovalue,
+                                            const Progress& progress)
 {
-    const VertexSides sides(mesh.values, isovalue);
+    const VertexSigns sides(mesh.values, isovalue);
     const std::size_t total = mesh.tetrahedra.size();
-    std::vector<SurfaceRun> runs((total + surfaceRunSize - 1) / surfaceRunSize);
+    std::vector<SurfaceChunk> runs((total + surfaceChunkSize - 1) / surfaceChunkSize);
     tbb::enumerable_thread_specific<Marcher> marchers([&] { return Marcher(mesh, sides); });
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, runs.size(), 1), [&](const auto& range) {
         Marcher& marcher = marchers.local();
         for (std::size_t run = range.begin(); run != range.end() && !progress.cancelled(); ++run)
             runs[run] = marcher.march(
-                run * surfaceRunSize, std::min(total, (run + 1) * surfaceRunSize),
+                run * surfaceChunkSize, std::min(total, (run + 1) * surfaceChunkSize),
                 [&](std::size_t chunk) { return index == nullptr || index->ranges[chunk].crossedAt(isovalue); });
     });
     return runs;
@@ -135,7 +135,7 @@ constexpr int partBits = std::countr_zero(partCount);
 
 /// For each vertex that is the smaller end of some of the runs' edges, the only run that has these, or `several`; what
 /// other vertices have is undefined.
-Buffer<std::uint32_t> findOwners(std::span<const SurfaceRun> runs, std::size_t vertexCount)
+Buffer<std::uint32_t> findOwners(std::span<const SurfaceChunk> runs, std::size_t vertexCount)
 {
     constexpr std::uint32_t several = 0xffffffff;
     Buffer<std::uint32_t> owners(vertexCount);
@@ -178,16 +178,16 @@ struct Places {
 
 /// Where the edges went: first all that are their run's own, then those of each part, inside a part in the order of the
 /// runs.
-struct DealtEdges {
+struct BinnedEdges {
     std::size_t owned = 0;
     std::array<std::size_t, partCount + 1> firstOfPart{};
     Buffer<std::uint32_t> indices; ///< of each edge among all runs' edges
 };
 
 /// Turns the counts of each run into its places.
-DealtEdges placesFromCounts(std::vector<Places>& places)
+BinnedEdges placesFromCounts(std::vector<Places>& places)
 {
-    DealtEdges dealt;
+    BinnedEdges dealt;
     for (Places& ofRun : places)
         dealt.owned += std::exchange(ofRun.own, dealt.owned);
     std::size_t place = dealt.owned;
@@ -201,7 +201,7 @@ DealtEdges placesFromCounts(std::vector<Places>& places)
 }
 
 /// Deals the edges and numbers them by their places, for the runs' own ones for good. isOwn(edge, run) tells these.
-template <class IsOwn> DealtEdges deal(std::span<const SurfaceRun> runs, IsOwn&& isOwn, SurfaceVertices& result)
+template <class IsOwn> BinnedEdges deal(std::span<const SurfaceChunk> runs, IsOwn&& isOwn, SurfaceVertices& result)
 {
     std::vector<Places> places(runs.size());
     const auto forEachPlace = [&](auto&& visit) {
@@ -214,7 +214,7 @@ template <class IsOwn> DealtEdges deal(std::span<const SurfaceRun> runs, IsOwn&&
         });
     };
     forEachPlace([](EdgeKey, std::size_t, std::size_t) {});
-    DealtEdges dealt = placesFromCounts(places);
+    BinnedEdges dealt = placesFromCounts(places);
     const std::size_t total = dealt.firstOfPart[partCount];
     dealt.indices.resize(total);
     result.edges.resize(total);
@@ -228,7 +228,7 @@ template <class IsOwn> DealtEdges deal(std::span<const SurfaceRun> runs, IsOwn&&
 }
 
 /// Numbers the edges of the parts again, the same ones alike.
-void numberParts(const DealtEdges& dealt, SurfaceVertices& result)
+void numberParts(const BinnedEdges& dealt, SurfaceVertices& result)
 {
     const tbb::blocked_range<std::size_t> allParts(0, partCount, 1);
     std::array<std::vector<EdgeKey>, partCount> unique;
@@ -259,11 +259,12 @@ void numberParts(const DealtEdges& dealt, SurfaceVertices& result)
 
 } // namespace
 
-SurfaceVertices numberVertices(std::span<const SurfaceRun> runs, const IsosurfaceIndex* index, std::size_t vertexCount)
+SurfaceVertices numberVertices(std::span<const SurfaceChunk> runs, const IsosurfaceIndex* index,
+                               std::size_t vertexCount)
 {
     SurfaceVertices result;
     result.firstOfRun.push_back(0);
-    for (const SurfaceRun& run : runs)
+    for (const SurfaceChunk& run : runs)
         result.firstOfRun.push_back(result.firstOfRun.back() + run.edges.size());
     const auto dealBy = [&](auto&& isOwn) { numberParts(deal(runs, isOwn, result), result); };
     if (index != nullptr) {
@@ -403,7 +404,7 @@ constexpr std::uint32_t welded = 0xffffffff;
 
 /// The new number of each vertex; those that are welded get the number of the first of their place. Their positions
 /// and normals go.
-Buffer<std::uint32_t> renumberVertices(std::span<const Tie> ties, TriangleMesh& surface)
+Buffer<std::uint32_t> renumberVertices(std::span<const CoincidentVertex> ties, TriangleMesh& surface)
 {
     const std::size_t count = surface.positions.size();
     Buffer<std::uint32_t> numbers(count);
@@ -429,7 +430,7 @@ Buffer<std::uint32_t> renumberVertices(std::span<const Tie> ties, TriangleMesh& 
 
 } // namespace
 
-void weldAtMeshVertices(std::span<const Tie> ties, TriangleMesh& surface)
+void weldAtMeshVertices(std::span<const CoincidentVertex> ties, TriangleMesh& surface)
 {
     const Buffer<std::uint32_t> numbers = renumberVertices(ties, surface);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surface.triangles.size(), tiesAtOnce), [&](const auto& range) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/refine/lattice/relocation.h"
+#include "core/refine/lattice/redistribution.h"
 
 #include "core/base/simd.h"
 #include "core/refine/lattice/star.h"
@@ -108,16 +108,16 @@ bool onBoundary(const PackedLattice& lattice, PackedPoint point)
 
 /// Makes the errors of the points on the box's boundary independent of the tetrahedron.
 void computeBoundaryErrors(const PackedLattice& lattice, const Star& star, const OwnedPoints& owned, double apexValue,
-                           const PointErrorRoom& room, std::span<double> errors)
+                           const PointErrorScratch& room, std::span<double> errors)
 {
-    const std::span<const PackedPoint> rim = star.rim();
+    const std::span<const PackedPoint> link = star.link();
     for (std::size_t k = 0; k < owned.points.size(); ++k) {
         if (!onBoundary(lattice, owned.points[k]))
             continue;
         const auto owner = static_cast<std::size_t>(owned.owners[k]);
         const auto& [a, b, c] = star.corners()[owner];
         const ValuedFace face{star.faces()[owner],
-                              {star.apex(), rim[a], rim[b], rim[c]},
+                              {star.apex(), link[a], link[b], link[c]},
                               {apexValue, room.rimValues[a], room.rimValues[b], room.rimValues[c]}};
         errors[k] = independentError(face, room.values[k], owned.x[k], owned.y[k], owned.z[k]);
     }
@@ -126,13 +126,13 @@ void computeBoundaryErrors(const PackedLattice& lattice, const Star& star, const
 } // namespace
 
 void computeErrors(const PackedLattice& lattice, const LatticeSamples& samples, const Star& star,
-                   const OwnedPoints& owned, PointErrorRoom& room, std::span<double> errors)
+                   const OwnedPoints& owned, PointErrorScratch& room, std::span<double> errors)
 {
     const PackedPoint apex = star.apex();
     double apexValue = 0;
     samples.gather(lattice, {&apex, 1}, &apexValue);
-    room.rimValues.resize(star.rim().size());
-    samples.gather(lattice, star.rim(), room.rimValues.data());
+    room.rimValues.resize(star.link().size());
+    samples.gather(lattice, star.link(), room.rimValues.data());
     room.values.resize(owned.points.size());
     samples.gather(lattice, owned.points, room.values.data());
     room.planes.resize(star.faceCount());
@@ -148,7 +148,7 @@ void computeErrors(const PackedLattice& lattice, const LatticeSamples& samples, 
 namespace {
 
 /// Point arrays are padded to what the search tests at a time.
-constexpr std::size_t relocationLanes = coneSearchLanes;
+constexpr std::size_t redistributionLanes = coneSearchLanes;
 
 /// Coordinates relative to the apex, eight points at a time.
 TETRA_SIMD_CLONES void unpackPoints(const PackedLattice& lattice, PackedPoint apex, const PackedPoint* points,
@@ -156,7 +156,7 @@ TETRA_SIMD_CLONES void unpackPoints(const PackedLattice& lattice, PackedPoint ap
 {
     const std::int32_t apexX = lattice.x(apex), apexY = lattice.y(apex), apexZ = lattice.z(apex);
     const PackedLattice local = lattice;
-    for (std::size_t i = 0; i < count; i += relocationLanes) {
+    for (std::size_t i = 0; i < count; i += redistributionLanes) {
         Int8 packed, pointX, pointY, pointZ;
         std::memcpy(&packed, points + i, sizeof packed);
         local.unpack(packed, pointX, pointY, pointZ);
@@ -183,7 +183,7 @@ TETRA_SIMD_CLONES void makeKeys(const double* errors, const PackedPoint* points,
 
 } // namespace
 
-TETRA_SIMD_CLONES void Relocation::findWorst(std::size_t faceCount)
+TETRA_SIMD_CLONES void Redistribution::findWorst(std::size_t faceCount)
 {
     keys_.resize(points_.size());
     makeKeys(errors_.data(), points_.data(), points_.size(), keys_.data());
@@ -197,15 +197,15 @@ TETRA_SIMD_CLONES void Relocation::findWorst(std::size_t faceCount)
     }
 }
 
-void Relocation::run(const PackedLattice& lattice, const LatticeSamples& samples, const Star& star,
-                     std::span<const PackedPoint> points)
+void Redistribution::run(const PackedLattice& lattice, const LatticeSamples& samples, const Star& star,
+                         std::span<const PackedPoint> points)
 {
     // The first insertions move millions of points, the later ones dozens: give the room of the first back.
     constexpr std::size_t roomWorthKeeping = 65536;
     if (points_.capacity() > std::max(roomWorthKeeping, 16 * points.size()))
-        *this = Relocation();
+        *this = Redistribution();
     // The padding repeats the apex, which every tetrahedron has.
-    const std::size_t padded = (points.size() + relocationLanes - 1) / relocationLanes * relocationLanes;
+    const std::size_t padded = (points.size() + redistributionLanes - 1) / redistributionLanes * redistributionLanes;
     points_.resize(padded);
     std::ranges::copy(points, points_.begin());
     std::fill(points_.begin() + static_cast<std::ptrdiff_t>(points.size()), points_.end(), star.apex());
@@ -214,7 +214,7 @@ void Relocation::run(const PackedLattice& lattice, const LatticeSamples& samples
     owners_.resize(padded);
     errors_.resize(padded);
     unpackPoints(lattice, star.apex(), points_.data(), padded, x_.data(), y_.data(), z_.data());
-    findCones(star, {x_, y_, z_}, planes_, owners_);
+    locateInStar(star, {x_, y_, z_}, planes_, owners_);
     computeErrors(lattice, samples, star, {points_, owners_, x_, y_, z_}, room_, errors_);
     points_.resize(points.size());
     findWorst(star.faceCount());

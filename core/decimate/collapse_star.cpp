@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimate/collapse_fan.h"
+#include "core/decimate/collapse_star.h"
 
 #include "core/base/simd.h"
 
@@ -27,7 +27,7 @@ TETRA_SIMD_INLINE void addTaken(const double* column, const std::uint32_t* faces
 
 /// From which face each of the places gets its tetrahedron, by its place in the list of faces, to its number, and how
 /// far the values are from the apex's.
-TETRA_SIMD_INLINE void takeOwners(const FanTetrahedra& tetrahedra, const Double8* from, const Double8& owner,
+TETRA_SIMD_INLINE void takeOwners(const StarTetrahedra& tetrahedra, const Double8* from, const Double8& owner,
                                   std::uint32_t* owners, double* steps)
 {
     for (std::size_t lane = 0; lane < fanLanes; ++lane)
@@ -38,7 +38,7 @@ TETRA_SIMD_INLINE void takeOwners(const FanTetrahedra& tetrahedra, const Double8
     std::memcpy(steps, &step, sizeof step);
 }
 
-TETRA_SIMD_INLINE void placesFromApex(const FanTetrahedra& tetrahedra, const std::array<const double*, 3>& places,
+TETRA_SIMD_INLINE void placesFromApex(const StarTetrahedra& tetrahedra, const std::array<const double*, 3>& places,
                                       Double8* from)
 {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -48,7 +48,7 @@ TETRA_SIMD_INLINE void placesFromApex(const FanTetrahedra& tetrahedra, const std
 }
 
 /// Goes through all weights of all tetrahedra.
-TETRA_SIMD_CLONES void locateThroughout(const FanTetrahedra& tetrahedra, const std::array<const double*, 3>& places,
+TETRA_SIMD_CLONES void locateThroughout(const StarTetrahedra& tetrahedra, const std::array<const double*, 3>& places,
                                         std::uint32_t* owners, double* steps)
 {
     Double8 from[3];
@@ -88,7 +88,7 @@ TETRA_SIMD_16 TETRA_SIMD_INLINE bool anyGreater(const Double8& one, const Double
 
 /// The same result. Passes over a tetrahedron as soon as a weight says for all places that it is not as deep as
 /// `latest`, which they may well lie in.
-TETRA_SIMD_16 std::size_t locateBeside(const FanTetrahedra& tetrahedra, std::size_t latest,
+TETRA_SIMD_16 std::size_t locateBeside(const StarTetrahedra& tetrahedra, std::size_t latest,
                                        const std::array<const double*, 3>& places, std::uint32_t* owners, double* steps)
 {
     Double8 from[3];
@@ -127,7 +127,7 @@ TETRA_SIMD_16 std::size_t locateBeside(const FanTetrahedra& tetrahedra, std::siz
 
 } // namespace
 
-FanLocation::FanLocation(const FanTetrahedra& tetrahedra, std::size_t placeCount)
+StarLocator::StarLocator(const StarTetrahedra& tetrahedra, std::size_t placeCount)
     : tetrahedra_(tetrahedra), many_(false)
 {
 #if defined(TETRA_SIMD_16)
@@ -139,7 +139,7 @@ FanLocation::FanLocation(const FanTetrahedra& tetrahedra, std::size_t placeCount
 #endif
 }
 
-void FanLocation::locateEight(const std::array<const double*, 3>& places, std::uint32_t* owners, double* steps)
+void StarLocator::locateEight(const std::array<const double*, 3>& places, std::uint32_t* owners, double* steps)
 {
 #if defined(TETRA_SIMD_16)
     if (many_) {
@@ -229,7 +229,7 @@ double withoutRounding(double measured, double least)
     return measured > least ? measured : 0;
 }
 
-FanTetrahedra tetrahedraOf(const ApexFan& fan)
+StarTetrahedra tetrahedraOf(const CollapseStar& fan)
 {
     return {fan.columns(), fan.columnLength(), fan.faces(), fan.apex()};
 }
@@ -255,7 +255,7 @@ void LinkSamples::set(const VertexStar& star, std::span<const Eigen::Vector3d> l
                 ofCorners_[(3 * number + corner) * columnLength_ + face] = at(star.faces()[face][corner], number);
 }
 
-void ApexFan::set(const VertexStar& star, std::uint32_t linkPlace, const LinkSamples& samples)
+void CollapseStar::set(const VertexStar& star, std::uint32_t linkPlace, const LinkSamples& samples)
 {
     samples_ = &samples;
     apex_ = star.place(linkPlace);
@@ -271,7 +271,7 @@ void ApexFan::set(const VertexStar& star, std::uint32_t linkPlace, const LinkSam
     faces_.resize(count);
 }
 
-void ApexFan::setStar(const VertexStar& star, double value, const LinkSamples& samples)
+void CollapseStar::setStar(const VertexStar& star, double value, const LinkSamples& samples)
 {
     samples_ = &samples;
     apex_ = {};
@@ -281,7 +281,7 @@ void ApexFan::setStar(const VertexStar& star, double value, const LinkSamples& s
     std::iota(faces_.begin(), faces_.end(), 0U);
 }
 
-void ApexFan::compute(const VertexStar& star)
+void CollapseStar::compute(const VertexStar& star)
 {
     columnLength_ = star.paddedFaceCount();
     columns_.resize(12 * columnLength_);
@@ -289,7 +289,7 @@ void ApexFan::compute(const VertexStar& star)
                    columns_.data());
 }
 
-std::array<double, 3> ApexFan::weightsAt(std::size_t face, const FanVector& place) const
+std::array<double, 3> CollapseStar::weightsAt(std::size_t face, const FanVector& place) const
 {
     const double* column = columns_.data() + face;
     const std::size_t n = columnLength_;
@@ -298,7 +298,7 @@ std::array<double, 3> ApexFan::weightsAt(std::size_t face, const FanVector& plac
             column[6 * n] * place[0] + column[7 * n] * place[1] + column[8 * n] * place[2]};
 }
 
-double ApexFan::interpolated(std::size_t face, std::size_t number, const std::array<double, 3>& weights) const
+double CollapseStar::interpolated(std::size_t face, std::size_t number, const std::array<double, 3>& weights) const
 {
     const double apex = apexSamples_[number];
     const double* column = samples_->ofCorners(number).data() + face;
@@ -308,7 +308,7 @@ double ApexFan::interpolated(std::size_t face, std::size_t number, const std::ar
     return value;
 }
 
-std::uint32_t faceAt(const ApexFan& fan, const FanVector& place, double tolerance)
+std::uint32_t faceAt(const CollapseStar& fan, const FanVector& place, double tolerance)
 {
     double depths[apexLanes], owners[apexLanes];
     findDeepest(fan.columns().data(), fan.columnLength(), place.data(), tolerance, depths, owners);
@@ -316,10 +316,10 @@ std::uint32_t faceAt(const ApexFan& fan, const FanVector& place, double toleranc
     return owners[deepest] < 0 ? 0xffffffff : static_cast<std::uint32_t>(owners[deepest]);
 }
 
-double evaluateFan(const ApexFan& fan, const FanMeasure& measure, double bound, StarPoints& points)
+double evaluateFan(const CollapseStar& fan, const CollapseMeasure& measure, double bound, StarPoints& points)
 {
     double largest = 0;
-    FanLocation location(tetrahedraOf(fan), points.count());
+    StarLocator location(tetrahedraOf(fan), points.count());
     double steps[apexLanes];
     for (std::size_t first = 0; first < points.count() && largest <= bound; first += apexLanes) {
         location.locateEight(
@@ -352,11 +352,11 @@ double evaluateFan(const ApexFan& fan, const FanMeasure& measure, double bound, 
     return largest;
 }
 
-void vertexErrors(const VertexStar& star, const ApexFan& fan, const FanMeasure& measure, const LinkSamples& samples,
-                  std::span<const std::uint32_t> linkPlaces, std::vector<double>& errors)
+void vertexErrors(const VertexStar& star, const CollapseStar& fan, const CollapseMeasure& measure,
+                  const LinkSamples& samples, std::span<const std::uint32_t> linkPlaces, std::vector<double>& errors)
 {
     errors.clear();
-    FanLocation location(tetrahedraOf(fan), linkPlaces.size());
+    StarLocator location(tetrahedraOf(fan), linkPlaces.size());
     double places[3][apexLanes], steps[apexLanes];
     std::uint32_t owners[apexLanes];
     for (std::size_t first = 0; first < linkPlaces.size(); first += apexLanes) {

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/verify/mesh_claims.h"
+#include "core/verify/mesh_bounds.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace tetra {
 
-MeshClaims::MeshClaims(double error, double warping) : error_(error), warping_(warping) {}
+MeshBounds::MeshBounds(double error, double warping) : error_(error), warping_(warping) {}
 
-MeshClaims::MeshClaims(const MeshQuery& query, double scale, const Dataset& original)
+MeshBounds::MeshBounds(const MeshQuery& query, double scale, const Dataset& original)
     : errorField_(query.error), warpingField_(query.warping), scale_(scale), original_(&original),
       extent_(original.values.range().extent()), diagonal_(original.bounds().diagonal().norm())
 {
 }
 
 /// In %.
-double MeshClaims::asked(const ErrorField& field, std::uint64_t sample) const
+double MeshBounds::asked(const ErrorField& field, std::uint64_t sample) const
 {
     return field.at(original_->position(sample), original_->values.at(sample));
 }
 
-double MeshClaims::error(std::uint64_t sample) const
+double MeshBounds::error(std::uint64_t sample) const
 {
     constexpr double allowance = 1e-12; // of the range
     if (areUniform())
@@ -28,7 +28,7 @@ double MeshClaims::error(std::uint64_t sample) const
     return (keptPercent(asked(errorField_, sample), scale_) / 100 + allowance) * extent_;
 }
 
-double MeshClaims::warping(std::uint64_t sample) const
+double MeshBounds::warping(std::uint64_t sample) const
 {
     if (areUniform())
         return warping_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/history/history_arranger.h"
+#include "core/history/batch_builder.h"
 
 #include "core/mesh/topology.h"
 
@@ -81,14 +81,14 @@ Error inconsistent(const std::string& what)
 
 } // namespace
 
-Status HistoryArranger::add(const HistoryStep& step)
+Status BatchBuilder::add(const HistoryStep& step)
 {
     if (failure_)
         failure_ = take(step);
     return failure_;
 }
 
-Status HistoryArranger::take(const HistoryStep& step)
+Status BatchBuilder::take(const HistoryStep& step)
 {
     if (const Status right = check(step); !right)
         return right;
@@ -100,17 +100,17 @@ Status HistoryArranger::take(const HistoryStep& step)
     return record(step);
 }
 
-Status HistoryArranger::finish()
+Status BatchBuilder::finish()
 {
     return failure_ ? closeBatch() : failure_;
 }
 
-void HistoryArranger::abandonBatch()
+void BatchBuilder::abandonBatch()
 {
     batch_.start(batch_.firstSite(), batch_.firstTetrahedron());
 }
 
-Status HistoryArranger::check(const HistoryStep& step) const
+Status BatchBuilder::check(const HistoryStep& step) const
 {
     const std::uint32_t creator = siteCount();
     if (step.point >= pointCount_ || creator == gone - 1)
@@ -136,7 +136,7 @@ Status HistoryArranger::check(const HistoryStep& step) const
     return {};
 }
 
-Status HistoryArranger::record(const HistoryStep& step)
+Status BatchBuilder::record(const HistoryStep& step)
 {
     const std::uint32_t site = siteCount();
     for (const std::uint32_t destroyed : step.destroyed) {
@@ -153,7 +153,7 @@ Status HistoryArranger::record(const HistoryStep& step)
     return {};
 }
 
-Status HistoryArranger::closeBatch()
+Status BatchBuilder::closeBatch()
 {
     if (batch_.siteCount() == 0)
         return {};
@@ -162,7 +162,7 @@ Status HistoryArranger::closeBatch()
     batch_.arrange();
     numberSites();
     sortTetrahedra();
-    ArrangedBatch arranged;
+    Batch arranged;
     arranged.runningKey = runningKey_;
     arranged.firstSite = batch_.firstSite();
     arranged.firstTetrahedron = storedCount_;
@@ -178,7 +178,7 @@ Status HistoryArranger::closeBatch()
     return added;
 }
 
-void HistoryArranger::numberSites()
+void BatchBuilder::numberSites()
 {
     const std::uint32_t count = batch_.siteCount();
     points_.resize(count);
@@ -188,11 +188,11 @@ void HistoryArranger::numberSites()
         groupGoesOn_[place] = batch_.groupGoesOn(place) ? 1 : 0;
         finalNumbers_.push_back(batch_.firstSite() + batch_.placeOf(batch_.firstSite() + place));
     }
-    for (ArrangedBatch::Destruction& destruction : destructions_)
+    for (Batch::Destruction& destruction : destructions_)
         destruction.destroyer = finalNumbers_[destruction.destroyer];
 }
 
-void HistoryArranger::sortTetrahedra()
+void BatchBuilder::sortTetrahedra()
 {
     const std::span<const HistoryBatch::Tetrahedron> made = batch_.tetrahedra();
     staying_.clear();

@@ -28,10 +28,10 @@ struct SitePlaces {
 /// sample. Inverted tetrahedra of curvilinear data (S5) need no looking after: each tetrahedron of a history is in the
 /// mesh of some level, which has only those that may be inverted anywhere. One thread; the model and the places outlive
 /// it.
-class FieldJudge {
+class RefinementCriterion {
 public:
     /// `places` of all sites that are going to be corners.
-    FieldJudge(const Model& model, const MeshQuery& query, const SitePlaces& places);
+    RefinementCriterion(const Model& model, const MeshQuery& query, const SitePlaces& places);
 
     /// Makes tooCoarse() quicker, once the places are there: for a ramp with a fall-off, 8 bytes a site, and by not
     /// asking after the running errors of the first sites, which are checked.
