@@ -20,6 +20,8 @@ constexpr qint64 longestKept = 365; // days
 constexpr const char* ending = ".tansession";
 constexpr const char* lostEnding = ".lost.tansession";
 constexpr const char* lockEnding = ".lock";
+/// Beside the views: where the first programs kept sessions, in files that went when they ended as they should.
+constexpr const char* firstFolder = "recovery";
 
 /// One for all the ways to name the same file.
 std::filesystem::path realPath(const std::filesystem::path& path)
@@ -153,6 +155,12 @@ std::vector<LostView> KeptViews::lost() const
         const QString aside = file.chopped(qsizetype(std::strlen(ending))) + lostEnding;
         QFile::remove(aside);
         QFile::rename(file, aside);
+    }
+    const QDir first(pathText(folder_.parent_path() / firstFolder));
+    for (const QString& name : first.entryList({QString("*") + ending}, QDir::Files)) {
+        const QString aside = folder.filePath(name.chopped(qsizetype(std::strlen(ending))) + lostEnding);
+        if (const auto lock = takeLock(first.filePath(name)); lock && folder.mkpath("."))
+            QFile::rename(first.filePath(name), aside);
     }
     std::vector<LostView> lost;
     for (const QString& name :

@@ -45,7 +45,7 @@ public:
     /// any thread but that of the GUI.
     std::optional<SessionDocument> find(const std::filesystem::path& what) const;
 
-    /// What programs left behind, newest first.
+    /// What programs left behind, newest first; the first programs, too, which had another folder for it.
     std::vector<LostView> lost() const;
     /// It was restored, or is not wanted. Of other files than those of lost views nothing happens.
     void removeLost(const std::filesystem::path& path) const;
