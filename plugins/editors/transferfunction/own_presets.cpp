@@ -22,10 +22,14 @@ QDir folder()
     return {QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + "/transfer-functions"};
 }
 
-/// Any name can be a file's: what cannot stand there is percent-encoded, and dots, which would hide it.
+/// Any name can be a file's: what cannot stand there is percent-encoded, and dots, which would hide it; the first
+/// program that had presets left dots as they are.
 QString fileOf(const QString& name)
 {
-    return folder().filePath(QUrl::toPercentEncoding(name, " ", ".") + ending);
+    const QString first = folder().filePath(QUrl::toPercentEncoding(name, " ") + ending);
+    return !name.startsWith('.') && QFile::exists(first)
+               ? first
+               : folder().filePath(QUrl::toPercentEncoding(name, " ", ".") + ending);
 }
 
 Error failed(const QString& path, const QString& why)

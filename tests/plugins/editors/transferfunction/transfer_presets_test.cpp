@@ -15,6 +15,7 @@
 #include <QToolButton>
 
 #include <cmath>
+#include <map>
 
 using namespace tetra;
 
@@ -38,6 +39,7 @@ private slots:
     void opacitiesAreTakenAlone();
     void anOwnPresetIsSavedTakenAndDeleted();
     void anyNameCanBeAFile();
+    void presetsOfEarlierProgramsAreOpened();
     void filesThatAreNoPresetsArePassedOver();
     void aSlowFolderStopsNobody();
 
@@ -166,6 +168,49 @@ void TransferPresetsTest::anyNameCanBeAFile()
         QVERIFY(deleteOwnPreset(name));
     }
     QVERIFY(!deleteOwnPreset("never saved"));
+}
+
+/// The files in old_presets were written by 36ed1f8, the first that had presets, and `first` by c057bee, before masks
+/// and groups; the names are those that they had there.
+void TransferPresetsTest::presetsOfEarlierProgramsAreOpened()
+{
+    QVERIFY(QDir().mkpath(presetFolder()));
+    const auto copy = [](const char* kept, const char* name) {
+        return QFile::copy(TAN_SOURCE_DIR "/tests/plugins/editors/transferfunction/old_presets/" + QString(kept),
+                           presetFolder() + "/" + name);
+    };
+    QVERIFY(copy("with_mask.json", "Bone and skin.json"));
+    QVERIFY(copy("with_groups.json", "H%C3%B6he 50 %25%3A a%2Fb.json"));
+    QVERIFY(copy("with_groups.json", "Scan 1.2.json"));
+    QVERIFY(copy("first.json", "first.json"));
+    const TransferFunction groups{{{0, {0.25F, 0.5F, 1}, 0},
+                                   {0.25, {0.25F, 0.5F, 1}, 0.125F, 3},
+                                   {0.25, {1, 0.75F, 0}, 0.5F, 3},
+                                   {1, {1, 0, 0}, 0.875F}},
+                                  0.05};
+    TransferFunction mask = groups;
+    mask.mask = TransferMask{0.125, 0.9};
+    const TransferFunction first{{{40, {0.25F, 0.5F, 1}, 0},
+                                  {90, {0.25F, 0.5F, 1}, 0.125F},
+                                  {90, {1, 0.75F, 0}, 0.5F},
+                                  {190, {1, 0, 0}, 0.875F}},
+                                 0.4};
+    const std::map<QString, TransferFunction> expected = {
+        {"Bone and skin", mask}, {QString::fromUtf8("Höhe 50 %: a/b"), groups}, {"Scan 1.2", groups}, {"first", first}};
+    QCOMPARE(ownPresets().size(), expected.size());
+    for (const Preset& preset : ownPresets()) {
+        QVERIFY2(expected.contains(preset.name), qPrintable(preset.name));
+        QVERIFY(preset.unitDistance == expected.at(preset.name).unitDistance);
+        QVERIFY(preset.make({0, 1}, *preset.unitDistance) == expected.at(preset.name));
+    }
+    // They are replaced and deleted as others are.
+    for (const auto& [name, function] : expected) {
+        QVERIFY(saveOwnPreset(name, sequentialTransferFunction(0, 1, 0.1)));
+        QCOMPARE(ownPresets().size(), expected.size());
+    }
+    for (const auto& [name, function] : expected)
+        QVERIFY(deleteOwnPreset(name));
+    QVERIFY(QDir(presetFolder()).isEmpty());
 }
 
 void TransferPresetsTest::filesThatAreNoPresetsArePassedOver()
