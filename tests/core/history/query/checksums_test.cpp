@@ -3,7 +3,6 @@
 // third: with checksums of chunks, which are checked as they are read, and with those of whole sections, as older files
 // have them, which are checked in the background.
 #include "core/base/checksum.h"
-#include "core/history/level_text.h"
 #include "core/verify/verification.h"
 #include "tests/core/history/irregular/irregular_models.h"
 #include "tests/core/history/model_fixture.h"
@@ -78,8 +77,6 @@ private slots:
     void verificationNamesTheChunks();
     void anOldFileIsReadInTheBackground();
     void aQuickThreadDoesNotDecideWhatOpens();
-    void filesOfTheVersionBefore_data();
-    void filesOfTheVersionBefore();
 
 private:
     std::filesystem::path folder() const { return folder_.path().toStdString(); }
@@ -390,33 +387,6 @@ void ChecksumsTest::aQuickThreadDoesNotDecideWhatOpens()
     threads.clear();
     QCOMPARE(refused.load(), 0);
     QCOMPARE(believed.load(), 0);
-}
-
-void ChecksumsTest::filesOfTheVersionBefore_data()
-{
-    QTest::addColumn<QString>("name");
-    const std::filesystem::path files = TAN_SOURCE_DIR "/tests/core/history/files_of_1_2";
-    for (const auto& entry : std::filesystem::directory_iterator(files))
-        if (entry.path().extension() == ".tan")
-            QTest::newRow(entry.path().stem().c_str()) << QString::fromStdString(entry.path().string());
-}
-
-/// Written by the program of that version, with what it said of their levels.
-void ChecksumsTest::filesOfTheVersionBefore()
-{
-    QFETCH(QString, name);
-    const std::filesystem::path path = name.toStdString();
-    const auto model = Model::open(path);
-    QVERIFY2(model.ok(), model.ok() ? "" : model.error().text.c_str());
-    QCOMPARE(FileParts(readBytes(path)).header().minorVersion, std::uint16_t(2));
-    const std::vector<std::byte> told = readBytes(std::filesystem::path(path).replace_extension(".csv"));
-    const std::string levels =
-        levelsAsCsv(**model, std::vector<Accuracy>{{10, 10}, {4, 4}, {1, 1}, {0.1, 0.1}, {0, 0}});
-    QCOMPARE(QString::fromStdString(levels),
-             QString::fromUtf8(reinterpret_cast<const char*>(told.data()), qsizetype(told.size())));
-    QVERIFY(extractPrefix(**model, (*model)->siteCount()).ok());
-    QVERIFY((*model)->confirm().ok());
-    QVERIFY(std::filesystem::file_size(path) < 50'000);
 }
 
 QTEST_GUILESS_MAIN(ChecksumsTest)
