@@ -2,6 +2,7 @@
 #include "core/history/extraction.h"
 
 #include "core/history/site_positions.h"
+#include "core/history/walk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,168 +11,15 @@
 #include <string>
 #include <vector>
 
-#if defined(__x86_64__)
-#include <immintrin.h>
-#endif
-
 namespace tetra {
 
 namespace {
 
 using Tetrahedron = std::array<std::uint32_t, 4>;
 
-bool comeBefore(const std::array<std::uint32_t, 3>& others, std::uint32_t creator)
-{
-    return (std::uint32_t(others[0] < creator) & std::uint32_t(others[1] < creator) &
-            std::uint32_t(others[2] < creator)) != 0;
-}
-
-AliveScan scanPortably(const Stars& stars, std::uint32_t sites, Tetrahedron* out)
-{
-    bool right = true;
-    for (std::size_t star = 0; star + 1 < stars.offsets.size(); ++star) {
-        const std::uint32_t creator = stars.firstSite + static_cast<std::uint32_t>(star);
-        for (std::uint64_t t = stars.offsets[star]; t < stars.offsets[star + 1]; ++t) {
-            const std::array<std::uint32_t, 3> others = stars.otherSites[t];
-            right &= comeBefore(others, creator);
-            *out = {creator, others[0], others[1], others[2]};
-            out += stars.destroyers[t] >= sites;
-        }
-    }
-    return {out, right};
-}
-
-#if defined(__x86_64__)
-
-/// A mapped file lies in small pages, at whose ends the processor stops to fetch by itself what comes next.
-void fetchAhead(const Stars& stars, std::uint64_t tetrahedron)
-{
-    constexpr std::uint64_t ahead = 512;
-    constexpr std::size_t line = 64;
-    const auto* const others = reinterpret_cast<const char*>(stars.otherSites.data() + tetrahedron + ahead);
-    for (std::size_t byte = 0; byte < 4 * line; byte += line) // a star's, more or less
-        _mm_prefetch(others + byte, _MM_HINT_T0);
-    _mm_prefetch(reinterpret_cast<const char*>(stars.destroyers.data() + tetrahedron + ahead), _MM_HINT_T0);
-}
-
-/// One tetrahedron at a time, its sites as one vector. SSE2 compares signed numbers: flipping the top bits of both
-/// sides makes that the order of unsigned ones.
-AliveScan scanWithSse2(const Stars& stars, std::uint32_t sites, Tetrahedron* out)
-{
-    const __m128i topBits = _mm_set1_epi32(static_cast<int>(0x80000000));
-    __m128i right = _mm_set1_epi32(-1);
-    bool lastRight = true;
-    const std::uint64_t last = stars.otherSites.size() - 1; // 16 bytes cannot be read there
-    for (std::size_t star = 0; star + 1 < stars.offsets.size(); ++star) {
-        const std::uint32_t creator = stars.firstSite + static_cast<std::uint32_t>(star);
-        const __m128i creators = _mm_xor_si128(_mm_set1_epi32(static_cast<int>(creator)), topBits);
-        const __m128 creatorFirst = _mm_castsi128_ps(_mm_cvtsi32_si128(static_cast<int>(creator)));
-        std::uint64_t t = stars.offsets[star];
-        const std::uint64_t end = stars.offsets[star + 1];
-        fetchAhead(stars, t);
-        for (; t < std::min(end, last); ++t) {
-            const __m128i others = _mm_loadu_si128(reinterpret_cast<const __m128i*>(stars.otherSites.data() + t));
-            right = _mm_and_si128(right, _mm_cmplt_epi32(_mm_xor_si128(others, topBits), creators));
-            const __m128 shifted = _mm_castsi128_ps(_mm_shuffle_epi32(others, _MM_SHUFFLE(2, 1, 0, 0)));
-            _mm_storeu_ps(reinterpret_cast<float*>(out), _mm_move_ss(shifted, creatorFirst));
-            out += stars.destroyers[t] >= sites;
-        }
-        if (t < end) {
-            const std::array<std::uint32_t, 3> others = stars.otherSites[t];
-            lastRight = comeBefore(others, creator);
-            *out = {creator, others[0], others[1], others[2]};
-            out += stars.destroyers[t] >= sites;
-        }
-    }
-    constexpr int threeNumbers = 0x0fff; // the fourth belongs to the next tetrahedron
-    return {out, lastRight && (_mm_movemask_epi8(right) & threeNumbers) == threeNumbers};
-}
-
-/// The four lanes of each of four tetrahedra, for each set of them.
-constexpr std::array<std::uint16_t, 16> laneTable = {0x0000, 0x000f, 0x00f0, 0x00ff, 0x0f00, 0x0f0f, 0x0ff0, 0x0fff,
-                                                     0xf000, 0xf00f, 0xf0f0, 0xf0ff, 0xff00, 0xff0f, 0xfff0, 0xffff};
-
-/// Four tetrahedra at a time: 12 numbers are spread to 16, the living ones pushed together. All but the last few of a
-/// star go without masks for what is there.
-[[gnu::target("avx512f,avx512vl,avx512bw,bmi2,popcnt")]] AliveScan scanWithAvx512(const Stars& stars,
-                                                                                  std::uint32_t sites, Tetrahedron* out)
-{
-    constexpr std::uint32_t otherLanes = 0xeeee; // all but the creators'
-    constexpr __mmask16 twelve = 0x0fff;
-    const __m512i spread = _mm512_set_epi32(11, 10, 9, 0, 8, 7, 6, 0, 5, 4, 3, 0, 2, 1, 0, 0);
-    const __m128i bound = _mm_set1_epi32(static_cast<int>(sites));
-    __mmask16 wrong = 0;
-    for (std::size_t star = 0; star + 1 < stars.offsets.size(); ++star) {
-        const std::uint32_t creator = stars.firstSite + static_cast<std::uint32_t>(star);
-        const __m512i creators = _mm512_set1_epi32(static_cast<int>(creator));
-        const std::uint64_t end = stars.offsets[star + 1];
-        std::uint64_t t = stars.offsets[star];
-        fetchAhead(stars, t);
-        for (; t + 4 <= end; t += 4) {
-            const __m128i destroyers = _mm_loadu_si128(reinterpret_cast<const __m128i*>(stars.destroyers.data() + t));
-            const std::uint32_t alive = _mm_cmpge_epu32_mask(destroyers, bound);
-            const __m512i numbers = _mm512_maskz_loadu_epi32(twelve, stars.otherSites.data() + t);
-            const __m512i four = _mm512_mask_permutexvar_epi32(creators, otherLanes, spread, numbers);
-            wrong = _kor_mask16(wrong, _mm512_mask_cmpge_epu32_mask(otherLanes, four, creators));
-            _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(laneTable[alive], four));
-            out += __builtin_popcount(alive);
-        }
-        if (t < end) {
-            const auto present = static_cast<std::uint32_t>(0xf >> (4 - (end - t)));
-            const auto presentNumbers = static_cast<__mmask16>(_pdep_u32(present, 0x249) * 0x7);
-            const std::uint32_t alive = _mm_mask_cmpge_epu32_mask(
-                static_cast<__mmask8>(present),
-                _mm_maskz_loadu_epi32(static_cast<__mmask8>(present), stars.destroyers.data() + t), bound);
-            const __m512i numbers = _mm512_maskz_loadu_epi32(presentNumbers, stars.otherSites.data() + t);
-            const __m512i four = _mm512_mask_permutexvar_epi32(creators, otherLanes, spread, numbers);
-            const auto otherNumbers = static_cast<__mmask16>(laneTable[present] & otherLanes);
-            wrong = _kor_mask16(wrong, _mm512_mask_cmpge_epu32_mask(otherNumbers, four, creators));
-            _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(laneTable[alive], four));
-            out += __builtin_popcount(alive);
-        }
-    }
-    return {out, wrong == 0};
-}
-
-bool hasAvx512()
-{
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-           __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("bmi2");
-}
-
-#endif
-
-std::vector<AliveScanVariant> runnableScans()
-{
-    std::vector<AliveScanVariant> scans;
-#if defined(__x86_64__)
-    if (hasAvx512())
-        scans.push_back({"avx512", scanWithAvx512});
-    scans.push_back({"sse2", scanWithSse2});
-#endif
-    scans.push_back({"portable", scanPortably});
-    return scans;
-}
-
-} // namespace
-
-std::span<const AliveScanVariant> aliveScans()
-{
-    static const std::vector<AliveScanVariant> scans = runnableScans();
-    return scans;
-}
-
-namespace {
-
-using Tetrahedron = std::array<std::uint32_t, 4>;
-
-/// Scanned at once, as far as whole stars go: their offsets fit the cache, and the room behind the mesh is small.
-constexpr std::uint64_t tetrahedraAtOnce = 1 << 12;
-constexpr std::uint32_t starsScannedAtOnce = 1 << 9;
 /// Room behind the mesh for tetrahedra that are written before it is known that they are dead.
-constexpr std::uint64_t slack = 2 * tetrahedraAtOnce;
-/// Pieces between two looks at whether the work was cancelled.
-constexpr std::uint64_t piecesAtOnce = 64;
+constexpr std::uint64_t slack = 1 << 13;
+constexpr std::string_view extracting = "Extracting the mesh";
 
 /// Takes the mesh out of the file, some stars at a time.
 class PrefixScan {
@@ -184,47 +32,29 @@ public:
     Status run(const Progress& progress);
 
 private:
-    Status readOffsets();
-    bool check() const;
-    Status scanStars();
-    Status scanLongStars();
+    Status scanStars(const Stars& stars);
+    Status scanLongStars(const Stars& stars);
     Error tooMany() const;
 
     const Model& model_;
     const AliveScanFunction scan_ = aliveScans().front().scan;
     const std::uint32_t sites_;
-    const std::uint64_t expected_;   ///< tetrahedra in the mesh, as the file says
-    std::uint64_t scannedInAll_ = 0; ///< tetrahedra that the sites created
+    const std::uint64_t expected_; ///< tetrahedra in the mesh, as the file says
     Buffer<Tetrahedron>& out_;
     std::uint64_t found_ = 0;
-    std::uint32_t site_ = 0;
-    std::vector<std::uint64_t> offsets_; ///< a checked copy of those from site_ on: the file may change
 };
 
 Status PrefixScan::run(const Progress& progress)
 {
-    scannedInAll_ = model_.starOffsets()[sites_];
-    if (!model_.check(model_.starOffsets()[0]) || !model_.check(model_.starOffsets()[sites_]))
-        return model_.checkIntact();
-    if (scannedInAll_ > model_.tetrahedronCount() || expected_ > scannedInAll_ || model_.starOffsets()[0] != 0)
+    if (expected_ > model_.tetrahedronCount())
         return inconsistentModel(model_, "its star offsets do not fit its mesh sizes");
     out_.resize(expected_ + slack);
-    for (std::uint64_t piece = 0; site_ < sites_; ++piece) {
-        if (const Status right = readOffsets(); !right)
-            return right;
-        if (piece % piecesAtOnce == 0) {
-            if (progress.cancelled())
-                return cancelledError("Extracting the mesh");
-            progress.report(static_cast<double>(offsets_.front()) / static_cast<double>(scannedInAll_ + 1),
-                            "Extracting the mesh");
-        }
-        if (!check())
-            return model_.checkIntact();
-        const bool fits = offsets_.back() - offsets_.front() + aliveScanOverrun <= out_.size() - found_;
-        if (const Status right = fits ? scanStars() : scanLongStars(); !right)
-            return right;
-        site_ += static_cast<std::uint32_t>(offsets_.size() - 1);
-    }
+    const auto scan = [this](const Stars& stars) {
+        const bool fits = stars.count() + aliveScanOverrun <= out_.size() - found_;
+        return fits ? scanStars(stars) : scanLongStars(stars);
+    };
+    if (const Status walked = walkHistory(model_, 0, sites_, progress, extracting, scan); !walked)
+        return walked;
     if (found_ != expected_)
         return inconsistentModel(model_, "the mesh of " + std::to_string(sites_) + " sites has " +
                                              std::to_string(found_) + " tetrahedra instead of " +
@@ -233,53 +63,25 @@ Status PrefixScan::run(const Progress& progress)
     return {};
 }
 
-/// The tetrahedra of the next piece. Here, because what is summed up now is still in the cache when it is scanned.
-bool PrefixScan::check() const
+Status PrefixScan::scanStars(const Stars& stars)
 {
-    const std::uint64_t first = offsets_.front();
-    const std::uint64_t count = offsets_.back() - first;
-    return model_.check(model_.otherSites().subspan(first, count)) &&
-           model_.check(model_.destroyers().subspan(first, count));
-}
-
-/// Copies and checks the offsets of the stars of the next piece.
-Status PrefixScan::readOffsets()
-{
-    const std::uint64_t* const offsets = model_.starOffsets().data() + site_;
-    const std::uint32_t most = std::min(starsScannedAtOnce, sites_ - site_);
-    if (!model_.check(model_.starOffsets().subspan(site_, most + std::size_t(1))))
-        return model_.checkIntact();
-    offsets_.assign(1, offsets_.empty() ? 0 : offsets_.back());
-    while (offsets_.size() <= most && offsets_.back() - offsets_.front() < tetrahedraAtOnce) {
-        const std::uint64_t next = offsets[offsets_.size()];
-        if (next < offsets_.back() || next > scannedInAll_)
-            return inconsistentModel(model_, "the star offsets of site " + std::to_string(site_ + offsets_.size() - 1) +
-                                                 " make no sense");
-        offsets_.push_back(next);
-    }
-    return {};
-}
-
-Status PrefixScan::scanStars()
-{
-    const AliveScan scanned =
-        scan_({model_.otherSites(), model_.destroyers(), site_, offsets_}, sites_, out_.data() + found_);
+    const AliveScan scanned = scan_(stars, sites_, out_.data() + found_);
     found_ = static_cast<std::uint64_t>(scanned.end - out_.data());
     if (!scanned.sitesComeBefore)
-        return inconsistentModel(model_, "a tetrahedron of site " + std::to_string(site_) +
-                                             " or soon after has a site that " + "comes after its creator");
+        return inconsistentModel(model_, "a tetrahedron of site " + std::to_string(stars.firstSite) +
+                                             " or soon after has a site that comes after its creator");
     return found_ > expected_ ? tooMany() : Status();
 }
 
 /// Stars that may have more tetrahedra than there is room for: one tetrahedron at a time.
-Status PrefixScan::scanLongStars()
+Status PrefixScan::scanLongStars(const Stars& stars)
 {
-    for (std::size_t star = 0; star + 1 < offsets_.size(); ++star)
-        for (std::uint64_t t = offsets_[star]; t < offsets_[star + 1]; ++t) {
-            const auto creator = static_cast<std::uint32_t>(site_ + star);
+    for (std::size_t star = 0; star + 1 < stars.offsets.size(); ++star)
+        for (std::uint64_t t = stars.offsets[star]; t < stars.offsets[star + 1]; ++t) {
+            const auto creator = static_cast<std::uint32_t>(stars.firstSite + star);
             const std::array<std::uint64_t, 2> one = {t, t + 1};
             Tetrahedron alive[1 + aliveScanOverrun];
-            const AliveScan scanned = scan_({model_.otherSites(), model_.destroyers(), creator, one}, sites_, alive);
+            const AliveScan scanned = scan_({stars.otherSites, stars.destroyers, creator, one}, sites_, alive);
             if (!scanned.sitesComeBefore)
                 return inconsistentModel(model_, "a tetrahedron of site " + std::to_string(creator) +
                                                      " has a site that comes after its creator");

@@ -8,136 +8,39 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tetra {
 
 namespace {
 
-/// Sites between two looks at whether the work was cancelled.
-constexpr std::uint32_t sitesAtOnce = 1 << 12;
-/// Sites between asking memory for a star and looking at it.
+/// Sites between asking memory for a star and looking at it: they come in no order that it could know.
 constexpr std::size_t sitesAhead = 6;
 /// The least scale that says that something was not reached.
 constexpr double moreThanAsked = 1 + std::numeric_limits<double>::epsilon();
+constexpr std::string_view choosing = "Choosing the sites";
 
-/// The set while it grows. What was added is looked at in turn.
+/// A closed set while it grows: a tetrahedron that is too coarse must be destroyed, so its destroyer comes with its
+/// group and all that these need. Without a budget that is done at once. With one, what is farthest from what was asked
+/// goes first, level by level: all that is worse than a scale goes before anything better, and the level that passes
+/// the budget is taken back.
 class Growth {
 public:
-    Growth(const Model& model, const HistoryLinks& links, const RefinementCriterion& judge, std::uint32_t prefix)
-        : model_(model), links_(links), judge_(judge), set_{SiteSet(model.siteCount(), prefix), prefix,
-                                                            prefix > 0 ? model.meshSizes()[prefix - 1] : 0, 1}
+    static constexpr std::uint64_t noBudget = std::numeric_limits<std::uint64_t>::max();
+
+    Growth(const Model& model, const HistoryLinks& links, const RefinementCriterion& criterion, std::uint32_t prefix,
+           std::uint64_t budget)
+        : model_(model), links_(links), criterion_(criterion),
+          budget_(budget), set_{SiteSet(model.siteCount(), prefix), prefix,
+                                prefix > 0 ? model.meshSizes()[prefix - 1] : 0, 1}
     {
     }
 
     Result<ClosedSet> run(const Progress& progress);
-
-private:
-    void fetchAhead(std::size_t next) const;
-    void refineStar(std::uint32_t site);
-    void addGroup(std::uint32_t site);
-
-    const Model& model_;
-    const HistoryLinks& links_;
-    const RefinementCriterion& judge_;
-    ClosedSet set_;
-    std::vector<std::uint32_t> added_; ///< behind the prefix, in the order in which they are looked at
-    Buffer<std::uint64_t> candidates_;
-    bool coverable_ = true; ///< every site that was needed has its links
-};
-
-/// Sites come in no order that memory could know.
-void Growth::fetchAhead(std::size_t next) const
-{
-    if (next + 2 * sitesAhead < added_.size()) {
-        fetchStarOffsets(model_, added_[next + 2 * sitesAhead]);
-        links_.fetchOffsets(added_[next + 2 * sitesAhead]);
-    }
-    if (next + sitesAhead < added_.size()) {
-        fetchStar(model_, added_[next + sitesAhead], true);
-        links_.fetchParents(added_[next + sitesAhead]);
-    }
-}
-
-Result<ClosedSet> Growth::run(const Progress& progress)
-{
-    for (std::uint32_t site = 0; site < set_.prefix; ++site) {
-        if (site % sitesAtOnce == 0 && progress.cancelled())
-            return cancelledError("Choosing the sites");
-        refineStar(site);
-    }
-    for (std::size_t next = 0; next < added_.size(); ++next) {
-        if (next % sitesAtOnce == 0) {
-            if (progress.cancelled())
-                return cancelledError("Choosing the sites");
-            progress.report(0, "Choosing the sites");
-        }
-        fetchAhead(next);
-        const std::uint32_t site = added_[next];
-        for (const std::uint32_t parent : links_.parents(site))
-            addGroup(parent);
-        refineStar(site);
-    }
-    if (!coverable_)
-        return inconsistentModel(model_, "its running errors do not bound the tetrahedra's own ones");
-    return std::move(set_);
-}
-
-void Growth::refineStar(std::uint32_t site)
-{
-    for (const std::uint64_t t : coarseCandidates(model_, set_.sites, judge_, site, candidates_)) {
-        const std::uint32_t destroyer = model_.destroyers()[t];
-        if (set_.sites.contains(std::min(destroyer, model_.siteCount())) || !judge_.tooCoarse(t, site, destroyer))
-            continue;
-        if (destroyer < model_.siteCount())
-            addGroup(destroyer);
-        else
-            set_.scale = std::max({set_.scale, moreThanAsked, judge_.scaleFor(t, site, destroyer)});
-    }
-}
-
-void Growth::addGroup(std::uint32_t site)
-{
-    if (!coverable_ || set_.sites.contains(site))
-        return;
-    const GroupOfSites group = groupOf(model_, site);
-    coverable_ &= group.end <= links_.siteCount();
-    if (!coverable_)
-        return;
-    set_.tetrahedra += growthBy(model_, group);
-    for (std::uint32_t member = group.first; member < group.end; ++member) {
-        set_.sites.insert(member);
-        added_.push_back(member);
-    }
-}
-
-} // namespace
-
-Result<ClosedSet> smallestClosedSet(const Model& model, const HistoryLinks& links, const RefinementCriterion& judge,
-                                    std::uint32_t prefix, const Progress& progress)
-{
-    return Growth(model, links, judge, prefix).run(progress);
-}
-
-namespace {
-
-constexpr std::uint32_t levelsAtOnce = 1 << 10;
-/// A level that has gone so far beyond the budget will not come back.
-constexpr std::uint64_t hopeless = 2;
-constexpr std::uint64_t hopelessAtLeast = 1 << 16;
-
-/// Grows a closed set by the scale of its mesh's worst tetrahedra, level by level: all that is worse than a scale goes
-/// before anything better.
-class BudgetGrowth {
-public:
-    BudgetGrowth(const Model& model, const HistoryLinks& links, const RefinementCriterion& judge, std::uint64_t budget)
-        : model_(model), links_(links), judge_(judge),
-          budget_(std::min(budget, model.tetrahedronCount())), set_{SiteSet(model.siteCount(), 0), 0, 0, 1}
-    {
-    }
-
-    Result<ClosedSet> run(const Progress& progress);
+    Result<ClosedSet> runWithin(const Progress& progress);
 
 private:
     struct Coarse {
@@ -146,84 +49,116 @@ private:
         bool operator<(const Coarse& other) const { return scale < other.scale; }
     };
 
-    Status finishLevel(double level, const Progress& progress);
+    Status close(double level, const Progress& progress);
+    void fetchAhead() const;
     void refineStar(std::uint32_t site);
     void addGroup(std::uint32_t site);
-    void takeBackLevel();
-    bool hopelesslyLarge() const { return set_.tetrahedra > hopeless * budget_ + hopelessAtLeast; }
-    Error impossible() const;
+    void takeBack(std::size_t firstAdded);
+    bool isHopeless() const;
 
     const Model& model_;
     const HistoryLinks& links_;
-    const RefinementCriterion& judge_;
+    const RefinementCriterion& criterion_;
     const std::uint64_t budget_;
     ClosedSet set_;
-    std::vector<Coarse> queue_;          ///< a heap
-    std::vector<std::uint32_t> waiting_; ///< added, not looked at yet
+    std::vector<std::uint32_t> added_; ///< behind the prefix, in the order in which they are looked at
+    std::size_t next_ = 0;             ///< of these
+    std::vector<Coarse> queue_;        ///< a heap; empty without a budget
     Buffer<std::uint64_t> candidates_;
-    std::vector<std::uint32_t> level_; ///< added since the last finished level, the first site of each group
-    bool coverable_ = true;            ///< every site that was needed has its links
+    std::uint64_t steps_ = 0;
+    bool linksReach_ = true; ///< every site that was needed has its links
 };
 
-Result<ClosedSet> BudgetGrowth::run(const Progress& progress)
+Result<ClosedSet> Growth::run(const Progress& progress)
+{
+    constexpr std::uint32_t sitesAtOnce = 1 << 12;
+    for (std::uint32_t site = 0; site < set_.prefix; ++site) {
+        if (site % sitesAtOnce == 0 && progress.cancelled())
+            return cancelledError(choosing);
+        refineStar(site);
+    }
+    if (const Status closed = close(0, progress); !closed)
+        return closed.error();
+    return std::move(set_);
+}
+
+Result<ClosedSet> Growth::runWithin(const Progress& progress)
 {
     addGroup(0);
-    constexpr double first = std::numeric_limits<double>::infinity();
-    if (const Status begun = finishLevel(first, progress); !begun)
+    if (const Status begun = close(std::numeric_limits<double>::infinity(), progress); !begun)
         return begun.error();
     if (set_.tetrahedra > budget_)
-        return impossible();
-    level_.clear();
-    for (std::uint64_t seen = 0; !queue_.empty(); ++seen) {
-        if (seen % levelsAtOnce == 0)
-            progress.report(std::min(1.0, static_cast<double>(set_.tetrahedra) / static_cast<double>(budget_)),
-                            "Choosing the sites");
+        return Error{ErrorKind::WrongUsage, "The coarsest mesh of '" + model_.path().string() + "' has " +
+                                                std::to_string(set_.tetrahedra) +
+                                                " tetrahedra, more than the budget of " + std::to_string(budget_) +
+                                                ". Allow at least as many."};
+    while (!queue_.empty()) {
         const double level = queue_.front().scale;
         const double before = set_.scale;
-        if (const Status finished = finishLevel(level, progress); !finished)
-            return finished.error();
+        const std::size_t firstAdded = added_.size();
+        if (const Status closed = close(level, progress); !closed)
+            return closed.error();
         if (set_.tetrahedra > budget_) {
-            takeBackLevel();
+            takeBack(firstAdded);
             set_.scale = std::max(before, level);
             break;
         }
-        level_.clear();
     }
     return std::move(set_);
 }
 
-/// Destroys every tetrahedron of that scale or more, old or new.
-Status BudgetGrowth::finishLevel(double level, const Progress& progress)
+/// Looks at all that was added, and destroys every tetrahedron of that scale or more, old or new.
+Status Growth::close(double level, const Progress& progress)
 {
-    for (std::uint64_t seen = 0;; ++seen) {
-        if (seen % levelsAtOnce == 0 && progress.cancelled())
-            return cancelledError("Choosing the sites");
-        if (!waiting_.empty()) {
-            const std::uint32_t site = waiting_.back();
-            waiting_.pop_back();
+    constexpr std::uint64_t stepsAtOnce = 1 << 12;
+    for (;; ++steps_) {
+        if (steps_ % stepsAtOnce == 0) {
+            if (progress.cancelled())
+                return cancelledError(choosing);
+            progress.report(budget_ == noBudget ? 0 : std::min(1.0, double(set_.tetrahedra) / double(budget_)),
+                            choosing);
+        }
+        if (next_ < added_.size()) {
+            fetchAhead();
+            const std::uint32_t site = added_[next_++];
             for (const std::uint32_t parent : links_.parents(site))
                 addGroup(parent);
             refineStar(site);
-        } else if (!queue_.empty() && queue_.front().scale >= level && !hopelesslyLarge()) {
+        } else if (!queue_.empty() && queue_.front().scale >= level && !isHopeless()) {
             std::pop_heap(queue_.begin(), queue_.end());
             const std::uint32_t destroyer = queue_.back().destroyer;
             queue_.pop_back();
             addGroup(destroyer);
-        } else if (!coverable_) {
-            return inconsistentModel(model_, "its running errors do not bound the tetrahedra's own ones");
         } else {
-            return {};
+            return linksReach_ ? Status()
+                               : inconsistentModel(model_, "its running errors do not bound the tetrahedra's own ones");
         }
     }
 }
 
-void BudgetGrowth::refineStar(std::uint32_t site)
+void Growth::fetchAhead() const
 {
-    for (const std::uint64_t t : coarseCandidates(model_, set_.sites, judge_, site, candidates_)) {
+    if (next_ + 2 * sitesAhead < added_.size()) {
+        fetchStarOffsets(model_, added_[next_ + 2 * sitesAhead]);
+        links_.fetchOffsets(added_[next_ + 2 * sitesAhead]);
+    }
+    if (next_ + sitesAhead < added_.size()) {
+        fetchStar(model_, added_[next_ + sitesAhead], true);
+        links_.fetchParents(added_[next_ + sitesAhead]);
+    }
+}
+
+void Growth::refineStar(std::uint32_t site)
+{
+    for (const std::uint64_t t : coarseCandidates(model_, set_.sites, criterion_, site, candidates_)) {
         const std::uint32_t destroyer = model_.destroyers()[t];
-        if (!judge_.tooCoarse(t, site, destroyer))
+        if (set_.sites.contains(std::min(destroyer, model_.siteCount())) || !criterion_.tooCoarse(t, site, destroyer))
             continue;
-        const double scale = std::max(1 + std::numeric_limits<double>::epsilon(), judge_.scaleFor(t, site, destroyer));
+        if (budget_ == noBudget && destroyer < model_.siteCount()) {
+            addGroup(destroyer);
+            continue;
+        }
+        const double scale = std::max(moreThanAsked, criterion_.scaleFor(t, site, destroyer));
         if (destroyer < links_.siteCount()) {
             queue_.push_back({scale, destroyer});
             std::push_heap(queue_.begin(), queue_.end());
@@ -233,45 +168,49 @@ void BudgetGrowth::refineStar(std::uint32_t site)
     }
 }
 
-void BudgetGrowth::addGroup(std::uint32_t site)
+void Growth::addGroup(std::uint32_t site)
 {
-    if (!coverable_ || set_.sites.contains(site))
+    if (!linksReach_ || set_.sites.contains(site))
         return;
     const GroupOfSites group = groupOf(model_, site);
-    coverable_ &= group.end <= links_.siteCount();
-    if (!coverable_)
+    linksReach_ = group.end <= links_.siteCount();
+    if (!linksReach_)
         return;
-    set_.tetrahedra += growthBy(model_, group);
-    level_.push_back(group.first);
     for (std::uint32_t member = group.first; member < group.end; ++member) {
+        set_.tetrahedra += growthBy(model_, member);
         set_.sites.insert(member);
-        waiting_.push_back(member);
+        added_.push_back(member);
     }
 }
 
-void BudgetGrowth::takeBackLevel()
+void Growth::takeBack(std::size_t firstAdded)
 {
-    for (const std::uint32_t first : level_) {
-        const GroupOfSites group = groupOf(model_, first);
-        set_.tetrahedra -= growthBy(model_, group);
-        for (std::uint32_t member = group.first; member < group.end; ++member)
-            set_.sites.erase(member);
+    for (const std::uint32_t site : std::span(added_).subspan(firstAdded)) {
+        set_.tetrahedra -= growthBy(model_, site);
+        set_.sites.erase(site);
     }
 }
 
-Error BudgetGrowth::impossible() const
+/// A level that has gone so far beyond the budget will not come back.
+bool Growth::isHopeless() const
 {
-    return {ErrorKind::WrongUsage, "The coarsest mesh of '" + model_.path().string() + "' has " +
-                                       std::to_string(set_.tetrahedra) + " tetrahedra, more than the budget of " +
-                                       std::to_string(budget_) + ". Allow at least as many."};
+    constexpr std::uint64_t hopeless = 2;
+    constexpr std::uint64_t hopelessAtLeast = 1 << 16;
+    return set_.tetrahedra > hopeless * budget_ + hopelessAtLeast;
 }
 
 } // namespace
 
-Result<ClosedSet> closedSetWithin(const Model& model, const HistoryLinks& links, const RefinementCriterion& judge,
+Result<ClosedSet> smallestClosedSet(const Model& model, const HistoryLinks& links, const RefinementCriterion& criterion,
+                                    std::uint32_t prefix, const Progress& progress)
+{
+    return Growth(model, links, criterion, prefix, Growth::noBudget).run(progress);
+}
+
+Result<ClosedSet> closedSetWithin(const Model& model, const HistoryLinks& links, const RefinementCriterion& criterion,
                                   std::uint64_t budget, const Progress& progress)
 {
-    return BudgetGrowth(model, links, judge, budget).run(progress);
+    return Growth(model, links, criterion, 0, std::min(budget, model.tetrahedronCount())).runWithin(progress);
 }
 
 namespace {

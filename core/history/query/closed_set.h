@@ -7,6 +7,7 @@
 #include "core/history/model.h"
 #include "core/history/query/history_links.h"
 #include "core/history/query/refinement_criterion.h"
+#include "core/history/walk.h"
 
 #include <algorithm>
 #include <bit>
@@ -79,17 +80,18 @@ inline GroupOfSites groupOf(const Model& model, std::uint32_t site)
     return group;
 }
 
-/// By how many tetrahedra the group makes a mesh larger. Modulo 2^64: it may make it smaller.
-inline std::uint64_t growthBy(const Model& model, const GroupOfSites& group)
+/// By how many tetrahedra the site makes a mesh larger; what counts is the sum over its group. Modulo 2^64: it may make
+/// it smaller.
+inline std::uint64_t growthBy(const Model& model, std::uint32_t site)
 {
     const std::span<const std::uint32_t> sizes = model.meshSizes();
-    return std::uint64_t(sizes[group.end - 1]) - (group.first > 0 ? sizes[group.first - 1] : 0);
+    return std::uint64_t(sizes[site]) - (site > 0 ? sizes[site - 1] : 0);
 }
 
-/// The tetrahedra that the site created, that none of the sites destroys, and that may be coarser than the judge
+/// The tetrahedra that the site created, that none of the sites destroys, and that may be coarser than the criterion
 /// allows. In `buffer`, which is used from star to star: written without a branch on what no processor could predict.
 inline std::span<const std::uint64_t> coarseCandidates(const Model& model, const SiteSet& sites,
-                                                       const RefinementCriterion& judge, std::uint32_t site,
+                                                       const RefinementCriterion& criterion, std::uint32_t site,
                                                        Buffer<std::uint64_t>& buffer)
 {
     const auto star = starOf(model, site);
@@ -99,7 +101,7 @@ inline std::span<const std::uint64_t> coarseCandidates(const Model& model, const
     for (const std::uint64_t t : star) {
         const bool stays = !sites.contains(std::min(model.destroyers()[t], model.siteCount()));
         buffer[count] = t;
-        count += static_cast<std::size_t>(stays & judge.mayBeTooCoarse(t));
+        count += static_cast<std::size_t>(stays & criterion.mayBeTooCoarse(t));
     }
     return std::span(buffer).first(count);
 }
@@ -115,16 +117,17 @@ struct ClosedSet {
     double scale = 1;
 };
 
-/// The smallest closed set that holds the first `prefix` sites (which end a group) and whose mesh the judge allows, as
-/// far as the model has finer tetrahedra: each one that is too coarse must be destroyed, and only its destroyer does
-/// that. O(the set and what it creates). `links` cover the judge's finest prefix. Errors: cancelled, a damaged file.
-Result<ClosedSet> smallestClosedSet(const Model& model, const HistoryLinks& links, const RefinementCriterion& judge,
+/// The smallest closed set that holds the first `prefix` sites (which end a group) and whose mesh the criterion allows,
+/// as far as the model has finer tetrahedra: each one that is too coarse must be destroyed, and only its destroyer does
+/// that. O(the set and what it creates). `links` cover the criterion's finest prefix. Errors: cancelled, a damaged
+/// file.
+Result<ClosedSet> smallestClosedSet(const Model& model, const HistoryLinks& links, const RefinementCriterion& criterion,
                                     std::uint32_t prefix, const Progress& progress);
 
 /// The same with the fields multiplied by the least number, at least 1, for which the mesh has at most `budget`
 /// tetrahedra. Refines what is farthest from what was asked first, and takes back what was begun when the budget is
 /// passed. Error: WrongUsage if even the coarsest mesh has more.
-Result<ClosedSet> closedSetWithin(const Model& model, const HistoryLinks& links, const RefinementCriterion& judge,
+Result<ClosedSet> closedSetWithin(const Model& model, const HistoryLinks& links, const RefinementCriterion& criterion,
                                   std::uint64_t budget, const Progress& progress);
 
 /// Takes the mesh of a closed set out of the file: vertices are its sites, ascending, tetrahedra come by creator. The

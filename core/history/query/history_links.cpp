@@ -2,6 +2,7 @@
 #include "core/history/query/history_links.h"
 
 #include "core/history/site_positions.h"
+#include "core/history/walk.h"
 
 #include <algorithm>
 #include <numeric>
@@ -14,26 +15,19 @@ namespace {
 template <class Link> Status visitLinks(const Model& model, std::uint32_t sites, Buffer<std::uint32_t>& lastParents,
                                         const Progress& progress, const Link& link)
 {
-    constexpr std::uint32_t sitesAtOnce = 1 << 16;
     lastParents.assign(sites, Model::never);
-    const std::span<const std::uint32_t> destroyers = model.destroyers();
-    for (std::uint32_t creator = 0; creator < sites; ++creator) {
-        if (creator % sitesAtOnce == 0) {
-            if (progress.cancelled())
-                return cancelledError("Looking at the history");
-            progress.report(static_cast<double>(creator) / sites, "Looking at the history");
-        }
-        for (const std::uint64_t t : starOf(model, creator)) {
-            const std::uint32_t destroyer = destroyers[t];
+    const auto visit = [&](const Stars& stars) -> Status {
+        bool right = true;
+        forEachAlive(stars, 0, [&](std::uint32_t creator, std::uint64_t, std::uint32_t destroyer) {
             if (destroyer >= sites || lastParents[destroyer] == creator)
-                continue;
-            if (destroyer <= creator)
-                return inconsistentModel(model, "a tetrahedron dies before it is made");
+                return;
+            right &= destroyer > creator;
             lastParents[destroyer] = creator;
             link(destroyer, creator);
-        }
-    }
-    return {};
+        });
+        return right ? Status() : inconsistentModel(model, "a tetrahedron dies before it is made");
+    };
+    return walkHistory(model, 0, sites, progress, "Looking at the history", visit);
 }
 
 } // namespace

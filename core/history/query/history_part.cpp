@@ -3,6 +3,7 @@
 
 #include "core/history/query/window.h"
 #include "core/history/site_positions.h"
+#include "core/history/walk.h"
 
 #include <algorithm>
 #include <new>
@@ -17,8 +18,6 @@ namespace {
 using Tetrahedron = std::array<std::uint32_t, 4>;
 
 constexpr std::string_view extractingRange = "Extracting a range of meshes";
-/// Tetrahedra, or sites, between two looks at whether the work was cancelled.
-constexpr std::uint64_t partAtOnce = 1 << 16;
 
 /// What is asked of tetrahedra besides their life.
 class Choice {
@@ -50,46 +49,46 @@ private:
     std::optional<BoxSides> sides_;
 };
 
-/// Goes through the part of the file that the finer mesh needs. The file may change meanwhile: every number in it is
-/// read once.
+/// Goes through the part of the file that the finer mesh needs.
 class HistoryScan {
 public:
     HistoryScan(const Model& model, const Choice& choice, HistoryPart& part)
-        : model_(model), choice_(choice), part_(part), all_(model.starOffsets()[part.fine.sites])
+        : model_(model), choice_(choice), part_(part)
     {
     }
 
     Status run(const Progress& progress);
 
 private:
-    void makeRoom();
-    Status scanStar(std::uint32_t creator, std::uint64_t end, const Progress& progress);
+    Status makeRoom(const Progress& progress);
     Status keep(std::uint32_t creator, std::uint64_t tetrahedron, std::uint32_t destroyer);
 
     const Model& model_;
     const Choice& choice_;
     HistoryPart& part_;
-    const std::uint64_t all_; ///< tetrahedra that the sites created
-    std::uint64_t next_ = 0;
     std::uint64_t inCoarse_ = 0;
     std::uint64_t inFine_ = 0;
 };
 
 Status HistoryScan::run(const Progress& progress)
 {
-    if (all_ > model_.tetrahedronCount() || model_.starOffsets()[0] != 0)
-        return inconsistentModel(model_, "its star offsets do not fit its tetrahedra");
     if (choice_.includesAll())
-        makeRoom();
-    for (std::uint32_t site = 0; site < part_.fine.sites; ++site) {
-        if (site % partAtOnce == 0 && progress.cancelled())
-            return cancelledError(extractingRange);
-        const std::uint64_t end = model_.starOffsets()[site + 1];
-        if (end < next_ || end > all_)
-            return inconsistentModel(model_, "the star offsets of site " + std::to_string(site) + " make no sense");
-        if (const Status right = scanStar(site, end, progress); !right)
-            return right;
-    }
+        if (const Status made = makeRoom(progress.part(0, 0.2)); !made)
+            return made;
+    const auto visit = [this](const Stars& stars) {
+        Status right;
+        // Of later batches than the creator: so a life that ends behind the coarse mesh has meshes from there on.
+        forEachAlive(stars, part_.coarse.sites, [&](std::uint32_t creator, std::uint64_t t, std::uint32_t destroyer) {
+            inCoarse_ += creator < part_.coarse.sites ? 1 : 0;
+            inFine_ += destroyer >= part_.fine.sites ? 1 : 0;
+            if (right)
+                right = keep(creator, t, destroyer);
+        });
+        return right;
+    };
+    if (const Status walked = walkHistory(model_, 0, part_.fine.sites, progress.part(0.2, 1), extractingRange, visit);
+        !walked)
+        return walked;
     if (inCoarse_ != part_.coarse.tetrahedra || inFine_ != part_.fine.tetrahedra)
         return inconsistentModel(
             model_, "the meshes of " + std::to_string(part_.coarse.sites) + " and " + std::to_string(part_.fine.sites) +
@@ -99,33 +98,18 @@ Status HistoryScan::run(const Progress& progress)
 }
 
 /// Growing would copy gigabytes.
-void HistoryScan::makeRoom()
+Status HistoryScan::makeRoom(const Progress& progress)
 {
-    const auto found = static_cast<std::size_t>(std::ranges::count_if(
-        model_.destroyers().first(all_), [this](std::uint32_t destroyer) { return destroyer >= part_.coarse.sites; }));
+    std::size_t found = 0;
+    const auto count = [&](const Stars& stars) -> Status {
+        forEachAlive(stars, part_.coarse.sites, [&](std::uint32_t, std::uint64_t, std::uint32_t) { ++found; });
+        return {};
+    };
+    const Status walked = walkHistory(model_, 0, part_.fine.sites, progress, extractingRange, count);
     part_.mesh.tetrahedra.reserve(found);
     part_.births.reserve(found);
     part_.deaths.reserve(found);
-}
-
-Status HistoryScan::scanStar(std::uint32_t creator, std::uint64_t end, const Progress& progress)
-{
-    for (; next_ < end; ++next_) {
-        if (next_ % partAtOnce == 0) {
-            if (progress.cancelled())
-                return cancelledError(extractingRange);
-            progress.report(static_cast<double>(next_) / static_cast<double>(all_), extractingRange);
-        }
-        // Of later batches than the creator: so a life that ends behind the coarse mesh has meshes from there on.
-        const std::uint32_t destroyer = model_.destroyers()[next_];
-        if (destroyer < part_.coarse.sites)
-            continue;
-        inCoarse_ += creator < part_.coarse.sites ? 1 : 0;
-        inFine_ += destroyer >= part_.fine.sites ? 1 : 0;
-        if (const Status right = keep(creator, next_, destroyer); !right)
-            return right;
-    }
-    return {};
+    return walked;
 }
 
 Status HistoryScan::keep(std::uint32_t creator, std::uint64_t tetrahedron, std::uint32_t destroyer)
@@ -155,8 +139,6 @@ Status extractInto(const Model& model, std::span<const ValueRange> values, const
         return placed;
     if (const Status copied = copyValues(model, part.fine.sites, part.mesh.values); !copied)
         return copied;
-    if (const Status right = model.checkPrefix(part.fine.sites, Model::Stars, progress); !right)
-        return right;
     const Choice choice(values, window, part.mesh);
     if (const Status scanned = HistoryScan(model, choice, part).run(progress); !scanned)
         return scanned;

@@ -266,8 +266,8 @@ Status MeshExtractor::Work::extractUniform(const MeshQuery& query, const Progres
 
 Status MeshExtractor::Work::extractClosedSet(const MeshQuery& query, const Progress& progress)
 {
-    RefinementCriterion judge(*model_, query, places_);
-    const std::uint32_t finest = meshSizeAt(*model_, judge.finest()).sites;
+    RefinementCriterion criterion(*model_, query, places_);
+    const std::uint32_t finest = meshSizeAt(*model_, criterion.finest()).sites;
     constexpr unsigned all = Model::Batches | Model::Stars | Model::OwnBounds;
     if (const Status right = model_->checkPrefix(finest, all, progress); !right)
         return right;
@@ -275,11 +275,11 @@ Status MeshExtractor::Work::extractClosedSet(const MeshQuery& query, const Progr
         return linked;
     if (const Status covered = ensureSites(finest); !covered)
         return covered;
-    judge.lookAtSites(finest);
+    criterion.lookAtSites(finest);
     const auto set = query.budget
-                         ? closedSetWithin(*model_, links_, judge, *query.budget, progress.part(0.3, 0.8))
-                         : smallestClosedSet(*model_, links_, judge, meshSizeAt(*model_, judge.coarsest()).sites,
-                                             progress.part(0.3, 0.8));
+                         ? closedSetWithin(*model_, links_, criterion, *query.budget, progress.part(0.3, 0.8))
+                         : smallestClosedSet(*model_, links_, criterion,
+                                             meshSizeAt(*model_, criterion.coarsest()).sites, progress.part(0.3, 0.8));
     if (!set)
         return set.error();
     return extractSet(*model_, *set, places_, progress.part(0.8, 1), startWhole());

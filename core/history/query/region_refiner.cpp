@@ -4,6 +4,7 @@
 #include "core/base/rounding.h"
 #include "core/base/simd.h"
 #include "core/history/site_positions.h"
+#include "core/history/walk.h"
 #include "core/refine/insertion/sample_scan.h"
 #include "core/refine/lattice/packed_lattice.h"
 
@@ -253,36 +254,28 @@ std::optional<std::uint32_t> SiteGrid::siteAt(const PackedLattice& lattice, Pack
 Result<TetrahedronSet> TetrahedronSet::make(const Model& model, std::uint32_t firstCreator, std::uint32_t sites,
                                             const Progress& progress)
 {
-    constexpr std::uint32_t creatorsAtOnce = 1 << 16;
     TetrahedronSet stars;
     stars.firstCreator_ = firstCreator;
     stars.siteCount_ = sites;
     if (firstCreator >= sites)
         return stars;
-    if (const Status right = model.checkPrefix(sites, Model::Stars, progress.withCallback({})); !right)
-        return right.error();
     model.check(model.meshSizes()[sites - 1]); // what it finds is known to checkIntact()
-    const std::span<const std::uint64_t> offsets = model.starOffsets();
     stars.starts_.reserve(sites - firstCreator + 1);
     stars.keys_.reserve(std::min<std::uint64_t>(model.meshSizes()[sites - 1], model.tetrahedronCount()));
-    std::uint64_t t = offsets[firstCreator];
-    for (std::uint32_t creator = firstCreator; creator < sites; ++creator) {
-        if (creator % creatorsAtOnce == 0) {
-            if (progress.cancelled())
-                return cancelledError("Looking at the history");
-            progress.report(static_cast<double>(creator - firstCreator) / (sites - firstCreator),
-                            "Looking at the history");
+    const auto visit = [&](const Stars& piece) -> Status {
+        for (std::size_t star = 0; star + 1 < piece.offsets.size(); ++star) {
+            stars.starts_.push_back(static_cast<std::uint32_t>(stars.keys_.size()));
+            for (std::uint64_t t = piece.offsets[star]; t < piece.offsets[star + 1]; ++t)
+                if (piece.destroyers[t] >= sites) {
+                    const auto& [a, b, c] = piece.otherSites[t];
+                    stars.keys_.push_back(keyOf(a, b, c));
+                }
         }
-        stars.starts_.push_back(static_cast<std::uint32_t>(stars.keys_.size()));
-        const std::uint64_t end = offsets[creator + 1];
-        if (end < t || end > model.tetrahedronCount())
-            return inconsistentModel(model, "its star offsets make no sense");
-        for (; t < end; ++t)
-            if (model.destroyers()[t] >= sites) {
-                const auto& [a, b, c] = model.otherSites()[t];
-                stars.keys_.push_back(keyOf(a, b, c));
-            }
-    }
+        return {};
+    };
+    if (const Status walked = walkHistory(model, firstCreator, sites, progress, "Looking at the history", visit);
+        !walked)
+        return walked.error();
     stars.starts_.push_back(static_cast<std::uint32_t>(stars.keys_.size()));
     return stars;
 }
@@ -439,7 +432,8 @@ Status RegionRefiner::Work::load(std::uint32_t sites, const Progress& progress)
     coarseSites_ = 0;
     if (const Status loaded = loadCoarse(model_, sites, progress, coarse_, mesh_); !loaded)
         return loaded;
-    readBounds(sites);
+    if (const Status bounded = readBounds(sites); !bounded)
+        return bounded;
     coarseBoxes_.assign(lattice_, coarse_.mesh.tetrahedra, coarse_.points);
     Buffer<std::array<std::uint32_t, 4>>().swap(coarse_.mesh.tetrahedra);
     coarseSites_ = sites;
@@ -582,17 +576,22 @@ constexpr std::size_t repairsAtOnce = 256;
 } // namespace
 
 /// The file's bounds on the errors of the coarse mesh's tetrahedra, in the order in which extraction gives these.
-void RegionRefiner::Work::readBounds(std::uint32_t sites)
+Status RegionRefiner::Work::readBounds(std::uint32_t sites)
 {
     const double extent = model_.description().range.extent();
     coarseBounds_.assign(coarse_.mesh.tetrahedra.size(), std::numeric_limits<float>::infinity());
     std::size_t slot = 0;
-    const std::uint64_t end = std::min(model_.starOffsets()[sites], model_.tetrahedronCount());
-    model_.check(model_.ownErrors().first(end)); // what it finds is known to checkIntact()
-    for (std::uint64_t t = 0; t < end && slot < coarseBounds_.size(); ++t)
-        if (model_.destroyers()[t] >= sites)
-            coarseBounds_[slot++] =
-                static_cast<float>(static_cast<double>(halfToFloat(model_.ownErrors()[t])) * extent * (1 + 1e-6));
+    const auto visit = [&](const Stars& stars) -> Status {
+        if (!model_.check(model_.ownErrors().subspan(stars.first(), stars.count())))
+            return model_.checkIntact();
+        forEachAlive(stars, sites, [&](std::uint32_t, std::uint64_t t, std::uint32_t) {
+            const double bound = static_cast<double>(halfToFloat(model_.ownErrors()[t])) * extent * (1 + 1e-6);
+            if (slot < coarseBounds_.size())
+                coarseBounds_[slot++] = static_cast<float>(bound);
+        });
+        return {};
+    };
+    return walkHistory(model_, 0, sites, {}, "Looking at the history", visit);
 }
 
 Status RegionRefiner::Work::knowStars(const Range& range, const Progress& progress)

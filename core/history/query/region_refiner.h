@@ -235,7 +235,7 @@ private:
     void lookAtChanges(const FocusLimits& limits, bool mayBeKnown, const Progress& progress);
     void lookAtOthers(const FocusLimits& limits, bool outsideIsKnown, const Progress& progress);
     Status knowStars(const Range& range, const Progress& progress);
-    void readBounds(std::uint32_t sites);
+    Status readBounds(std::uint32_t sites);
     std::array<std::uint32_t, 4> sitesOf(std::uint32_t slot) const;
     void write(ExtractedMesh& mesh) const;
 
