@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace tetra {
 
@@ -68,29 +70,37 @@ private:
     double last_ = 1;
 };
 
-/// Progress of work that many threads do in pieces: adds up what they have done and reports it in order.
+/// Progress of work that many threads do in pieces: adds up what they have done and reports it in order, so that the
+/// fraction never falls.
 class SharedProgress {
 public:
-    SharedProgress(const Progress& progress, std::uint64_t total, std::string activity)
-        : progress_(progress), total_(std::max<std::uint64_t>(total, 1)), activity_(std::move(activity))
+    SharedProgress(const Progress& progress, double total, std::string_view activity)
+        : progress_(progress), total_(std::max(total, 1.0)), activity_(activity)
     {
     }
 
     bool cancelled() const noexcept { return progress_.cancelled(); }
     /// From any thread.
-    void done(std::uint64_t amount)
+    void done(double amount)
     {
         const std::lock_guard lock(mutex_);
         done_ += amount;
-        progress_.report(static_cast<double>(done_) / static_cast<double>(total_), activity_);
+        progress_.report(std::min(1.0, done_ / total_), activity_);
+    }
+    /// What a piece of that amount, which reports its own fractions, is given to call. It is done when it reports 1.
+    Progress::Callback piece(double amount)
+    {
+        return [this, amount, told = std::make_shared<double>(0)](double fraction, std::string_view) {
+            done((fraction - std::exchange(*told, fraction)) * amount);
+        };
     }
 
 private:
-    const Progress& progress_;
-    std::uint64_t total_;
+    Progress progress_;
+    double total_;
     std::string activity_;
     std::mutex mutex_;
-    std::uint64_t done_ = 0;
+    double done_ = 0;
 };
 
 /// Pieces of work that run at once and are of no use without each other: the first that fails, by an Error or by an

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/render/view_transform.h"
 
@@ -12,9 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <mutex>
 #include <new>
-#include <string_view>
 #include <vector>
 
 namespace tetra {
@@ -32,27 +29,6 @@ template <class Work> auto onThreads(int threads, Work&& work) -> decltype(work(
                                                "picture smaller or lower the accuracy of the mesh."};
     }
 }
-
-/// Counts finished tiles for all threads, so that the fraction never falls.
-class TileProgress {
-public:
-    TileProgress(const Progress& progress, std::size_t tiles, std::string_view activity)
-        : progress_(progress), tiles_(tiles), activity_(activity)
-    {
-    }
-    void tileDone()
-    {
-        const std::scoped_lock lock(mutex_);
-        progress_.report(static_cast<double>(++done_) / static_cast<double>(tiles_), activity_);
-    }
-
-private:
-    Progress progress_;
-    std::size_t tiles_;
-    std::string_view activity_;
-    std::size_t done_ = 0;
-    std::mutex mutex_;
-};
 
 /// A picture of samples cut into square tiles, row by row from the top.
 struct TileGrid {

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <mutex>
 #include <new>
+#include <optional>
 #include <vector>
 
 namespace tetra {
@@ -53,6 +54,7 @@ public:
     {
         for (std::uint32_t block = 0; block < runs.blockCount(); ++block)
             allPoints_ += pointsOf(options.division.box(block));
+        points_.emplace(progress, static_cast<double>(allPoints_), "Refining the blocks");
     }
 
     Status run();
@@ -61,7 +63,6 @@ private:
     Status work();
     Status make(std::uint32_t block, LatticeRefiner& refiner, BlockRunRecorder& recorder);
     Status account(std::uint32_t block);
-    void reportPoints(double points);
 
     const LatticeRunsOptions& options_;
     const LatticeSamples& samples_;
@@ -71,11 +72,11 @@ private:
     std::uint64_t allPoints_ = 0;
     std::atomic<std::uint32_t> next_ = 0;
     FirstFailure failure_;
+    std::optional<SharedProgress> points_;
 
     std::mutex mutex_;
     RunTotals totals_;
     std::uint32_t finished_ = 0;
-    double pointsReported_ = 0;
 };
 
 Status RunMaker::run()
@@ -99,7 +100,7 @@ Status RunMaker::work()
             if (const Status made = make(block, refiner, recorder); !made)
                 return made;
         } else {
-            reportPoints(static_cast<double>(pointsOf(options_.division.box(block))));
+            points_->done(static_cast<double>(pointsOf(options_.division.box(block))));
         }
         if (const Status right = account(block); !right)
             return right;
@@ -113,16 +114,12 @@ Status RunMaker::make(std::uint32_t block, LatticeRefiner& refiner, BlockRunReco
     box.box = options_.division.box(block);
     box.centreAtOrigin = !options_.division.odd(block);
     const auto points = static_cast<double>(pointsOf(box.box));
-    double told = 0;
-    const Progress own = failure_.watching(progress_).withCallback([&](double fraction, std::string_view) {
-        reportPoints((fraction - told) * points);
-        told = fraction;
-    });
+    const Progress own = failure_.watching(progress_).withCallback(points_->piece(points));
     recorder.start();
     const Result<LatticeRefinementResult> refined = refiner.refine(box, samples_, recorder, own);
     if (!refined)
         return refined.error();
-    reportPoints((1 - told) * points);
+    own.report(1, {});
     if (options_.samplesIntact)
         if (const Status intact = options_.samplesIntact(); !intact)
             return intact;
@@ -154,13 +151,6 @@ Status RunMaker::account(std::uint32_t block)
     if (const Status fits = checkMeshSize(totals_.living, expected.living); !fits)
         return fits;
     return options_.check ? options_.check(totals_, expected) : Status();
-}
-
-void RunMaker::reportPoints(double points)
-{
-    const std::lock_guard lock(mutex_);
-    pointsReported_ += points;
-    progress_.report(std::min(1.0, pointsReported_ / static_cast<double>(allPoints_)), "Refining the blocks");
 }
 
 } // namespace

@@ -221,13 +221,13 @@ Status drawPart(const Scene& scene, const PartView& view, const VolumeOrders& or
         return cancelledError(drawingParts);
     statistics.setUpSeconds += watch.lap();
 
-    TileProgress done(progress.part(0.2, 1), grid.count(), drawingParts);
+    SharedProgress tiles(progress.part(0.2, 1), static_cast<double>(grid.count()), drawingParts);
     tbb::enumerable_thread_specific<PartPainter> painters([&] { return PartPainter(part, scene, view, options); });
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grid.count(), 1), [&](const auto& range) {
         PartPainter& painter = painters.local();
         for (std::size_t tile = range.begin(); tile != range.end() && !progress.cancelled(); ++tile) {
             painter.paint(grid.tile(tile), tile, progress, picture);
-            done.tileDone();
+            tiles.done(1);
         }
     });
     if (progress.cancelled())

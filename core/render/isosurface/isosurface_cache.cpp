@@ -8,36 +8,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <new>
-#include <numeric>
 #include <optional>
 
 namespace tetra {
 namespace {
 
 constexpr std::string_view extractingIsosurfaces = "Extracting isosurfaces";
-
-/// The mean of several pieces of work that report from their own threads; never falls.
-class JointProgress {
-public:
-    JointProgress(const Progress& whole, std::size_t pieces) : whole_(whole), fractions_(pieces, 0) {}
-
-    Progress::Callback piece(std::size_t index)
-    {
-        return [this, index](double fraction, std::string_view) {
-            const std::scoped_lock lock(mutex_);
-            fractions_[index] = fraction;
-            const double sum = std::accumulate(fractions_.begin(), fractions_.end(), 0.0);
-            whole_.report(sum / static_cast<double>(fractions_.size()), extractingIsosurfaces);
-        };
-    }
-
-private:
-    const Progress& whole_;
-    std::vector<double> fractions_;
-    std::mutex mutex_;
-};
 
 bool isShown(const Isovalue& isovalue)
 {
@@ -103,12 +80,12 @@ Status IsosurfaceCache::extractMissing(std::span<const Isovalue> isovalues, cons
     if (progress.cancelled())
         return cancelledError(extractingIsosurfaces);
     const Progress extraction = progress.part(0.3, 1);
-    JointProgress joint(extraction, missing.size());
+    SharedProgress joint(extraction, static_cast<double>(missing.size()), extractingIsosurfaces);
     std::vector<std::optional<Result<TriangleMesh>>> extracted(missing.size());
     FirstFailure failure;
     tbb::parallel_for(std::size_t(0), missing.size(), [&](std::size_t i) {
         failure.run([&]() -> Status {
-            extracted[i] = extract(missing[i], failure.watching(progress).withCallback(joint.piece(i)));
+            extracted[i] = extract(missing[i], failure.watching(progress).withCallback(joint.piece(1)));
             return *extracted[i] ? Status() : extracted[i]->error();
         });
     });

@@ -66,7 +66,7 @@ Result<VolumePicture> draw(const VolumeMesh& mesh, const VolumeTransfer& transfe
 
     const SetupSource source = setupSourceOf(mesh, transfer, volume, view, false);
     const TileSurroundings surroundings{.depth = options.depth};
-    TileProgress done(progress.part(0.2, 1), grid.count(), renderingVolume);
+    SharedProgress tiles(progress.part(0.2, 1), static_cast<double>(grid.count()), renderingVolume);
     std::atomic<std::size_t> drawnCells = 0;
     tbb::enumerable_thread_specific<VolumeTilePainter> painters([&] { return VolumeTilePainter(source, view); });
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grid.count(), 1), [&](const auto& range) {
@@ -76,7 +76,7 @@ Result<VolumePicture> draw(const VolumeMesh& mesh, const VolumeTransfer& transfe
             const DrawnTile drawn = painter.paint(tile, volume.bins.cellsOf(t), surroundings, progress);
             place(drawn, tile, picture);
             drawnCells += drawn.cells;
-            done.tileDone();
+            tiles.done(1);
         }
     });
     if (progress.cancelled())
