@@ -4,10 +4,12 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/data/dataset.h"
+#include "core/history/model.h"
 #include "core/verify/exact_cell.h"
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,5 +34,10 @@ private:
     int hand_ = 1;
     std::vector<LatticePoint> folded_; ///< the first corners of these cells, as z, y, x; sorted
 };
+
+/// How many tetrahedra are inverted in physical space in each of several meshes, those of the first `sites` sites (S5):
+/// none but of curvilinear data. Exact; O(tetrahedra) for these, on all threads. Error: the file is inconsistent; of
+/// indices that are merely wrong the count is.
+Result<std::vector<std::uint64_t>> countInverted(const Model& model, std::span<const std::uint32_t> sites);
 
 } // namespace tetra

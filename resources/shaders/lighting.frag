@@ -1,6 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The formula of core/render/shading.h.
+// The formula of core/render/scene.h.
 uniform vec3 light; // ambient, diffuse, specular
 
 vec3 lit(vec3 colour, vec3 normal, vec3 towardsEye)

@@ -104,7 +104,7 @@ vec2 rangeOfLayers()
     return range;
 }
 
-// Light and opacity of a cell, lit as a surface across the gradient would be (core/render/shading.h). The cosine between
+// Light and opacity of a cell, lit as a surface across the gradient would be (core/render/scene.h). The cosine between
 // the gradient and the ray is the value's change for one unit of w, over that for one unit of length along the gradient
 // and the ray's length for one unit of w.
 vec4 litByGradient(vec4 seen, float change, float ray)

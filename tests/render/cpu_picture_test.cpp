@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the CPU back end (B4), the reference, against closed forms.
 #include "core/render/render_backend.h"
-#include "core/render/shading.h"
+#include "core/render/scene.h"
 #include "tests/render/picture_check.h"
 #include "tests/render/scenes.h"
 

@@ -4,7 +4,6 @@
 #include "core/render/gl/scene_painter.h"
 #include "core/render/isosurface/isosurface.h"
 #include "core/render/render_backend.h"
-#include "core/render/scene_check.h"
 #include "tests/core/render/lattice_mesh.h"
 #include "tests/render/gl_test.h"
 #include "tests/render/same_picture.h"

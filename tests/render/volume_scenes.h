@@ -3,7 +3,6 @@
 
 #include "core/render/isosurface/isosurface.h"
 #include "core/render/scene.h"
-#include "core/render/shading.h"
 #include "core/render/volume/volume_mesh.h"
 #include "tests/core/render/lattice_mesh.h"
 #include "tests/core/render/volume/ray_integrator.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/picture_form.h"
 
-#include "core/render/scene_check.h"
+#include "core/render/render_backend.h"
 #include "ui/panels/annotation_rows.h"
 
 #include <QCheckBox>

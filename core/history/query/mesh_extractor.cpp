@@ -4,7 +4,6 @@
 #include "core/history/extraction.h"
 #include "core/history/query/closed_set.h"
 #include "core/history/query/curvilinear_focus.h"
-#include "core/history/query/history_links.h"
 #include "core/history/query/mesh_query.h"
 #include "core/history/query/refinement_criterion.h"
 #include "core/history/query/region_refiner.h"

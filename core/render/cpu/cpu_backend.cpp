@@ -6,7 +6,6 @@
 #include "core/render/cpu/tile_painter.h"
 #include "core/render/picture.h"
 #include "core/render/render_backend.h"
-#include "core/render/scene_check.h"
 #include "core/render/tiles.h"
 #include "core/render/volume/projected_volume.h"
 #include "core/render/volume/tile_picture.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/cpu/draw_list.h"
 
-#include "core/render/scene_check.h"
+#include "core/render/render_backend.h"
 #include "core/render/view_transform.h"
 
 #include <tbb/blocked_range.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/cpu/tile_painter.h"
 
-#include "core/render/shading.h"
+#include "core/render/scene.h"
 #include "core/render/volume/cell_setup.h"
 
 #include <algorithm>

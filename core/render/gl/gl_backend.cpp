@@ -4,7 +4,6 @@
 #include "core/render/gl/gl_functions.h"
 #include "core/render/gl/scene_painter.h"
 #include "core/render/render_backend.h"
-#include "core/render/scene_check.h"
 
 #include <algorithm>
 #include <new>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/gl/gl_buffers.h"
 
-#include "core/render/scene_check.h"
+#include "core/render/render_backend.h"
 
 #include <tbb/parallel_for.h>
 

@@ -2,8 +2,8 @@
 #include "core/render/gl/volume_painter.h"
 
 #include "core/render/gl/gl_program.h"
-#include "core/render/scene_check.h"
-#include "core/render/shading.h"
+#include "core/render/render_backend.h"
+#include "core/render/scene.h"
 #include "core/render/tiles.h"
 #include "core/render/view_transform.h"
 #include "core/render/volume/projected_volume.h"

@@ -5,14 +5,19 @@
 #include "core/render/isosurface/surface_chunks.h"
 
 #include <Eigen/Geometry>
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <new>
+#include <span>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 namespace tetra {
 
@@ -182,6 +187,208 @@ void fillNormalsFromTriangles(TriangleMesh& surface)
         const Eigen::Vector3f normal = unitOrZero(sum);
         surface.normals[vertex] = normal.isZero(0) ? Eigen::Vector3f::UnitZ() : normal;
     }
+}
+
+namespace {
+
+/// Sums over the tetrahedra of a vertex: six times volume times gradient, and six times volume.
+struct GradientSum {
+    Eigen::Vector3f gradient{0, 0, 0};
+    float volume = 0;
+
+    void add(const GradientSum& term)
+    {
+        gradient += term.gradient;
+        volume += term.volume;
+    }
+};
+
+/// Position and value of a vertex, side by side: in a mesh in order of construction each corner is a cache miss, and
+/// so it is one instead of two.
+struct Corner {
+    Eigen::Vector3f position;
+    float value;
+};
+
+using Tetrahedra = std::span<const std::array<std::uint32_t, 4>>;
+
+Buffer<Corner> makeCorners(const TetrahedralMesh& mesh)
+{
+    Buffer<Corner> corners(mesh.positions.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, corners.size(), 1 << 15), [&](const auto& range) {
+        for (std::size_t v = range.begin(); v != range.end(); ++v)
+            corners[v] = {mesh.positions[v], mesh.values[v]};
+    });
+    return corners;
+}
+
+GradientSum termOf(const Corner& first, const Corner& second, const Corner& third, const Corner& fourth)
+{
+    const Eigen::Vector3d origin = first.position.cast<double>();
+    const Eigen::Vector3d b = second.position.cast<double>() - origin;
+    const Eigen::Vector3d c = third.position.cast<double>() - origin;
+    const Eigen::Vector3d d = fourth.position.cast<double>() - origin;
+    const double value = first.value;
+    const Eigen::Vector3d normal = c.cross(d);
+    const Eigen::Vector3d gradient =
+        (second.value - value) * normal + (third.value - value) * d.cross(b) + (fourth.value - value) * b.cross(c);
+    return {gradient.cast<float>(), static_cast<float>(b.dot(normal))};
+}
+
+/// Calls visit(term, tetrahedron) for each, having asked for its corners, and for what prefetch(vertex) asks, some
+/// turns before.
+template <class Prefetch, class Visit>
+void forEachTerm(Tetrahedra tetrahedra, const Buffer<Corner>& corners, Prefetch&& prefetch, Visit&& visit)
+{
+    constexpr std::size_t ahead = 12;
+    for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
+        if (t + ahead < tetrahedra.size())
+            for (const std::uint32_t vertex : tetrahedra[t + ahead]) {
+                __builtin_prefetch(&corners[vertex]);
+                prefetch(vertex);
+            }
+        const auto& sites = tetrahedra[t];
+        visit(termOf(corners[sites[0]], corners[sites[1]], corners[sites[2]], corners[sites[3]]), t);
+    }
+}
+
+/// On one thread, in the order of the tetrahedra.
+void addUp(Tetrahedra tetrahedra, const Buffer<Corner>& corners, std::span<GradientSum> sums)
+{
+    const auto prefetch = [&](std::uint32_t vertex) { __builtin_prefetch(&sums[vertex], 1); };
+    forEachTerm(tetrahedra, corners, prefetch, [&](const GradientSum& term, std::size_t t) {
+        for (const std::uint32_t vertex : tetrahedra[t])
+            sums[vertex].add(term);
+    });
+}
+
+/// The same sums bit for bit, on all threads: the terms of a piece of the mesh, then for each share of the vertices
+/// theirs, in the order of the tetrahedra.
+class SharedSums {
+public:
+    SharedSums(std::span<GradientSum> sums, int threads) : sums_(sums)
+    {
+        constexpr std::size_t sharesOfThread = 4;
+        while (sums.size() >> shareBits_ >= sharesOfThread * static_cast<std::size_t>(threads))
+            ++shareBits_;
+        shareCount_ = static_cast<std::uint32_t>(sums.size() >> shareBits_) + 1;
+    }
+
+    void add(Tetrahedra tetrahedra, const Buffer<Corner>& corners)
+    {
+        terms_.resize(std::min(tetrahedra.size(), pieceSize));
+        for (std::size_t first = 0; first < tetrahedra.size(); first += pieceSize)
+            addPiece(tetrahedra.subspan(first, std::min(pieceSize, tetrahedra.size() - first)), corners);
+    }
+
+private:
+    static constexpr std::size_t runSize = 1 << 14;
+    static constexpr std::size_t pieceSize = 64 * runSize;
+
+    /// A term on its way to a vertex.
+    struct Entry {
+        std::uint32_t vertex;
+        std::uint32_t term;
+    };
+    /// Some tetrahedra. Where their vertices lie in few shares, as in spatial order, each of these looks at all of
+    /// them; else the entries are sorted by shares.
+    struct Run {
+        std::uint32_t leastShare = 0, largestShare = 0;
+        Buffer<Entry> entries;
+        std::vector<std::uint32_t> ends; ///< of the shares' entries
+
+        bool isSorted() const { return largestShare - leastShare >= 3; }
+    };
+
+    void addPiece(Tetrahedra tetrahedra, const Buffer<Corner>& corners)
+    {
+        const std::size_t count = (tetrahedra.size() + runSize - 1) / runSize;
+        runs_.resize(std::max(runs_.size(), count));
+        const auto first = [](std::size_t run) { return run * runSize; };
+        const auto ofRun = [&](std::size_t run) {
+            return tetrahedra.subspan(first(run), std::min(runSize, tetrahedra.size() - first(run)));
+        };
+        tbb::parallel_for(std::size_t(0), count,
+                          [&](std::size_t run) { fillRun(runs_[run], ofRun(run), first(run), corners); });
+        tbb::parallel_for(std::uint32_t(0), shareCount_, [&](std::uint32_t share) {
+            for (std::size_t run = 0; run < count; ++run)
+                if (runs_[run].leastShare <= share && share <= runs_[run].largestShare)
+                    addRun(runs_[run], ofRun(run), first(run), share);
+        });
+    }
+
+    void fillRun(Run& run, Tetrahedra tetrahedra, std::size_t firstTerm, const Buffer<Corner>& corners)
+    {
+        std::uint32_t least = 0xffffffff, largest = 0;
+        forEachTerm(
+            tetrahedra, corners, [](std::uint32_t) {},
+            [&](const GradientSum& term, std::size_t t) {
+                terms_[firstTerm + t] = term;
+                for (const std::uint32_t vertex : tetrahedra[t]) {
+                    least = std::min(least, vertex);
+                    largest = std::max(largest, vertex);
+                }
+            });
+        run.leastShare = least >> shareBits_;
+        run.largestShare = largest >> shareBits_;
+        if (run.isSorted())
+            sortEntries(run, tetrahedra, firstTerm);
+    }
+
+    void sortEntries(Run& run, Tetrahedra tetrahedra, std::size_t firstTerm) const
+    {
+        std::vector<std::uint32_t>& places = run.ends;
+        places.assign(shareCount_ + 1, 0);
+        for (const auto& vertices : tetrahedra)
+            for (const std::uint32_t vertex : vertices)
+                ++places[(vertex >> shareBits_) + 1];
+        for (std::size_t share = 0; share < shareCount_; ++share)
+            places[share + 1] += places[share];
+        run.entries.resize(4 * tetrahedra.size());
+        for (std::size_t t = 0; t < tetrahedra.size(); ++t)
+            for (const std::uint32_t vertex : tetrahedra[t])
+                run.entries[places[vertex >> shareBits_]++] = {vertex, static_cast<std::uint32_t>(firstTerm + t)};
+    }
+
+    void addRun(const Run& run, Tetrahedra tetrahedra, std::size_t firstTerm, std::uint32_t share)
+    {
+        if (run.isSorted()) {
+            for (std::uint32_t i = share == 0 ? 0 : run.ends[share - 1]; i < run.ends[share]; ++i)
+                sums_[run.entries[i].vertex].add(terms_[run.entries[i].term]);
+            return;
+        }
+        for (std::size_t t = 0; t < tetrahedra.size(); ++t)
+            for (const std::uint32_t vertex : tetrahedra[t])
+                if (vertex >> shareBits_ == share)
+                    sums_[vertex].add(terms_[firstTerm + t]);
+    }
+
+    std::span<GradientSum> sums_;
+    unsigned shareBits_ = 0;
+    std::uint32_t shareCount_ = 0;
+    Buffer<GradientSum> terms_;
+    std::vector<Run> runs_;
+};
+
+} // namespace
+
+Buffer<Eigen::Vector3f> vertexGradients(const TetrahedralMesh& mesh)
+{
+    const std::size_t count = mesh.positions.size();
+    Buffer<Eigen::Vector3f> gradients(count);
+    const Buffer<Corner> corners = makeCorners(mesh);
+    std::vector<GradientSum> sums(count);
+    const int threads = tbb::this_task_arena::max_concurrency();
+    if (threads == 1)
+        addUp(mesh.tetrahedra, corners, sums);
+    else
+        SharedSums(sums, threads).add(mesh.tetrahedra, corners);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1 << 15), [&](const auto& range) {
+        for (std::size_t v = range.begin(); v != range.end(); ++v)
+            gradients[v] =
+                sums[v].volume > 0 ? Eigen::Vector3f(sums[v].gradient / sums[v].volume) : Eigen::Vector3f(0, 0, 0);
+    });
+    return gradients;
 }
 
 } // namespace tetra

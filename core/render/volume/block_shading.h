@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/shading.h"
+#include "core/render/scene.h"
 #include "core/render/volume/slab_shading.h"
 #include "core/render/volume/volume_tile.h"
 

@@ -3,7 +3,7 @@
 
 #include "core/base/disjoint_sets.h"
 #include "core/mesh/topology.h"
-#include "core/render/scene_check.h"
+#include "core/render/render_backend.h"
 
 #include <Eigen/Geometry>
 #include <tbb/blocked_range.h>

@@ -2,7 +2,7 @@
 #include "core/render/volume/volume_renderer.h"
 
 #include "core/render/order/visibility_order.h"
-#include "core/render/scene_check.h"
+#include "core/render/render_backend.h"
 #include "core/render/tiles.h"
 #include "core/render/volume/boundary_relations.h"
 #include "core/render/volume/projected_volume.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/transfer/colour_space.h"
+#include "core/transfer/colour_map.h"
 #include "core/transfer/transfer_function.h"
 
 #include <cmath>

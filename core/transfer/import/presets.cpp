@@ -3,7 +3,7 @@
 
 #include "core/base/json.h"
 #include "core/base/text.h"
-#include "core/transfer/colour_space.h"
+#include "core/transfer/colour_map.h"
 
 #include <pugixml.hpp>
 

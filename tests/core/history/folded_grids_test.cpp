@@ -8,7 +8,6 @@
 #include "core/history/query/mesh_extractor.h"
 #include "core/refine/curvilinear/curvilinear_grid.h"
 #include "core/verify/curvilinear_cells.h"
-#include "core/verify/inverted_cells.h"
 #include "core/verify/verify_mesh.h"
 #include "tests/core/history/folded_grids.h"
 #include "tests/core/history/model_fixture.h"

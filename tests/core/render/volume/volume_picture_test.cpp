@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Direct volume rendering (R20, R22, S15) against a slow integrator, from outside, inside and behind.
 #include "core/render/render_backend.h"
-#include "core/render/scene_check.h"
 #include "core/render/volume/volume_renderer.h"
 #include "tests/core/render/lattice_mesh.h"
 #include "tests/core/render/volume/ray_integrator.h"

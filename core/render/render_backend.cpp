@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/scene_check.h"
+#include "core/render/render_backend.h"
 
 #include <algorithm>
 #include <string>
