@@ -201,11 +201,34 @@ std::vector<std::string> sourcesUnder(const fs::path& root)
     return paths;
 }
 
+/// Where texts for developers name a source that is not there.
+void readText(const fs::path& root, const fs::path& text, std::vector<std::string>& breaches)
+{
+    static const std::regex source(R"((^|[^/\w.-])((app|core|plugins|tests|ui)/[\w/]+\.(h|cpp))\b)");
+    std::ifstream file(text);
+    std::string line;
+    while (std::getline(file, line))
+        for (std::sregex_iterator named(line.begin(), line.end(), source), end; named != end; ++named)
+            if (!fs::exists(root / (*named)[2].str()))
+                breaches.push_back(fs::relative(text, root).generic_string() + ": names " + (*named)[2].str() +
+                                   ", which is not there");
+}
+
+void readTexts(const fs::path& root, std::vector<std::string>& breaches)
+{
+    for (const char* folder : {".", "docs", "core", "core/history", "ui"})
+        if (fs::is_directory(root / folder))
+            for (const auto& entry : fs::directory_iterator((root / folder).lexically_normal()))
+                if (entry.path().extension() == ".md")
+                    readText(root, entry.path(), breaches);
+}
+
 } // namespace
 
 std::vector<std::string> houseBreaches(const fs::path& root)
 {
     std::vector<std::string> breaches;
+    readTexts(root, breaches);
     std::map<std::string, std::set<std::string>> unitsOf;
     for (const auto& path : sourcesUnder(root)) {
         readFile(root, path, breaches);

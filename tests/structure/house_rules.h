@@ -15,6 +15,7 @@ namespace tetra {
 /// - own headers are included by their path from the root and exist;
 /// - core includes no Qt, and its headers neither OpenGL nor CGAL;
 /// - what the system says of an error comes from systemErrorText(), which is English in every locale;
+/// - sources that the texts for developers name are there;
 /// - the first line is the licence's SPDX line, and headers have `#pragma once`.
 std::vector<std::string> houseBreaches(const std::filesystem::path& root);
 
