@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/box_tree.h"
 #include "core/verify/scattered_cells.h"
 
 #include <Eigen/Core>
@@ -54,8 +55,8 @@ TrianglePlace nearestPlace(const TriangleCorners& triangle, const Eigen::Vector3
 std::optional<std::array<double, 2>> valuesWithin(const TriangleCorners& triangle, const std::array<double, 3>& values,
                                                   const Eigen::Vector3d& centre, double radius);
 
-/// Triangles halved again and again along the longest side of their box, to find those near a place. For verification.
-/// Safe to ask from any number of threads.
+/// Triangles in a tree of their boxes, to find those near a place. For verification. Safe to ask from any number of
+/// threads.
 class TriangleTree {
 public:
     /// Both outlive it.
@@ -92,37 +93,19 @@ public:
     Eigen::AlignedBox3d boxOf(std::uint32_t triangle) const;
 
 private:
-    static constexpr std::uint32_t leafSize = 4;
+    Nearest nearestOf(const Eigen::Vector3d& from, Nearest best) const;
 
-    void build(std::size_t node, std::uint32_t first, std::uint32_t end);
-    void findNearest(std::size_t node, std::uint32_t first, std::uint32_t end, const Eigen::Vector3d& from,
-                     Nearest& best) const;
-
-    template <class Test, class Visit> void visitIf(Test&& test, Visit&& visit) const
+    template <class Test, class Visit> void visitIf(const Test& test, const Visit& visit) const
     {
-        if (!triangles_.empty())
-            descend(0, 0, static_cast<std::uint32_t>(triangles_.size()), test, visit);
-    }
-    template <class Test, class Visit>
-    void descend(std::size_t node, std::uint32_t first, std::uint32_t end, Test& test, Visit& visit) const
-    {
-        if (!test(boxes_[node]))
-            return;
-        if (end - first <= leafSize) {
-            for (std::uint32_t i = first; i < end; ++i)
-                if (test(boxOf(order_[i])))
-                    visit(order_[i]);
-            return;
-        }
-        const std::uint32_t middle = first + (end - first) / 2;
-        descend(2 * node + 1, first, middle, test, visit);
-        descend(2 * node + 2, middle, end, test, visit);
+        tree_.visitNear(test, [&](std::uint32_t triangle) {
+            if (test(boxOf(triangle)))
+                visit(triangle);
+        });
     }
 
     std::span<const Eigen::Vector3d> positions_;
     std::span<const PointTriangle> triangles_;
-    std::vector<std::uint32_t> order_;
-    std::vector<Eigen::AlignedBox3d> boxes_; ///< node n has the children 2n + 1 and 2n + 2
+    BoxTree tree_;
 };
 
 /// The original of a model of irregular data, ready to be compared with. The dataset outlives it.

@@ -120,33 +120,7 @@ std::string textOf(const PlacedCell& cell)
     return textOf(cell[0]) + " " + textOf(cell[1]) + " " + textOf(cell[2]) + " " + textOf(cell[3]);
 }
 
-PointTree::PointTree(std::span<const Eigen::Vector3d> points) : points_(points), order_(points.size())
-{
-    std::iota(order_.begin(), order_.end(), 0);
-    if (!points.empty())
-        build(0, 0, static_cast<std::uint32_t>(points.size()));
-}
-
-void PointTree::build(std::size_t node, std::uint32_t first, std::uint32_t end)
-{
-    if (boxes_.size() <= node)
-        boxes_.resize(node + 1);
-    Eigen::AlignedBox3d box;
-    for (std::uint32_t i = first; i < end; ++i)
-        box.extend(points_[order_[i]]);
-    boxes_[node] = box;
-    if (end - first <= leafSize)
-        return;
-    Eigen::Index axis = 0;
-    box.sizes().maxCoeff(&axis);
-    const std::uint32_t middle = first + (end - first) / 2;
-    std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + end,
-                     [&](std::uint32_t a, std::uint32_t b) { return points_[a][axis] < points_[b][axis]; });
-    build(2 * node + 1, first, middle);
-    build(2 * node + 2, middle, end);
-}
-
-PointTree::Planes::Planes(const std::array<Eigen::Vector3d, 4>& corners)
+TetrahedronPlanes::TetrahedronPlanes(const std::array<Eigen::Vector3d, 4>& corners)
 {
     for (std::size_t face = 0; face < 4; ++face) {
         const auto& [first, second, third] = cornersOfFace[face];
@@ -161,7 +135,7 @@ PointTree::Planes::Planes(const std::array<Eigen::Vector3d, 4>& corners)
     }
 }
 
-bool PointTree::Planes::mayMeet(const Eigen::AlignedBox3d& box) const
+bool TetrahedronPlanes::mayMeet(const Eigen::AlignedBox3d& box) const
 {
     constexpr double margin = 32 * 0x1p-53;
     if (!box_.intersects(box))
@@ -243,7 +217,10 @@ Result<LevelReport> verifyPrefix(const Model& model, const ScatteredOriginal& or
 
 ScatteredOriginal::ScatteredOriginal(const Dataset& dataset)
     : positions(*dataset.positions), values(dataset.pointCount()), extent(dataset.values.range().extent()),
-      tree(positions)
+      tree(
+          positions.size(),
+          [this](std::uint32_t point) { return Eigen::AlignedBox3d(positions[point], positions[point]); },
+          [this](std::uint32_t point, Eigen::Index axis) { return positions[point][axis]; })
 {
     for (std::uint64_t point = 0; point < values.size(); ++point)
         values[point] = dataset.values.at(point);
@@ -392,7 +369,9 @@ void PointCheck::checkCell(std::size_t number)
     std::array<std::uint32_t, 4> corners{};
     std::ranges::transform(cells_.vertices(number), corners.begin(),
                            [&](std::uint32_t vertex) { return cells_.point(vertex); });
-    original_.tree.visitNear(cell, [&](std::uint32_t point) {
+    const TetrahedronPlanes planes(cell);
+    const auto mayMeet = [&planes](const Eigen::AlignedBox3d& box) { return planes.mayMeet(box); };
+    original_.tree.visitNear(mayMeet, [&](std::uint32_t point) {
         if (std::ranges::find(corners, point) != corners.end()) {
             mark(point, Covered | WithinOwnError);
             return;

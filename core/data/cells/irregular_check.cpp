@@ -25,7 +25,10 @@ constexpr std::uint64_t enoughMeetings = 100000;
 class BoundaryChecking {
 public:
     BoundaryChecking(std::span<const Eigen::Vector3d> positions, std::span<const Triangle> triangles)
-        : positions_(positions), triangles_(triangles), boxes_(boxesOf(positions, triangles)), tree_(boxes_)
+        : positions_(positions), triangles_(triangles), boxes_(boxesOf(positions, triangles)),
+          tree_(
+              boxes_.size(), [this](std::uint32_t t) -> const Eigen::AlignedBox3d& { return boxes_[t]; },
+              [this](std::uint32_t t, Eigen::Index axis) { return boxes_[t].center()[axis]; })
     {
         for (const Eigen::AlignedBox3d& box : boxes_)
             all_.extend(box);
@@ -57,8 +60,9 @@ private:
     void findMeetings(std::uint32_t t)
     {
         const auto near = [&](const Eigen::AlignedBox3d& box) { return box.intersects(boxes_[t]); };
-        tree_.forEach(near, [&](std::uint32_t other) {
-            if (other <= t || !surfaceTrianglesMeet(positions_, triangles_[t], triangles_[other]))
+        tree_.visitNear(near, [&](std::uint32_t other) {
+            if (other <= t || !near(boxes_[other]) ||
+                !surfaceTrianglesMeet(positions_, triangles_[t], triangles_[other]))
                 return;
             if (faults_.meetings++ == 0)
                 faults_.meeting = {t, other};
@@ -119,8 +123,8 @@ private:
         };
         int winding = 0;
         bool unclear = false;
-        tree_.forEach(near, [&](std::uint32_t t) {
-            if (unclear || components[t] == component)
+        tree_.visitNear(near, [&](std::uint32_t t) {
+            if (unclear || components[t] == component || !near(boxes_[t]))
                 return;
             const auto& [a, b, c] = triangles_[t];
             const Crossing crossing = crossingOf(from, to, positions_[a], positions_[b], positions_[c]);
