@@ -27,7 +27,7 @@ Status walkHistory(const Model& model, std::uint32_t first, std::uint32_t end, c
     const std::uint64_t begin = file[first];
     const std::uint64_t all = file[end];
     if (begin > all || all > model.tetrahedronCount() || (first == 0 && begin != 0))
-        return inconsistentModel(model, "its star offsets do not fit its mesh sizes");
+        return inconsistentModel(model, "its star offsets do not fit its tetrahedra");
     std::vector<std::uint64_t> offsets = {begin};
     std::uint64_t piece = 0;
     for (std::uint32_t site = first; site < end; ++piece) {

@@ -244,7 +244,7 @@ void ExtractionTest::aDamagedFileIsAnError_data()
         "the star offsets of site 29 make no sense");
     row(
         "last offset", [](FileParts& f) { f.elements<std::uint64_t>(SectionId::StarOffsets).back() += 1; },
-        "do not fit its mesh sizes");
+        "do not fit its tetrahedra");
     row(
         "mesh size huge", [](FileParts& f) { f.elements<std::uint32_t>(SectionId::MeshSizes).back() = ~0u; },
         "do not fit its mesh sizes");

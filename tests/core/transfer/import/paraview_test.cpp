@@ -14,7 +14,7 @@ using namespace tetra;
 
 namespace {
 
-constexpr const char* folder = TAN_SOURCE_DIR "/tests/core/transfer/paraview/";
+constexpr const char* folder = TAN_SOURCE_DIR "/tests/core/transfer/import/";
 
 QJsonArray checkedInFacts()
 {
