@@ -380,7 +380,6 @@ void PaperOrder::attempt(const Estimate& estimated)
 
 Status PaperOrder::run(const Progress& progress)
 {
-    constexpr std::uint32_t workBetweenReports = 1024;
     for (std::uint32_t vertex = 0; vertex < mesh_.vertexCount(); ++vertex)
         findGradient(vertex);
     for (std::uint32_t vertex = 0; vertex < mesh_.vertexCount(); ++vertex)
