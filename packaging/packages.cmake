@@ -12,7 +12,7 @@ set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_THREADS 0)
 set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_LIST_DIR}/packages_of_a_kind.cmake)
-set(CPACK_COMPONENTS_ALL program vtk development)
+set(CPACK_COMPONENTS_ALL core program vtk development)
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -21,9 +21,17 @@ set(CPACK_DEBIAN_PACKAGE_SOURCE tan)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
 set(same_version "tan (= ${PROJECT_VERSION})")
+# The library alone, for programs on machines without Qt.
+set(core_of_same_version "tan-core (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_CORE_PACKAGE_NAME tan-core)
+set(CPACK_DEBIAN_CORE_PACKAGE_SECTION libs)
+# Loaded at run time, so that no link says so; the library does without, but for pictures by OpenGL.
+set(CPACK_DEBIAN_CORE_PACKAGE_RECOMMENDS "libegl1, libgl1-mesa-dri, libopengl0")
+set(CPACK_COMPONENT_CORE_DESCRIPTION "the library of TAn, without its programs
+Builds multiresolution models of volume data, takes meshes of a known error
+from them, and draws these. Needs no Qt.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tan)
-# Loaded at run time, so that no link says so.
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libegl1, libgl1-mesa-dri, libopengl0")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${core_of_same_version}, libegl1, libgl1-mesa-dri, libopengl0")
 # xdg-utils opens the manual in the web browser.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "qt6-translations-l10n, xdg-utils")
 # ffmpeg makes videos of films.
@@ -35,10 +43,11 @@ set(CPACK_COMPONENT_VTK_DESCRIPTION "reads VTK, Exodus, EnSight, NetCDF, DICOM a
 A program that reads the formats of VTK for TAn, in a process of its own.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME tan-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${same_version}, libeigen3-dev, libtbb-dev, qt6-base-dev")
-set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "headers for plugins of TAn
-The headers of TAn's library and of its plugin interfaces, a CMake package,
-and an example.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${core_of_same_version}, libeigen3-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "qt6-base-dev, ${same_version}")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "headers for programs with the library of TAn, and for plugins
+The headers of TAn's library, which need no Qt, and of its plugin interfaces,
+which do, a CMake package, and examples.")
 
 set(CPACK_RPM_COMPONENT_INSTALL ON)
 set(CPACK_RPM_FILE_NAME RPM-DEFAULT)
@@ -48,10 +57,12 @@ set(CPACK_RPM_PACKAGE_GROUP "Applications/Engineering")
 # The files of the .deb as they are: rpmbuild would strip them once more, and link to them for packages of debugging symbols, which
 # there are none of.
 set(CPACK_RPM_SPEC_MORE_DEFINE "%define _build_id_links none\n%define __os_install_post %{nil}")
+set(CPACK_RPM_CORE_PACKAGE_NAME tan-core)
+set(CPACK_RPM_PROGRAM_PACKAGE_REQUIRES "tan-core = ${PROJECT_VERSION}")
 set(CPACK_RPM_VTK_PACKAGE_NAME tan-vtk-readers)
 set(CPACK_RPM_VTK_PACKAGE_REQUIRES "tan = ${PROJECT_VERSION}")
 set(CPACK_RPM_DEVELOPMENT_PACKAGE_NAME tan-devel)
-set(CPACK_RPM_DEVELOPMENT_PACKAGE_REQUIRES "tan = ${PROJECT_VERSION}")
+set(CPACK_RPM_DEVELOPMENT_PACKAGE_REQUIRES "tan-core = ${PROJECT_VERSION}")
 # Folders that belong to the system.
 set(CPACK_RPM_EXCLUDE_FROM_AUTO_FILELIST_ADDITION /usr/share/applications /usr/share/icons /usr/share/icons/hicolor
     /usr/share/icons/hicolor/scalable /usr/share/icons/hicolor/scalable/apps /usr/share/man /usr/share/man/man1

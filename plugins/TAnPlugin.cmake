@@ -4,6 +4,6 @@
 function(tan_plugin_module name class)
     qt_add_plugin(${name} CLASS_NAME ${class})
     target_sources(${name} PRIVATE ${ARGN})
-    target_link_libraries(${name} PRIVATE TAn::core Qt6::Core)
+    target_link_libraries(${name} PRIVATE TAn::plugin Qt6::Core)
     set_target_properties(${name} PROPERTIES AUTOMOC ON AUTOMOC_MOC_OPTIONS "-Mbuild=${TAN_BUILD_TAG}")
 endfunction()

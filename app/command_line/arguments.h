@@ -2,7 +2,8 @@
 #pragma once
 
 #include "app/command_line/syntax.h"
-#include "core/base/result.h"
+
+#include <tan/base.h>
 
 #include <optional>
 #include <span>

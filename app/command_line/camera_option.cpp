@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/camera_option.h"
 
-#include "core/render/camera.h"
+#include <tan/render.h>
 
 #include <QFile>
 

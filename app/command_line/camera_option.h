@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
-#include "core/render/camera.h"
+#include <tan/base.h>
+#include <tan/render.h>
 
 #include <string>
 
 namespace tetra {
 
 /// The camera that `--camera` asks for: a named view (front, back, left, right, top, bottom, iso), or a JSON file with
-/// any of the keys that core/render/camera.h has. What is left open fits `bounds` into a picture of this
+/// any of the keys that tan/render.h has. What is left open fits `bounds` into a picture of this
 /// width / height.
 Result<Camera> cameraFor(const std::string& nameOrFile, const Eigen::AlignedBox3d& bounds, double aspectRatio);
 

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "app/command_line/subcommand.h"
-#include "core/data/dataset.h"
-#include "core/history/model.h"
 #include "plugins/host/import_options.h"
+
+#include <tan/data.h>
+#include <tan/model.h>
 
 #include <filesystem>
 

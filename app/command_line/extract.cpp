@@ -5,10 +5,11 @@
 #include "app/command_line/query_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
-#include "core/history/query/mesh_extractor.h"
-#include "core/verify/mesh_bounds.h"
+#include "core/verify/verify_mesh.h"
 #include "plugins/host/output_check.h"
 #include "plugins/writers/surface_file.h"
+
+#include <tan/query.h>
 
 #include <QFile>
 

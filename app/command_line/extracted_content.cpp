@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/extracted_content.h"
 
-#include "core/history/query/error_field_text.h"
+#include <tan/query.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "core/history/query/history_part.h"
-#include "core/history/query/mesh_query.h"
 #include "plugins/writers/mesh_file.h"
+
+#include <tan/query.h>
 
 #include <vector>
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "app/command_line/arguments.h"
-#include "core/history/query/error_field.h"
+
+#include <tan/query.h>
 
 #include <string_view>
 #include <vector>

@@ -5,13 +5,14 @@
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "core/base/file_writer.h"
-#include "core/history/extraction.h"
-#include "core/history/model.h"
 #include "core/verify/curvilinear_cells.h"
 #include "plugins/host/build_estimate.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/input_file.h"
 #include "plugins/host/output_check.h"
+
+#include <tan/model.h>
+#include <tan/query.h>
 
 #include <QJsonArray>
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/isosurface/isosurface.h"
-
 #include "app/command_line/model_mesh.h"
 #include "app/command_line/option_values.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "core/base/memory.h"
 #include "core/base/text.h"
-#include "core/render/picture.h"
 #include "plugins/host/output_check.h"
 #include "plugins/writers/surface_file.h"
+
+#include <tan/render.h>
 
 #include <QFile>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/history/extraction.h"
+#include <tan/query.h>
 
 #include <filesystem>
 #include <memory>

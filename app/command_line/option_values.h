@@ -2,7 +2,8 @@
 #pragma once
 
 #include "app/command_line/arguments.h"
-#include "core/history/extraction.h"
+
+#include <tan/query.h>
 
 #include <cstdint>
 #include <limits>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/plugin_options.h"
 
-#include "core/transfer/import/transfer_import.h"
 #include "plugins/host/parameter_text.h"
+
+#include <tan/transfer.h>
 
 #include <QFile>
 

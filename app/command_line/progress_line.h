@@ -3,6 +3,8 @@
 
 #include "core/base/progress.h"
 
+#include <tan/base.h>
+
 #include <chrono>
 #include <mutex>
 #include <ostream>

@@ -3,7 +3,7 @@
 
 #include "app/command_line/query_options.h"
 #include "app/command_line/table.h"
-#include "core/verify/mesh_bounds.h"
+#include "core/verify/verify_mesh.h"
 
 namespace tetra {
 

@@ -3,7 +3,8 @@
 
 #include "app/command_line/focus_option.h"
 #include "app/command_line/option_values.h"
-#include "core/history/query/error_field_text.h"
+
+#include <tan/query.h>
 
 #include <algorithm>
 #include <array>

@@ -10,12 +10,13 @@
 #include "app/command_line/render_request.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
-#include "core/history/query/mesh_query.h"
 #include "plugins/host/output_check.h"
 #include "ui/session/field_extent.h"
 #include "ui/session/picture_texts.h"
 #include "ui/session/text_file.h"
 #include "ui/session/view_picture.h"
+
+#include <tan/query.h>
 
 #include <QFile>
 

@@ -5,9 +5,11 @@
 #include "app/command_line/option_values.h"
 #include "app/command_line/query_options.h"
 #include "core/base/text.h"
-#include "core/render/render_backend.h"
+#include "core/render/scene_checks.h"
 #include "plugins/host/colour_text.h"
 #include "plugins/host/output_check.h"
+
+#include <tan/render.h>
 
 #include <array>
 

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "app/command_line/arguments.h"
-#include "core/history/query/mesh_query.h"
-#include "core/render/render_backend.h"
+
+#include <tan/query.h>
+#include <tan/render.h>
 
 #include <filesystem>
 #include <optional>

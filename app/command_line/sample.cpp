@@ -4,8 +4,8 @@
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
-#include "core/data/samples.h"
 #include "plugins/host/dataset_saving.h"
+#include "plugins/samples/samples.h"
 
 #include <QFile>
 #include <QJsonArray>

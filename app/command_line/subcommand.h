@@ -2,8 +2,9 @@
 #pragma once
 
 #include "app/command_line/arguments.h"
-#include "core/base/progress.h"
 #include "plugins/host/plugin_host.h"
+
+#include <tan/base.h>
 
 #include <QJsonObject>
 

@@ -5,11 +5,11 @@
 #include "app/command_line/query_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
-#include "core/history/query/mesh_extractor.h"
-#include "core/verify/mesh_bounds.h"
-#include "core/verify/verification.h"
 #include "core/verify/verify_mesh.h"
 #include "plugins/host/dataset_opening.h"
+
+#include <tan/query.h>
+#include <tan/verify.h>
 
 #include <QJsonArray>
 

@@ -3,9 +3,10 @@
 
 #include "core/base/memory.h"
 #include "core/base/system_error.h"
-#include "core/history/extraction.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/model_building.h"
+
+#include <tan/query.h>
 
 #include <algorithm>
 #include <optional>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/data/lattice.h"
-#include "core/history/model.h"
 #include "plugins/api/parameter.h"
 #include "plugins/host/plugin_host.h"
+
+#include <tan/base.h>
+#include <tan/data.h>
+#include <tan/model.h>
 
 #include <array>
 #include <cstdint>

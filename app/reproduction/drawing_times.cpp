@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reproduction/drawing_times.h"
 
-#include "core/render/render_backend.h"
-#include "core/render/value_statistics.h"
 #include "plugins/api/scene_parameters.h"
+
+#include <tan/render.h>
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/history/model.h"
-#include "core/mesh/tetrahedral_mesh.h"
 #include "plugins/host/plugin_host.h"
+
+#include <tan/base.h>
+#include <tan/mesh.h>
+#include <tan/model.h>
 
 #include <memory>
 

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "app/reproduction/paper_tables.h"
-#include "core/data/dataset.h"
 #include "plugins/api/parameter.h"
 #include "plugins/host/plugin_host.h"
+
+#include <tan/data.h>
 
 #include <filesystem>
 #include <optional>

@@ -4,7 +4,8 @@
 #include "app/reproduction/chart.h"
 #include "app/reproduction/drawing_file.h"
 #include "app/reproduction/sites_curve.h"
-#include "core/history/extraction.h"
+
+#include <tan/query.h>
 
 #include <QPainter>
 

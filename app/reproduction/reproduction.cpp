@@ -2,9 +2,10 @@
 #include "app/reproduction/reproduction.h"
 
 #include "core/base/system_error.h"
-#include "core/history/extraction.h"
-#include "core/render/isosurface/isosurface.h"
 #include "plugins/host/model_building.h"
+
+#include <tan/query.h>
+#include <tan/render.h>
 
 #include <chrono>
 

@@ -4,8 +4,9 @@
 #include "app/reproduction/drawing_times.h"
 #include "app/reproduction/experiment.h"
 #include "app/reproduction/paper_tables.h"
-#include "core/base/progress.h"
-#include "core/history/model.h"
+
+#include <tan/base.h>
+#include <tan/model.h>
 
 #include <memory>
 #include <optional>

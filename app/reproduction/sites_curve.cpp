@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reproduction/sites_curve.h"
 
-#include "core/history/extraction.h"
+#include <tan/query.h>
 
 #include <cmath>
 

@@ -2,7 +2,8 @@
 #include "app/reproduction/subsampling.h"
 
 #include "core/base/checksum.h"
-#include "core/data/scalar_field.h"
+
+#include <tan/data.h>
 
 namespace tetra {
 

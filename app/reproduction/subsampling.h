@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
-#include "core/data/dataset.h"
+#include <tan/base.h>
+#include <tan/data.h>
 
 namespace tetra {
 

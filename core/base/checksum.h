@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <tan/base.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -9,10 +11,10 @@
 namespace tetra {
 
 /// XXH3, 64 bits, seed 0: guards files against damage, not against intent.
-std::uint64_t checksum(std::span<const std::byte> bytes) noexcept;
+TAN_INTERNAL std::uint64_t checksum(std::span<const std::byte> bytes) noexcept;
 
 /// The same over bytes that arrive in pieces. Move-only; one thread at a time.
-class Checksum {
+class TAN_INTERNAL Checksum {
 public:
     Checksum();
     ~Checksum();

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/buffer.h"
-#include "core/base/result.h"
+#include <tan/base.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +20,7 @@ namespace tetra {
 /// OutOfResource if that reason is a lack of memory or descriptors. After the first one every further call gives it
 /// again, and commit() changes nothing. A limit of the file size (ulimit -f) is such a failure only in
 /// programs that call reportFailedWrites(); it ends others.
-class FileWriter {
+class TAN_INTERNAL FileWriter {
 public:
     /// What a committed file survives: the end of this program, or a power failure, too.
     enum class Durability { Process, Power };
@@ -68,15 +67,15 @@ private:
 };
 
 /// Writes a file that is in memory already.
-Status writeWholeFile(const std::filesystem::path& target, std::span<const std::byte> content);
+TAN_INTERNAL Status writeWholeFile(const std::filesystem::path& target, std::span<const std::byte> content);
 
 /// The file that writing to `path` would make or replace: what its symbolic links lead to, whether that exists or not;
 /// `path` itself if it is no link, or if its links go round in a circle.
-std::filesystem::path behindLinks(const std::filesystem::path& path);
+TAN_INTERNAL std::filesystem::path behindLinks(const std::filesystem::path& path);
 
 /// Lets writes into a pipe that nobody reads any more, and beyond a limit of the file size, fail with an error. By
 /// default the system ends the process for them (SIGPIPE, SIGXFSZ), and unfinished files stay behind. Process-wide:
 /// programs call it first of all.
-void reportFailedWrites() noexcept;
+TAN_INTERNAL void reportFailedWrites() noexcept;
 
 } // namespace tetra

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
+#include <tan/base.h>
 
 #include <cstddef>
 #include <string>
@@ -48,6 +48,6 @@ struct JsonValue {
 Result<JsonValue> parseJson(std::string_view text);
 
 /// `text` as a JSON string, with its quotes; what is no UTF-8 in it, such as an old file name, as U+FFFD.
-std::string jsonString(std::string_view text);
+TAN_INTERNAL std::string jsonString(std::string_view text);
 
 } // namespace tetra

@@ -96,8 +96,9 @@ void installHandler()
     });
 }
 
-} // namespace
+// Which mappings there are and which of them are damaged. The functions are thread-safe.
 
+/// Guards `mapping`, page-aligned and not empty, until unguardMapping(). Returns its index, or -1 if the table is full.
 int guardMapping(std::span<const std::byte> mapping)
 {
     installHandler();
@@ -115,6 +116,7 @@ int guardMapping(std::span<const std::byte> mapping)
     return -1;
 }
 
+/// No thread may still be reading the mapping. Comes before munmap.
 void unguardMapping(int index) noexcept
 {
     table[index].begin.store(noAddress, std::memory_order_release);
@@ -122,12 +124,11 @@ void unguardMapping(int index) noexcept
     table[index].taken.store(false, std::memory_order_release);
 }
 
+/// True if a read in the mapping found no file behind it.
 bool isMappingDamaged(int index) noexcept
 {
     return table[index].damaged.load(std::memory_order_acquire);
 }
-
-namespace {
 
 Error cannotRead(const std::filesystem::path& path, const std::string& reason)
 {

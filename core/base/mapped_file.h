@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
+#include <tan/base.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -11,16 +11,6 @@
 
 namespace tetra {
 
-/// The part of MappedFile that lives beside the signal handler: which mappings there are and which of them are damaged.
-/// All functions are thread-safe.
-
-/// Guards `mapping`, page-aligned and not empty, until unguardMapping(). Returns its index, or -1 if the table is full.
-int guardMapping(std::span<const std::byte> mapping);
-/// No thread may still be reading the mapping. Comes before munmap.
-void unguardMapping(int index) noexcept;
-/// True if a read in the mapping found no file behind it.
-bool isMappingDamaged(int index) noexcept;
-
 /// A file mapped read-only. Its pages come into memory when they are read and leave it when memory is short, so a file
 /// may be larger than the machine. Safe to read from any number of threads.
 ///
@@ -28,7 +18,7 @@ bool isMappingDamaged(int index) noexcept;
 /// then give zeros and damaged() becomes true. For that the first open() installs a handler for SIGBUS, the one
 /// process-wide thing in core. Signals that do not come from a mapping of this class go on to the handler that was
 /// there before; a program with a handler of its own installs it first.
-class MappedFile {
+class TAN_INTERNAL MappedFile {
 public:
     /// Errors: a file that is missing, no regular file or not readable; too many mapped files (1024).
     static Result<std::shared_ptr<const MappedFile>> open(const std::filesystem::path& path);

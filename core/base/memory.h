@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <tan/base.h>
+
 #include <cstddef>
 #include <cstdint>
 
@@ -10,18 +12,18 @@ namespace tetra {
 std::size_t pageSize() noexcept;
 
 /// The machine's physical memory in bytes, in use or not; 0 if the system does not tell.
-std::uint64_t physicalBytes() noexcept;
+TAN_INTERNAL std::uint64_t physicalBytes() noexcept;
 /// The most memory that this process can use: the machine's, or less if its address space is limited (ulimit -v); 0 if
 /// the system does not tell.
-std::uint64_t usableBytes() noexcept;
+TAN_INTERNAL std::uint64_t usableBytes() noexcept;
 /// Physical memory that this process occupies now, mapped files included, in bytes; 0 if the system does not tell.
-std::uint64_t residentBytes();
+TAN_INTERNAL std::uint64_t residentBytes();
 
 /// The most that it ever occupied, or since forgetPeakResidentBytes(), in bytes; 0 if the system does not tell.
-std::uint64_t peakResidentBytes();
+TAN_INTERNAL std::uint64_t peakResidentBytes();
 
 /// Gives memory that is not in use back to the system and lets peakResidentBytes() count from what is left. False if
 /// the system does not allow that.
-bool forgetPeakResidentBytes();
+TAN_INTERNAL bool forgetPeakResidentBytes();
 
 } // namespace tetra

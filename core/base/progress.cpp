@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/progress.h"
 
+#include <tan/base.h>
+
 #include <algorithm>
 #include <cmath>
 

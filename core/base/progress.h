@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
+#include <tan/base.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -15,60 +13,6 @@
 #include <utility>
 
 namespace tetra {
-
-/// How long work tells how far it is, and hears that it should stop. A cheap value: pass by const reference,
-/// copy into workers. All members may be called from any thread; the callback must bear that.
-class Progress {
-public:
-    /// `fraction` in [0, 1], never decreasing within one piece of work; `activity` is a short text for the user.
-    using Callback = std::function<void(double fraction, std::string_view activity)>;
-
-    /// Silent and not cancellable.
-    Progress() = default;
-    Progress(std::stop_token stop, Callback callback) : stop_(std::move(stop)), callback_(std::move(callback)) {}
-
-    /// Long work asks often enough to stop within a second.
-    bool cancelled() const noexcept { return stop_.stop_requested() || otherStop_.stop_requested(); }
-
-    void report(double fraction, std::string_view activity) const
-    {
-        if (callback_)
-            callback_(first_ + fraction * (last_ - first_), activity);
-    }
-
-    /// The same progress for a step that covers [first, last] of the whole.
-    Progress part(double first, double last) const
-    {
-        Progress result = *this;
-        result.first_ = first_ + first * (last_ - first_);
-        result.last_ = first_ + last * (last_ - first_);
-        return result;
-    }
-
-    /// Cancelled by the same request, but reporting its own [0, 1] to `callback`: for one of several pieces of work
-    /// that run at once, whose fractions the callback puts together.
-    Progress withCallback(Callback callback) const
-    {
-        Progress result(stop_, std::move(callback));
-        result.otherStop_ = otherStop_;
-        return result;
-    }
-
-    /// The same progress, cancelled by another request as well, in place of one that was given before.
-    Progress alsoCancelledBy(std::stop_token other) const
-    {
-        Progress result = *this;
-        result.otherStop_ = std::move(other);
-        return result;
-    }
-
-private:
-    std::stop_token stop_;
-    std::stop_token otherStop_;
-    Callback callback_;
-    double first_ = 0;
-    double last_ = 1;
-};
 
 /// Progress of work that many threads do in pieces: adds up what they have done and reports it in order, so that the
 /// fraction never falls.
@@ -143,7 +87,7 @@ private:
 
 /// Guesses how long work will still take from the fractions that it reports. Recent speed counts most, so that a slow
 /// second half is noticed; a short stall moves the guess little. Knows no clock: the caller says what time it is.
-class RemainingTime {
+class TAN_INTERNAL RemainingTime {
 public:
     /// `fraction` in [0, 1] was reached `seconds` after the start. Calls that go back in either are ignored.
     void update(double fraction, double seconds) noexcept;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
+#include <tan/base.h>
 
 #include <cstddef>
 #include <cstdint>

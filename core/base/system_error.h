@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
+#include <tan/base.h>
 
 #include <exception>
 #include <optional>
@@ -13,13 +13,13 @@ namespace tetra {
 /// What a number of errno means, in English under every locale, without a full stop: "No such file or directory". The
 /// C library's own texts would come in the user's language, in the middle of an English sentence that nobody could
 /// translate any more.
-std::string systemErrorText(int error);
+TAN_INTERNAL std::string systemErrorText(int error);
 
 /// Whether a number of errno says that this process or machine has no more memory, descriptors, threads or processes:
 /// then it says nothing of the file, and another file or folder would not help.
-bool isLackOfResources(int error) noexcept;
+TAN_INTERNAL bool isLackOfResources(int error) noexcept;
 /// The same of a text that a library or the system's loader gives in place of a number.
-bool namesLackOfResources(std::string_view text) noexcept;
+TAN_INTERNAL bool namesLackOfResources(std::string_view text) noexcept;
 
 /// What to do about a lack of resources, a sentence.
 inline constexpr std::string_view resourceRemedy = "Close other programs, or raise the limit (ulimit).";
@@ -29,6 +29,6 @@ std::string diskRemedy(int error);
 
 /// An ErrorKind::OutOfResource for an exception that says no more than that the machine has no more memory, threads or
 /// descriptors; nothing for others.
-std::optional<Error> lackOfResources(const std::exception& problem);
+TAN_INTERNAL std::optional<Error> lackOfResources(const std::exception& problem);
 
 } // namespace tetra

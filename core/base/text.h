@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <tan/base.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -32,8 +34,8 @@ requires std::integral<Number> || std::floating_point<Number> std::optional<Numb
 }
 
 /// The shortest text that parseNumber() turns into the same number again.
-std::string formatNumber(double number);
-std::string formatNumber(float number);
+TAN_INTERNAL std::string formatNumber(double number);
+TAN_INTERNAL std::string formatNumber(float number);
 
 /// What a piece of work needs of memory or of a disk, for messages: "12 MB", "1.3 GB", rounded up.
 inline std::string neededBytesText(std::uint64_t bytes)
@@ -45,7 +47,7 @@ inline std::string neededBytesText(std::uint64_t bytes)
 
 /// A piece of somebody's file or option for a message: at most 80 bytes and no half character; what controls a
 /// terminal, and what is no UTF-8, is replaced by '?'.
-std::string printable(std::string_view text);
+TAN_INTERNAL std::string printable(std::string_view text);
 
 /// The bytes at the front of `text` that are UTF-8 (RFC 3629); all of them, if the text is.
 std::size_t utf8Bytes(std::string_view text) noexcept;

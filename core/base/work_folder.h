@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
+#include <tan/base.h>
 
 #include <filesystem>
 #include <string_view>
@@ -10,7 +10,7 @@ namespace tetra {
 
 /// A folder of its own for the files of one long piece of work, locked while this object lives. It is removed with its
 /// content at the end, unless it is kept for a later one to go on with; when the program is killed it stays.
-class WorkFolder {
+class TAN_INTERNAL WorkFolder {
 public:
     /// What to do with the content of a folder that was left behind.
     enum class Leftovers { Remove, Keep };
@@ -41,6 +41,6 @@ private:
 };
 
 /// Bytes that this user can still write on the disk of `path`, which must exist; 0 if the system does not tell.
-std::uint64_t freeDiskBytes(const std::filesystem::path& path);
+TAN_INTERNAL std::uint64_t freeDiskBytes(const std::filesystem::path& path);
 
 } // namespace tetra

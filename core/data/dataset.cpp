@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/data/dataset.h"
-
 #include "core/base/checksum.h"
 #include "core/base/mapped_file.h"
+
+#include <tan/data.h>
 
 #include <span>
 

@@ -140,8 +140,6 @@ bool fitFloats(const std::vector<Eigen::Vector3d>& positions)
 
 namespace {
 
-constexpr double farthestCoordinate = 1e100; ///< volumes of such coordinates are still numbers
-
 std::string pointText(const Lattice& lattice, std::uint64_t point)
 {
     const auto c = lattice.coordinates(point);

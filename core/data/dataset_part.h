@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/data/dataset.h"
+#include <tan/base.h>
+#include <tan/data.h>
 
 #include <Eigen/Geometry>
 
@@ -28,7 +27,7 @@ struct DatasetPart {
 
 /// The grid that a part of `lattice` is: its size and, where neighbours lie a stride apart, its spacing and origin.
 /// Errors (WrongUsage): a region that is not in it, or is no whole numbers; fewer than two points along an axis.
-Result<Lattice> partOfLattice(const Lattice& lattice, const DatasetPart& part);
+TAN_INTERNAL Result<Lattice> partOfLattice(const Lattice& lattice, const DatasetPart& part);
 
 /// The part as a dataset of its own, whose source is named after it and has a hash of its own. Samples of a lattice
 /// that lie next to each other in a mapped file stay there, others are read from it and copied, so that no more memory
@@ -38,19 +37,16 @@ Result<Lattice> partOfLattice(const Lattice& lattice, const DatasetPart& part);
 ///
 /// Errors (WrongUsage): those of partOfLattice(); a stride of data that are no grid; nothing in the box. Not enough
 /// memory; cancelled.
-Result<Dataset> takePart(const Dataset& dataset, const DatasetPart& part, const Progress& progress = {});
+TAN_INTERNAL Result<Dataset> takePart(const Dataset& dataset, const DatasetPart& part, const Progress& progress = {});
 
 /// "0,0,0,31,31,15": the region's corners, as parseRegion() reads them. Empty without a region.
-std::string regionText(const DatasetPart& part);
+TAN_INTERNAL std::string regionText(const DatasetPart& part);
 /// "2" if all three are equal, else "1,1,2". Empty for 1.
-std::string strideText(const DatasetPart& part);
+TAN_INTERNAL std::string strideText(const DatasetPart& part);
 
 /// Six numbers separated by commas, or nothing for an empty text. The error (WrongUsage) says what is wrong with it.
-Result<std::optional<Eigen::AlignedBox3d>> parseRegion(std::string_view text);
+TAN_INTERNAL Result<std::optional<Eigen::AlignedBox3d>> parseRegion(std::string_view text);
 /// One whole number or three separated by commas; 1 for an empty text.
-Result<std::array<std::uint32_t, 3>> parseStride(std::string_view text);
-
-/// takePart() for scattered and irregular data, without name and hash.
-Result<Dataset> partOfPoints(const Dataset& dataset, const Eigen::AlignedBox3d& box, const Progress& progress);
+TAN_INTERNAL Result<std::array<std::uint32_t, 3>> parseStride(std::string_view text);
 
 } // namespace tetra

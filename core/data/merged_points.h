@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <tan/base.h>
+
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -17,9 +19,9 @@ struct MergedPoints {
 
 /// Leaves one point on each place, the first there, with the mean of the values there: a mesh has one value at a vertex
 /// (S20). The others keep their order. O(n log n).
-MergedPoints mergePoints(std::vector<Eigen::Vector3d>& positions, std::vector<double>& values);
+TAN_INTERNAL MergedPoints mergePoints(std::vector<Eigen::Vector3d>& positions, std::vector<double>& values);
 
 /// What was done, in a sentence for the user; empty if nothing was.
-std::string mergeRemark(const MergedPoints& merged);
+TAN_INTERNAL std::string mergeRemark(const MergedPoints& merged);
 
 } // namespace tetra

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/data/site_density.h"
+#include "core/base/split_mix.h"
 
-#include "core/base/portable_math.h"
+#include <tan/build.h>
 
 #include <Eigen/QR>
 #include <tbb/parallel_for.h>

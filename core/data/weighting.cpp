@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/data/weighting.h"
-
 #include "core/base/text.h"
+
+#include <tan/data.h>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

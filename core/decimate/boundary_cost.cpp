@@ -36,6 +36,10 @@ void BoundaryPoints::takeOutside(std::uint32_t triangle, std::uint32_t point)
     relation.outside = pool_.without(relation.outside, point);
 }
 
+namespace {
+
+/// The weights of a triangle's corners whose mean is nearest to the origin (Ericson, Real-Time Collision
+/// Detection, 5.1.5).
 std::array<double, 3> nearestWeights(const std::array<std::array<double, 3>, 3>& corners)
 {
     const Eigen::Map<const Eigen::Vector3d> a(corners[0].data()), b(corners[1].data()), c(corners[2].data());
@@ -67,8 +71,6 @@ std::array<double, 3> nearestWeights(const std::array<std::array<double, 3>, 3>&
     const double all = besideA + besideB + besideC;
     return {1 - besideB / all - besideC / all, besideB / all, besideC / all};
 }
-
-namespace {
 
 /// How far outside of a tetrahedron, as a share of it, a place may seem by rounding.
 constexpr double insideTolerance = 1e-11;

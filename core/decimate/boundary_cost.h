@@ -53,10 +53,6 @@ private:
     IndexPool pool_;
 };
 
-/// The weights of a triangle's corners whose mean is nearest to the origin (Ericson, Real-Time Collision
-/// Detection, 5.1.5).
-std::array<double, 3> nearestWeights(const std::array<std::array<double, 3>, 3>& corners);
-
 /// Judges collapses of boundary vertices of an irregular mesh: there removed points come to lie out- or inside, and the
 /// distance of the original boundary changes (R4, R5). Points outside go to the nearest boundary triangle of the
 /// tetrahedra that the collapse makes, never to one beyond: what is related to a tetrahedron is known when it is made,

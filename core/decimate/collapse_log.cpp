@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/decimate/collapse_log.h"
 
-#include "core/base/buffer.h"
 #include "core/mesh/topology.h"
+
+#include <tan/base.h>
 
 #include <algorithm>
 #include <limits>

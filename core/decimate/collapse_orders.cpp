@@ -4,6 +4,7 @@
 #include "core/mesh/face_adjacency.h"
 #include "core/mesh/topology.h"
 
+#include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -14,6 +15,7 @@
 #include <iterator>
 #include <limits>
 #include <queue>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -133,7 +135,7 @@ Entry ExactOrder::evaluated(std::uint32_t vertex, DecimatedMesh::Legality legali
 void ExactOrder::collapse(const Entry& entry)
 {
     if (!mesh_.collapse(entry.vertex, entry.target)) {
-        const Entry other = evaluated(entry.vertex, DecimatedMesh::Legality::BigInteger);
+        const Entry other = evaluated(entry.vertex, DecimatedMesh::Legality::Whole);
         if (states_[entry.vertex].queued)
             queue_.push(other);
         return;
@@ -247,6 +249,10 @@ Status decimateByExactError(DecimatedMesh& mesh, double stopKey, const Progress&
     return ExactOrder(mesh, stopKey).run(progress);
 }
 
+namespace {
+
+/// The gradient of the field at a vertex: the mean of the gradients of the tetrahedra around it, weighted by their
+/// solid angles there (3.1.2).
 Eigen::Vector3d vertexGradient(const CollapsibleMesh& mesh, std::span<const Eigen::Vector3d> positions,
                                std::span<const double> values, std::uint32_t vertex)
 {
@@ -272,6 +278,7 @@ Eigen::Vector3d vertexGradient(const CollapsibleMesh& mesh, std::span<const Eige
     return angles > 0 ? Eigen::Vector3d(sum / angles) : sum;
 }
 
+/// How far a boundary vertex lies from the plane that fits the boundary vertices around it best (3.1.2).
 double distanceFromBoundaryPlane(const CollapsibleMesh& mesh, std::span<const Eigen::Vector3d> positions,
                                  std::uint32_t vertex)
 {
@@ -298,8 +305,6 @@ double distanceFromBoundaryPlane(const CollapsibleMesh& mesh, std::span<const Ei
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
     return std::abs(axes.eigenvectors().col(0).dot(positions[vertex] - middle));
 }
-
-namespace {
 
 /// What a collapse is estimated to do, and onto which neighbour.
 struct Estimate {

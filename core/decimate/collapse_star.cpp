@@ -236,15 +236,15 @@ StarTetrahedra tetrahedraOf(const CollapseStar& fan)
 
 } // namespace
 
-void LinkSamples::set(const VertexStar& star, std::span<const Eigen::Vector3d> lifted)
+void LinkSamples::set(const VertexStar& star, std::span<const Eigen::Vector3d> physical)
 {
-    lifted_ = !lifted.empty();
+    physical_ = !physical.empty();
     columnLength_ = star.paddedFaceCount();
     ofLink_.clear();
     for (std::uint32_t place = 0; place < star.link().size(); ++place) {
         ofLink_.push_back(star.value(place));
-        if (lifted_) {
-            const Eigen::Vector3d& at = lifted[star.link()[place]];
+        if (physical_) {
+            const Eigen::Vector3d& at = physical[star.link()[place]];
             ofLink_.insert(ofLink_.end(), at.begin(), at.end());
         }
     }
@@ -259,7 +259,7 @@ void CollapseStar::set(const VertexStar& star, std::uint32_t linkPlace, const Li
 {
     samples_ = &samples;
     apex_ = star.place(linkPlace);
-    for (std::size_t number = 0; number < (lifted() ? 4 : 1); ++number)
+    for (std::size_t number = 0; number < (physical() ? 4 : 1); ++number)
         apexSamples_[number] = samples.at(linkPlace, number);
     compute(star);
     faces_.resize(star.faces().size());
@@ -333,7 +333,7 @@ double evaluateFan(const CollapseStar& fan, const CollapseMeasure& measure, doub
             points.error[point] = weight * withoutRounding(std::abs(residual), measure.leastError);
             largest = std::max(largest, points.error[point]);
         }
-        if (!fan.lifted())
+        if (!fan.physical())
             continue;
         for (std::size_t lane = 0; lane < apexLanes; ++lane) {
             const std::size_t point = first + lane, owner = points.owner[point];
@@ -343,7 +343,7 @@ double evaluateFan(const CollapseStar& fan, const CollapseMeasure& measure, doub
             const FanVector weights = fan.weightsAt(owner, from);
             FanVector away{};
             for (std::size_t axis = 0; axis < 3; ++axis)
-                away[axis] = points.lifted[axis][point] - fan.interpolated(owner, axis + 1, weights);
+                away[axis] = points.physical[axis][point] - fan.interpolated(owner, axis + 1, weights);
             const double weight = points.weight.empty() ? 1 : points.weight[point];
             points.warping[point] = weight * withoutRounding(std::sqrt(dot(away, away)), measure.leastWarping);
             largest = std::max(largest, measure.warpingWeight * points.warping[point]);

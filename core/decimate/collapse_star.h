@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/buffer.h"
 #include "core/decimate/vertex_star.h"
+
+#include <tan/base.h>
 
 #include <Eigen/Core>
 
@@ -14,7 +15,7 @@
 
 namespace tetra {
 
-/// The tetrahedra of an CollapseStar, as its members of the same names give them.
+/// The tetrahedra of a CollapseStar, as its members of the same names give them.
 struct StarTetrahedra {
     std::span<const double> columns;
     std::size_t columnLength;
@@ -47,23 +48,23 @@ struct StarPoints {
     std::vector<std::uint32_t> points;   ///< their numbers; count() of them
     std::array<Buffer<double>, 3> place; ///< where errors are measured, from the star's vertex
     Buffer<double> value;
-    Buffer<double> weight;                ///< empty: 1
-    std::array<Buffer<double>, 3> lifted; ///< in physical space; empty: no warping
+    Buffer<double> weight;                  ///< empty: 1
+    std::array<Buffer<double>, 3> physical; ///< in physical space; empty: no warping
 
     Buffer<std::uint32_t> owner; ///< by the last evaluation: which tetrahedron has the point
     Buffer<double> error;        ///< by the last evaluation, weighted
-    Buffer<double> warping;      ///< likewise, where points are lifted
+    Buffer<double> warping;      ///< likewise, where there are physical places
 
     std::size_t count() const noexcept { return points.size(); }
 };
 
-/// What of the vertices of a star's link is interpolated: the field, and of lifted meshes the three physical
+/// What of the vertices of a star's link is interpolated: the field, and of meshes with physical places these three
 /// coordinates.
 class LinkSamples {
 public:
-    void set(const VertexStar& star, std::span<const Eigen::Vector3d> lifted);
+    void set(const VertexStar& star, std::span<const Eigen::Vector3d> physical);
 
-    bool lifted() const noexcept { return lifted_; }
+    bool physical() const noexcept { return physical_; }
     double at(std::uint32_t linkPlace, std::size_t number) const { return ofLink_[numberCount() * linkPlace + number]; }
     /// Of the corners of the star's faces side by side, as VertexStar::corners(): three columns.
     std::span<const double> ofCorners(std::size_t number) const
@@ -72,9 +73,9 @@ public:
     }
 
 private:
-    std::size_t numberCount() const noexcept { return lifted_ ? 4 : 1; }
+    std::size_t numberCount() const noexcept { return physical_ ? 4 : 1; }
 
-    bool lifted_ = false;
+    bool physical_ = false;
     std::size_t columnLength_ = 0;
     std::vector<double> ofLink_;
     std::vector<double> ofCorners_;
@@ -91,7 +92,7 @@ public:
 
     const std::array<double, 3>& apex() const noexcept { return apex_; } ///< from the star's vertex
     double apexValue() const noexcept { return apexSamples_[0]; }
-    bool lifted() const noexcept { return samples_->lifted(); }
+    bool physical() const noexcept { return samples_->physical(); }
     /// The places among the star's faces of those that have a tetrahedron.
     std::span<const std::uint32_t> faces() const noexcept { return faces_; }
 

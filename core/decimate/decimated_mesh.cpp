@@ -61,7 +61,7 @@ std::vector<PlacedValue> placedValuesOf(const DecimationMesh& mesh)
 DecimatedMesh::DecimatedMesh(const DecimationMesh& mesh, const DecimationOptions& options)
     : input_(mesh), placedValues_(placedValuesOf(mesh)), options_(options),
       mesh_(vertexCount(), mesh.tetrahedra, !mesh.box),
-      warpings_(mesh.box && mesh.lifted.empty() ? 0 : mesh_.slotCount()), keys_(mesh_.slotCount()),
+      warpings_(mesh.box && mesh.physical.empty() ? 0 : mesh_.slotCount()), keys_(mesh_.slotCount()),
       boundaryPoints_(mesh_.triangleCount()), live_(mesh_.slotCount()),
       star_(placedValues_, exactVolumes(mesh.positions)), boundaryCost_(input_, measure_)
 {
@@ -69,7 +69,7 @@ DecimatedMesh::DecimatedMesh(const DecimationMesh& mesh, const DecimationOptions
     for (const double value : input_.values)
         largestValue = std::max(largestValue, std::abs(value));
     measure_ = {placeRounding(largestValue),
-                placeRounding(2 * largestCoordinate(input_.box ? input_.lifted : input_.positions)),
+                placeRounding(2 * largestCoordinate(input_.box ? input_.physical : input_.positions)),
                 options.warpingWeight};
     findSides();
     constexpr std::uint64_t loggedByTetrahedron = 4; // 3.4 to 3.8 are
@@ -111,7 +111,7 @@ void DecimatedMesh::findBoundary()
         if (sides_[vertex] == 0)
             continue;
         star_.set(mesh_, vertex, true);
-        if (!input_.lifted.empty() || !star_.rimIsOneCycle())
+        if (!input_.physical.empty() || !star_.rimIsOneCycle())
             sides_[vertex] = locked;
     }
 }
@@ -160,7 +160,7 @@ void DecimatedMesh::setFan(std::uint32_t linkPlace)
 void DecimatedMesh::gatherSamples()
 {
     if (!sampled_)
-        samples_.set(star_, input_.lifted);
+        samples_.set(star_, input_.physical);
     sampled_ = true;
 }
 
@@ -183,14 +183,14 @@ void DecimatedMesh::gatherPoints()
         __builtin_prefetch(&placedValues_[points_.points[i]]);
     const std::size_t room = (count + StarPoints::lanes - 1) / StarPoints::lanes * StarPoints::lanes;
     const std::array<double, 3> origin = placedValues_[star_.vertex()].place;
-    const bool lifted = !input_.lifted.empty(), weighted = !input_.weights.empty();
+    const bool physical = !input_.physical.empty(), weighted = !input_.weights.empty();
     for (auto* values : {&points_.value, &points_.error, &points_.place[0], &points_.place[1], &points_.place[2]})
         values->resize(room);
     points_.owner.resize(room);
     points_.weight.resize(weighted ? room : 0);
-    points_.warping.resize(lifted ? room : 0);
-    for (auto& coordinates : points_.lifted)
-        coordinates.resize(lifted ? room : 0);
+    points_.warping.resize(physical ? room : 0);
+    for (auto& coordinates : points_.physical)
+        coordinates.resize(physical ? room : 0);
     for (std::size_t i = 0; i < room; ++i) {
         if (i + pointsAhead < count)
             __builtin_prefetch(&placedValues_[points_.points[i + pointsAhead]]);
@@ -199,8 +199,8 @@ void DecimatedMesh::gatherPoints()
         for (std::size_t axis = 0; axis < 3; ++axis)
             points_.place[axis][i] = placed.place[axis] - origin[axis];
         points_.value[i] = placed.value;
-        for (std::size_t axis = 0; lifted && axis < 3; ++axis)
-            points_.lifted[axis][i] = input_.lifted[point][static_cast<int>(axis)];
+        for (std::size_t axis = 0; physical && axis < 3; ++axis)
+            points_.physical[axis][i] = input_.physical[point][static_cast<int>(axis)];
         if (weighted)
             points_.weight[i] = static_cast<double>(input_.weights[point]);
     }
@@ -318,11 +318,11 @@ std::vector<CollapseLog::Coarsest> DecimatedMesh::coarsest() const
 /// Whether a tetrahedron that the collapse makes is inverted in physical space.
 bool DecimatedMesh::inverts(std::uint32_t linkPlace) const
 {
-    if (input_.lifted.empty())
+    if (input_.physical.empty())
         return false;
     const auto at = [&](std::uint32_t place) {
-        const Eigen::Vector3d& lifted = input_.lifted[star_.link()[place]];
-        return std::array<double, 3>{lifted.x(), lifted.y(), lifted.z()};
+        const Eigen::Vector3d& physical = input_.physical[star_.link()[place]];
+        return std::array<double, 3>{physical.x(), physical.y(), physical.z()};
     };
     const int hand = input_.leftHanded ? -1 : 1;
     for (std::size_t face = 0; face < star_.faces().size(); ++face) {
@@ -450,7 +450,7 @@ DecimatedMesh::Candidate DecimatedMesh::judge(std::uint32_t vertex, std::uint32_
     const auto place = static_cast<std::uint32_t>(std::ranges::find(star_.link(), target) - star_.link().begin());
     if (place < star_.link().size() && opens(place))
         candidates_.push_back(place);
-    return bestOfCandidates(Legality::BigInteger);
+    return bestOfCandidates(Legality::Whole);
 }
 
 /// The key that the faces of the star opposite to its vertex have by the points outside: collapses leave it as it is.

@@ -79,14 +79,14 @@ public:
     };
     /// How far best() looks at what forbids collapses of boundary vertices of irregular meshes: what lies behind their
     /// neighbours takes long and seldom does, and collapse() asks for it anyway.
-    enum class Legality { BigInteger, OfStar };
+    enum class Legality { Whole, OfStar };
     /// Asks for the memory that looking at a vertex needs, step by step: each one needs what that before has fetched.
     void fetchAhead(std::uint32_t vertex, int step) const;
     static constexpr int fetchSteps = 3;
 
     /// The legal collapse of a vertex that has the smallest key; among equals the one that leaves the fewest
     /// tetrahedra, then the one onto the nearest target.
-    Candidate best(std::uint32_t vertex, Legality legality = Legality::BigInteger);
+    Candidate best(std::uint32_t vertex, Legality legality = Legality::Whole);
     /// The collapse of a vertex onto a neighbour, if it is legal.
     Candidate judge(std::uint32_t vertex, std::uint32_t target);
 

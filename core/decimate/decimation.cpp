@@ -9,10 +9,34 @@
 #include <cmath>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace tetra {
 
 namespace {
+
+/// A copy of a mesh in which what lies near in space lies near in memory: points along a Hilbert curve, tetrahedra by
+/// their first point. Looking at a star then waits for memory a third as long.
+class RenumberedMesh {
+public:
+    /// May throw std::bad_alloc.
+    explicit RenumberedMesh(const DecimationMesh& mesh);
+
+    /// Refers to this.
+    DecimationMesh view() const { return {positions_, physical_, values_, weights_, tetrahedra_, box_, leftHanded_}; }
+    /// For each point its number in the mesh that was copied.
+    const std::vector<std::uint32_t>& originals() const noexcept { return originals_; }
+
+private:
+    std::vector<std::uint32_t> originals_;
+    std::vector<Eigen::Vector3d> positions_;
+    std::vector<Eigen::Vector3d> physical_;
+    std::vector<double> values_;
+    std::vector<float> weights_;
+    std::vector<std::array<std::uint32_t, 4>> tetrahedra_;
+    bool box_;
+    bool leftHanded_;
+};
 
 Error cannotDecimate(const std::string& text)
 {
@@ -28,7 +52,7 @@ Status checkSizes(const DecimationMesh& mesh)
             "Meshes of more than 4294967294 points or 1073741823 tetrahedra cannot be decimated. Take a part."};
     if (mesh.tetrahedra.empty())
         return cannotDecimate("it has no tetrahedra.");
-    if (mesh.values.size() != points || (!mesh.lifted.empty() && mesh.lifted.size() != points) ||
+    if (mesh.values.size() != points || (!mesh.physical.empty() && mesh.physical.size() != points) ||
         (!mesh.weights.empty() && mesh.weights.size() != points))
         return cannotDecimate("it has not one value, weight and place for each of its " + std::to_string(points) +
                               " points.");
@@ -38,7 +62,7 @@ Status checkSizes(const DecimationMesh& mesh)
 Status checkNumbers(const DecimationMesh& mesh)
 {
     const auto finite = [](const Eigen::Vector3d& position) { return position.allFinite(); };
-    for (const auto& positions : {mesh.positions, mesh.lifted})
+    for (const auto& positions : {mesh.positions, mesh.physical})
         if (const auto bad = std::ranges::find_if_not(positions, finite); bad != positions.end())
             return cannotDecimate("point " + std::to_string(bad - positions.begin()) + " has no finite place.");
     if (const auto bad = std::ranges::find_if_not(mesh.values, [](double value) { return std::isfinite(value); });
@@ -60,7 +84,7 @@ Status checkNumbers(const DecimationMesh& mesh)
 
 Status checkDecimationOptions(const DecimationMesh& mesh, const DecimationOptions& options)
 {
-    const bool warps = !mesh.box || !mesh.lifted.empty();
+    const bool warps = !mesh.box || !mesh.physical.empty();
     if (!(options.warpingWeight >= 0) || !std::isfinite(options.warpingWeight) || (warps && options.warpingWeight == 0))
         return Error{ErrorKind::WrongUsage, "The weight of the warping must be a positive number."};
     if (!(options.stopKey >= 0))
@@ -86,7 +110,7 @@ Result<DecimationResult> decimateSound(const DecimationMesh& mesh, const Decimat
     DecimatedMesh decimated(renumbered.view(), options);
     if (Status status = collapseInOrder(decimated, options, progress.part(0, .9)); !status)
         return status.error();
-    const bool warps = !mesh.box || !mesh.lifted.empty();
+    const bool warps = !mesh.box || !mesh.physical.empty();
     if (Status status = sink.begin({.warpingWeight = warps ? options.warpingWeight : 0, .delaunay = false}); !status)
         return status.error();
     const CollapseLog& log = decimated.log();
@@ -174,11 +198,9 @@ std::vector<Number> reordered(std::span<const Number> numbers, std::span<const s
     return result;
 }
 
-} // namespace
-
 RenumberedMesh::RenumberedMesh(const DecimationMesh& mesh)
     : originals_(alongCurve(mesh.positions)), positions_(reordered(mesh.positions, originals_)),
-      lifted_(reordered(mesh.lifted, originals_)), values_(reordered(mesh.values, originals_)),
+      physical_(reordered(mesh.physical, originals_)), values_(reordered(mesh.values, originals_)),
       weights_(reordered(mesh.weights, originals_)), box_(mesh.box), leftHanded_(mesh.leftHanded)
 {
     std::vector<std::uint32_t> numbers(originals_.size());
@@ -186,5 +208,7 @@ RenumberedMesh::RenumberedMesh(const DecimationMesh& mesh)
         numbers[originals_[number]] = number;
     tetrahedra_ = renumbered(mesh.tetrahedra, numbers);
 }
+
+} // namespace
 
 } // namespace tetra

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/mesh/history.h"
+#include <tan/base.h>
+#include <tan/build.h>
 
 #include <Eigen/Core>
 
@@ -11,7 +10,6 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <vector>
 
 namespace tetra {
 
@@ -21,23 +19,16 @@ struct DecimationMesh {
     /// curvilinear grids the computational one (R5).
     std::span<const Eigen::Vector3d> positions;
     /// Of curvilinear data where the points lie in physical space, that warpings are measured in (R4); else empty.
-    std::span<const Eigen::Vector3d> lifted;
+    std::span<const Eigen::Vector3d> physical;
     std::span<const double> values; ///< finite, one for each point
     std::span<const float> weights; ///< that errors and warpings are multiplied by (R6), in (0, 1]; empty: 1
     std::span<const std::array<std::uint32_t, 4>> tetrahedra; ///< positive, every point in one of them
     /// Whether the domain is the box of the positions, as of lattices and curvilinear grids: its boundary is kept
-    /// exactly, so that there is no warping but that of `lifted`.
+    /// exactly, so that there is no warping but that of `physical`.
     bool box = false;
     /// Of curvilinear data: most corners of the grid's cells are negative in physical space, so that tetrahedra which
     /// are positive there are inverted (S5).
     bool leftHanded = false;
-};
-
-/// In what order vertices go (3.1.2).
-enum class DecimationOrder {
-    ExactError,       ///< the smallest key that the mesh around gets, kept up to date: the fewest sites
-    PaperEstimates,   ///< by gradients and best-fitting planes (R11), the exact key as the judge
-    IndependentRounds ///< rounds of vertices whose stars do not touch, an octave of keys each: shallow dependencies
 };
 
 struct DecimationOptions {
@@ -66,28 +57,5 @@ Result<DecimationResult> decimate(const DecimationMesh& mesh, const DecimationOp
 
 /// About the largest memory that decimate() takes for a mesh of this size, besides its input.
 std::uint64_t decimationBytes(std::uint64_t points, std::uint64_t tetrahedra);
-
-/// A copy of a mesh in which what lies near in space lies near in memory: points along a Hilbert curve, tetrahedra by
-/// their first point. Looking at a star then waits for memory a third as long.
-class RenumberedMesh {
-public:
-    /// May throw std::bad_alloc.
-    explicit RenumberedMesh(const DecimationMesh& mesh);
-
-    /// Refers to this.
-    DecimationMesh view() const { return {positions_, lifted_, values_, weights_, tetrahedra_, box_, leftHanded_}; }
-    /// For each point its number in the mesh that was copied.
-    const std::vector<std::uint32_t>& originals() const noexcept { return originals_; }
-
-private:
-    std::vector<std::uint32_t> originals_;
-    std::vector<Eigen::Vector3d> positions_;
-    std::vector<Eigen::Vector3d> lifted_;
-    std::vector<double> values_;
-    std::vector<float> weights_;
-    std::vector<std::array<std::uint32_t, 4>> tetrahedra_;
-    bool box_;
-    bool leftHanded_;
-};
 
 } // namespace tetra

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "core/base/disjoint_sets.h"
-#include "core/mesh/history.h"
+
+#include <tan/build.h>
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/history/extraction.h"
-
 #include "core/base/json.h"
 #include "core/base/text.h"
 #include "core/history/site_positions.h"
 #include "core/history/walk.h"
+#include "core/mesh/topology.h"
+
+#include <tan/query.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +17,6 @@
 namespace tetra {
 
 namespace {
-
-using Tetrahedron = std::array<std::uint32_t, 4>;
 
 /// Room behind the mesh for tetrahedra that are written before it is known that they are dead.
 constexpr std::uint64_t slack = 1 << 13;

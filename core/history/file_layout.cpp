@@ -267,10 +267,10 @@ Status LayoutReader::checkSamples() const
 {
     const auto& size = layout_.header.latticeSize;
     const std::uint64_t points = std::uint64_t(size[0]) * size[1] * size[2];
-    const bool lifted = isDomain(layout_.header, DomainClass::Curvilinear);
+    const bool curvilinear = isDomain(layout_.header, DomainClass::Curvilinear);
     if (!layout_.has(SectionId::Samples) || !isOnLattice(DomainClass(layout_.header.domainClass)))
         return {};
-    if (lifted)
+    if (curvilinear)
         if (const Status counted = checkCount({SectionId::SamplePositions, positionBytes()}, points); !counted)
             return counted;
     return checkCount({SectionId::Samples, 0}, points);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
-#include "core/data/dataset.h"
 #include "core/history/format.h"
-#include "core/history/model.h"
+
+#include <tan/base.h>
+#include <tan/data.h>
+#include <tan/model.h>
 
 #include <cstddef>
 #include <filesystem>

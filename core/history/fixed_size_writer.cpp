@@ -128,7 +128,7 @@ FixedSizeModelWriter::create(const std::filesystem::path& path, const Dataset& d
 FixedSizeModelWriter::FixedSizeModelWriter(FileWriter file, const Dataset& dataset, ModelDescription description,
                                            const FixedCounts& counts)
     : target_(file.target()), sections_(std::move(file)), dataset_(dataset), description_(std::move(description)),
-      planned_(counts)
+      counts_(counts)
 {
 }
 
@@ -139,15 +139,15 @@ Status FixedSizeModelWriter::begin()
         return text.error();
     const auto sampleBytes = static_cast<std::uint32_t>(sampleSize(dataset_.values.type()));
     std::vector<FixedSizeSection> sections = {{SectionId::Text, 1, text->size()},
-                                              {SectionId::SitePoints, 4, planned_.sites},
-                                              {SectionId::SiteValues, sampleBytes, planned_.sites},
-                                              {SectionId::SiteRunningErrors, 4, planned_.sites},
-                                              {SectionId::StarOffsets, 8, planned_.sites + 1ull},
-                                              {SectionId::MeshSizes, 4, planned_.sites},
-                                              {SectionId::SiteGroups, 1, planned_.sites},
-                                              {SectionId::OtherSites, 12, planned_.tetrahedra},
-                                              {SectionId::Destroyers, 4, planned_.tetrahedra},
-                                              {SectionId::OwnErrors, 2, planned_.tetrahedra}};
+                                              {SectionId::SitePoints, 4, counts_.sites},
+                                              {SectionId::SiteValues, sampleBytes, counts_.sites},
+                                              {SectionId::SiteRunningErrors, 4, counts_.sites},
+                                              {SectionId::StarOffsets, 8, counts_.sites + 1ull},
+                                              {SectionId::MeshSizes, 4, counts_.sites},
+                                              {SectionId::SiteGroups, 1, counts_.sites},
+                                              {SectionId::OtherSites, 12, counts_.tetrahedra},
+                                              {SectionId::Destroyers, 4, counts_.tetrahedra},
+                                              {SectionId::OwnErrors, 2, counts_.tetrahedra}};
     if (samplesKept())
         sections.push_back({SectionId::Samples, sampleBytes, dataset_.pointCount(), 0});
     if (const Status planned = sections_.plan(sections); !planned)
@@ -157,9 +157,9 @@ Status FixedSizeModelWriter::begin()
 
 Status FixedSizeModelWriter::add(const FixedSizeStars& stars)
 {
-    if (stars.points.size() > planned_.sites - added_.sites ||
-        stars.otherSites.size() > planned_.tetrahedra - added_.tetrahedra)
-        return notAsPlanned();
+    if (stars.points.size() > counts_.sites - added_.sites ||
+        stars.otherSites.size() > counts_.tetrahedra - added_.tetrahedra)
+        return notAsAnnounced();
     for (const Status& written : {sections_.add(SectionId::SitePoints, std::as_bytes(stars.points)),
                                   sections_.add(SectionId::SiteRunningErrors, std::as_bytes(stars.runningKeys)),
                                   sections_.add(SectionId::MeshSizes, std::as_bytes(stars.meshSizes)),
@@ -197,9 +197,9 @@ Status FixedSizeModelWriter::addValues(std::span<const std::uint32_t> points)
 
 Status FixedSizeModelWriter::finish(float finalKey)
 {
-    if (added_.sites != planned_.sites || added_.tetrahedra != planned_.tetrahedra || !(finalKey >= 0) ||
+    if (added_.sites != counts_.sites || added_.tetrahedra != counts_.tetrahedra || !(finalKey >= 0) ||
         !std::isfinite(finalKey))
-        return notAsPlanned();
+        return notAsAnnounced();
     const std::uint64_t end = added_.tetrahedra;
     if (const Status written = sections_.add(SectionId::StarOffsets, std::as_bytes(std::span(&end, 1))); !written)
         return written;
@@ -211,8 +211,8 @@ Status FixedSizeModelWriter::finish(float finalKey)
             return written;
     }
     format::Header header = headerOf(description_);
-    header.siteCount = planned_.sites;
-    header.tetrahedronCount = planned_.tetrahedra;
+    header.siteCount = counts_.sites;
+    header.tetrahedronCount = counts_.tetrahedra;
     header.finalError = finalKey;
     if (const Status intact = dataset_.checkIntact(); !intact)
         return intact;
@@ -222,7 +222,7 @@ Status FixedSizeModelWriter::finish(float finalKey)
 bool FixedSizeModelWriter::samplesKept() const noexcept
 {
     return keepsSamples(dataset_.domain, dataset_.values.type(), 0, dataset_.pointCount(),
-                        {planned_.sites, planned_.tetrahedra});
+                        {counts_.sites, counts_.tetrahedra});
 }
 
 std::uint64_t FixedSizeModelWriter::expectedBytes(const FixedCounts& counts, SampleType type,
@@ -235,7 +235,7 @@ std::uint64_t FixedSizeModelWriter::expectedBytes(const FixedCounts& counts, Sam
     return content + format::chunkCount(content) * sizeof(std::uint64_t) + frontAndText;
 }
 
-Error FixedSizeModelWriter::notAsPlanned() const
+Error FixedSizeModelWriter::notAsAnnounced() const
 {
     return {ErrorKind::BadInput, "The builder '" + description_.builder +
                                      "' made another history than it had announced. Nothing was written; report this "

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/base/file_writer.h"
-#include "core/data/dataset.h"
-#include "core/history/model.h"
 #include "core/history/section_checks.h"
+
+#include <tan/build.h>
+#include <tan/data.h>
+#include <tan/model.h>
 
 #include <array>
 #include <cstdint>
@@ -31,7 +33,7 @@ public:
     /// Lays the sections out in this order and takes their room on the disk. Comes first. An error tells a disk that is
     /// too full.
     Status plan(std::span<const FixedSizeSection> sections);
-    /// Appends to a section, never beyond its planned size.
+    /// Appends to a section, never beyond the size it was given.
     Status add(format::SectionId id, std::span<const std::byte> bytes);
     /// Once every section is full: completes `header` with sizes and checksums, writes it with the table and commits.
     Status finish(format::Header header);
@@ -50,12 +52,6 @@ private:
 
     FileWriter file_;
     std::vector<Cursor> cursors_;
-};
-
-/// How much a planned model holds.
-struct FixedCounts {
-    std::uint32_t sites = 0;
-    std::uint64_t tetrahedra = 0;
 };
 
 /// Consecutive sites of a model and the tetrahedra that they created, in the model's own numbers and order (FORMAT.md).
@@ -80,7 +76,7 @@ public:
                                                                 const FixedCounts& counts,
                                                                 const std::filesystem::path& workFolder = {});
 
-    /// Appends. An Error if there is more of anything than was planned.
+    /// Appends. An Error if there is more of anything than was announced.
     Status add(const FixedSizeStars& stars);
     /// `finalKey` bounds the error of the mesh of all sites, in units of the values.
     Status finish(float finalKey);
@@ -95,13 +91,13 @@ private:
     Status addOffsets(std::span<const std::uint32_t> starSizes);
     Status addValues(std::span<const std::uint32_t> points);
     bool samplesKept() const noexcept;
-    Error notAsPlanned() const;
+    Error notAsAnnounced() const;
 
     std::filesystem::path target_;
     FixedSizeSections sections_;
     Dataset dataset_;
     ModelDescription description_;
-    FixedCounts planned_;
+    FixedCounts counts_;
     FixedCounts added_;
     std::vector<std::uint64_t> offsets_;
     Buffer<std::byte> values_;

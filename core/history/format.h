@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/lattice.h"
+#include <tan/data.h>
 
 #include <array>
 #include <bit>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/history/model.h"
-
 #include "core/base/checksum.h"
 #include "core/base/mapped_file.h"
 #include "core/history/file_layout.h"
 #include "core/history/section_checks.h"
+
+#include <tan/model.h>
 
 #include <algorithm>
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/model_writer.h"
 
+#include "core/base/file_writer.h"
 #include "core/base/rounding.h"
 #include "core/base/text.h"
 #include "core/data/dataset_checks.h"
 #include "core/history/batch_builder.h"
 #include "core/history/file_layout.h"
+#include "core/history/section_checks.h"
 
 #include <algorithm>
 #include <array>
@@ -14,12 +16,44 @@
 #include <limits>
 #include <new>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace tetra {
 
 using format::Header;
 using format::Section;
+
+namespace {
+
+/// Writes the sections of a `.tan` file one after the other, then the checksums of their chunks, then the header and
+/// the table in the place that was left free for them. May throw std::bad_alloc.
+class SectionWriter {
+public:
+    /// `mostSections`: the table gets room for so many, and for the chunks' checksums.
+    SectionWriter(FileWriter file, std::uint32_t mostSections) : file_(std::move(file)), mostSections_(mostSections + 1)
+    {
+    }
+
+    /// Leaves the place for header and table; comes first.
+    Status reserveFront();
+    /// `flags`: format::required, or 0 for a section that a reader may do without.
+    Status begin(format::SectionId id, std::size_t elementBytes, std::uint32_t flags = format::required);
+    Status add(std::span<const std::byte> bytes);
+    void end();
+    /// Completes `header` with sizes and checksums, writes it with the table and commits the file.
+    Status finish(format::Header header);
+
+private:
+    Status padTo(std::uint64_t offset);
+    Status writeChunkSums();
+
+    FileWriter file_;
+    std::uint32_t mostSections_;
+    std::vector<format::Section> sections_;
+    SectionSums sums_; ///< of the section that is being written
+    ChunkSums chunkSums_;
+};
 
 Status SectionWriter::reserveFront()
 {
@@ -90,8 +124,6 @@ Status SectionWriter::padTo(std::uint64_t offset)
     return {};
 }
 
-namespace {
-
 constexpr std::uint64_t siteBytes = 4 + 4 + 8 + 4 + 1; // all but the value
 constexpr std::uint64_t tetrahedronBytes = 12 + 4 + 2;
 constexpr std::uint64_t shareOfArrays = 8;
@@ -140,8 +172,7 @@ template <class Element, class Function> Status writeForEach(SectionWriter& sect
     return written;
 }
 
-} // namespace
-
+/// Writes the section of the sites' values; `points` are the sites' points in `dataset`.
 Status writeSiteValues(SectionWriter& sections, const Dataset& dataset, const SpooledArray<std::uint32_t>& points)
 {
     return visitSampleType(dataset.values.type(), [&]<class T>() {
@@ -151,6 +182,8 @@ Status writeSiteValues(SectionWriter& sections, const Dataset& dataset, const Sp
     });
 }
 
+} // namespace
+
 std::size_t positionBytes(const Dataset& dataset)
 {
     if (dataset.domain == DomainClass::RegularLattice)
@@ -158,6 +191,10 @@ std::size_t positionBytes(const Dataset& dataset)
     return fitFloats(*dataset.positions) ? sizeof(Eigen::Vector3f) : sizeof(Eigen::Vector3d);
 }
 
+namespace {
+
+/// Writes the section of the sites' positions for a dataset that has positions: in floats if they hold each of its
+/// coordinates exactly, else in doubles.
 Status writeSitePositions(SectionWriter& sections, const Dataset& dataset, const SpooledArray<std::uint32_t>& points)
 {
     const std::vector<Eigen::Vector3d>& positions = *dataset.positions;
@@ -169,6 +206,7 @@ Status writeSitePositions(SectionWriter& sections, const Dataset& dataset, const
     return writeForEach<Eigen::Vector3d>(sections, id, points, [&](std::uint32_t point) { return positions[point]; });
 }
 
+/// Writes the section of all points' positions, in the same numbers.
 Status writeSamplePositions(SectionWriter& sections, const Dataset& dataset)
 {
     constexpr std::size_t atOnce = 1 << 15;
@@ -191,8 +229,6 @@ Status writeSamplePositions(SectionWriter& sections, const Dataset& dataset)
     sections.end();
     return {};
 }
-
-namespace {
 
 using format::SectionId;
 
@@ -219,7 +255,7 @@ public:
     HistoryFileWriter(FileWriter file, const Dataset& dataset, ModelDescription description,
                       std::filesystem::path spoolFolder)
         : target_(file.target()), sections_(std::move(file), sectionLimit(dataset.domain)), dataset_(dataset),
-          description_(std::move(description)), spool_(std::move(spoolFolder)), arranger_(dataset.pointCount(), *this)
+          description_(std::move(description)), spool_(std::move(spoolFolder)), builder_(dataset.pointCount(), *this)
     {
     }
 
@@ -228,7 +264,7 @@ public:
     Status add(const HistoryStep& step) override;
     Status finish(float finalError) override;
     Status finishEarly() override;
-    std::uint32_t siteCount() const noexcept override { return arranger_.siteCount(); }
+    std::uint32_t siteCount() const noexcept override { return builder_.siteCount(); }
     std::uint64_t tetrahedronCount() const noexcept override { return destroyers_.size(); }
 
 private:
@@ -258,7 +294,7 @@ private:
     SpooledArray<std::uint16_t> ownErrors_{spool_};
     SpooledArray<std::uint16_t> ownWarpings_{spool_};
 
-    BatchBuilder arranger_;
+    BatchBuilder builder_;
     std::vector<std::array<std::uint32_t, 3>> otherSites_; ///< of a batch, on their way to the file
     std::vector<std::int64_t> growth_;                     ///< of the mesh by each of a batch's sites
     std::int64_t meshSize_ = 0;
@@ -296,7 +332,7 @@ Status HistoryFileWriter::add(const HistoryStep& step)
     if (canWarp(description_.domain) && !(description_.warpingWeight > 0))
         return inconsistent(std::string(domainClassName(description_.domain)) + " data need a warping weight");
     try {
-        const Status added = arranger_.add(step);
+        const Status added = builder_.add(step);
         return added || added.error().kind != ErrorKind::BadInput ? added : inconsistent(added.error().text);
     } catch (const std::bad_alloc&) {
         return outOfMemory();
@@ -347,12 +383,12 @@ void HistoryFileWriter::storeMeshSizes(const Batch& batch)
 
 Status HistoryFileWriter::finish(float finalError)
 {
-    if (siteCount() < fewestSites(description_.domain) || arranger_.aliveCount() == 0)
+    if (siteCount() < fewestSites(description_.domain) || builder_.aliveCount() == 0)
         return inconsistent("a model needs at least the sites of a first mesh");
     if (!(finalError >= 0) || !std::isfinite(finalError))
         return inconsistent("the final error is not a number of at least 0");
     try {
-        if (const Status closed = arranger_.finish(); !closed)
+        if (const Status closed = builder_.finish(); !closed)
             return closed;
         return writeArrays(finalError);
     } catch (const std::bad_alloc&) {
@@ -363,12 +399,12 @@ Status HistoryFileWriter::finish(float finalError)
 Status HistoryFileWriter::finishEarly()
 {
     // The open batch began with a mesh of the running error.
-    if (std::isinf(arranger_.runningKey()))
+    if (std::isinf(builder_.runningKey()))
         return Error{ErrorKind::Cancelled,
                      "The build was stopped before there was a mesh of known error, so there is nothing to keep."};
-    arranger_.abandonBatch();
+    builder_.abandonBatch();
     try {
-        return writeArrays(arranger_.runningKey());
+        return writeArrays(builder_.runningKey());
     } catch (const std::bad_alloc&) {
         return outOfMemory();
     }

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/file_writer.h"
-#include "core/base/result.h"
 #include "core/base/scratch_file.h"
-#include "core/data/dataset.h"
-#include "core/data/lattice.h"
-#include "core/data/scalar_field.h"
-#include "core/history/model.h"
-#include "core/history/section_checks.h"
-#include "core/mesh/history.h"
+
+#include <tan/base.h>
+#include <tan/build.h>
+#include <tan/data.h>
+#include <tan/model.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -17,39 +14,9 @@
 #include <memory>
 #include <span>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace tetra {
-
-/// Writes the sections of a `.tan` file one after the other, then the checksums of their chunks, then the header and
-/// the table in the place that was left free for them. May throw std::bad_alloc.
-class SectionWriter {
-public:
-    /// `mostSections`: the table gets room for so many, and for the chunks' checksums.
-    SectionWriter(FileWriter file, std::uint32_t mostSections) : file_(std::move(file)), mostSections_(mostSections + 1)
-    {
-    }
-
-    /// Leaves the place for header and table; comes first.
-    Status reserveFront();
-    /// `flags`: format::required, or 0 for a section that a reader may do without.
-    Status begin(format::SectionId id, std::size_t elementBytes, std::uint32_t flags = format::required);
-    Status add(std::span<const std::byte> bytes);
-    void end();
-    /// Completes `header` with sizes and checksums, writes it with the table and commits the file.
-    Status finish(format::Header header);
-
-private:
-    Status padTo(std::uint64_t offset);
-    Status writeChunkSums();
-
-    FileWriter file_;
-    std::uint32_t mostSections_;
-    std::vector<format::Section> sections_;
-    SectionSums sums_; ///< of the section that is being written
-    ChunkSums chunkSums_;
-};
 
 /// How much the arrays of a model hold.
 struct ModelCounts {
@@ -118,25 +85,15 @@ private:
     std::vector<T> last_;
 };
 
-/// Writes the section of the sites' values; `points` are the sites' points in `dataset`.
-Status writeSiteValues(SectionWriter& sections, const Dataset& dataset, const SpooledArray<std::uint32_t>& points);
-
 /// The bytes of a position in a model of the dataset: none for a regular lattice, floats if they hold each coordinate
 /// exactly, else doubles.
 std::size_t positionBytes(const Dataset& dataset);
-
-/// Writes the section of the sites' positions for a dataset that has positions: in floats if they hold each of its
-/// coordinates exactly, else in doubles.
-Status writeSitePositions(SectionWriter& sections, const Dataset& dataset, const SpooledArray<std::uint32_t>& points);
-
-/// Writes the section of all points' positions, in the same numbers.
-Status writeSamplePositions(SectionWriter& sections, const Dataset& dataset);
 
 /// Writes a history into a `.tan` file while it is made. Nothing appears under `path` before finish() has succeeded:
 /// the file is written beside it, synced and renamed; destroying an unfinished writer removes what it wrote. Steps
 /// are put together into batches and groups on the way (FORMAT.md). Memory: about 8 bytes a tetrahedron and 4 a site,
 /// and one batch whole; all else waits on the disk.
-class ModelWriter : public HistorySink {
+class TAN_INTERNAL ModelWriter : public HistorySink {
 public:
     /// `description` needs builder and parameters; the rest is taken from `dataset`. The unfinished file lies in
     /// `workFolder`, on the same disk; without one beside `path`.

@@ -3,10 +3,10 @@
 
 #include "core/base/checksum.h"
 #include "core/base/mapped_file.h"
-#include "core/base/progress.h"
-#include "core/base/result.h"
 #include "core/history/file_layout.h"
 #include "core/history/format.h"
+
+#include <tan/base.h>
 
 #include <atomic>
 #include <cstddef>

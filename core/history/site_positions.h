@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/buffer.h"
-#include "core/base/result.h"
-#include "core/data/lattice.h"
-#include "core/history/model.h"
+#include <tan/base.h>
+#include <tan/data.h>
+#include <tan/model.h>
 
 #include <Eigen/Core>
 

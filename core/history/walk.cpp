@@ -2,6 +2,7 @@
 #include "core/history/walk.h"
 
 #include "core/history/site_positions.h"
+#include "core/mesh/topology.h"
 
 #include <algorithm>
 #include <string>
@@ -60,8 +61,6 @@ Status walkHistory(const Model& model, std::uint32_t first, std::uint32_t end, c
 }
 
 namespace {
-
-using Tetrahedron = std::array<std::uint32_t, 4>;
 
 bool comeBefore(const std::array<std::uint32_t, 3>& others, std::uint32_t creator)
 {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/history/model.h"
+#include <tan/base.h>
+#include <tan/model.h>
 
 #include <array>
 #include <cstddef>

@@ -106,8 +106,6 @@ MeshFaces findMeshFaces(std::span<const std::array<std::uint32_t, 4>> tetrahedra
 
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
-
 /// One triangle's share of an edge: its corner place `corner` is where it starts along the edge.
 struct EdgeUse {
     std::uint64_t edge; ///< smaller vertex in the upper half

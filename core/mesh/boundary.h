@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <tan/base.h>
+
 #include <array>
 #include <cstdint>
 #include <span>
@@ -17,7 +19,8 @@ struct BoundaryFaces {
 /// The boundary of positive tetrahedra of `vertexCount` vertices, cavities and all components included; in the order
 /// of the tetrahedra. Closed if the mesh is conforming. At most largestAdjacentCellCount tetrahedra, whose corners
 /// exist. O(vertices + tetrahedra), memory as matchFaces(). May throw std::bad_alloc.
-BoundaryFaces boundaryFaces(std::size_t vertexCount, std::span<const std::array<std::uint32_t, 4>> tetrahedra);
+TAN_INTERNAL BoundaryFaces boundaryFaces(std::size_t vertexCount,
+                                         std::span<const std::array<std::uint32_t, 4>> tetrahedra);
 
 /// How the faces of positive tetrahedra lie against each other.
 struct MeshFaces {

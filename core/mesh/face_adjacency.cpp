@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/face_adjacency.h"
 
+#include "core/mesh/topology.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -23,8 +25,6 @@ FaceMatching::FaceMatching(std::uint64_t sides)
 
 namespace {
 
-using MeshCell = std::array<std::uint32_t, 4>;
-
 /// A face whose other side is not known yet.
 struct OpenFace {
     std::uint64_t lower; ///< its smallest corner, times 2^32, plus the middle one
@@ -45,7 +45,7 @@ struct OpenFace {
 constexpr OpenFace noFace{~std::uint64_t(0), FaceAdjacency::none, FaceAdjacency::none};
 
 /// The faces of a cell, its corners sorted without branches.
-std::array<OpenFace, 4> facesOf(const MeshCell& cell, std::uint32_t index) noexcept
+std::array<OpenFace, 4> facesOf(const Tetrahedron& cell, std::uint32_t index) noexcept
 {
     std::uint64_t corners[4];
     for (std::size_t i = 0; i < 4; ++i)
@@ -73,12 +73,12 @@ class BlockMatcher {
 public:
     static constexpr std::size_t blockSize = std::size_t(1) << 16;
 
-    explicit BlockMatcher(Buffer<MeshCell>& neighbours)
+    explicit BlockMatcher(Buffer<std::array<std::uint32_t, 4>>& neighbours)
         : neighbours_(neighbours), table_(tableSize), left_(4 * blockSize)
     {
     }
 
-    Buffer<OpenFace> match(std::span<const MeshCell> cells, std::size_t first, std::size_t end)
+    Buffer<OpenFace> match(std::span<const Tetrahedron> cells, std::size_t first, std::size_t end)
     {
         std::ranges::fill(table_, noFace);
         std::size_t left = 0;
@@ -112,7 +112,7 @@ private:
 
     std::uint32_t& sideOf(std::uint32_t name) { return neighbours_.data()[name >> 2][name & 3]; }
 
-    Buffer<MeshCell>& neighbours_;
+    Buffer<std::array<std::uint32_t, 4>>& neighbours_;
     Buffer<OpenFace> table_;
     Buffer<OpenFace> left_;
 };
@@ -148,7 +148,7 @@ public:
         });
     }
 
-    void match(Buffer<MeshCell>& neighbours) const
+    void match(Buffer<std::array<std::uint32_t, 4>>& neighbours) const
     {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, partCount()), [&](const auto& range) {
             std::vector<OpenFace> table;
@@ -163,7 +163,8 @@ private:
     std::size_t partCount() const { return std::size_t(1) << partBits_; }
     std::size_t partOf(const OpenFace& face) const { return face.hash() & (partCount() - 1); }
 
-    static void matchPart(std::span<const OpenFace> faces, std::vector<OpenFace>& table, Buffer<MeshCell>& neighbours)
+    static void matchPart(std::span<const OpenFace> faces, std::vector<OpenFace>& table,
+                          Buffer<std::array<std::uint32_t, 4>>& neighbours)
     {
         const std::size_t room = std::bit_ceil(2 * faces.size() + 1);
         const int shift = 64 - std::countr_zero(room);
@@ -188,7 +189,7 @@ private:
     Buffer<OpenFace> faces_;
 };
 
-Buffer<std::uint8_t> innerFacesOf(const Buffer<MeshCell>& neighbours)
+Buffer<std::uint8_t> innerFacesOf(const Buffer<std::array<std::uint32_t, 4>>& neighbours)
 {
     Buffer<std::uint8_t> inner(neighbours.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, inner.size(), 1 << 14), [&](const auto& range) {
@@ -204,7 +205,7 @@ Buffer<std::uint8_t> innerFacesOf(const Buffer<MeshCell>& neighbours)
 
 } // namespace
 
-FaceAdjacency matchFaces(std::span<const MeshCell> tetrahedra)
+FaceAdjacency matchFaces(std::span<const Tetrahedron> tetrahedra)
 {
     constexpr std::size_t blockSize = BlockMatcher::blockSize;
     FaceAdjacency adjacency;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/buffer.h"
-#include "core/mesh/tetrahedral_mesh.h"
+#include <tan/base.h>
+#include <tan/mesh.h>
 
 #include <array>
 #include <cstdint>

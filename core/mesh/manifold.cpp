@@ -2,6 +2,7 @@
 #include "core/mesh/manifold.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/mesh/topology.h"
 
 #include <algorithm>
 #include <numeric>
@@ -12,9 +13,7 @@ namespace tetra {
 
 namespace {
 
-using PartCell = std::array<std::uint32_t, 4>;
-
-bool hasCorner(const PartCell& corners, std::uint32_t point)
+bool hasCorner(const Tetrahedron& corners, std::uint32_t point)
 {
     return std::ranges::find(corners, point) != corners.end();
 }
@@ -24,7 +23,7 @@ struct PartStars {
     std::vector<std::uint64_t> begin;
     std::vector<std::uint32_t> tetrahedra;
 
-    PartStars(std::span<const PartCell> all, std::uint32_t points, const std::vector<std::uint8_t>& chosen)
+    PartStars(std::span<const Tetrahedron> all, std::uint32_t points, const std::vector<std::uint8_t>& chosen)
         : begin(points + std::size_t(1), 0)
     {
         forEach(all, chosen, [&](std::uint32_t, std::uint32_t point) { ++begin[point + std::size_t(1)]; });
@@ -41,7 +40,7 @@ struct PartStars {
 
 private:
     template <class Visit>
-    static void forEach(std::span<const PartCell> all, const std::vector<std::uint8_t>& chosen, const Visit& visit)
+    static void forEach(std::span<const Tetrahedron> all, const std::vector<std::uint8_t>& chosen, const Visit& visit)
     {
         for (std::uint32_t cell = 0; cell < all.size(); ++cell)
             if (chosen[cell] != 0)
@@ -53,7 +52,7 @@ private:
 /// What lies around a point: its tetrahedra as triangles of the point's link, and their edges.
 class Link {
 public:
-    Link(std::span<const PartCell> all, std::uint32_t centre, std::vector<std::uint32_t> cells)
+    Link(std::span<const Tetrahedron> all, std::uint32_t centre, std::vector<std::uint32_t> cells)
         : all_(all), centre_(centre), cells_(std::move(cells))
     {
         for (std::uint32_t i = 0; i < cells_.size(); ++i)
@@ -85,7 +84,7 @@ private:
 
     void addEdges(std::uint32_t triangle)
     {
-        const PartCell& corners = all_[cells_[triangle]];
+        const Tetrahedron& corners = all_[cells_[triangle]];
         for (std::size_t i = 0; i < 4; ++i)
             for (std::size_t j = i + 1; j < 4; ++j)
                 if (corners[i] != centre_ && corners[j] != centre_)
@@ -182,14 +181,14 @@ private:
         return others;
     }
 
-    std::span<const PartCell> all_;
+    std::span<const Tetrahedron> all_;
     std::uint32_t centre_;
     std::vector<std::uint32_t> cells_;
     std::vector<Edge> edges_;
 };
 
 /// Elsewhere the mesh is as it was.
-std::vector<std::uint32_t> pointsOfOthers(std::span<const PartCell> tetrahedra, std::uint32_t points,
+std::vector<std::uint32_t> pointsOfOthers(std::span<const Tetrahedron> tetrahedra, std::uint32_t points,
                                           const std::vector<std::uint8_t>& chosen)
 {
     std::vector<std::uint8_t> isOne(points);

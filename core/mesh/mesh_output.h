@@ -2,7 +2,8 @@
 #pragma once
 
 #include "core/base/file_writer.h"
-#include "core/base/progress.h"
+
+#include <tan/base.h>
 
 #include <algorithm>
 #include <bit>
@@ -21,7 +22,7 @@ static_assert(std::endian::native == std::endian::little, "arrays are written as
 
 /// A FileWriter for files of many records, that tells how far it is and hears that it should stop after every piece of
 /// a quarter of a megabyte.
-class MeshOutput {
+class TAN_INTERNAL MeshOutput {
 public:
     /// `bytes`: about how many there will be. `progress` outlives it.
     static Result<MeshOutput> create(const std::filesystem::path& path, std::uint64_t bytes, std::string_view activity,

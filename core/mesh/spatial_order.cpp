@@ -2,6 +2,9 @@
 #include "core/mesh/spatial_order.h"
 
 #include "core/geometry/hilbert_order.h"
+#include "core/mesh/topology.h"
+
+#include <tan/mesh.h>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -21,9 +24,7 @@ namespace {
 constexpr std::string_view orderingMesh = "Ordering the mesh";
 constexpr std::size_t cellsOrderedAtOnce = std::size_t(1) << 14;
 
-using MeshCell = std::array<std::uint32_t, 4>;
-
-std::uint32_t smallestOf(const MeshCell& cell) noexcept
+std::uint32_t smallestOf(const Tetrahedron& cell) noexcept
 {
     return std::min(std::min(cell[0], cell[1]), std::min(cell[2], cell[3]));
 }
@@ -64,7 +65,7 @@ public:
     }
 
     /// Takes the renumbered tetrahedra; false if a corner does not exist.
-    bool take(std::span<const MeshCell> old, const Buffer<std::uint32_t>& numbers, const Progress& progress)
+    bool take(std::span<const Tetrahedron> old, const Buffer<std::uint32_t>& numbers, const Progress& progress)
     {
         std::atomic<bool> valid = true;
         tbb::parallel_for(std::size_t(0), places_.size(), [&](std::size_t block) {
@@ -72,7 +73,7 @@ public:
             if (progress.cancelled())
                 return;
             for (std::size_t i = block * blockSize_; i < endOf(block); ++i) {
-                MeshCell& cell = cells_[i];
+                Tetrahedron& cell = cells_[i];
                 for (std::size_t corner = 0; corner < 4; ++corner) {
                     const std::uint32_t vertex = old[i][corner];
                     if (vertex >= vertexCount_) {
@@ -87,7 +88,7 @@ public:
         return valid;
     }
 
-    void deal(Buffer<MeshCell>& dealt, const Progress& progress)
+    void deal(Buffer<Tetrahedron>& dealt, const Progress& progress)
     {
         dealt.resize(cells_.size());
         const std::vector<std::size_t> first = placesFromCounts();
@@ -123,18 +124,18 @@ private:
     }
 
     /// What was taken is not needed any more: its memory, from `first` on, takes the copy.
-    void orderPart(std::span<MeshCell> part, std::size_t first, std::vector<std::size_t>& places)
+    void orderPart(std::span<Tetrahedron> part, std::size_t first, std::vector<std::size_t>& places)
     {
         const std::span copy = std::span(cells_).subspan(first, part.size());
         std::ranges::copy(part, copy.begin());
         const std::uint32_t mask = (1u << partShift_) - 1;
         places.assign(std::size_t(mask) + 1, 0);
-        for (const MeshCell& cell : copy)
+        for (const Tetrahedron& cell : copy)
             ++places[smallestOf(cell) & mask];
         std::size_t place = 0;
         for (std::size_t& of : places)
             place += std::exchange(of, place);
-        for (const MeshCell& cell : copy)
+        for (const Tetrahedron& cell : copy)
             part[places[smallestOf(cell) & mask]++] = cell;
     }
 
@@ -142,7 +143,7 @@ private:
     std::size_t blockSize_;
     int partShift_ = 0;
     std::size_t partCount_ = 0;
-    Buffer<MeshCell> cells_;
+    Buffer<Tetrahedron> cells_;
     std::vector<std::vector<std::size_t>> places_; ///< for each block and part
 };
 

@@ -7,6 +7,9 @@
 
 namespace tetra {
 
+using Triangle = std::array<std::uint32_t, 3>;    ///< by numbers of vertices, or of the points or sites they are
+using Tetrahedron = std::array<std::uint32_t, 4>; ///< likewise
+
 /// The corners of a tetrahedron's faces. Face f is the one opposite to corner f; seen from outside a positive
 /// tetrahedron its corners run counterclockwise.
 inline constexpr std::array<std::array<std::uint8_t, 3>, 4> cornersOfFace = {

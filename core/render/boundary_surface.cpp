@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/boundary_surface.h"
-
 #include "core/base/disjoint_sets.h"
 #include "core/mesh/boundary.h"
 #include "core/mesh/face_adjacency.h"
+#include "core/mesh/topology.h"
+
+#include <tan/render.h>
 
 #include <Eigen/Geometry>
 #include <tbb/parallel_for.h>
@@ -31,8 +32,6 @@ Error tooManyFaces()
     return {ErrorKind::OutOfResource,
             "The mesh has too many tetrahedra for its boundary to be shown. Lower the accuracy of the mesh."};
 }
-
-using Triangle = std::array<std::uint32_t, 3>;
 
 /// An edge as one of its triangles has it. Corner c of triangle t has the number 3 t + c.
 struct EdgeSide {

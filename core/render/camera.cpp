@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/camera.h"
-
 #include "core/base/json.h"
 #include "core/base/text.h"
+
+#include <tan/render.h>
 
 #include <algorithm>
 #include <array>

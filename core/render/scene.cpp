@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/scene.h"
-
 #include "core/base/text.h"
+
+#include <tan/render.h>
 
 #include <algorithm>
 #include <array>

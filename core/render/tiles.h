@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
 #include "core/render/view_transform.h"
+
+#include <tan/base.h>
 
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
@@ -42,7 +43,12 @@ struct TileGrid {
     {
         return static_cast<std::size_t>(columns()) * static_cast<std::size_t>(rows());
     }
-    SampleRectangle tile(std::size_t index) const noexcept;
+    SampleRectangle tile(std::size_t index) const noexcept
+    {
+        const int left = static_cast<int>(index % static_cast<std::size_t>(columns())) * side;
+        const int top = static_cast<int>(index / static_cast<std::size_t>(columns())) * side;
+        return {left, top, std::min(left + side, width), std::min(top + side, height)};
+    }
 };
 
 /// Colour times opacity, and opacity.

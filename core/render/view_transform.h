@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/camera.h"
-#include "core/render/scene.h"
+#include <tan/render.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

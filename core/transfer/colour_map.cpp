@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/transfer/colour_map.h"
 
+#include <tan/transfer.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/transfer/transfer_function.h"
+#include <tan/transfer.h>
 
 #include <algorithm>
 #include <cmath>

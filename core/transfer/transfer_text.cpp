@@ -4,6 +4,8 @@
 #include "core/base/json.h"
 #include "core/base/text.h"
 
+#include <tan/transfer.h>
+
 #include <algorithm>
 #include <initializer_list>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/data/dataset.h"
-#include "core/history/model.h"
 #include "core/verify/exact_cell.h"
+
+#include <tan/base.h>
+#include <tan/data.h>
+#include <tan/model.h>
 
 #include <array>
 #include <cstdint>
@@ -28,7 +28,7 @@ public:
     int hand() const noexcept { return hand_; }
     std::uint64_t foldedCells() const noexcept { return folded_.size(); }
     /// Whether a tetrahedron of these points, positive in computational space, is borne if it is inverted.
-    bool bears(const CellCorners& corners) const;
+    bool bears(const LatticeCorners& corners) const;
 
 private:
     int hand_ = 1;
@@ -38,6 +38,6 @@ private:
 /// How many tetrahedra are inverted in physical space in each of several meshes, those of the first `sites` sites (S5):
 /// none but of curvilinear data. Exact; O(tetrahedra) for these, on all threads. Error: the file is inconsistent; of
 /// indices that are merely wrong the count is.
-Result<std::vector<std::uint64_t>> countInverted(const Model& model, std::span<const std::uint32_t> sites);
+TAN_INTERNAL Result<std::vector<std::uint64_t>> countInverted(const Model& model, std::span<const std::uint32_t> sites);
 
 } // namespace tetra

@@ -5,6 +5,9 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <algorithm>
+#include <charconv>
+
 namespace tetra {
 
 namespace {
@@ -30,6 +33,48 @@ int volumeSign(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::
         return 0;
     const auto point = [](const Eigen::Vector3d& place) { return Kernel::Point_3(place.x(), place.y(), place.z()); };
     return CGAL::orientation(point(a), point(b), point(c), point(d));
+}
+
+int volumeSign(const PlacedCell& cell)
+{
+    return volumeSign(cell[0], cell[1], cell[2], cell[3]);
+}
+
+namespace {
+
+/// Signs of the volumes of the place with each face; all are positive inside a positive cell.
+std::array<int, 4> signsAt(const PlacedCell& c, const Eigen::Vector3d& place)
+{
+    return {volumeSign(place, c[1], c[2], c[3]), volumeSign(c[0], place, c[2], c[3]),
+            volumeSign(c[0], c[1], place, c[3]), volumeSign(c[0], c[1], c[2], place)};
+}
+
+} // namespace
+
+bool holds(const PlacedCell& cell, const Eigen::Vector3d& place)
+{
+    return std::ranges::all_of(signsAt(cell, place), [](int sign) { return sign >= 0; });
+}
+
+bool holdsInside(const PlacedCell& cell, const Eigen::Vector3d& place)
+{
+    return std::ranges::all_of(signsAt(cell, place), [](int sign) { return sign > 0; });
+}
+
+std::string textOf(double number)
+{
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, number, std::chars_format::general, 6).ptr};
+}
+
+std::string textOf(const LatticePoint& point)
+{
+    return "(" + std::to_string(point[0]) + ", " + std::to_string(point[1]) + ", " + std::to_string(point[2]) + ")";
+}
+
+std::string textOf(const Eigen::Vector3d& place)
+{
+    return "(" + textOf(place[0]) + ", " + textOf(place[1]) + ", " + textOf(place[2]) + ")";
 }
 
 } // namespace tetra

@@ -2,15 +2,19 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/base/result.h"
+
+#include <tan/base.h>
 
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <mutex>
+#include <numeric>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,7 +30,7 @@ public:
     {
         const std::lock_guard lock(mutex_);
         ++count_;
-        if (texts_.size() == mostTexts && place >= std::prev(texts_.end())->first)
+        if (texts_.size() == mostTexts && place > std::prev(texts_.end())->first)
             return;
         texts_.emplace(place, describe());
         if (texts_.size() > mostTexts)
@@ -45,8 +49,8 @@ public:
     {
         const std::lock_guard lock(mutex_);
         const std::uint64_t more = count_ - texts_.size();
-        for (auto& [place, text] : texts_)
-            failures.push_back(std::move(text));
+        for (const auto& [place, text] : texts_)
+            failures.push_back(text);
         if (more > 0)
             failures.push_back("... and " + std::to_string(more) + " more of this kind.");
         texts_.clear();
@@ -57,7 +61,25 @@ private:
 
     mutable std::mutex mutex_;
     std::uint64_t count_ = 0;
-    std::multimap<std::uint64_t, std::string> texts_;
+    std::multiset<std::pair<std::uint64_t, std::string>> texts_; ///< of one place in the order of the alphabet
+};
+
+/// The largest of the numbers that threads find, none of which is negative.
+class Largest {
+public:
+    void add(double number)
+    {
+        double& known = ofThreads_.local();
+        known = std::max(known, number);
+    }
+    double ofAll() const
+    {
+        return std::accumulate(ofThreads_.begin(), ofThreads_.end(), 0.0,
+                               [](double a, double b) { return std::max(a, b); });
+    }
+
+private:
+    tbb::enumerable_thread_specific<double> ofThreads_{0.0};
 };
 
 /// Calls check(number) for every number below `count`, on all threads of the current arena, `atOnce` of them in a row.
@@ -65,7 +87,7 @@ private:
 template <class Check> Status verifyEach(std::size_t count, std::size_t atOnce, std::string activity,
                                          const Progress& progress, const Check& check)
 {
-    SharedProgress shared(progress, count, std::move(activity));
+    SharedProgress shared(progress, count, activity);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, atOnce), [&](const auto& range) {
         for (std::size_t number = range.begin(); number != range.end(); ++number) {
             if (shared.cancelled())

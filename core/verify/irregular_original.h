@@ -2,11 +2,15 @@
 #pragma once
 
 #include "core/geometry/box_tree.h"
-#include "core/verify/scattered_cells.h"
+#include "core/mesh/topology.h"
+#include "core/verify/exact_cell.h"
+
+#include <tan/data.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -17,8 +21,30 @@
 
 namespace tetra {
 
-/// A triangle by the numbers of three points, counterclockwise seen from outside.
-using PointTriangle = std::array<std::uint32_t, 3>;
+/// Some of the positions as the corners of a cell.
+inline PlacedCell placedCell(std::span<const Eigen::Vector3d> positions, const Tetrahedron& points)
+{
+    return {positions[points[0]], positions[points[1]], positions[points[2]], positions[points[3]]};
+}
+
+template <std::size_t Count> Eigen::AlignedBox3d boxOf(const std::array<Eigen::Vector3d, Count>& corners)
+{
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& corner : corners)
+        box.extend(corner);
+    return box;
+}
+
+/// The original points of a model of scattered or irregular data, ready to be looked for. The dataset outlives it.
+struct ScatteredOriginal {
+    explicit ScatteredOriginal(const Dataset& dataset);
+
+    std::span<const Eigen::Vector3d> positions;
+    std::vector<double> values;
+    BoxTree tree; ///< of the positions
+};
+
+// Triangles are by numbers of points, counterclockwise seen from outside.
 
 /// The closed surfaces that make up a boundary, what holds of each, and what is wrong with them.
 struct BoundarySurfaces {
@@ -36,7 +62,7 @@ struct BoundarySurfaces {
 };
 
 /// Joins triangles over their edges. O(n log n).
-BoundarySurfaces boundarySurfaces(std::span<const PointTriangle> triangles);
+BoundarySurfaces boundarySurfaces(std::span<const Triangle> triangles);
 
 /// The corners of a triangle.
 using TriangleCorners = std::array<Eigen::Vector3d, 3>;
@@ -55,21 +81,27 @@ TrianglePlace nearestPlace(const TriangleCorners& triangle, const Eigen::Vector3
 std::optional<std::array<double, 2>> valuesWithin(const TriangleCorners& triangle, const std::array<double, 3>& values,
                                                   const Eigen::Vector3d& centre, double radius);
 
+/// Whether two triangles that are not flat have a place in common besides the points that they share by number: they
+/// cross, touch, or lie on one another. Exact for all finite doubles. At most two points are shared.
+bool facesMeet(std::span<const Eigen::Vector3d> positions, const Triangle& first, const Triangle& second);
+
+/// Whether the segment and the triangle, which is not flat, have a place in common, their ends included. Exact.
+bool segmentMeetsTriangle(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& a,
+                          const Eigen::Vector3d& b, const Eigen::Vector3d& c);
+
 /// Triangles in a tree of their boxes, to find those near a place. For verification. Safe to ask from any number of
 /// threads.
 class TriangleTree {
 public:
     /// Both outlive it.
-    TriangleTree(std::span<const Eigen::Vector3d> positions, std::span<const PointTriangle> triangles);
+    TriangleTree(std::span<const Eigen::Vector3d> positions, std::span<const Triangle> triangles);
 
     struct Nearest {
         std::uint32_t triangle = 0;
         TrianglePlace place{{}, std::numeric_limits<double>::infinity()};
     };
-    /// The first one at an infinite distance if there are no triangles.
-    Nearest nearest(const Eigen::Vector3d& from) const;
-    /// The same, quicker if the triangle `hint` is near.
-    Nearest nearest(const Eigen::Vector3d& from, std::uint32_t hint) const;
+    /// The first one at an infinite distance if there are no triangles. Quicker if the triangle `hint` is near.
+    Nearest nearest(const Eigen::Vector3d& from, std::optional<std::uint32_t> hint = {}) const;
 
     /// Calls visit(triangle) for each triangle whose box has a place in common with the box.
     template <class Visit> void visitMeeting(const Eigen::AlignedBox3d& box, Visit&& visit) const
@@ -87,14 +119,12 @@ public:
 
     TriangleCorners corners(std::uint32_t triangle) const
     {
-        const PointTriangle& t = triangles_[triangle];
+        const Triangle& t = triangles_[triangle];
         return {positions_[t[0]], positions_[t[1]], positions_[t[2]]};
     }
-    Eigen::AlignedBox3d boxOf(std::uint32_t triangle) const;
+    Eigen::AlignedBox3d boxOf(std::uint32_t triangle) const { return tetra::boxOf(corners(triangle)); }
 
 private:
-    Nearest nearestOf(const Eigen::Vector3d& from, Nearest best) const;
-
     template <class Test, class Visit> void visitIf(const Test& test, const Visit& visit) const
     {
         tree_.visitNear(test, [&](std::uint32_t triangle) {
@@ -104,7 +134,7 @@ private:
     }
 
     std::span<const Eigen::Vector3d> positions_;
-    std::span<const PointTriangle> triangles_;
+    std::span<const Triangle> triangles_;
     BoxTree tree_;
 };
 
@@ -116,15 +146,32 @@ struct IrregularOriginal {
     static constexpr std::uint32_t none = 0xffffffff;
 
     ScatteredOriginal points;
-    std::vector<PointTriangle> boundary;
+    std::vector<Triangle> boundary;
     BoundarySurfaces surfaces;
     std::vector<std::uint32_t> surfaceOf;   ///< of each point; none inside
     std::vector<std::uint32_t> componentOf; ///< of each point, the smallest point that it is joined with
+    std::vector<Triangle> faces;            ///< `boundary`, each with its points in increasing order, sorted
     TriangleTree tree;                      ///< of `boundary`
-    double diagonal = 0;
-    double allowance = 0; ///< by which a claimed warping may be exceeded: coordinates are rounded
+    double diagonal;                        ///< of the bounds
 
     bool isOnBoundary(std::uint32_t point) const { return surfaceOf[point] != none; }
+    /// Whether it is one of `boundary`.
+    bool isFace(Triangle triangle) const
+    {
+        std::ranges::sort(triangle);
+        return std::ranges::binary_search(faces, triangle);
+    }
 };
+
+/// How far a mesh's boundary goes from the original's.
+struct BoundaryDistances {
+    double found = 0; ///< the farthest place that was looked at
+    double bound = 0; ///< no place is farther
+};
+
+/// From all places of `triangles`, by the points of the original, to the original's boundary. Triangles are cut until
+/// what the bound says is at most a twentieth more than what was found, or a thousandth of the diagonal, or the pieces
+/// are very small. The same with any number of threads.
+BoundaryDistances distancesToOriginal(const IrregularOriginal& original, std::span<const Triangle> triangles);
 
 } // namespace tetra

@@ -1,36 +1,278 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/verify/verify_irregular.h"
 
-#include "core/base/rounding.h"
+#include "core/base/disjoint_sets.h"
 #include "core/mesh/topology.h"
-#include "core/verify/findings.h"
-#include "core/verify/scattered_cells.h"
-#include "core/verify/two_sided_distance.h"
-#include "core/verify/verify_boundary.h"
-
-#include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace tetra {
 
 namespace {
 
+/// The boundary of a mesh of irregular data, by points of the original.
+struct MeshBoundary {
+    MeshBoundary(const IrregularOriginal& original, const LevelCells& levelCells, std::span<const BoundaryFace> faces)
+        : triangles(trianglesOf(levelCells, faces)), cells(faces.size()), surfaces(boundarySurfaces(triangles)),
+          tree(original.points.positions, triangles)
+    {
+        std::ranges::transform(faces, cells.begin(), &BoundaryFace::cell);
+    }
+    MeshBoundary(const MeshBoundary&) = delete; // the tree looks at the triangles
+    MeshBoundary& operator=(const MeshBoundary&) = delete;
+
+    std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> cells; ///< of each triangle
+    BoundarySurfaces surfaces;
+    TriangleTree tree;
+
+private:
+    static std::vector<Triangle> trianglesOf(const LevelCells& cells, std::span<const BoundaryFace> faces)
+    {
+        std::vector<Triangle> triangles;
+        for (const auto& [face, cell] : faces)
+            triangles.push_back({cells.point(face[0]), cells.point(face[1]), cells.point(face[2])});
+        return triangles;
+    }
+};
+
+constexpr std::size_t trianglesAtOnce = 256;
+
+/// The boundary is a manifold that does not meet itself, and has, surface for surface, the vertices and the Euler
+/// characteristic of one of the original's; the cells have the original's components; and they hold what is inside once
+/// only. Where the original's own faces meet they may go on doing so. For cells that conform.
+class BoundaryCheck {
+public:
+    BoundaryCheck(const IrregularOriginal& original, const LevelCells& cells, const MeshBoundary& boundary)
+        : original_(original), cells_(cells), boundary_(boundary)
+    {
+    }
+
+    Status run(LevelReport& verdict, const Progress& progress);
+
+private:
+    void checkManifold();
+    void checkComponents();
+    void checkSurfaces();
+    Status checkMeetings(const Progress& progress);
+    void checkCoveredOnce();
+    bool isUndivided(std::size_t cell) const;
+    std::optional<std::uint32_t> triangleWithRoom(std::uint32_t surface) const;
+    PlacedCell placed(std::size_t cell) const { return placedCell(original_.points.positions, cells_.points(cell)); }
+    std::string name(std::uint32_t point) const
+    {
+        return std::to_string(point) + " " + textOf(original_.points.positions[point]);
+    }
+    std::string name(const Triangle& t) const
+    {
+        const auto& places = original_.points.positions;
+        return textOf(places[t[0]]) + " " + textOf(places[t[1]]) + " " + textOf(places[t[2]]);
+    }
+
+    const IrregularOriginal& original_;
+    const LevelCells& cells_;
+    const MeshBoundary& boundary_;
+    Findings manifold_;
+    Findings components_;
+    Findings surfaces_;
+    Findings meetings_;
+    Findings coverage_;
+};
+
+void BoundaryCheck::checkManifold()
+{
+    for (const auto& edge : boundary_.surfaces.brokenEdges)
+        manifold_.add(edge[0], [&] {
+            return "The boundary's edge from point " + name(edge[0]) + " to " + name(edge[1]) +
+                   " does not belong to two of its faces.";
+        });
+    for (const std::uint32_t vertex : boundary_.surfaces.brokenVertices)
+        manifold_.add(vertex, [&] {
+            return "The boundary touches itself at point " + name(vertex) + ": it is no manifold there.";
+        });
+}
+
+void BoundaryCheck::checkComponents()
+{
+    const std::size_t points = original_.componentOf.size();
+    DisjointSets joined(points);
+    std::vector<bool> used(points);
+    for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+        const LevelCells::Cell& c = cells_.vertices(cell);
+        const std::uint32_t first = cells_.point(c[0]);
+        for (const std::uint32_t vertex : c) {
+            const std::uint32_t point = cells_.point(vertex);
+            joined.join(first, point);
+            used[point] = true;
+            if (original_.componentOf[point] != original_.componentOf[first])
+                components_.add(cell, [&] {
+                    return "A cell joins points " + name(first) + " and " + name(point) +
+                           " of two components of the data.";
+                });
+        }
+    }
+    std::int64_t parts = 0;
+    std::int64_t components = 0;
+    for (std::uint32_t point = 0; point < points; ++point) {
+        parts += used[point] && joined.root(point) == point ? 1 : 0;
+        components += original_.componentOf[point] == point ? 1 : 0;
+    }
+    if (parts != components)
+        components_.add(0, [&] {
+            return "The mesh has " + std::to_string(parts) + " components, and the data have " +
+                   std::to_string(components) + ".";
+        });
+}
+
+/// Each surface is one of the original's and of its kind.
+void BoundaryCheck::checkSurfaces()
+{
+    const auto& surfaces = boundary_.surfaces.surfaces;
+    const auto& originals = original_.surfaces.surfaces;
+    if (surfaces.size() != originals.size())
+        surfaces_.add(0, [&] {
+            return "The boundary has " + std::to_string(surfaces.size()) + " surfaces, and that of the data has " +
+                   std::to_string(originals.size()) + ".";
+        });
+    constexpr std::uint32_t unknown = 0xfffffffe;
+    std::vector<std::uint32_t> meant(surfaces.size(), unknown);
+    for (std::uint32_t triangle = 0; triangle < boundary_.triangles.size(); ++triangle)
+        for (const std::uint32_t point : boundary_.triangles[triangle]) {
+            std::uint32_t& surface = meant[boundary_.surfaces.surfaceOf[triangle]];
+            if (surface == unknown)
+                surface = original_.surfaceOf[point];
+            if (original_.surfaceOf[point] != surface || surface == IrregularOriginal::none)
+                surfaces_.add(triangle, [&] {
+                    return "The boundary goes through point " + name(point) +
+                           (original_.isOnBoundary(point) ? ", which lies on another surface of the data."
+                                                          : ", which lies inside the data.");
+                });
+        }
+    std::vector<bool> taken(originals.size());
+    for (std::size_t surface = 0; surface < surfaces.size(); ++surface) {
+        if (meant[surface] >= originals.size())
+            continue; // said already
+        if (taken[meant[surface]])
+            surfaces_.add(surfaces[surface].firstTriangle, [&] {
+                return "A surface of the data's boundary became two, one of them with the face " +
+                       name(boundary_.triangles[surfaces[surface].firstTriangle]) + ".";
+            });
+        taken[meant[surface]] = true;
+        if (surfaces[surface].euler != originals[meant[surface]].euler)
+            surfaces_.add(surfaces[surface].firstTriangle, [&] {
+                return "The surface of the boundary with the face " +
+                       name(boundary_.triangles[surfaces[surface].firstTriangle]) + " has Euler characteristic " +
+                       std::to_string(surfaces[surface].euler) + ", and that of the data has " +
+                       std::to_string(originals[meant[surface]].euler) + ": a hole was opened or closed.";
+            });
+    }
+}
+
+Status BoundaryCheck::checkMeetings(const Progress& progress)
+{
+    const auto& triangles = boundary_.triangles;
+    const auto checkTriangle = [&](std::uint32_t number) {
+        boundary_.tree.visitMeeting(boundary_.tree.boxOf(number), [&](std::uint32_t other) {
+            if (other <= number || !facesMeet(original_.points.positions, triangles[number], triangles[other]) ||
+                (original_.isFace(triangles[number]) && original_.isFace(triangles[other])))
+                return;
+            meetings_.add(number, [&] {
+                return "The boundary meets itself: the faces " + name(triangles[number]) + " and " +
+                       name(triangles[other]) + " have more in common than their corners.";
+            });
+        });
+    };
+    return verifyEach(triangles.size(), trianglesAtOnce, "Verifying the boundary", progress,
+                      [&](std::size_t number) { checkTriangle(static_cast<std::uint32_t>(number)); });
+}
+
+/// A triangle of the surface whose cell has a middle that doubles can name.
+std::optional<std::uint32_t> BoundaryCheck::triangleWithRoom(std::uint32_t surface) const
+{
+    for (std::uint32_t triangle = boundary_.surfaces.surfaces[surface].firstTriangle;
+         triangle < boundary_.triangles.size(); ++triangle) {
+        if (boundary_.surfaces.surfaceOf[triangle] == surface && placeInside(placed(boundary_.cells[triangle])))
+            return triangle;
+    }
+    return {};
+}
+
+/// Whether no face of the boundary goes into a cell. With cells that conform none goes even through its faces.
+bool BoundaryCheck::isUndivided(std::size_t cell) const
+{
+    const PlacedCell corners = placed(cell);
+    const LevelCells::Cell& c = cells_.vertices(cell);
+    std::array<Triangle, 4> faces;
+    for (std::size_t face = 0; face < 4; ++face)
+        for (std::size_t i = 0; i < 3; ++i)
+            faces[face][i] = cells_.point(c[cornersOfFace[face][i]]);
+    bool undivided = true;
+    boundary_.tree.visitMeeting(boxOf(corners), [&](std::uint32_t number) {
+        const Triangle& other = boundary_.triangles[number];
+        undivided = undivided &&
+                    std::ranges::none_of(boundary_.tree.corners(number),
+                                         [&](const Eigen::Vector3d& place) { return holdsInside(corners, place); });
+        for (const Triangle& face : faces)
+            undivided = undivided && (std::ranges::is_permutation(face, other) ||
+                                      !facesMeet(original_.points.positions, face, other));
+    });
+    return undivided;
+}
+
+/// How many cells hold a place changes only at the boundary, and there by one. So it is at most one everywhere if it is
+/// one just inside each of the surfaces, which do not meet.
+void BoundaryCheck::checkCoveredOnce()
+{
+    for (std::uint32_t surface = 0; surface < boundary_.surfaces.surfaces.size(); ++surface) {
+        const auto triangle = triangleWithRoom(surface);
+        if (triangle) { // just inside the surface there is its cell alone
+            const std::size_t cell = boundary_.cells[*triangle];
+            if (countHolding(original_.points.positions, cells_, *placeInside(placed(cell))) == 1 && isUndivided(cell))
+                continue;
+        }
+        const std::uint32_t first = boundary_.surfaces.surfaces[surface].firstTriangle;
+        coverage_.add(first, [&] {
+            return (triangle ? "Cells lie on one another" : std::string("No cell has room for a number in doubles")) +
+                   " inside the surface of the boundary with the face " + name(boundary_.triangles[first]) + ".";
+        });
+    }
+}
+
+Status BoundaryCheck::run(LevelReport& verdict, const Progress& progress)
+{
+    checkManifold();
+    checkComponents();
+    if (manifold_.none()) {
+        checkSurfaces();
+        if (const Status done = checkMeetings(progress); !done)
+            return done;
+    }
+    if (manifold_.none() && meetings_.none())
+        checkCoveredOnce();
+    verdict.conforming = verdict.conforming && manifold_.none();
+    verdict.covers = verdict.covers && components_.none() && surfaces_.none() && meetings_.none() && coverage_.none();
+    for (Findings* findings : {&manifold_, &components_, &surfaces_, &meetings_, &coverage_})
+        findings->moveTo(verdict.failures);
+    return {};
+}
+
 constexpr std::uint32_t relatedPointsAtOnce = 64;
 
 class RelatedCheck {
 public:
-    RelatedCheck(const IrregularMesh& mesh, const PointCheck& inside)
-        : mesh_(mesh), original_(mesh.original), inside_(inside), isVertex_(original_.points.positions.size()),
-          tolerance_(errorAllowance * original_.points.extent)
+    RelatedCheck(const MeshToVerify& mesh, const MeshBoundary& boundary, const CellFindings& inside)
+        : mesh_(mesh), boundary_(boundary), original_(*mesh.original.irregular), inside_(inside),
+          isVertex_(original_.points.positions.size()), error_(Residual::error(mesh)), warping_(Residual::warping(mesh))
     {
         for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
-            for (const std::uint32_t vertex : mesh.cells.vertices(cell))
-                isVertex_[mesh.cells.point(vertex)] = true;
-        for (const std::uint32_t cell : mesh.boundary.cells)
-            largestOwnWarping_ = std::max(largestOwnWarping_, ownWarping(cell));
+            for (const std::uint32_t point : mesh.cells.points(cell))
+                isVertex_[point] = true;
+        for (const std::uint32_t cell : boundary.cells)
+            largestOwnWarping_ = std::max(largestOwnWarping_, warping_.own(cell));
     }
 
     Status run(const Progress& progress);
@@ -55,36 +297,24 @@ private:
     double errorOn(const Related& related, std::uint32_t triangle, double radius) const;
     std::array<double, 3> valuesOf(std::uint32_t triangle) const
     {
-        const PointTriangle& t = mesh_.boundary.triangles[triangle];
+        const Triangle& t = boundary_.triangles[triangle];
         return {original_.points.values[t[0]], original_.points.values[t[1]], original_.points.values[t[2]]};
-    }
-    bool ofHistory() const { return mesh_.cells.size() > 0 && mesh_.cells.historyNumber(0).has_value(); }
-    /// What the history grants a cell; anything if it is of no history.
-    double ownError(std::size_t cell) const
-    {
-        const auto number = mesh_.cells.historyNumber(cell);
-        return number ? static_cast<double>(halfToFloat(mesh_.model.ownErrors()[*number])) * original_.points.extent
-                      : std::numeric_limits<double>::infinity();
-    }
-    double ownWarping(std::size_t cell) const
-    {
-        const auto number = mesh_.cells.historyNumber(cell);
-        return number ? static_cast<double>(halfToFloat(mesh_.model.ownWarpings()[*number])) * original_.diagonal
-                      : std::numeric_limits<double>::infinity();
     }
     std::string name(const Related& related) const
     {
         return "point " + std::to_string(related.point) + " " + textOf(related.place);
     }
 
-    const IrregularMesh& mesh_;
+    const MeshToVerify& mesh_;
+    const MeshBoundary& boundary_;
     const IrregularOriginal& original_;
-    const PointCheck& inside_;
+    const CellFindings& inside_;
     std::vector<bool> isVertex_;
-    double tolerance_;             ///< by which a claimed error may be exceeded
+    Residual error_;
+    Residual warping_;
     double largestOwnWarping_ = 0; ///< of cells on the boundary
-    tbb::enumerable_thread_specific<double> largestError_{0.0};
-    tbb::enumerable_thread_specific<double> largestWarping_{0.0};
+    Largest largestError_;
+    Largest largestWarping_;
     Findings tooFar_;
     Findings tooLarge_;
     Findings beyondOwn_;
@@ -102,38 +332,35 @@ Status RelatedCheck::run(const Progress& progress)
 void RelatedCheck::checkPoint(std::uint32_t point)
 {
     const bool covered = inside_.isCovered(point);
-    const bool beyondOwn = ofHistory() && !inside_.isWithinOwn(point);
+    const bool beyondOwn = mesh_.ofHistory() && !inside_.isWithinOwn(point);
     if (covered && !original_.isOnBoundary(point) && !beyondOwn)
         return;
     const Eigen::Vector3d& place = original_.points.positions[point];
-    const Related related{point, place, original_.points.values[point],
-                          mesh_.weights.empty() ? 1 : static_cast<double>(mesh_.weights[point]),
-                          mesh_.boundary.tree.nearest(place)};
+    const Related related{point, place, original_.points.values[point], mesh_.weight(point),
+                          boundary_.tree.nearest(place)};
     if (original_.isOnBoundary(point))
         checkWarping(related);
     if (!covered)
         checkOutside(related);
-    if (ofHistory())
+    if (mesh_.ofHistory())
         checkOwn(related, covered);
 }
 
 void RelatedCheck::checkWarping(const Related& related)
 {
     const double warping = related.weight * related.nearest.place.distance;
-    const double claimed = mesh_.claims.warping(related.point);
-    largestWarping_.local() = std::max(largestWarping_.local(), warping);
-    if (warping > claimed + original_.allowance)
-        tooFar_.add(related.point, [&] {
-            return "The warping at " + name(related) + " is " + textOf(100 * warping / original_.diagonal) +
-                   " % of the diagonal, more than the claimed " + textOf(100 * claimed / original_.diagonal) + " %.";
-        });
+    const double claimed = warping_.claimed(related.point);
+    largestWarping_.add(warping);
+    if (warping > claimed + warping_.allowance)
+        tooFar_.add(related.point,
+                    [&] { return warping_.moreThanClaimed(related.point, name(related), warping) + "."; });
 }
 
 /// The difference, weighted, from the point's value to that of the place of the triangle within the radius that comes
 /// closest to it; infinity if there is none.
 double RelatedCheck::errorOn(const Related& related, std::uint32_t triangle, double radius) const
 {
-    const auto range = valuesWithin(mesh_.boundary.tree.corners(triangle), valuesOf(triangle), related.place, radius);
+    const auto range = valuesWithin(boundary_.tree.corners(triangle), valuesOf(triangle), related.place, radius);
     if (!range)
         return std::numeric_limits<double>::infinity();
     return related.weight * std::max({0.0, (*range)[0] - related.value, related.value - (*range)[1]});
@@ -142,7 +369,7 @@ double RelatedCheck::errorOn(const Related& related, std::uint32_t triangle, dou
 double RelatedCheck::leastErrorWithin(const Related& related, double radius) const
 {
     double least = std::numeric_limits<double>::infinity();
-    mesh_.boundary.tree.visitWithin(related.place, radius, [&](std::uint32_t triangle) {
+    boundary_.tree.visitWithin(related.place, radius, [&](std::uint32_t triangle) {
         least = std::min(least, errorOn(related, triangle, radius));
     });
     return least;
@@ -154,18 +381,16 @@ void RelatedCheck::checkOutside(const Related& related)
     const std::array<double, 3>& weights = related.nearest.place.weights;
     const double there = weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2];
     double error = related.weight * std::abs(there - related.value);
-    const double claimed = mesh_.claims.error(related.point);
-    if (error > claimed + tolerance_) {
+    const double claimed = error_.claimed(related.point);
+    if (error > claimed + error_.allowance) {
         const double radius = std::max(related.nearest.place.distance,
-                                       mesh_.claims.warping(related.point) / related.weight + original_.allowance);
+                                       warping_.claimed(related.point) / related.weight + warping_.allowance);
         error = std::min(error, leastErrorWithin(related, radius));
     }
-    largestError_.local() = std::max(largestError_.local(), error);
-    if (error > claimed + tolerance_)
+    largestError_.add(error);
+    if (error > claimed + error_.allowance)
         tooLarge_.add(related.point, [&] {
-            return "The error at " + name(related) + ", outside the mesh, is " +
-                   textOf(original_.points.percent(error)) + " % of the range, more than the claimed " +
-                   textOf(original_.points.percent(claimed)) + " %.";
+            return error_.moreThanClaimed(related.point, name(related) + ", outside the mesh,", error) + ".";
         });
 }
 
@@ -175,18 +400,19 @@ void RelatedCheck::checkOutside(const Related& related)
 bool RelatedCheck::isGrantedNextToIt(const Related& related) const
 {
     for (std::size_t number = 0; number < mesh_.cells.size(); ++number) {
-        const PlacedCell cell = placedCell(original_.points.positions, mesh_.cells, number);
+        const std::array<std::uint32_t, 4> points = mesh_.cells.points(number);
+        const PlacedCell cell = placedCell(original_.points.positions, points);
         const auto isBefore = [&](const std::array<std::uint8_t, 3>& face) {
             const Eigen::Vector3d normal = (cell[face[1]] - cell[face[0]]).cross(cell[face[2]] - cell[face[0]]);
-            return normal.dot(related.place - cell[face[0]]) > original_.allowance * normal.norm();
+            return normal.dot(related.place - cell[face[0]]) > warping_.allowance * normal.norm();
         };
         if (std::ranges::any_of(cornersOfFace, isBefore))
             continue;
         std::array<double, 4> values{};
-        std::ranges::transform(mesh_.cells.vertices(number), values.begin(), [&](std::uint32_t vertex) {
-            return original_.points.values[mesh_.cells.point(vertex)];
-        });
-        if (related.weight * preciseError(cell, values, related.place, related.value) <= ownError(number) + tolerance_)
+        std::ranges::transform(points, values.begin(),
+                               [&](std::uint32_t point) { return original_.points.values[point]; });
+        if (related.weight * preciseError(cell, values, related.place, related.value) <=
+            error_.own(number) + error_.allowance)
             return true;
     }
     return false;
@@ -197,19 +423,19 @@ void RelatedCheck::checkOwn(const Related& related, bool covered)
 {
     const bool needsError = !inside_.isWithinOwn(related.point);
     const auto grants = [&](std::uint32_t triangle) {
-        const std::uint32_t cell = mesh_.boundary.cells[triangle];
-        const double radius = ownWarping(cell) / related.weight + original_.allowance;
+        const std::uint32_t cell = boundary_.cells[triangle];
+        const double radius = warping_.own(cell) / related.weight + warping_.allowance;
         if (!needsError)
-            return nearestPlace(mesh_.boundary.tree.corners(triangle), related.place).distance <= radius;
-        return errorOn(related, triangle, radius) <= ownError(cell) + tolerance_;
+            return nearestPlace(boundary_.tree.corners(triangle), related.place).distance <= radius;
+        return errorOn(related, triangle, radius) <= error_.own(cell) + error_.allowance;
     };
     if (grants(related.nearest.triangle))
         return;
-    const bool onCells = covered || related.nearest.place.distance <= original_.allowance;
+    const bool onCells = covered || related.nearest.place.distance <= warping_.allowance;
     bool granted = needsError && onCells && isGrantedNextToIt(related);
-    const double farthest = largestOwnWarping_ / related.weight + original_.allowance;
-    mesh_.boundary.tree.visitWithin(related.place, farthest,
-                                    [&](std::uint32_t triangle) { granted = granted || grants(triangle); });
+    const double farthest = largestOwnWarping_ / related.weight + warping_.allowance;
+    boundary_.tree.visitWithin(related.place, farthest,
+                               [&](std::uint32_t triangle) { granted = granted || grants(triangle); });
     if (!granted)
         beyondOwn_.add(related.point, [&] {
             return "The error or the warping at " + name(related) + " is larger than the own ones of every cell " +
@@ -219,34 +445,11 @@ void RelatedCheck::checkOwn(const Related& related, bool covered)
 
 void RelatedCheck::moveTo(LevelReport& verdict)
 {
-    const auto larger = [](double a, double b) { return std::max(a, b); };
-    verdict.largestError = std::max(verdict.largestError, original_.points.percent(largestError_.combine(larger)));
-    verdict.largestWarping = 100 * largestWarping_.combine(larger) / original_.diagonal;
+    verdict.largestError = std::max(verdict.largestError, error_.percent(largestError_.ofAll()));
+    verdict.largestWarping = warping_.percent(largestWarping_.ofAll());
     for (Findings* findings : {&tooLarge_, &tooFar_, &beyondOwn_})
         findings->moveTo(verdict.failures);
 }
-
-} // namespace
-
-Status verifyRelated(const IrregularMesh& mesh, LevelReport& verdict, const Progress& progress)
-{
-    PointCheck inside(mesh.model, mesh.original.points, mesh.weights, mesh.cells, mesh.claims);
-    if (const Status done = inside.run(progress.part(0, 0.6)); !done)
-        return done;
-    verdict.largestError = mesh.original.points.percent(inside.largestError());
-    inside.tooLarge().moveTo(verdict.failures);
-    if (mesh.boundary.triangles.empty())
-        return {}; // said already
-    RelatedCheck check(mesh, inside);
-    if (const Status done = check.run(progress.part(0.6, 1)); !done)
-        return done;
-    check.moveTo(verdict);
-    return {};
-}
-
-namespace {
-
-constexpr double anything = std::numeric_limits<double>::infinity();
 
 bool claimsTwoSides(const Model& model)
 {
@@ -256,84 +459,43 @@ bool claimsTwoSides(const Model& model)
 }
 
 /// What the boundary's places farthest from the original's say; weights are of points, so none is judged with them.
-void verifyTwoSides(const IrregularMesh& mesh, LevelReport& verdict)
+void verifyTwoSides(const MeshToVerify& mesh, const MeshBoundary& boundary, LevelReport& verdict)
 {
-    const BoundaryDistances distances = distancesToOriginal(mesh.original, mesh.boundary.triangles);
+    const BoundaryDistances distances = distancesToOriginal(*mesh.original.irregular, boundary.triangles);
     const double percent = 100 / mesh.original.diagonal;
     verdict.twoSidedWarping = std::max(verdict.largestWarping, percent * distances.found);
     verdict.twoSidedBound = std::max(verdict.largestWarping, percent * distances.bound);
-    const double claimed = mesh.claims.areUniform() ? mesh.claims.warping(0) : anything;
-    if (claimsTwoSides(mesh.model) && mesh.weights.empty() && distances.found > claimed + mesh.original.allowance)
+    const double claimed = mesh.claims.areUniform() ? mesh.claims.warping(0) : std::numeric_limits<double>::infinity();
+    if (claimsTwoSides(mesh.model) && mesh.weights.empty() &&
+        distances.found > claimed + mesh.original.warpingAllowance)
         verdict.failures.push_back("The boundary goes " + textOf(percent * distances.found) +
                                    " % of the diagonal away from that of the data, more than the claimed " +
                                    textOf(percent * claimed) + " %.");
 }
 
-Result<LevelReport> verifyPrefix(const Model& model, const IrregularOriginal& original,
-                                 const std::vector<LatticePoint>& places, const Weights& weights, std::uint32_t sites,
-                                 const MeshBounds& claims, const Progress& progress)
-{
-    LevelReport verdict;
-    verdict.sites = sites;
-    const LevelCells cells(model, places, sites);
-    if (const Status done = verifyIrregularCells(model, original, weights, cells, claims, verdict, progress); !done)
-        return done.error();
-    return verdict;
-}
-
 } // namespace
 
-Status verifyIrregularCells(const Model& model, const IrregularOriginal& original, const Weights& weights,
-                            const LevelCells& cells, const MeshBounds& claims, LevelReport& verdict,
-                            const Progress& progress)
+Status verifyIrregular(const MeshToVerify& mesh, CellFindings& inside, std::span<const BoundaryFace> faces,
+                       LevelReport& verdict, const Progress& progress)
 {
-    verdict.covers = true;
-    verdict.tetrahedra = cells.size();
-    verifyPlacedVolumes(original.points, cells, verdict);
-    const FaceRule rule{[](const auto&) { return true; },
-                        [&](std::uint32_t vertex) { return textOf(original.points.positions[cells.point(vertex)]); }};
-    std::vector<BoundaryFace> faces;
-    if (const Status done = verifyFaces(cells, rule, verdict, progress.part(0, 0.2), &faces); !done)
-        return done;
-    const MeshBoundary boundary(original, cells, faces);
-    const IrregularMesh mesh{model, original, weights, cells, boundary, claims};
-    if (verdict.conforming && verdict.inverted == 0)
-        if (const Status done = verifyBoundary(original, cells, boundary, verdict, progress.part(0.2, 0.4)); !done)
+    const IrregularOriginal& original = *mesh.original.irregular;
+    const MeshBoundary boundary(original, mesh.cells, faces);
+    const bool sound = verdict.conforming && verdict.inverted == 0;
+    if (sound)
+        if (const Status done = BoundaryCheck(original, mesh.cells, boundary).run(verdict, progress.part(0, 0.4));
+            !done)
             return done;
-    verdict.covers = verdict.covers && verdict.conforming && verdict.inverted == 0;
-    if (const Status done = verifyRelated(mesh, verdict, progress.part(0.4, 1)); !done)
+    verdict.covers = verdict.covers && sound && verdict.conforming;
+    inside.beyondClaim.moveTo(verdict.failures);
+    if (boundary.triangles.empty())
+        return {}; // said already
+    RelatedCheck check(mesh, boundary, inside);
+    if (const Status done = check.run(progress.part(0.4, 1)); !done)
         return done;
-    if (!boundary.triangles.empty() && !original.boundary.empty())
-        verifyTwoSides(mesh, verdict);
+    check.moveTo(verdict);
+    if (!original.boundary.empty())
+        verifyTwoSides(mesh, boundary, verdict);
     return {};
-}
-
-Status verifyIrregularHistory(const Model& model, const IrregularOriginal& original,
-                              const std::vector<LatticePoint>& places, const Weights& weights,
-                              std::vector<std::string>& failures, const Progress& progress)
-{
-    if (const Status done = verifyPlacedHistory(model, original.points, failures, progress.part(0, 0.5)); !done)
-        return done;
-    const auto first = verifyPrefix(model, original, places, weights, initialSiteCount(model),
-                                    MeshBounds(anything, anything), progress.part(0.5, 1));
-    if (!first)
-        return first.error();
-    for (const std::string& failure : first->failures)
-        failures.push_back("The first mesh: " + failure);
-    return {};
-}
-
-Result<LevelReport> verifyIrregularLevel(const Model& model, const IrregularOriginal& original,
-                                         const std::vector<LatticePoint>& places, const Weights& weights,
-                                         const Accuracy& asked, const Progress& progress)
-{
-    const std::uint32_t sites = firstPassage(model, keyAsked(model, original.points.extent, original.diagonal, asked));
-    const double claimed = claimedKey(model, sites);
-    const MeshBounds claims(claimed, claimed / model.description().warpingWeight);
-    Result<LevelReport> verdict = verifyPrefix(model, original, places, weights, sites, claims, progress);
-    if (verdict)
-        verdict->asked = asked;
-    return verdict;
 }
 
 } // namespace tetra

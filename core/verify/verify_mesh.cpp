@@ -1,17 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/verify/verify_mesh.h"
 
+#include "core/verify/cell_check.h"
 #include "core/verify/findings.h"
-#include "core/verify/lattice_cells.h"
-#include "core/verify/scattered_cells.h"
-#include "core/verify/verify_irregular.h"
 #include "core/verify/verify_parts.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <new>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace tetra {
+
+Accuracy keptEverywhere(const MeshQuery& query, double scale)
+{
+    constexpr double all = 100;
+    return {.error = std::min(all, keptPercent(query.error.bounds().maximum, scale)),
+            .warping = std::min(anyWarping, keptPercent(query.warping.bounds().maximum, scale))};
+}
 
 namespace {
 
@@ -62,7 +70,50 @@ std::vector<LatticePoint> placesOf(const Dataset& original, const std::vector<st
     return places;
 }
 
-Result<LevelReport> verifyWhole(const Model& model, const Dataset& original, const MeshQuery& query,
+/// The dataset's point that each vertex of an extracted mesh is: the point of its site, or the one that the mesh names.
+/// Position and value must be the dataset's, rounded to float, and no two vertices the same point; what is not so is a
+/// failure. Empty if a vertex is no point.
+std::vector<std::uint32_t> pointsOfVertices(const Model& model, const Dataset& original, const ExtractedMesh& mesh,
+                                            std::vector<std::string>& failures)
+{
+    Findings noPoint, wrongValue, twice;
+    std::vector<std::uint32_t> points;
+    std::vector<bool> taken(original.pointCount());
+    for (std::uint32_t vertex = 0; vertex < mesh.sites.size(); ++vertex) {
+        const std::uint32_t site = mesh.sites[vertex];
+        const Eigen::Vector3f& place = mesh.mesh.positions[vertex];
+        const auto name = [&] {
+            return "Vertex " + std::to_string(vertex) + " at " + textOf(Eigen::Vector3d(place.cast<double>()));
+        };
+        const bool isNamed = site == ExtractedMesh::noSite && vertex < mesh.points.size();
+        const std::uint64_t point = site < model.siteCount() ? model.points()[site]
+                                    : isNamed                ? mesh.points[vertex]
+                                                             : original.pointCount();
+        if (point >= original.pointCount() || original.position(point).cast<float>() != place) {
+            noPoint.add(vertex, [&] {
+                return name() + (site == ExtractedMesh::noSite
+                                     ? " is no point of the dataset."
+                                     : " does not lie where site " + std::to_string(site) + " does.");
+            });
+            continue;
+        }
+        points.push_back(static_cast<std::uint32_t>(point));
+        const double sample = original.values.at(point);
+        if (const float value = mesh.mesh.values[vertex]; value != static_cast<float>(sample))
+            wrongValue.add(vertex, [&] {
+                return name() + " has the value " + textOf(static_cast<double>(value)) + "; the original has " +
+                       textOf(sample) + " at that point.";
+            });
+        if (taken[point])
+            twice.add(vertex, [&] { return name() + " is the same point as an earlier one."; });
+        taken[point] = true;
+    }
+    for (Findings* findings : {&noPoint, &wrongValue, &twice})
+        findings->moveTo(failures);
+    return points.size() == mesh.sites.size() ? points : std::vector<std::uint32_t>();
+}
+
+Result<LevelReport> verifyWhole(const Model& model, const Dataset& dataset, const MeshQuery& query,
                                 const ExtractedMesh& mesh, const Progress& progress)
 {
     if (const Status right = model.checkPrefix(model.siteCount(), Model::Stars, progress); !right)
@@ -71,41 +122,26 @@ Result<LevelReport> verifyWhole(const Model& model, const Dataset& original, con
     verdict.asked = keptEverywhere(query, mesh.scale);
     verdict.sites = static_cast<std::uint32_t>(mesh.mesh.positions.size());
     verdict.tetrahedra = mesh.mesh.tetrahedra.size();
-    if (!verifySource(model, original, verdict.failures) || verifySites(model, original, verdict.failures).empty() ||
+    if (!verifySource(model, dataset, verdict.failures) || verifySites(model, dataset, verdict.failures).empty() ||
         !isWellFormed(mesh, verdict.failures))
         return verdict;
-    const Result<Weights> weights = weightsOf(model, original, verdict.failures, progress.withCallback({}));
+    const Result<Weights> weights = weightsOf(model, dataset, verdict.failures, progress.withCallback({}));
     if (!weights)
         return weights.error();
-    const std::vector<std::uint32_t> points = pointsOfVertices(model, original, mesh, verdict.failures);
+    const std::vector<std::uint32_t> points = pointsOfVertices(model, dataset, mesh, verdict.failures);
     if (points.empty())
         return verdict;
-    const std::vector<LatticePoint> places = placesOf(original, points);
+    const std::vector<LatticePoint> places = placesOf(dataset, points);
     const LevelCells cells(points, places, cellsOf(model, mesh));
-    const MeshBounds claims(query, mesh.scale, original);
-    std::optional<CurvilinearOriginal> lifted;
-    if (original.domain == DomainClass::Curvilinear) {
-        auto made = CurvilinearOriginal::make(original, model.description().leftHanded, verdict.failures,
-                                              progress.withCallback({}));
-        if (!made)
-            return made.error();
-        lifted = *std::move(made);
-    }
-    const auto verifyCells = [&] {
-        if (original.domain == DomainClass::Irregular)
-            return verifyIrregularCells(model, IrregularOriginal(original, verdict.failures), *weights, cells, claims,
-                                        verdict, progress);
-        if (original.domain == DomainClass::Scattered)
-            return verifyScatteredCells(model, ScatteredOriginal(original), *weights, cells, claims, verdict, progress);
-        return verifyLatticeCells({model, original, *weights, cells, claims, lifted ? &*lifted : nullptr}, verdict,
-                                  progress);
-    };
-    const Status done = verifyCells();
-    if (!done)
+    const MeshBounds claims(query, mesh.scale, dataset);
+    const Result<Original> original = Original::make(model, dataset, verdict.failures, progress.withCallback({}));
+    if (!original)
+        return original.error();
+    if (const Status done = verifyCells({model, *original, *weights, cells, claims}, verdict, progress); !done)
         return done.error();
     if (const Status intact = model.checkIntact(); !intact)
         return intact.error();
-    if (const Status intact = original.checkIntact(); !intact)
+    if (const Status intact = dataset.checkIntact(); !intact)
         return intact.error();
     return verdict;
 }
@@ -124,92 +160,6 @@ Result<LevelReport> verifyMesh(const Model& model, const Dataset& original, cons
         return Error{ErrorKind::OutOfResource,
                      "Not enough memory to verify the mesh. Close other programs, or ask for a coarser one."};
     }
-}
-
-namespace {
-
-Eigen::Vector3f floatPosition(const Dataset& original, std::uint64_t point)
-{
-    return original.position(point).cast<float>();
-}
-
-class VertexCheck {
-public:
-    VertexCheck(const Model& model, const Dataset& original, const ExtractedMesh& mesh)
-        : model_(model), original_(original), mesh_(mesh), taken_(original.pointCount())
-    {
-    }
-
-    std::vector<std::uint32_t> run(std::vector<std::string>& failures)
-    {
-        std::vector<std::uint32_t> points;
-        points.reserve(mesh_.sites.size());
-        for (std::uint32_t vertex = 0; vertex < mesh_.sites.size(); ++vertex)
-            if (const auto point = pointOf(vertex)) {
-                points.push_back(*point);
-                checkPoint(vertex, *point);
-            }
-        noPoint_.moveTo(failures);
-        wrongValue_.moveTo(failures);
-        twice_.moveTo(failures);
-        return points.size() == mesh_.sites.size() ? points : std::vector<std::uint32_t>();
-    }
-
-private:
-    std::optional<std::uint32_t> pointOf(std::uint32_t vertex)
-    {
-        const std::uint32_t site = mesh_.sites[vertex];
-        std::optional<std::uint32_t> point;
-        if (site < model_.siteCount())
-            point = model_.points()[site];
-        else if (site == ExtractedMesh::noSite && vertex < mesh_.points.size())
-            point = mesh_.points[vertex];
-        if (point &&
-            (*point >= original_.pointCount() || floatPosition(original_, *point) != mesh_.mesh.positions[vertex]))
-            point.reset();
-        if (!point)
-            noPoint_.add(vertex, [&] {
-                return name(vertex) + (site == ExtractedMesh::noSite
-                                           ? " is no point of the dataset."
-                                           : " does not lie where site " + std::to_string(site) + " does.");
-            });
-        return point;
-    }
-
-    void checkPoint(std::uint32_t vertex, std::uint32_t point)
-    {
-        const double sample = original_.values.at(point);
-        if (mesh_.mesh.values[vertex] != static_cast<float>(sample))
-            wrongValue_.add(vertex, [&] {
-                return name(vertex) + " has the value " + textOf(static_cast<double>(mesh_.mesh.values[vertex])) +
-                       "; the original has " + textOf(sample) + " at that point.";
-            });
-        if (taken_[point])
-            twice_.add(vertex, [&] { return name(vertex) + " is the same point as an earlier one."; });
-        taken_[point] = true;
-    }
-
-    std::string name(std::uint32_t vertex) const
-    {
-        return "Vertex " + std::to_string(vertex) + " at " +
-               textOf(Eigen::Vector3d(mesh_.mesh.positions[vertex].cast<double>()));
-    }
-
-    const Model& model_;
-    const Dataset& original_;
-    const ExtractedMesh& mesh_;
-    std::vector<bool> taken_;
-    Findings noPoint_;
-    Findings wrongValue_;
-    Findings twice_;
-};
-
-} // namespace
-
-std::vector<std::uint32_t> pointsOfVertices(const Model& model, const Dataset& original, const ExtractedMesh& mesh,
-                                            std::vector<std::string>& failures)
-{
-    return VertexCheck(model, original, mesh).run(failures);
 }
 
 } // namespace tetra

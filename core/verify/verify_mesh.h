@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/data/dataset.h"
-#include "core/history/model.h"
-#include "core/history/query/mesh_query.h"
-#include "core/verify/verification.h"
-
-#include <cstdint>
-#include <string>
-#include <vector>
+#include <tan/base.h>
+#include <tan/data.h>
+#include <tan/model.h>
+#include <tan/query.h>
+#include <tan/verify.h>
 
 namespace tetra {
+
+/// The least accuracy that a mesh of this scale (keptPercent()) keeps at all samples.
+TAN_INTERNAL Accuracy keptEverywhere(const MeshQuery& query, double scale);
 
 /// Proves of a mesh of the whole domain, whatever made it (a field, a budget), what verify() proves of a level: it is a
 /// conforming, exact cover of the domain without flat or inverted cells, its vertices are points of the dataset with
@@ -22,13 +20,7 @@ namespace tetra {
 /// extraction. The query has no values and no window. What it needs of the model are its sites, their running errors
 /// and, of scattered data, that its first mesh fills the domain, which verify() proves. An Error only if checking
 /// itself was impossible.
-Result<LevelReport> verifyMesh(const Model& model, const Dataset& original, const MeshQuery& query,
-                               const ExtractedMesh& mesh, const Progress& progress = {});
-
-/// The dataset's point that each vertex of an extracted mesh is, for verification: the point of its site, or the one
-/// that the mesh names. Position and value must be the dataset's, rounded to float, and no two vertices the same point;
-/// what is not so is a failure. Empty if a vertex is no point.
-std::vector<std::uint32_t> pointsOfVertices(const Model& model, const Dataset& original, const ExtractedMesh& mesh,
-                                            std::vector<std::string>& failures);
+TAN_INTERNAL Result<LevelReport> verifyMesh(const Model& model, const Dataset& original, const MeshQuery& query,
+                                            const ExtractedMesh& mesh, const Progress& progress = {});
 
 } // namespace tetra

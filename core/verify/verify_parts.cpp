@@ -4,7 +4,10 @@
 #include "core/base/checksum.h"
 #include "core/base/progress.h"
 #include "core/history/file_layout.h"
+#include "core/verify/exact_cell.h"
 #include "core/verify/findings.h"
+
+#include <tan/base.h>
 
 #include <algorithm>
 #include <array>
@@ -323,9 +326,35 @@ std::vector<LatticePoint> verifySites(const Model& model, const Dataset& origina
     return places;
 }
 
+Result<Weights> weightsOf(const Model& model, const Dataset& original, std::vector<std::string>& failures,
+                          const Progress& progress)
+{
+    const auto& parameters = model.description().parameters;
+    const auto given = std::ranges::find(parameters, "weights", &std::pair<std::string, std::string>::first);
+    if (given == parameters.end())
+        return Weights{};
+    const Result<Weighting> weighting = parseWeighting(given->second);
+    if (!weighting) {
+        failures.push_back("The model's weights cannot be read. " + weighting.error().text);
+        return Weights{};
+    }
+    return pointWeights(*weighting, original, progress);
+}
+
 namespace {
 
-constexpr std::uint32_t historySitesAtOnce = 4096;
+constexpr std::uint32_t historySitesAtOnce = 256;
+
+/// Calls function(first, end) for the sites of each group.
+template <class Function> void forEachGroup(const Model& model, Function&& function)
+{
+    std::uint32_t first = 0;
+    for (std::uint32_t site = 0; site < model.siteCount(); ++site)
+        if (model.groupGoesOn()[site] == 0 || site + 1 == model.siteCount()) {
+            function(first, site + 1);
+            first = site + 1;
+        }
+}
 
 /// What the sites make and destroy, gathered from the tetrahedra alone.
 struct Balance {
@@ -338,8 +367,9 @@ struct Balance {
 
 class HistoryCheck {
 public:
-    HistoryCheck(const Model& model, const std::vector<LatticePoint>& places)
-        : model_(model), places_(places), balance_(model.siteCount())
+    HistoryCheck(const Model& model, const Original& original, const std::vector<LatticePoint>& places)
+        : model_(model), original_(original), onLattice_(isOnLattice(original.dataset.domain)), places_(places),
+          balance_(model.siteCount())
     {
     }
 
@@ -349,26 +379,22 @@ public:
     {
         for (Findings* findings : {&offsets_, &sites_, &destroyers_, &errors_, &volumes_, &sizes_, &balances_})
             findings->moveTo(failures);
+        if (usable())
+            for (Findings* findings : {&positions_, &placedVolumes_})
+                findings->moveTo(failures);
     }
 
 private:
     void checkOffsets();
     void checkStar(std::uint32_t creator);
     void checkTetrahedron(std::uint32_t creator, std::uint64_t number);
-    /// Calls function(first, end) for the sites of each group.
-    template <class Function> void forEachGroup(Function&& function)
-    {
-        std::uint32_t first = 0;
-        for (std::uint32_t site = 0; site < model_.siteCount(); ++site)
-            if (model_.groupGoesOn()[site] == 0 || site + 1 == model_.siteCount()) {
-                function(first, site + 1);
-                first = site + 1;
-            }
-    }
     void checkSizes();
     void checkBalance();
+    void checkPositions();
 
     const Model& model_;
+    const Original& original_;
+    const bool onLattice_;
     const std::vector<LatticePoint>& places_;
     Balance balance_;
     Findings offsets_;
@@ -378,6 +404,8 @@ private:
     Findings volumes_;
     Findings sizes_;
     Findings balances_;
+    Findings positions_;     ///< of data that are on no lattice
+    Findings placedVolumes_; ///< likewise
 };
 
 Status HistoryCheck::run(const Progress& progress)
@@ -390,8 +418,10 @@ Status HistoryCheck::run(const Progress& progress)
     if (!checked)
         return checked;
     checkSizes();
-    if (usable() && !places_.empty())
+    if (usable() && onLattice_)
         checkBalance();
+    else if (usable())
+        checkPositions();
     return {};
 }
 
@@ -442,15 +472,22 @@ void HistoryCheck::checkTetrahedron(std::uint32_t creator, std::uint64_t number)
     }
     if (destroyerKnown && destroyer != Model::never)
         balance_.destroyed[destroyer].fetch_add(1, std::memory_order_relaxed);
-    if (places_.empty())
-        return;
-    const CellCorners corners = {places_[creator], places_[others[0]], places_[others[1]], places_[others[2]]};
+    const auto checkSign = [&](Findings& findings, std::int64_t sign, const auto& corners) {
+        if (sign <= 0)
+            findings.add(number, [&] {
+                return name + std::to_string(number) + " with corners " + textOf(corners) + " is " +
+                       (sign == 0 ? "flat." : "inverted.");
+            });
+    };
+    if (!onLattice_) {
+        const std::span<const std::uint32_t> points = model_.points();
+        const PlacedCell corners = placedCell(
+            original_.points().positions, {points[creator], points[others[0]], points[others[1]], points[others[2]]});
+        return checkSign(placedVolumes_, volumeSign(corners), corners);
+    }
+    const LatticeCorners corners = {places_[creator], places_[others[0]], places_[others[1]], places_[others[2]]};
     const std::int64_t volume = sixVolumes(corners);
-    if (volume <= 0)
-        volumes_.add(number, [&] {
-            return name + std::to_string(number) + " with corners " + textOf(corners) + " is " +
-                   (volume == 0 ? "flat." : "inverted.");
-        });
+    checkSign(volumes_, volume, corners);
     balance_.createdVolume[creator] += volume;
     if (destroyerKnown && destroyer != Model::never)
         balance_.destroyedVolume[destroyer].fetch_add(volume, std::memory_order_relaxed);
@@ -459,7 +496,7 @@ void HistoryCheck::checkTetrahedron(std::uint32_t creator, std::uint64_t number)
 void HistoryCheck::checkSizes()
 {
     std::int64_t alive = 0;
-    forEachGroup([&](std::uint32_t first, std::uint32_t end) {
+    forEachGroup(model_, [&](std::uint32_t first, std::uint32_t end) {
         alive += static_cast<std::int64_t>(model_.starOffsets()[end] - model_.starOffsets()[first]);
         for (std::uint32_t site = first; site < end; ++site)
             alive -= balance_.destroyed[site].load();
@@ -479,7 +516,7 @@ void HistoryCheck::checkBalance()
     const auto domain = 6 * static_cast<std::int64_t>(model_.description().lattice.cellCount());
     const std::uint32_t initialSites = initialSiteCount(model_);
     std::int64_t initial = 0;
-    forEachGroup([&](std::uint32_t first, std::uint32_t end) {
+    forEachGroup(model_, [&](std::uint32_t first, std::uint32_t end) {
         std::int64_t created = 0;
         std::int64_t destroyed = 0;
         for (std::uint32_t site = first; site < end; ++site) {
@@ -502,12 +539,23 @@ void HistoryCheck::checkBalance()
         });
 }
 
+void HistoryCheck::checkPositions()
+{
+    for (std::uint32_t site = 0; site < model_.siteCount(); ++site)
+        if (const Eigen::Vector3d place = original_.points().positions[model_.points()[site]];
+            model_.position(site) != place)
+            positions_.add(site, [&] {
+                return "Site " + std::to_string(site) + " lies at " + textOf(model_.position(site)) +
+                       "; the original's point is at " + textOf(place) + ".";
+            });
+}
+
 } // namespace
 
-Status verifyHistory(const Model& model, const std::vector<LatticePoint>& places, std::vector<std::string>& failures,
-                     bool& usable, const Progress& progress)
+Status verifyHistory(const Model& model, const Original& original, const std::vector<LatticePoint>& places,
+                     std::vector<std::string>& failures, bool& usable, const Progress& progress)
 {
-    HistoryCheck check(model, places);
+    HistoryCheck check(model, original, places);
     const Status done = check.run(progress);
     usable = check.usable();
     check.moveTo(failures);
@@ -618,8 +666,6 @@ Status verifyGroups(const Model& model, std::vector<std::string>& failures, cons
 
 namespace {
 
-using FaceSites = std::array<std::uint32_t, 3>; ///< sites in increasing order
-
 constexpr std::size_t groupsAtOnce = 256;
 
 /// The tetrahedra by the site that destroys them.
@@ -643,20 +689,20 @@ struct Destroyed {
     }
 };
 
-/// The faces that belong to one of the tetrahedra, sorted.
-std::vector<FaceSites> outerFaces(std::span<const std::array<std::uint32_t, 4>> tetrahedra)
+/// The faces that belong to one of the tetrahedra, sorted; each with its sites in increasing order.
+std::vector<Triangle> outerFaces(std::span<const Tetrahedron> tetrahedra)
 {
-    std::vector<FaceSites> faces;
+    std::vector<Triangle> faces;
     for (const auto& t : tetrahedra)
         for (std::size_t opposite = 0; opposite < 4; ++opposite) {
-            FaceSites face = {t[(opposite + 1) % 4], t[(opposite + 2) % 4], t[(opposite + 3) % 4]};
+            Triangle face = {t[(opposite + 1) % 4], t[(opposite + 2) % 4], t[(opposite + 3) % 4]};
             std::ranges::sort(face);
             faces.push_back(face);
         }
     std::ranges::sort(faces);
-    std::vector<FaceSites> outer;
+    std::vector<Triangle> outer;
     for (auto begin = faces.begin(); begin != faces.end();) {
-        const auto end = std::find_if(begin, faces.end(), [&](const FaceSites& face) { return face != *begin; });
+        const auto end = std::find_if(begin, faces.end(), [&](const Triangle& face) { return face != *begin; });
         if (end - begin == 1)
             outer.push_back(*begin);
         begin = end;
@@ -671,9 +717,7 @@ public:
         for (std::uint32_t site = 0; site < model.siteCount(); ++site)
             std::fill(creators_.begin() + static_cast<std::ptrdiff_t>(model.starOffsets()[site]),
                       creators_.begin() + static_cast<std::ptrdiff_t>(model.starOffsets()[site + 1]), site);
-        for (std::uint32_t site = 0; site < model.siteCount(); ++site)
-            if (site == 0 || model.groupGoesOn()[site - 1] == 0)
-                groups_.push_back(site);
+        forEachGroup(model, [&](std::uint32_t first, std::uint32_t) { groups_.push_back(first); });
         groups_.push_back(model.siteCount());
     }
 
@@ -688,7 +732,7 @@ public:
     void moveTo(std::vector<std::string>& failures) { findings_.moveTo(failures); }
 
 private:
-    std::array<std::uint32_t, 4> sitesOf(std::uint64_t number) const
+    Tetrahedron sitesOf(std::uint64_t number) const
     {
         const auto& others = model_.otherSites()[number];
         return {creators_[number], others[0], others[1], others[2]};
@@ -696,14 +740,14 @@ private:
 
     void checkGroup(std::uint32_t first, std::uint32_t end)
     {
-        std::vector<std::array<std::uint32_t, 4>> emptied;
-        std::vector<std::array<std::uint32_t, 4>> filled;
+        std::vector<Tetrahedron> emptied;
+        std::vector<Tetrahedron> filled;
         for (std::uint64_t i = destroyed_.starts[first]; i < destroyed_.starts[end]; ++i)
             emptied.push_back(sitesOf(destroyed_.numbers[i]));
         for (std::uint64_t number = model_.starOffsets()[first]; number < model_.starOffsets()[end]; ++number)
             filled.push_back(sitesOf(number));
-        const std::vector<FaceSites> before = outerFaces(emptied);
-        for (const FaceSites& face : outerFaces(filled))
+        const std::vector<Triangle> before = outerFaces(emptied);
+        for (const Triangle& face : outerFaces(filled))
             if (face[2] < first && !std::ranges::binary_search(before, face))
                 findings_.add(first, [&] {
                     return "The group of site " + std::to_string(first) + " has a tetrahedron on the face of sites " +

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/data/dataset.h"
-#include "core/history/model.h"
-#include "core/verify/exact_cell.h"
-#include "core/verify/verification.h"
+#include "core/verify/cell_check.h"
+
+#include <tan/base.h>
+#include <tan/data.h>
+#include <tan/model.h>
+#include <tan/verify.h>
 
 #include <string>
 #include <vector>
 
 namespace tetra {
-
-class CurvilinearOriginal;
 
 /// The parts of verify(). Each appends to `failures` what it found, and gives an Error only if it was cancelled.
 
@@ -22,14 +20,6 @@ Status verifyBytes(const Model& model, std::vector<std::string>& failures, const
 
 /// The sites of the first mesh: the leading ones of infinite running error.
 std::uint32_t initialSiteCount(const Model& model);
-
-/// The sites of the first mesh whose error is at most `asked`, in units of the values, found by looking at one after
-/// the other (S1).
-std::uint32_t firstPassage(const Model& model, double asked);
-/// The largest running key of a mesh that keeps both thresholds (S4), for values and points of this extent.
-double keyAsked(const Model& model, double extent, double diagonal, const Accuracy& asked);
-/// What the model claims of the mesh of its first sites.
-double claimedKey(const Model& model, std::uint32_t sites);
 
 /// That the model is one of this dataset: lattice, type, range, hash. False if not even the lattice or the type fit, so
 /// that nothing can be compared.
@@ -40,12 +30,11 @@ bool verifySource(const Model& model, const Dataset& original, std::vector<std::
 /// point.
 std::vector<LatticePoint> verifySites(const Model& model, const Dataset& original, std::vector<std::string>& failures);
 
-/// The history as a whole: creators are the latest sites, destroyers come later, every tetrahedron that ever lived is
-/// positive, every group fills exactly the volume that it empties, mesh sizes follow. Without `places`, nothing is said
-/// of volumes. `usable` becomes false if
-/// indices are so wrong that they cannot be followed.
-Status verifyHistory(const Model& model, const std::vector<LatticePoint>& places, std::vector<std::string>& failures,
-                     bool& usable, const Progress& progress);
+/// The history as a whole: creators are the latest sites, destroyers come later, mesh sizes follow, every tetrahedron
+/// that ever lived is positive. Of lattices, every group fills exactly the volume that it empties; of other data, every
+/// site lies where its point lies. `usable` becomes false if indices are so wrong that they cannot be followed.
+Status verifyHistory(const Model& model, const Original& original, const std::vector<LatticePoint>& places,
+                     std::vector<std::string>& failures, bool& usable, const Progress& progress);
 
 /// That batches and groups are as FORMAT.md defines them: in canonical order, groups within batches, and no tetrahedron
 /// that reaches from one group to another of its batch or dies in the batch that made it. For a history whose indices
@@ -56,22 +45,8 @@ Status verifyGroups(const Model& model, std::vector<std::string>& failures, cons
 /// on no others, so that a closed set, which has those, has a mesh. For a history whose indices can be followed.
 Status verifyClosure(const Model& model, std::vector<std::string>& failures, const Progress& progress);
 
-/// One for each sample that its error is multiplied by (R6); empty if the model was built without.
-using Weights = std::vector<float>;
-
 /// The weights that the model's parameters name, for the original's samples. What cannot be read is a failure.
 Result<Weights> weightsOf(const Model& model, const Dataset& original, std::vector<std::string>& failures,
                           const Progress& progress);
-
-/// One level, proved from the file's arrays and the original samples alone. `lifted`: of curvilinear data.
-Result<LevelReport> verifyLevel(const Model& model, const Dataset& original, const CurvilinearOriginal* lifted,
-                                const std::vector<LatticePoint>& places, const Weights& weights, const Accuracy& asked,
-                                const Progress& progress);
-
-/// For messages: "(3, 0, 17)".
-std::string textOf(const LatticePoint& point);
-std::string textOf(const CellCorners& corners);
-/// For messages: shortest form, independent of the locale.
-std::string textOf(double number);
 
 } // namespace tetra

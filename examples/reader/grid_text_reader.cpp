@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <plugins/api/reader.h>
 
-#include <core/data/scalar_field.h>
+#include <tan/data.h>
 
 #include <QFile>
 #include <QObject>
@@ -44,18 +44,16 @@ public:
         const std::uint64_t count = lattice.pointCount();
         if (std::uint64_t(words.size()) != count + 3)
             return refused(path, "it should have " + std::to_string(count) + " values.");
-        const auto samples = allocateSamples(SampleType::Float32, count);
-        if (!samples)
-            return samples.error();
+        std::vector<float> samples(count);
         bool allNumbers = true;
         for (std::uint64_t i = 0; i < count && allNumbers; ++i)
-            reinterpret_cast<float*>(samples->get())[i] = words[qsizetype(i) + 3].toFloat(&allNumbers);
-        const ScalarField values(SampleType::Float32, count, *samples);
-        if (!allNumbers || values.notFiniteCount() > 0)
-            return refused(path, "a value is no finite number.");
-        return Dataset{.lattice = lattice,
-                       .values = values,
-                       .source = {path.filename().string(), path, contentHash(values, nullptr)}};
+            samples[i] = words[qsizetype(i) + 3].toFloat(&allNumbers);
+        if (!allNumbers)
+            return refused(path, "a value is no number.");
+        auto dataset = latticeDataset(lattice, ScalarField::of(std::move(samples)), path.filename().string());
+        if (dataset)
+            dataset->source.path = path;
+        return dataset;
     }
 };
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/boundary_surface.h"
 #include "plugins/api/scene_parameters.h"
+
+#include <tan/render.h>
 
 namespace tetra {
 

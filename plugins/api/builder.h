@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/data/dataset.h"
-#include "core/data/site_density.h"
-#include "core/history/fixed_size_writer.h"
-#include "core/mesh/history.h"
 #include "plugins/api/parameter.h"
+
+#include <tan/base.h>
+#include <tan/build.h>
+#include <tan/data.h>
 
 #include <QtPlugin>
 
-#include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace tetra {
@@ -24,14 +20,6 @@ namespace tetra {
 struct Acceptance {
     double score = 0;
     std::string reason;
-};
-
-/// What a build made.
-struct BuildReport {
-    std::uint64_t sites = 0;
-    std::uint64_t tetrahedra = 0; ///< all that ever lived; a model leaves out those that no query can give
-    std::uint64_t inverted = 0;   ///< cells of the finest mesh that are inverted, as the dataset itself is there (S5)
-    std::uint64_t degenerate = 0; ///< cells without volume (S6)
 };
 
 /// What the needs of a build follow from.
@@ -57,25 +45,6 @@ struct BuildAbilities {
     bool usesThreads = false; ///< more than one
     bool resumes = false;     ///< goes on with what an interrupted build left (BuildTarget::resume)
     bool keeps = true;        ///< hands over its history while it runs, so that what is finished can become a model
-};
-
-/// Opens the model for a builder that knows it beforehand. `parameters` replace or join those that the model keeps as
-/// its provenance: what the builder chose by itself.
-using PlannedTarget = std::function<Result<std::unique_ptr<FixedSizeModelWriter>>(
-    const FixedCounts& counts, const std::vector<std::pair<std::string, std::string>>& parameters)>;
-
-/// Where a build puts what it makes.
-struct BuildTarget {
-    /// A history step by step. Costs memory for every site and tetrahedron.
-    HistorySink& history;
-    /// The same model out of pieces that were put in order beforehand, in little memory; in place of `history`. Empty
-    /// if it cannot be had.
-    PlannedTarget planned{};
-    /// A folder on the model's disk for files of the builder's own, for as long as the build lasts. Empty if `planned`
-    /// is.
-    std::filesystem::path workFolder{};
-    /// The folder may hold what an interrupted build left: go on with that as far as it fits.
-    bool resume = false;
 };
 
 /// Makes a multiresolution history out of a dataset (R8, R11). Runs on a worker thread; touches no widget and no GL.

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
-#include "core/data/scalar_field.h"
-#include "core/render/isosurface/isovalue.h"
-#include "core/transfer/transfer_function.h"
-#include "core/transfer/value_histogram.h"
+#include <tan/base.h>
+#include <tan/data.h>
+#include <tan/render.h>
+#include <tan/transfer.h>
 
 #include <Eigen/Core>
 

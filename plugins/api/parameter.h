@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/isosurface/isovalue.h"
-#include "core/transfer/transfer_function.h"
+#include <tan/render.h>
+#include <tan/transfer.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/data/scalar_field.h"
-#include "core/mesh/tetrahedral_mesh.h"
-#include "core/render/camera.h"
-#include "core/render/scene.h"
-#include "core/transfer/value_histogram.h"
 #include "plugins/api/parameter.h"
+
+#include <tan/base.h>
+#include <tan/data.h>
+#include <tan/mesh.h>
+#include <tan/render.h>
+#include <tan/transfer.h>
 
 #include <QtPlugin>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/picture.h"
-#include "core/render/scene.h"
-#include "core/transfer/default_transfer_functions.h"
 #include "plugins/api/renderer.h"
+
+#include <tan/render.h>
+#include <tan/transfer.h>
 
 #include <algorithm>
 

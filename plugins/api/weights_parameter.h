@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/weighting.h"
 #include "plugins/api/parameter.h"
+
+#include <tan/data.h>
 
 #include <string>
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/dataset.h"
 #include "plugins/host/plugin_host.h"
+
+#include <tan/data.h>
 
 #include <optional>
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/data/dataset.h"
 #include "plugins/host/import_options.h"
 #include "plugins/host/plugin_host.h"
+
+#include <tan/base.h>
+#include <tan/data.h>
 
 #include <optional>
 #include <string>

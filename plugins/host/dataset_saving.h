@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/data/dataset.h"
 #include "plugins/host/plugin_host.h"
+
+#include <tan/base.h>
+#include <tan/data.h>
 
 namespace tetra {
 

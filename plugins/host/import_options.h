@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
 #include "core/data/dataset_part.h"
-#include "core/history/model.h"
 #include "plugins/api/parameter.h"
+
+#include <tan/base.h>
+#include <tan/model.h>
 
 #include <optional>
 #include <string>

@@ -2,9 +2,8 @@
 #include "plugins/host/input_file.h"
 
 #include "core/base/system_error.h"
-#include "core/history/format.h"
+#include "core/build/model_build.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <span>
@@ -36,12 +35,6 @@ Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
                               : std::string("cannot be read: ") + systemErrorText(errno) + ".");
     bytes.resize(static_cast<std::size_t>(file.gcount()));
     return bytes;
-}
-
-bool beginsLikeModel(std::span<const std::byte> firstBytes) noexcept
-{
-    return firstBytes.size() >= format::magic.size() &&
-           std::ranges::equal(std::as_bytes(std::span(format::magic)), firstBytes.first(format::magic.size()));
 }
 
 bool isModelFile(const std::filesystem::path& path)

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/buffer.h"
-#include "core/base/result.h"
+#include <tan/base.h>
 
 #include <cstddef>
 #include <filesystem>
@@ -16,9 +15,6 @@ inline constexpr std::size_t shownToReaders = 4096;
 /// The first bytes of a file, shownToReaders or all. The error says what is wrong with the file: missing, a folder, not
 /// readable, empty; or that too many files are open.
 Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path);
-
-/// Whether a file of these first bytes is a TAn model, whole or damaged.
-bool beginsLikeModel(std::span<const std::byte> firstBytes) noexcept;
 
 /// Whether a file is meant to be a TAn model: it ends in ".tan" or begins like one. False if it cannot be read.
 bool isModelFile(const std::filesystem::path& path);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
-#include "core/data/dataset.h"
-#include "core/history/model.h"
-#include "core/mesh/history.h"
+#include <tan/base.h>
+#include <tan/build.h>
+#include <tan/data.h>
+#include <tan/model.h>
 
 #include <filesystem>
 #include <limits>

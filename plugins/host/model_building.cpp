@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/model_building.h"
 
-#include "core/base/file_writer.h"
 #include "core/base/memory.h"
-#include "core/base/work_folder.h"
-#include "core/history/model_writer.h"
+#include "core/build/model_build.h"
 #include "plugins/host/output_check.h"
 #include "plugins/host/parameter_text.h"
 #include "plugins/host/parameter_values.h"
@@ -64,29 +62,6 @@ Result<EndedBuild> keepWhatIsFinished(ModelWriter& writer)
     return EndedBuild{report, true};
 }
 
-/// `description`, with `chosen` in place of what it has of the same names.
-ModelDescription withParameters(ModelDescription description,
-                                const std::vector<std::pair<std::string, std::string>>& chosen)
-{
-    for (const auto& parameter : chosen) {
-        const auto known =
-            std::ranges::find(description.parameters, parameter.first, &std::pair<std::string, std::string>::first);
-        if (known != description.parameters.end())
-            *known = parameter;
-        else
-            description.parameters.push_back(parameter);
-    }
-    return description;
-}
-
-Result<WorkFolder> openWorkFolder(const std::filesystem::path& output, bool resume)
-{
-    // Whether the model can be written at all is better said of the model than of a folder.
-    if (const Result<FileWriter> writer = FileWriter::create(output); !writer)
-        return writer.error();
-    return WorkFolder::open(workFolderOf(output), resume ? WorkFolder::Leftovers::Keep : WorkFolder::Leftovers::Remove);
-}
-
 Result<EndedBuild> buildInto(const Builder& builder, const std::string& id, const Dataset& dataset,
                              const ParameterValues& values, const std::filesystem::path& output,
                              const Progress& progress, const BuildControl& control)
@@ -95,31 +70,25 @@ Result<EndedBuild> buildInto(const Builder& builder, const std::string& id, cons
     description.builder = id;
     description.parameters = provenance(builder.parameters(), values, dataset.domain);
     std::ranges::move(importTexts(control.imported), std::back_inserter(description.parameters));
-    auto folder = openWorkFolder(output, control.resume);
-    if (!folder)
-        return folder.error();
-    const auto writer = ModelWriter::create(output, dataset, description, folder->path());
-    if (!writer)
-        return writer.error();
-    const auto watch = control.live != nullptr ? control.live->watch(**writer, dataset, description) : nullptr;
-    BuildTarget target{.history = watch ? *watch : **writer, .workFolder = folder->path(), .resume = control.resume};
-    target.planned = [&](const FixedCounts& counts, const auto& chosen) {
-        return FixedSizeModelWriter::create(output, dataset, withParameters(description, chosen), counts,
-                                            target.workFolder);
-    };
+    const auto file = ModelFileTarget::open(output, dataset, description, control.resume);
+    if (!file)
+        return file.error();
+    ModelWriter& writer = (*file)->writer();
+    const auto watch = control.live != nullptr ? control.live->watch(writer, dataset, description) : nullptr;
+    BuildTarget target = (*file)->target(watch ? *watch : writer);
     auto report = callPlugin(id, [&] { return builder.build(dataset, values, target, progress); });
-    if (!report && report.error().kind == ErrorKind::Cancelled && keeps(control) && (*writer)->siteCount() > 0)
-        return keepWhatIsFinished(**writer);
+    if (!report && report.error().kind == ErrorKind::Cancelled && keeps(control) && writer.siteCount() > 0)
+        return keepWhatIsFinished(writer);
     if (!report) {
         if (control.resume)
-            folder->keep();
+            (*file)->keepWork();
         // What a builder makes of values that change under it may fail in any way.
         if (const Status intact = dataset.checkIntact(); !intact && report.error().kind != ErrorKind::Cancelled)
             return intact.error();
         return report.error();
     }
-    if ((*writer)->siteCount() > 0)
-        report->tetrahedra = (*writer)->tetrahedronCount();
+    if (writer.siteCount() > 0)
+        report->tetrahedra = writer.tetrahedronCount();
     return EndedBuild{*report, false};
 }
 
@@ -144,13 +113,6 @@ Result<Provided<Builder>> chooseBuilder(PluginHost& host, const Dataset& dataset
         return Error{ErrorKind::BadInput, "No builder accepts '" + dataset.source.name + "'." + reasons +
                                               host.explainMissing(PluginKind::Builder)};
     return best;
-}
-
-std::filesystem::path workFolderOf(const std::filesystem::path& output)
-{
-    std::filesystem::path folder = behindLinks(output); // so that they are on one disk
-    folder += ".work";
-    return folder;
 }
 
 Result<ModelBuild> buildModel(PluginHost& host, const Dataset& dataset, const std::optional<std::string>& builderId,

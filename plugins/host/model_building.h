@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/data/dataset.h"
 #include "plugins/host/import_options.h"
 #include "plugins/host/live_build.h"
 #include "plugins/host/plugin_host.h"
+
+#include <tan/base.h>
+#include <tan/data.h>
 
 #include <atomic>
 #include <optional>
@@ -38,9 +39,6 @@ struct BuildControl {
     /// How the dataset was opened: the model keeps it, so that it can be opened in the same way again.
     ImportOptions imported{};
 };
-
-/// The folder beside a model (beside what a link leads to) that holds the files of its build until it is done.
-std::filesystem::path workFolderOf(const std::filesystem::path& output);
 
 /// Builds a model of `dataset` into `output`, which appears whole or not at all. `builderId` as in chooseBuilder();
 /// `values` may hold that builder's parameters and no others. The output never replaces the dataset's own file or

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/output_check.h"
 
-#include "plugins/host/input_file.h"
-
 namespace tetra {
 
 Status checkOutput(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs)
@@ -14,21 +12,6 @@ Status checkOutput(const std::filesystem::path& output, std::span<const std::fil
                                                     "'. Give the output another name."};
     }
     return {};
-}
-
-Status checkModelOutput(const std::filesystem::path& output)
-{
-    std::error_code problem;
-    if (!std::filesystem::is_regular_file(output, problem) || std::filesystem::file_size(output, problem) == 0)
-        return {}; // nothing to lose: missing, empty, or no file at all, which writing tells
-    const auto bytes = firstBytesOf(output);
-    if (!bytes)
-        return bytes.error(); // what cannot be looked at may be anything
-    if (beginsLikeModel(*bytes))
-        return {};
-    return Error{ErrorKind::WrongUsage, "'" + output.string() +
-                                            "' exists and is no TAn model, so it is not overwritten. Give the model "
-                                            "another name, or remove that file first."};
 }
 
 Status checkMeshOutput(const std::filesystem::path& output, const Model& model)

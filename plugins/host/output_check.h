@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
-#include "core/history/model.h"
+#include <tan/base.h>
+#include <tan/model.h>
 
 #include <filesystem>
 #include <span>
@@ -12,11 +12,6 @@ namespace tetra {
 /// An error (WrongUsage) if `output` is one of the `inputs`, by whatever names and links they are reached: results
 /// never replace what they are made from.
 Status checkOutput(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs);
-
-/// An error (WrongUsage) if there is a file `output` that does not begin like a TAn model, whatever its name is: a
-/// model replaces only models and empty files. Guards the samples that a header names, which no input list shows, and
-/// notes that somebody called .tan. Also an error if that file cannot be read.
-Status checkModelOutput(const std::filesystem::path& output);
 
 /// An error (WrongUsage) if a mesh made of `model` would replace a file that is called like the model's dataset: after
 /// "part.vtu" became "part.tan", "part.vtu" is the first name for a mesh of it that comes to mind.

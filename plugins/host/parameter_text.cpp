@@ -2,8 +2,9 @@
 #include "plugins/host/parameter_text.h"
 
 #include "core/base/text.h"
-#include "core/transfer/transfer_text.h"
 #include "plugins/host/colour_text.h"
+
+#include <tan/transfer.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
 #include "core/base/system_error.h"
+
+#include <tan/base.h>
 
 #include <exception>
 #include <new>

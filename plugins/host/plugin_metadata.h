@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
 #include "plugins/api/version.h"
+
+#include <tan/base.h>
 
 #include <QJsonObject>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/widgets/colour_button.h"
 
-#include "core/render/picture.h"
+#include <tan/render.h>
 
 #include <QColorDialog>
 #include <QCoreApplication>

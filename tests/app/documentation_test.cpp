@@ -2,7 +2,8 @@
 /// docs/command-line.md and the README say the truth about `tan`: every example is accepted.
 #include "app/command_line/arguments.h"
 #include "app/command_line/subcommand.h"
-#include "core/transfer/transfer_text.h"
+
+#include <tan/transfer.h>
 
 #include <QFile>
 #include <QRegularExpression>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/decimation_cases.h"
 
-#include "core/data/samples.h"
 #include "core/decimate/decimation.h"
 #include "core/decimate/lattice_tetrahedra.h"
+#include "plugins/samples/samples.h"
 #include "tests/bench/cgal_bulk_insertion.h"
 #include "tests/bench/mesh_judge.h"
 #include "tests/bench/vtk_decimation.h"

@@ -9,11 +9,12 @@
 #include "tests/bench/query_cases.h"
 
 #include "core/base/memory.h"
-#include "core/data/samples.h"
-#include "core/history/extraction.h"
 #include "core/history/model_writer.h"
 #include "core/history/query/region_refiner.h"
 #include "core/refine/lattice/lattice_refinement.h"
+#include "plugins/samples/samples.h"
+
+#include <tan/query.h>
 
 #include <QCommandLineParser>
 #include <QCoreApplication>

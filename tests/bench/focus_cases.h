@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/history/model.h"
 #include "tests/bench/bench_report.h"
+
+#include <tan/model.h>
 
 #include <vector>
 

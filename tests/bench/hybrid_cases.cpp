@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/hybrid_cases.h"
 
-#include "core/render/isosurface/isosurface.h"
-#include "core/render/render_backend.h"
 #include "core/render/volume/volume_mesh.h"
+
+#include <tan/render.h>
 
 #include <algorithm>
 #include <cmath>

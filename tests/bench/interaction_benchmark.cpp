@@ -9,14 +9,15 @@
 #include "tests/bench/camera_drag.h"
 #include "tests/bench/edit_to_picture.h"
 
-#include "core/data/samples.h"
-#include "core/history/query/mesh_extractor.h"
-#include "core/render/volume/volume_mesh.h"
-#include "core/transfer/default_transfer_functions.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/model_building.h"
+#include "plugins/samples/samples.h"
 #include "ui/session/accuracy_scale.h"
 #include "ui/viewport/frame_pacer.h"
+
+#include <tan/query.h>
+#include <tan/render.h>
+#include <tan/transfer.h>
 
 #include <QApplication>
 #include <QCommandLineParser>

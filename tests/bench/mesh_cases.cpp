@@ -8,6 +8,9 @@
 #include "core/render/order/visibility_order.h"
 #include "core/render/volume/volume_mesh.h"
 
+#include <tan/mesh.h>
+#include <tan/render.h>
+
 #include <tbb/task_arena.h>
 
 #include <algorithm>

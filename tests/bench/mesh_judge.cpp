@@ -2,6 +2,7 @@
 #include "tests/bench/mesh_judge.h"
 
 #include "core/geometry/orientation.h"
+#include "core/mesh/topology.h"
 #include "tests/bench/box_tree.h"
 
 #include <algorithm>
@@ -11,8 +12,6 @@
 namespace tetra {
 
 namespace {
-
-using Triangle = std::array<std::uint32_t, 3>;
 
 std::vector<Triangle> boundaryOf(const PlainMesh& mesh)
 {

@@ -3,7 +3,7 @@
 
 #include "tests/bench/bench_report.h"
 
-#include "core/history/query/mesh_extractor.h"
+#include <tan/query.h>
 
 #include <memory>
 #include <vector>

@@ -5,10 +5,12 @@
 #include "tests/bench/bench_report.h"
 #include "tests/bench/cgal_bulk_insertion.h"
 
-#include "core/base/buffer.h"
-#include "core/data/samples.h"
+#include "core/base/reserved_array.h"
 #include "core/history/model_writer.h"
 #include "core/refine/lattice/lattice_refinement.h"
+#include "plugins/samples/samples.h"
+
+#include <tan/base.h>
 
 #include <QCommandLineParser>
 #include <QCoreApplication>

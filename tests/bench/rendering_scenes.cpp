@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/rendering_scenes.h"
 
-#include "core/data/samples.h"
+#include "plugins/samples/samples.h"
 #include "tests/core/refine/plot3d_data.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mesh/tetrahedral_mesh.h"
-#include "core/render/camera.h"
-#include "core/transfer/transfer_function.h"
+#include <tan/mesh.h>
+#include <tan/render.h>
+#include <tan/transfer.h>
 
 #include <QString>
 

@@ -3,8 +3,8 @@
 
 #include "tests/bench/bench_report.h"
 
-#include "core/data/samples.h"
 #include "plugins/host/model_building.h"
+#include "plugins/samples/samples.h"
 
 #include <tbb/global_control.h>
 

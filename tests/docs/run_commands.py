@@ -73,7 +73,7 @@ class Runner:
                 self.run_command(name, command, folder)
 
     def install(self, prefix):
-        for component in ("program", "development"):
+        for component in ("core", "program", "development"):
             subprocess.run(["cmake", "--install", self.build, "--prefix", prefix, "--component", component], check=True,
                            capture_output=True)
 

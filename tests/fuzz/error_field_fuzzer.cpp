@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Takes arbitrary bytes for the text of an error field, asks the field, and reads it again from its own text.
-#include "core/history/query/error_field_text.h"
 #include "tests/fuzz/fuzz_input.h"
+
+#include <tan/query.h>
 
 #include <cmath>
 

@@ -2,12 +2,13 @@
 // Takes arbitrary bytes for a .tan file, with checksums made right where there is room for them: opens it, extracts by
 // every method, verifies.
 #include "core/history/query/history_part.h"
-#include "core/history/query/mesh_extractor.h"
-#include "core/verify/verification.h"
 #include "tests/core/history/model_fixture.h"
 #include "tests/fuzz/fuzz_folder.h"
 #include "tests/fuzz/fuzz_input.h"
 #include "tests/fuzz/small_part.h"
+
+#include <tan/query.h>
+#include <tan/verify.h>
 
 namespace tetra {
 namespace {

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes what the fuzzers start from: small valid inputs, a folder for each fuzzer in the folder that is named.
-#include "core/history/query/error_field_text.h"
-#include "core/render/camera.h"
-#include "core/transfer/transfer_text.h"
 #include "plugins/readers/cells/vtu_writer.h"
 #include "tests/core/history/irregular/irregular_models.h"
 #include "tests/core/history/model_fixture.h"
@@ -11,6 +8,10 @@
 #include "tests/plugins/readers/cells/vtu_text.h"
 #include "tests/plugins/readers/lattice/volume_files.h"
 #include "tests/plugins/readers/plot3d/plot3d_files.h"
+
+#include <tan/query.h>
+#include <tan/render.h>
+#include <tan/transfer.h>
 
 #include <QDir>
 #include <QFile>

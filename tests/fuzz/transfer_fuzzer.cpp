@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Takes arbitrary bytes for the JSON text of a transfer function; what is read comes back from its text.
-#include "core/transfer/transfer_text.h"
 #include "tests/fuzz/fuzz_input.h"
+
+#include <tan/transfer.h>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Takes arbitrary bytes for the text of a camera and of clip planes; what is read comes back from its text.
-#include "core/render/camera.h"
-#include "core/render/scene.h"
 #include "tests/fuzz/fuzz_input.h"
+
+#include <tan/render.h>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Takes arbitrary bytes for the text of a weighting; what is read weighs, and comes back from its text.
-#include "core/data/weighting.h"
 #include "tests/fuzz/fuzz_input.h"
+
+#include <tan/data.h>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {

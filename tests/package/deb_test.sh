@@ -12,6 +12,16 @@ make_expectations
 mkdir -p "$system/packages"
 cp "$packages"/*.deb "$system/packages/"
 
+# The library and its headers, on a machine without Qt: the examples, and a program that goes through all of the face.
+install /packages/tan-core_*.deb /packages/tan-dev_*.deb cmake make g++
+check 'no Qt is there' "[ -z \"\$(find /usr -name 'libQt*')\" ]"
+cp -r "$root/tests/face/outsider" "$system/work/outsider"
+check 'programs are built with the library alone' "cd /work; cp -r /usr/share/doc/tan-dev/examples/library .
+    for folder in library outsider; do cmake -S \$folder -B \$folder/build -DCMAKE_BUILD_TYPE=Release; cmake --build \$folder/build; done"
+check 'the examples run' "cd /work; library/build/build_from_array wells.tan; library/build/query_at_accuracy wells.tan 1
+    library/build/isosurface_to_file wells.tan 1 -0.5 wells.obj; library/build/picture_to_file wells.tan 1 wells.ppm"
+check 'all of the face works' 'cd /work; mkdir survey; outsider/build/survey survey'
+
 seconds install /packages/tan_*.deb
 echo "install time: tan_*.deb $seconds s, all that it needs included"
 check 'ffmpeg is suggested, and neither needed nor installed' \
@@ -32,16 +42,14 @@ check_window 'a model opens by its type (xdg-open)' 'xdg-open c60.tan'
 cp "$system/work/window.xwd" "$clean/deb-window.xwd"
 check_window 'a model opens by its type (gio)' 'gio open c60.tan'
 
-seconds install /packages/tan-dev_*.deb
-echo "install time: tan-dev_*.deb $seconds s"
-install cmake make g++
+install qt6-base-dev
 check 'the example plugin is built with the installed headers' "cp -r /usr/share/doc/tan-dev/examples/reader /work/example
     cd /work/example; cmake -B build -DCMAKE_BUILD_TYPE=Release; cmake --build build"
 check 'and loaded, and reads a file' "cd /work; export TAN_PLUGIN_PATH=/work/example/build
     tan plugins | grep 'example.grid-text.*loaded'; echo '2 2 2  0 1 2 3 4 5 6 7' >cube.grid; tan build cube.grid -o cube.tan"
 
-inside 'dpkg -L tan tan-vtk-readers tan-dev' | sort -u >"$clean/owned"
-check 'purge' 'apt-get -q -y purge tan tan-vtk-readers tan-dev'
+inside 'dpkg -L tan-core tan tan-vtk-readers tan-dev' | sort -u >"$clean/owned"
+check 'purge' 'apt-get -q -y purge tan-core tan tan-vtk-readers tan-dev'
 left=$(while read -r path; do
     # Folders that others use, too, may stay.
     [ ! -e "$system$path" ] || { [ -d "$system$path" ] && inside "dpkg -S '$path'" >/dev/null 2>&1; } || echo "$path"

@@ -58,8 +58,11 @@ make_expectations
 mkdir -p "$system/packages"
 cp "$packages"/*.rpm "$system/packages/"
 # shellcheck disable=SC2046
-install $(asked_by_deb tan) rpm xvfb xauth xdotool x11-apps
+install $(asked_by_deb tan-core) $(asked_by_deb tan) rpm xvfb xauth xdotool x11-apps
 
+install_rpm tan-core
+check_files tan-core tan-core
+check_requirements tan-core tan-core
 seconds install_rpm tan
 echo "install time: tan-[0-9]*.rpm $seconds s, without what it needs"
 check_files tan tan
@@ -77,10 +80,10 @@ check_requirements tan-vtk-readers tan-vtk-readers
 check_vtk
 install_rpm tan-devel
 check_files tan-devel tan-dev
-check 'nothing has changed since (rpm --verify)' 'rpm --verify --nodeps tan tan-vtk-readers tan-devel'
+check 'nothing has changed since (rpm --verify)' 'rpm --verify --nodeps tan-core tan tan-vtk-readers tan-devel'
 
-inside 'rpm -ql tan tan-vtk-readers tan-devel' | sort -u >"$clean/owned-by-rpm"
-check 'erase' 'rpm --force-debian -e tan-devel tan-vtk-readers tan'
+inside 'rpm -ql tan-core tan tan-vtk-readers tan-devel' | sort -u >"$clean/owned-by-rpm"
+check 'erase' 'rpm --force-debian -e tan-devel tan-vtk-readers tan tan-core'
 left=$(while read -r path; do
     # Folders that others use, too, may stay.
     [ ! -e "$system$path" ] || { [ -d "$system$path" ] && inside "dpkg -S '$path'" >/dev/null 2>&1; } || echo "$path"

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a boundary needs of the CPU back end: colours of vertices, and surfaces without what faces the eye; against
 // closed forms and against the same triangles taken out by hand.
-#include "core/render/scene.h"
+#include "core/render/shading.h"
 #include "core/render/view_transform.h"
 #include "tests/render/boundary_scenes.h"
 #include "tests/render/same_picture.h"
 #include "tests/render/scenes.h"
+
+#include <tan/render.h>
 
 #include <QTest>
 

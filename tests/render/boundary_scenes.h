@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/boundary_surface.h"
-#include "core/render/camera.h"
-#include "core/render/volume/volume_mesh.h"
 #include "tests/core/render/holed_mesh.h"
+
+#include <tan/render.h>
 
 #include <QString>
 #include <QtGlobal>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the CPU back end (B4), the reference, against closed forms.
-#include "core/render/render_backend.h"
-#include "core/render/scene.h"
+#include "core/render/shading.h"
 #include "tests/render/picture_check.h"
 #include "tests/render/scenes.h"
+
+#include <tan/render.h>
 
 #include <QTest>
 

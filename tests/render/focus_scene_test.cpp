@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A finer volume inside a region, blended at its border (R24, S18): against a slow integrator of both fields, and the
 // same field twice, which must look like one.
-#include "core/render/render_backend.h"
 #include "core/render/volume/volume_view.h"
 #include "tests/core/render/lattice_mesh.h"
 #include "tests/render/focus_fields.h"
 #include "tests/render/picture_check.h"
 #include "tests/render/volume_scenes.h"
+
+#include <tan/render.h>
 
 #include <QTest>
 

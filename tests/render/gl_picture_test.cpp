@@ -2,12 +2,13 @@
 // Pictures of the OpenGL back end against the CPU's, the reference (B4). Skipped where EGL gives no OpenGL 3.3.
 #include "core/render/gl/egl_context.h"
 #include "core/render/gl/scene_painter.h"
-#include "core/render/isosurface/isosurface.h"
-#include "core/render/render_backend.h"
+#include "core/render/scene_checks.h"
 #include "tests/core/render/lattice_mesh.h"
 #include "tests/render/gl_test.h"
 #include "tests/render/same_picture.h"
 #include "tests/render/scenes.h"
+
+#include <tan/render.h>
 
 #include <QTest>
 

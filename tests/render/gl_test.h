@@ -2,7 +2,8 @@
 #pragma once
 
 #include "core/render/gl/egl_context.h"
-#include "core/render/render_backend.h"
+
+#include <tan/render.h>
 
 #include <QObject>
 #include <QTest>

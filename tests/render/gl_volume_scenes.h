@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/camera.h"
-#include "core/render/isosurface/isosurface.h"
-#include "core/render/scene.h"
 #include "core/render/volume/volume_mesh.h"
 #include "tests/core/render/volume/volume_meshes.h"
 #include "tests/render/picture_check.h"
 #include "tests/render/scenes.h"
+
+#include <tan/render.h>
 
 #include <QString>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/picture.h"
+#include <tan/render.h>
 
 #include <QDir>
 #include <QImage>

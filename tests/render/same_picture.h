@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/render_backend.h"
 #include "tests/render/picture_check.h"
+
+#include <tan/render.h>
 
 #include <QString>
 

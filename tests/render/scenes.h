@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/scene.h"
+#include <tan/render.h>
 
 #include <Eigen/Core>
 

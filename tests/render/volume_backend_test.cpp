@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the CPU back end does with scenes that have a volume (B4): samples, depth, parts, orders, statistics.
-#include "core/render/render_backend.h"
 #include "tests/render/picture_check.h"
 #include "tests/render/scenes.h"
 #include "tests/render/volume_scenes.h"
+
+#include <tan/render.h>
 
 #include <QTest>
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes with a volume on the CPU back end (R20 to R22, B4): with surfaces, lines and clip planes, against a slow
 // integrator and closed forms.
-#include "core/render/render_backend.h"
 #include "core/render/volume/volume_renderer.h"
 #include "tests/core/render/lattice_mesh.h"
 #include "tests/render/picture_check.h"
 #include "tests/render/scenes.h"
 #include "tests/render/volume_scenes.h"
+
+#include <tan/render.h>
 
 #include <QTest>
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/isosurface/isosurface.h"
-#include "core/render/scene.h"
+#include "core/render/shading.h"
 #include "core/render/volume/volume_mesh.h"
 #include "tests/core/render/lattice_mesh.h"
 #include "tests/core/render/volume/ray_integrator.h"
 #include "tests/core/render/volume/volume_meshes.h"
+
+#include <tan/render.h>
 
 #include <QtGlobal>
 

@@ -19,41 +19,69 @@ namespace fs = std::filesystem;
 constexpr std::string_view licenceLine = "// SPDX-License-Identifier: GPL-3.0-or-later";
 
 /// A folder, without those of its sub-folders that are rooms themselves, and what else its files may include: rooms, or
-/// folders with all rooms in them. A room may include only what stands before it, so that all arrows point one way.
+/// folders with all rooms in them. A room may include only what stands before it, so that all arrows point one way. The
+/// headers of the face are rooms of their own.
 struct Room {
     std::string_view folder;
     std::vector<std::string_view> mayInclude;
 };
 
+constexpr std::string_view faceFolder = "core/include/";
+constexpr std::string_view tanBase = "core/include/tan/base.h", tanMesh = "core/include/tan/mesh.h",
+                           tanData = "core/include/tan/data.h", tanModel = "core/include/tan/model.h",
+                           tanQuery = "core/include/tan/query.h", tanBuild = "core/include/tan/build.h",
+                           tanVerify = "core/include/tan/verify.h", tanTransfer = "core/include/tan/transfer.h",
+                           tanRender = "core/include/tan/render.h";
+
 const std::vector<Room>& rooms()
 {
     static const std::vector<Room> all = {
-        {"core/base", {}},
-        {"core/geometry", {"core/base"}},
-        {"core/mesh", {"core/base", "core/geometry"}},
-        {"core/data", {"core/base", "core/mesh"}},
-        {"core/data/cells", {"core/base", "core/geometry", "core/mesh", "core/data"}},
-        {"core/refine/lattice", {"core/base", "core/mesh"}},
-        {"core/refine/curvilinear", {"core/base", "core/geometry", "core/mesh", "core/refine/lattice"}},
-        {"core/refine/free", {"core/base", "core/mesh"}},
-        {"core/refine/insertion", {"core/base", "core/refine/lattice", "core/refine/curvilinear"}},
-        {"core/decimate", {"core/base", "core/geometry", "core/mesh"}},
-        {"core/transfer", {"core/base"}},
-        {"core/transfer/import", {"core/base", "core/transfer"}},
-        {"core/history", {"core/base", "core/mesh", "core/data"}},
-        {"core/history/blocks", {"core/base", "core/refine/lattice", "core/history"}},
+        {tanBase, {}},
+        {tanMesh, {tanBase}},
+        {tanData, {tanBase}},
+        {tanTransfer, {tanBase}},
+        {tanModel, {tanBase, tanData}},
+        {tanQuery, {tanBase, tanMesh, tanData, tanModel}},
+        {tanBuild, {tanBase, tanData}},
+        {tanVerify, {tanBase, tanData, tanModel, tanQuery}},
+        {tanRender, {tanBase, tanMesh, tanTransfer}},
+        {"core/base", {tanBase}},
+        {"core/geometry", {tanBase, "core/base"}},
+        {"core/mesh", {tanBase, tanMesh, "core/base", "core/geometry"}},
+        {"core/data", {tanBase, tanData, tanBuild, "core/base", "core/mesh"}},
+        {"core/data/cells", {tanBase, tanData, "core/base", "core/geometry", "core/mesh", "core/data"}},
+        {"core/refine/lattice", {tanBase, tanBuild, "core/base", "core/mesh"}},
+        {"core/refine/curvilinear",
+         {tanBase, tanBuild, "core/base", "core/geometry", "core/mesh", "core/refine/lattice"}},
+        {"core/refine/free", {tanBase, tanBuild, "core/base", "core/mesh"}},
+        {"core/refine/insertion", {tanBase, "core/base", "core/refine/lattice", "core/refine/curvilinear"}},
+        {"core/decimate", {tanBase, tanBuild, "core/base", "core/geometry", "core/mesh"}},
+        {"core/transfer", {tanBase, tanTransfer, "core/base"}},
+        {"core/transfer/import", {tanBase, tanTransfer, "core/base", "core/transfer"}},
+        {"core/history", {tanBase, tanData, tanModel, tanQuery, tanBuild, "core/base", "core/mesh", "core/data"}},
+        {"core/history/blocks", {tanBase, tanModel, "core/base", "core/refine/lattice", "core/history"}},
         {"core/history/query",
-         {"core/base", "core/geometry", "core/mesh", "core/data", "core/refine/lattice", "core/refine/insertion",
-          "core/history"}},
-        {"core/verify", {"core/base", "core/geometry", "core/mesh", "core/data", "core/history", "core/history/query"}},
-        {"core/render", {"core/base", "core/geometry", "core/mesh", "core/transfer"}},
-        {"core/render/isosurface", {"core/base", "core/mesh", "core/render"}},
-        {"core/render/order", {"core/base", "core/geometry", "core/mesh", "core/render"}},
-        {"core/render/volume", {"core/base", "core/mesh", "core/transfer", "core/render", "core/render/order"}},
-        {"core/render/cpu", {"core/base", "core/render", "core/render/volume"}},
-        {"core/render/gl", {"core/base", "core/render", "core/render/volume"}},
-        {"core/render/picking", {"core/base", "core/mesh", "core/render", "core/render/volume"}},
-        {"plugins/api", {"core"}},
+         {tanBase, tanMesh, tanData, tanModel, tanQuery, "core/base", "core/geometry", "core/mesh", "core/data",
+          "core/refine/lattice", "core/refine/insertion", "core/history"}},
+        {"core/build",
+         {tanBase, tanData, tanBuild, "core/base", "core/geometry", "core/data", "core/refine/lattice",
+          "core/refine/curvilinear", "core/refine/free", "core/decimate", "core/history", "core/history/blocks"}},
+        {"core/verify",
+         {tanBase, tanData, tanModel, tanQuery, tanVerify, "core/base", "core/geometry", "core/mesh", "core/data",
+          "core/history", "core/history/query"}},
+        {"core/render",
+         {tanBase, tanMesh, tanTransfer, tanRender, "core/base", "core/geometry", "core/mesh", "core/transfer"}},
+        {"core/render/isosurface", {tanBase, tanMesh, tanRender, "core/base", "core/mesh", "core/render"}},
+        {"core/render/order", {tanBase, tanMesh, tanRender, "core/base", "core/geometry", "core/mesh", "core/render"}},
+        {"core/render/volume",
+         {tanBase, tanMesh, tanTransfer, tanRender, "core/base", "core/mesh", "core/transfer", "core/render",
+          "core/render/order"}},
+        {"core/render/cpu", {tanBase, tanRender, "core/base", "core/render", "core/render/volume"}},
+        {"core/render/gl", {tanBase, tanRender, "core/base", "core/render", "core/render/volume"}},
+        {"core/render/picking",
+         {tanBase, tanMesh, tanRender, "core/base", "core/mesh", "core/render", "core/render/volume"}},
+        {"plugins/api", {"core/include"}},
+        {"plugins/samples", {"core"}},
         {"plugins/host", {"core", "plugins/api"}},
         {"plugins/builders", {"core", "plugins/api"}},
         {"plugins/renderers", {"core", "plugins/api"}},
@@ -61,8 +89,8 @@ const std::vector<Room>& rooms()
         {"plugins/editors", {"core", "plugins/api", "plugins/widgets"}},
         {"plugins/readers", {"core", "plugins/api"}},
         {"plugins/writers", {"core", "plugins/api"}},
-        {"ui", {"core", "plugins/api", "plugins/host", "plugins/widgets", "plugins/writers"}},
-        {"app", {"core", "plugins/api", "plugins/host", "plugins/widgets", "plugins/writers", "ui"}},
+        {"ui", {"core", "plugins/api", "plugins/samples", "plugins/host", "plugins/widgets", "plugins/writers"}},
+        {"app", {"core", "plugins/api", "plugins/samples", "plugins/host", "plugins/widgets", "plugins/writers", "ui"}},
         {"tests", {"core", "plugins", "ui", "app"}},
     };
     return all;
@@ -80,7 +108,8 @@ const Room* roomOf(std::string_view path)
 {
     const Room* found = nullptr;
     for (const Room& room : rooms())
-        if (liesIn(path, room.folder) && (found == nullptr || room.folder.size() > found->folder.size()))
+        if ((path == room.folder || liesIn(path, room.folder)) &&
+            (found == nullptr || room.folder.size() > found->folder.size()))
             found = &room;
     return found;
 }
@@ -139,14 +168,16 @@ std::optional<std::string> includeBreach(const std::string& path, const Include&
         return "core's headers are free of OpenGL, yet it includes " + name;
     if (liesIn(path, "core") && isHeader && name.starts_with("CGAL/"))
         return "core's headers are free of CGAL, yet it includes " + name;
-    if (!include.quoted || name.ends_with(".moc"))
+    const bool isFace = !include.quoted && name.starts_with("tan/");
+    if (!(include.quoted || isFace) || name.ends_with(".moc"))
         return std::nullopt;
 
+    const std::string file = isFace ? std::string(faceFolder) + name : name;
     const Room* room = roomOf(path);
-    const Room* target = roomOf(name);
-    if (target == nullptr || !fs::exists(root / name))
+    const Room* target = roomOf(file);
+    if (target == nullptr || !fs::exists(root / file))
         return "includes \"" + name + "\", which is no file of this repository by its path from the root";
-    const bool atHome = room == target && liesIn(name, homeOf(path, *room));
+    const bool atHome = room == target && liesIn(file, homeOf(path, *room));
     if (!atHome &&
         std::ranges::none_of(room->mayInclude, [&](std::string_view folder) { return standsFor(folder, *target); }))
         return "may not include " + name;

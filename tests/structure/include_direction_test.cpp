@@ -25,11 +25,12 @@ void writeFile(const fs::path& path, const std::string& text)
 void writeGoodTree(const fs::path& root)
 {
     for (const char* path :
-         {"core/base/result.h", "core/data/lattice.h", "core/mesh/mesh.h", "core/transfer/function.h",
-          "core/history/model.h", "core/render/scene.h", "core/refine/lattice/star.h", "core/render/cpu/tiles.h",
-          "plugins/api/builder.h", "plugins/host/host.h", "plugins/builders/refinement/builder.h",
-          "plugins/builders/decimation/heap.h", "plugins/readers/lattice/nrrd.h", "plugins/widgets/value_box.h",
-          "ui/window.h", "app/commands.h", "tests/ui/robot.h"})
+         {"core/include/tan/base.h", "core/include/tan/data.h", "core/base/result.h", "core/data/lattice.h",
+          "core/mesh/mesh.h", "core/transfer/function.h", "core/history/model.h", "core/render/scene.h",
+          "core/refine/lattice/star.h", "core/render/cpu/tiles.h", "plugins/api/builder.h", "plugins/host/host.h",
+          "plugins/builders/refinement/builder.h", "plugins/builders/decimation/heap.h",
+          "plugins/readers/lattice/nrrd.h", "plugins/widgets/value_box.h", "ui/window.h", "app/commands.h",
+          "tests/ui/robot.h"})
         writeFile(root / path, header);
 }
 
@@ -90,6 +91,8 @@ void IncludeDirectionTest::acceptsWhatIsAllowed_data()
     QTest::newRow("nothing more") << "core/base/other.h" << QByteArray();
     QTest::newRow("own room") << "core/base/other.h" << QByteArray("#include \"core/base/result.h\"");
     QTest::newRow("a history knows meshes") << "core/history/writer.h" << QByteArray("#include \"core/mesh/mesh.h\"");
+    QTest::newRow("data know the face of data") << "core/data/part.h" << QByteArray("#include <tan/data.h>");
+    QTest::newRow("an interface knows the face") << "plugins/api/reader.h" << QByteArray("#include <tan/data.h>");
     QTest::newRow("renderers know meshes") << "core/render/order.h" << QByteArray("#include \"core/mesh/mesh.h\"");
     QTest::newRow("EGL in a source of core") << "core/render/context.cpp" << QByteArray("#include <EGL/egl.h>");
     QTest::newRow("plugin uses its own") << "plugins/builders/refinement/builder.cpp"
@@ -140,6 +143,13 @@ void IncludeDirectionTest::findsTheBreach_data()
         "may not include core/history/model.h");
     row("core sees plugins", data, "#include \"plugins/api/builder.h\"", "may not include plugins/api/builder.h");
     row("core sees ui", data, "#include \"ui/window.h\"", "may not include ui/window.h");
+    row("rendering sees the face of data", render, "#include <tan/data.h>", "may not include tan/data.h");
+    row("an interface sees the inside", "plugins/api/bad.h", "#include \"core/data/lattice.h\"",
+        "may not include core/data/lattice.h");
+    row("the face sees the inside", "core/include/tan/data.h", "#include \"core/base/result.h\"",
+        "may not include core/base/result.h");
+    row("a face that is not there", data, "#include <tan/gone.h>",
+        "includes \"tan/gone.h\", which is no file of this repository by its path from the root");
     row("api sees host", "plugins/api/bad.h", "#include \"plugins/host/host.h\"",
         "may not include plugins/host/host.h");
     row("host sees plugin", "plugins/host/bad.h", "#include \"plugins/readers/lattice/nrrd.h\"",

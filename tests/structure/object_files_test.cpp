@@ -41,7 +41,7 @@ QList<ObjectFile> objectsOfCore()
         const QStringList words = QProcess::splitCommand(entry["command"].toString());
         const QString object = words.value(words.indexOf("-o") + 1);
         const QString path = entry["directory"].toString() + "/" + object;
-        if (object.contains("/tan-core.dir/") && QFileInfo::exists(path))
+        if (object.contains("/tan-core-objects.dir/") && QFileInfo::exists(path))
             objects << ObjectFile{path, changesResults(words)};
     }
     return objects;

@@ -2,7 +2,7 @@
 #include "tests/ui/sample_files.h"
 #include "ui/session/accuracy_scale.h"
 
-#include "core/history/extraction.h"
+#include <tan/query.h>
 
 #include <QTemporaryDir>
 #include <QTest>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window on models whose files are damaged: it says so whatever part is damaged and whoever notices, and saves
 // nothing that may be wrong.
-#include "core/history/extraction.h"
 #include "tests/core/history/model_fixture.h"
 #include "tests/ui/sample_window.h"
 #include "tests/waiting.h"
+
+#include <tan/query.h>
 
 #include <QSignalSpy>
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/data/scalar_field.h"
-#include "core/render/render_backend.h"
 #include "plugins/host/dataset_opening.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/session/picture_image.h"
 #include "ui/widgets/motion.h"
+
+#include <tan/data.h>
+#include <tan/render.h>
 
 #include <QFileDialog>
 #include <QPushButton>

@@ -2,7 +2,7 @@
 // The window's mode that blends a focus (R24).
 #include "tests/ui/window_fixture.h"
 
-#include "core/history/query/mesh_extractor.h"
+#include <tan/query.h>
 
 #include <QFile>
 #include <QSignalSpy>

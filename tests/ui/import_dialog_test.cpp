@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/data/samples.h"
-#include "core/verify/verification.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/dataset_saving.h"
+#include "plugins/samples/samples.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/panels/slice_preview.h"
 #include "ui/window/import_dialog.h"
+
+#include <tan/verify.h>
 
 #include <QAbstractButton>
 #include <QComboBox>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/camera.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/session/session_document.h"
+
+#include <tan/render.h>
 
 #include <QAbstractSpinBox>
 #include <QFile>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/data/samples.h"
 #include "plugins/host/dataset_saving.h"
+#include "plugins/samples/samples.h"
 #include "plugins/widgets/colour_button.h"
 #include "plugins/widgets/value_box.h"
 #include "tests/ui/window_fixture.h"

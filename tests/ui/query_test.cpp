@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/data/samples.h"
+#include "plugins/samples/samples.h"
 #include "tests/ui/sample_files.h"
 #include "ui/session/accuracy_scale.h"
 #include "ui/session/mesh_text.h"

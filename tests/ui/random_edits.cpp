@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/random_edits.h"
 
-#include "core/transfer/colour_map.h"
-#include "core/transfer/default_transfer_functions.h"
 #include "plugins/widgets/curves/arranging.h"
 #include "plugins/widgets/curves/copying.h"
 #include "plugins/widgets/curves/moving.h"
 #include "plugins/widgets/curves/reshaping.h"
+
+#include <tan/transfer.h>
 
 #include <cmath>
 #include <limits>

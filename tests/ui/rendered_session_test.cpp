@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window and `tan render` draw the same picture of the same state, pixel for pixel.
-#include "core/render/picture.h"
 #include "tests/app/program.h"
 #include "tests/ui/sample_window.h"
 #include "tests/waiting.h"
 #include "ui/window/picture_orders.h"
+
+#include <tan/render.h>
 
 #include <QFileDialog>
 #include <QSignalSpy>

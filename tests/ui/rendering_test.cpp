@@ -2,8 +2,8 @@
 #include "plugins/widgets/colour_button.h"
 #include "tests/ui/window_fixture.h"
 
-#include "core/render/camera.h"
-#include "core/transfer/default_transfer_functions.h"
+#include <tan/render.h>
+#include <tan/transfer.h>
 
 #include <QCheckBox>
 #include <QComboBox>

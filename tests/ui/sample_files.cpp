@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/sample_files.h"
 
-#include "core/data/samples.h"
 #include "core/history/model_writer.h"
+#include "plugins/samples/samples.h"
 
 #include <QtGlobal>
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/dataset.h"
-#include "core/history/model.h"
 #include "plugins/host/plugin_host.h"
+
+#include <tan/data.h>
+#include <tan/model.h>
 
 #include <filesystem>
 #include <memory>

@@ -2,7 +2,7 @@
 #include "tests/ui/sample_files.h"
 #include "ui/session/scene_builder.h"
 
-#include "core/history/extraction.h"
+#include <tan/query.h>
 
 #include <QSignalSpy>
 #include <QTemporaryDir>

@@ -2,15 +2,15 @@
 #include "core/base/file_writer.h"
 #include "core/base/system_error.h"
 #include "core/data/cells/clean_cells.h"
-#include "core/data/weighting.h"
-#include "core/history/model.h"
-#include "core/render/camera.h"
-#include "core/render/scene.h"
-#include "core/transfer/transfer_text.h"
 #include "plugins/host/dataset_opening.h"
 #include "tests/ui/languages.h"
 #include "tests/ui/sample_files.h"
 #include "ui/session/sentences.h"
+
+#include <tan/data.h>
+#include <tan/model.h>
+#include <tan/render.h>
+#include <tan/transfer.h>
 
 #include <QDirIterator>
 #include <QRegularExpression>
@@ -57,7 +57,7 @@ QString literalsOfTheSources()
     return all.replace("\\\"", "\x01");
 }
 
-/// BigInteger in one literal, or the end of one and the beginning of another.
+/// Whole in one literal, or the end of one and the beginning of another.
 bool isMadeOf(const QString& literals, const QString& part)
 {
     if (literals.contains(part))

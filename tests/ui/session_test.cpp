@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/picture.h"
 #include "tests/ui/sample_files.h"
 #include "ui/session/session.h"
+
+#include <tan/render.h>
 
 #include <QTemporaryDir>
 #include <QTest>

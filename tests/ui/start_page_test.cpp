@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/data/samples.h"
+#include "plugins/samples/samples.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/session/plugin_choice.h"
 #include "ui/session/recent_files.h"

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/history/extraction.h"
 #include "core/render/volume/volume_mesh.h"
-#include "core/transfer/default_transfer_functions.h"
 #include "plugins/widgets/number_text.h"
 #include "tests/ui/sample_window.h"
 #include "ui/session/accuracy_scale.h"
 #include "ui/session/model_statistics.h"
+
+#include <tan/query.h>
+#include <tan/render.h>
+#include <tan/transfer.h>
 
 #include <QClipboard>
 #include <QFileDialog>
@@ -144,12 +146,10 @@ std::shared_ptr<const Scene> cyclicScene()
         mesh->tetrahedra.push_back({first, first + 1, first + (isPositive ? 2 : 3), first + (isPositive ? 3 : 2)});
     }
     mesh->values.assign(mesh->positions.size(), 0.5F);
-    const auto volume = makeVolumeMesh(mesh);
-    const auto transfer = makeVolumeTransfer(*mesh, sequentialTransferFunction(0, 1, 1));
     auto scene = std::make_shared<Scene>();
-    scene->bounds = volume->bounds;
-    scene->volume =
-        Volume{std::make_shared<const VolumeMesh>(*volume), std::make_shared<const VolumeTransfer>(*transfer), false};
+    for (const Eigen::Vector3f& place : mesh->positions)
+        scene->bounds.extend(place.cast<double>());
+    scene->volume = *VolumeCache(mesh).update(sequentialTransferFunction(0, 1, 1), false);
     return scene;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/data/samples.h"
 #include "plugins/host/dataset_saving.h"
+#include "plugins/samples/samples.h"
 #include "tests/ui/pictures.h"
 #include "tests/ui/window_fixture.h"
 

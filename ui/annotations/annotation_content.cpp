@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/annotations/annotation_content.h"
 
-#include "core/history/model.h"
 #include "ui/annotations/field_name.h"
 #include "ui/session/look.h"
 #include "ui/session/mesh_text.h"
 #include "ui/session/target_path.h"
+
+#include <tan/model.h>
 
 #include <QFileInfo>
 #include <QGuiApplication>

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/scalar_field.h"
-#include "core/render/camera.h"
-#include "core/render/isosurface/isovalue.h"
-#include "core/render/picture.h"
-#include "core/transfer/transfer_function.h"
 #include "ui/session/animation.h"
 #include "ui/session/annotation_state.h"
+
+#include <tan/data.h>
+#include <tan/render.h>
+#include <tan/transfer.h>
 
 #include <QFont>
 #include <QString>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/annotations/field_name.h"
 
-#include "core/history/model.h"
+#include <tan/model.h>
 
 #include <QCoreApplication>
 #include <QFileInfo>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/transfer/value_histogram.h"
+#include <tan/transfer.h>
 
 #include <QWidget>
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/picture_form.h"
 
-#include "core/render/render_backend.h"
+#include "core/render/scene_checks.h"
 #include "ui/panels/annotation_rows.h"
+
+#include <tan/render.h>
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/scalar_field.h"
+#include "core/data/sample_slice.h"
 #include "ui/work/latest_job.h"
+
+#include <tan/data.h>
 
 #include <QImage>
 #include <QWidget>

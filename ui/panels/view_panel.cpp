@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/view_panel.h"
 
-#include "core/render/camera.h"
 #include "plugins/widgets/colour_button.h"
 #include "plugins/widgets/number_text.h"
 #include "plugins/widgets/scrolled_column.h"
@@ -11,6 +10,8 @@
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/vector_input.h"
+
+#include <tan/render.h>
 
 #include <QComboBox>
 #include <QGridLayout>

@@ -18,7 +18,7 @@ class VectorInput;
 class Viewport;
 
 /// From where the model is seen (R27), in numbers: direction, distance, projection, named views and background. A
-/// camera is saved and loaded in the form that the command line knows (core/render/camera.h).
+/// camera is saved and loaded in the form that the command line knows (tan/render.h).
 class ViewPanel : public QWidget {
     Q_OBJECT
 public:

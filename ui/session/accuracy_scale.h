@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/history/extraction.h"
-#include "core/history/model.h"
+#include <tan/model.h>
+#include <tan/query.h>
 
 #include <array>
 #include <cstdint>

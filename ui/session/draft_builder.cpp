@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/draft_builder.h"
 
-#include "core/history/query/mesh_extractor.h"
 #include "ui/viewport/frame_pacer.h"
+
+#include <tan/query.h>
 
 #include <algorithm>
 #include <functional>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/field_extent.h"
 
-#include "core/history/query/mesh_extractor.h"
-#include "core/history/query/mesh_query.h"
-#include "core/render/value_statistics.h"
+#include <tan/query.h>
+#include <tan/render.h>
 
 #include <new>
 

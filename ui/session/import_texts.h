@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/data/dataset_part.h"
-#include "core/data/scalar_field.h"
+#include "core/data/sample_slice.h"
 #include "plugins/api/parameter.h"
 #include "plugins/host/build_estimate.h"
+
+#include <tan/data.h>
 
 #include <QString>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/isovalue_defaults.h"
 
-#include "core/render/picture.h"
+#include <tan/render.h>
 
 #include <algorithm>
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/look.h"
 
-#include "core/transfer/default_transfer_functions.h"
 #include "plugins/api/boundary_parameters.h"
+
+#include <tan/transfer.h>
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/lattice.h"
 #include "plugins/api/parameter.h"
 #include "plugins/host/plugin_host.h"
+
+#include <tan/data.h>
 
 #include <string>
 #include <vector>

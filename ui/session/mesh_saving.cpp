@@ -2,10 +2,11 @@
 #include "ui/session/mesh_saving.h"
 
 #include "core/base/text.h"
-#include "core/history/query/mesh_extractor.h"
-#include "core/render/isosurface/isosurface_cache.h"
 #include "plugins/writers/mesh_file.h"
 #include "plugins/writers/surface_file.h"
+
+#include <tan/query.h>
+#include <tan/render.h>
 
 #include <algorithm>
 #include <iterator>

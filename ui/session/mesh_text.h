@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/history/model.h"
 #include "ui/session/shown_mesh.h"
+
+#include <tan/model.h>
 
 #include <QString>
 

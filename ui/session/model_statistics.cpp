@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/model_statistics.h"
 
-#include "core/history/extraction.h"
 #include "plugins/widgets/number_text.h"
 #include "ui/session/accuracy_scale.h"
 #include "ui/session/mesh_text.h"
 #include "ui/session/target_path.h"
+
+#include <tan/query.h>
 
 #include <QCoreApplication>
 #include <QFileInfo>

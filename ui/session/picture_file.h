@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/render/camera.h"
-#include "core/render/render_backend.h"
-#include "core/render/scene.h"
+#include <tan/base.h>
+#include <tan/render.h>
 
 #include <QImage>
 #include <QString>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/scalar_field.h"
-#include "core/history/extraction.h"
-#include "core/history/model.h"
-#include "core/history/query/mesh_query.h"
+#include <tan/data.h>
+#include <tan/model.h>
+#include <tan/query.h>
 
 #include <Eigen/Core>
 

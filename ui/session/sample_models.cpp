@@ -2,13 +2,12 @@
 #include "ui/session/sample_models.h"
 
 #include "core/base/system_error.h"
-#include "core/data/samples.h"
-#include "core/history/model.h"
 #include "plugins/api/boundary_parameters.h"
 #include "plugins/api/scene_parameters.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/dataset_saving.h"
 #include "plugins/host/model_building.h"
+#include "plugins/samples/samples.h"
 #include "ui/session/accuracy_scale.h"
 #include "ui/session/field_extent.h"
 #include "ui/session/look.h"
@@ -16,6 +15,8 @@
 #include "ui/session/query_state.h"
 #include "ui/session/scene_maker.h"
 #include "ui/session/target_path.h"
+
+#include <tan/model.h>
 
 #include <QCoreApplication>
 #include <QStandardPaths>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
 #include "plugins/host/plugin_host.h"
+
+#include <tan/base.h>
 
 #include <QImage>
 #include <QString>
@@ -19,8 +19,9 @@ std::filesystem::path sampleFolder();
 /// Whether the file lies there.
 bool isOfSample(const std::filesystem::path& file);
 
-/// The model of a sample (core/data/samples.h) in the folder; makes dataset and model there unless it is there already,
-/// in a size that takes a few seconds. Call from a worker thread. Errors: as of making, saving, reading and building.
+/// The model of a sample (plugins/samples/samples.h) in the folder; makes dataset and model there unless it is there
+/// already, in a size that takes a few seconds. Call from a worker thread. Errors: as of making, saving, reading and
+/// building.
 Result<std::filesystem::path> sampleModel(PluginHost& host, const std::string& name,
                                           const std::filesystem::path& folder, const Progress& progress = {});
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/history/model.h"
-#include "core/history/query/mesh_extractor.h"
-#include "core/history/query/mesh_query.h"
-#include "core/render/scene.h"
 #include "plugins/api/renderer.h"
 #include "ui/session/shown_mesh.h"
+
+#include <tan/base.h>
+#include <tan/model.h>
+#include <tan/query.h>
+#include <tan/render.h>
 
 #include <memory>
 #include <mutex>

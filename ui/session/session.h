@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/history/extraction.h"
-#include "core/history/model.h"
 #include "ui/session/shown_mesh.h"
 #include "ui/session/view_commands.h"
 #include "ui/session/view_state.h"
+
+#include <tan/model.h>
+#include <tan/query.h>
 
 #include <QUndoStack>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/scalar_field.h"
-#include "core/render/camera.h"
-#include "core/render/picture.h"
 #include "ui/session/animation.h"
 #include "ui/session/annotation_state.h"
 #include "ui/session/look.h"
 #include "ui/session/query_state.h"
+
+#include <tan/data.h>
+#include <tan/render.h>
 
 #include <Eigen/Geometry>
 

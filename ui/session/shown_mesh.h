@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/history/query/mesh_query.h"
-#include "core/transfer/value_histogram.h"
+#include <tan/query.h>
+#include <tan/transfer.h>
 
 #include <cstdint>
 #include <memory>

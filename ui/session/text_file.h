@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
+#include <tan/base.h>
 
 #include <filesystem>
 #include <string>
@@ -12,7 +12,7 @@ namespace tetra {
 /// The content of a small file: a transfer function, a camera. Errors: it cannot be read, or has more than 64 MiB.
 Result<std::string> readTextFile(const std::filesystem::path& path);
 
-/// BigInteger or not at all.
+/// Whole or not at all.
 Status writeTextFile(const std::filesystem::path& path, std::string_view text);
 
 } // namespace tetra

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/view_json.h"
 
-#include "core/render/camera.h"
-#include "core/transfer/transfer_text.h"
+#include <tan/render.h>
+#include <tan/transfer.h>
 
 #include <QJsonDocument>
 

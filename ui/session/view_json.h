@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/camera.h"
 #include "ui/session/json_fields.h"
 #include "ui/session/look.h"
 #include "ui/session/query_state.h"
+
+#include <tan/render.h>
 
 namespace tetra {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/dataset.h"
 #include "plugins/host/build_estimate.h"
 #include "plugins/host/live_build.h"
 #include "plugins/host/plugin_host.h"
@@ -16,6 +15,8 @@
 #include "ui/session/session.h"
 #include "ui/session/session_document.h"
 #include "ui/work/long_task.h"
+
+#include <tan/data.h>
 
 #include <QTemporaryDir>
 #include <QTimer>

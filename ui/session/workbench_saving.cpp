@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of the session goes into files: pictures, meshes, surfaces, statistics, small texts.
-#include "core/history/extraction.h"
 #include "ui/session/accuracy_scale.h"
 #include "ui/session/sample_models.h"
 #include "ui/session/target_path.h"
 #include "ui/session/text_file.h"
 #include "ui/session/workbench.h"
+
+#include <tan/query.h>
 
 #include <QFileInfo>
 

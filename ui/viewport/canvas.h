@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/camera.h"
-#include "core/render/scene.h"
 #include "ui/viewport/frame_pacer.h"
+
+#include <tan/render.h>
 
 #include <QImage>
 #include <QString>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/render_backend.h"
 #include "ui/viewport/canvas.h"
 #include "ui/viewport/frame_clock.h"
+
+#include <tan/render.h>
 
 #include <QOpenGLWidget>
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/camera.h"
 #include "core/render/picking/picking.h"
+
+#include <tan/render.h>
 
 #include <QPointF>
 #include <QSizeF>

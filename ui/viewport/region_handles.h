@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/scene.h"
 #include "ui/session/query_state.h"
 #include "ui/viewport/picture_projection.h"
+
+#include <tan/render.h>
 
 #include <optional>
 #include <vector>

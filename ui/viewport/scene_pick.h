@@ -2,8 +2,9 @@
 #pragma once
 
 #include "core/render/picking/picking.h"
-#include "core/render/scene.h"
 #include "ui/work/latest_job.h"
+
+#include <tan/render.h>
 
 #include <functional>
 #include <memory>

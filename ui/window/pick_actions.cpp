@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/pick_actions.h"
 
-#include "core/transfer/transfer_editing.h"
 #include "ui/session/session.h"
 #include "ui/viewport/value_pick.h"
 #include "ui/window/palette_commands.h"
+
+#include <tan/transfer.h>
 
 #include <QMenu>
 

@@ -3,6 +3,8 @@
 
 #include "core/base/progress.h"
 
+#include <tan/base.h>
+
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/data/cells/cell_complex.h"
 
+#include <tan/data.h>
+
 namespace tetra {
 
 namespace {

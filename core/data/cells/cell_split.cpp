@@ -211,9 +211,6 @@ std::vector<CellPolygon> quadrilateralsOf(CellShape shape, std::span<const std::
 
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
-using Tetrahedron = std::array<std::uint32_t, 4>;
-
 /// Of one cavity.
 constexpr std::uint64_t mostFillingSteps = 5000;
 

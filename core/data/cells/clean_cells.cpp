@@ -3,6 +3,8 @@
 
 #include "core/data/cells/cell_complex.h"
 
+#include <tan/data.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>

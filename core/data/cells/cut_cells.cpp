@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -14,6 +15,13 @@
 namespace tetra {
 
 namespace {
+
+/// New pieces of some cells.
+struct ResplitCells {
+    std::map<std::uint32_t, CellPieces> pieces; ///< by cell: those that the rule of splitCell() failed on that have a
+                                                ///< cut after all, and neighbours that followed a turned diagonal
+    std::vector<std::uint32_t> warped;          ///< those that have none
+};
 
 /// Of all searches together, a few seconds' worth. A warped cell takes some dozens of steps, so that meshes that can be
 /// repaired are; a mesh of garbage is given up.
@@ -154,15 +162,15 @@ private:
     ResplitCells result_;
 };
 
-} // namespace
-
+/// Looks for other cuts of `failing` cells, sorted: first inside, then with diagonals of their quadrilateral faces
+/// turned, as few as possible, as long as the cells beyond these faces still have a cut. Greedy: each cell that was
+/// repaired stays repaired. O(cells) to find the neighbours; the search ends after a million steps, and what is not
+/// repaired then counts as warped. So does what is left when it is cancelled.
 ResplitCells resplitCells(std::span<const Eigen::Vector3d> positions, const CleanCells& cells,
                           const std::vector<std::uint32_t>& failing, const Progress& progress)
 {
     return Resplitting(positions, cells, failing).run(progress);
 }
-
-namespace {
 
 constexpr std::string_view cuttingCells = "Cutting the cells";
 

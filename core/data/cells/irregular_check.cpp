@@ -7,6 +7,7 @@
 #include "core/geometry/triangles.h"
 #include "core/mesh/boundary.h"
 #include "core/mesh/face_adjacency.h"
+#include "core/mesh/topology.h"
 
 #include <algorithm>
 #include <optional>
@@ -18,7 +19,14 @@ namespace tetra {
 
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
+/// Where a closed surface, the boundary of positive tetrahedra that match, shows that they overlap.
+struct BoundaryFaults {
+    std::uint64_t meetings = 0;             ///< pairs of triangles that meet where they share nothing; ...
+    std::array<std::uint32_t, 2> meeting{}; ///< ... one of them
+    std::uint64_t buried = 0;               ///< components whose outer side is inside of other tetrahedra; ...
+    std::uint32_t buriedTriangle = 0;       ///< ... a triangle of one
+    bool none() const { return meetings == 0 && buried == 0; }
+};
 
 constexpr std::uint64_t enoughMeetings = 100000;
 
@@ -143,15 +151,16 @@ private:
     BoundaryFaults faults_;
 };
 
-} // namespace
-
-BoundaryFaults checkBoundary(std::span<const Eigen::Vector3d> positions, std::span<const Triangle> triangles,
-                             const Progress& progress)
+/// Together with matching faces and a manifold boundary, finding no fault proves that the tetrahedra cover what
+/// they cover once: how many of them lie over a point is the boundary's winding number there, which only changes at the
+/// boundary, by one, and is zero just outside each of its components. Exact, but for which side of a closed surface is
+/// the inner one, which its volume in doubles tells. Ends counting early when cancelled; expected O(n log n) for a
+/// surface that does not meet itself much. `triangles` are a manifold, seen from outside counterclockwise.
+BoundaryFaults findBoundaryFaults(std::span<const Eigen::Vector3d> positions, std::span<const Triangle> triangles,
+                                  const Progress& progress)
 {
     return BoundaryChecking(positions, triangles).run(progress);
 }
-
-namespace {
 
 using Positions = std::span<const Eigen::Vector3d>;
 using TetrahedronSpan = std::span<const std::array<std::uint32_t, 4>>;
@@ -248,7 +257,7 @@ Status checkTetrahedra(Positions positions, TetrahedronSpan tetrahedra, const Me
     if (const Status manifold = checkManifold(positions, findBreaches(boundary)); !manifold)
         return manifold;
     progress.report(0.6, checkingMesh);
-    const BoundaryFaults faults = checkBoundary(positions, boundary, progress);
+    const BoundaryFaults faults = findBoundaryFaults(positions, boundary, progress);
     if (progress.cancelled())
         return cancelledError(checkingMesh);
     if (faults.meetings > 0)

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/data/cells/irregular_dataset.h"
-
 #include "core/base/text.h"
-#include "core/data/cells/cell_complex.h"
 #include "core/data/cells/clean_cells.h"
 #include "core/data/cells/cut_cells.h"
 #include "core/data/cells/irregular_check.h"
 #include "core/data/cells/pinch_repair.h"
-#include "core/data/scalar_field.h"
+
+#include <tan/data.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,8 +80,8 @@ std::vector<double> valuesOfPoints(const CellComplex& complex, const ComplexValu
     return result;
 }
 
-} // namespace
-
+/// A value for each point of the complex that a tetrahedron uses, others hold anything: its own, the mean of those on
+/// its place, or the mean of the cells around it. `repairs` is told.
 std::vector<double> pointValues(const CellComplex& complex, const ComplexValues& values, const CleanCells& cells,
                                 const CutCells& cut, Repairs& repairs)
 {
@@ -92,6 +90,7 @@ std::vector<double> pointValues(const CellComplex& complex, const ComplexValues&
                           : valuesOfPoints(complex, values, cells, repairs);
 }
 
+/// The type that holds such values: means of whole numbers are none, and a float cannot hold every double.
 SampleType typeOfPointValues(const ComplexValues& values, const Repairs& repairs, const std::vector<double>& usedValues)
 {
     const auto exceeds = [&](double largest) {
@@ -112,8 +111,6 @@ SampleType typeOfPointValues(const ComplexValues& values, const Repairs& repairs
     const bool tooLarge = type == SampleType::Float32 && exceeds(std::numeric_limits<float>::max());
     return tooLarge ? SampleType::Float64 : type;
 }
-
-namespace {
 
 using Tetrahedra = std::vector<std::array<std::uint32_t, 4>>;
 

@@ -3,6 +3,7 @@
 
 #include "core/mesh/boundary.h"
 #include "core/mesh/face_adjacency.h"
+#include "core/mesh/topology.h"
 
 #include <algorithm>
 #include <map>
@@ -11,8 +12,6 @@
 namespace tetra {
 
 namespace {
-
-using Tetrahedron = std::array<std::uint32_t, 4>;
 
 void keepOnly(CutCells& cut, const std::vector<bool>& removed)
 {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
 #include "core/data/cells/cut_cells.h"
 #include "core/mesh/boundary.h"
+
+#include <tan/base.h>
 
 namespace tetra {
 

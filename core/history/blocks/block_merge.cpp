@@ -5,10 +5,46 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <span>
 
 namespace tetra {
 
-Result<std::optional<std::uint32_t>> RunBatches::nextKey()
+/// Reads the batches of one run one after the other through a buffer.
+class BlockMerge::RunBatches {
+public:
+    RunBatches(const RunFiles& files, std::uint32_t block, std::uint32_t bufferWords)
+        : files_(&files), block_(block), bufferWords_(bufferWords)
+    {
+    }
+
+    /// The bits of the running key of the next batch, greater ones for greater keys; none at the end. An Error if the
+    /// file cannot be read.
+    Result<std::optional<std::uint32_t>> nextKey();
+
+    /// A group of the batch whose key was asked for.
+    struct Group {
+        std::uint32_t tetrahedronCount = 0;
+        std::uint32_t destroyedCount = 0;
+        std::span<const std::uint32_t> points; ///< until the next call
+    };
+    /// The number of groups, then as many groups.
+    Result<std::uint32_t> groupCount();
+    Result<Group> nextGroup();
+
+private:
+    Status fetch(std::uint32_t words);
+    std::uint32_t take() { return buffer_[position_++]; }
+
+    const RunFiles* files_;
+    std::uint32_t block_;
+    std::uint32_t bufferWords_;
+    std::uint64_t read_ = 0; ///< words of the file that are or were in the buffer
+    std::vector<std::uint32_t> buffer_;
+    std::size_t position_ = 0;
+};
+
+Result<std::optional<std::uint32_t>> BlockMerge::RunBatches::nextKey()
 {
     if (position_ == buffer_.size() && read_ == files_->header(block_).wordCount)
         return std::optional<std::uint32_t>();
@@ -17,14 +53,14 @@ Result<std::optional<std::uint32_t>> RunBatches::nextKey()
     return std::optional(take());
 }
 
-Result<std::uint32_t> RunBatches::groupCount()
+Result<std::uint32_t> BlockMerge::RunBatches::groupCount()
 {
     if (const Status fetched = fetch(1); !fetched)
         return fetched.error();
     return take();
 }
 
-Result<RunBatches::Group> RunBatches::nextGroup()
+Result<BlockMerge::RunBatches::Group> BlockMerge::RunBatches::nextGroup()
 {
     if (const Status fetched = fetch(3); !fetched)
         return fetched.error();
@@ -38,7 +74,7 @@ Result<RunBatches::Group> RunBatches::nextGroup()
 }
 
 /// Makes sure that so many words are in the buffer.
-Status RunBatches::fetch(std::uint32_t words)
+Status BlockMerge::RunBatches::fetch(std::uint32_t words)
 {
     const std::size_t have = buffer_.size() - position_;
     if (have >= words)
@@ -68,6 +104,8 @@ BlockMerge::BlockMerge(const RunFiles& files) : counts_(files.blockCount())
     for (std::uint32_t block = 0; block < files.blockCount(); ++block)
         runs_.emplace_back(files, block, words);
 }
+
+BlockMerge::~BlockMerge() = default;
 
 Result<bool> BlockMerge::next()
 {

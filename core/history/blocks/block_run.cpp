@@ -22,7 +22,7 @@ namespace tetra {
 
 void BlockRunRecorder::start()
 {
-    arranger_ = std::make_unique<BatchBuilder>(pointCount_, static_cast<BatchSink&>(*this));
+    builder_ = std::make_unique<BatchBuilder>(pointCount_, static_cast<BatchSink&>(*this));
     finalKey_ = 0;
     siteCount_ = 0;
     words_.clear();
@@ -31,15 +31,15 @@ void BlockRunRecorder::start()
 
 Status BlockRunRecorder::add(const HistoryStep& step)
 {
-    return arranger_->add(step);
+    return builder_->add(step);
 }
 
 Status BlockRunRecorder::finish(float finalKey)
 {
     finalKey_ = finalKey;
-    const Status done = arranger_->finish();
-    livingCount_ = arranger_->aliveCount();
-    arranger_.reset();
+    const Status done = builder_->finish();
+    livingCount_ = builder_->aliveCount();
+    builder_.reset();
     return done;
 }
 

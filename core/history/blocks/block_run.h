@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
 #include "core/history/batch_builder.h"
+
+#include <tan/base.h>
 
 #include <array>
 #include <bit>
@@ -77,7 +78,7 @@ private:
 
     std::uint64_t pointCount_;
     double valueExtent_;
-    std::unique_ptr<BatchBuilder> arranger_;
+    std::unique_ptr<BatchBuilder> builder_;
     float finalKey_ = 0;
     std::uint64_t livingCount_ = 0;
     std::uint32_t siteCount_ = 0;

@@ -3,6 +3,8 @@
 
 #include "core/base/progress.h"
 
+#include <tan/base.h>
+
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 

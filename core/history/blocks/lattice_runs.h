@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
 #include "core/history/blocks/block_run.h"
 #include "core/refine/lattice/block_division.h"
 #include "core/refine/lattice/lattice_refinement.h"
+
+#include <tan/base.h>
 
 #include <cstdint>
 #include <functional>

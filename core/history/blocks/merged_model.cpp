@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/blocks/merged_model.h"
 
-#include "core/base/buffer.h"
+#include "core/base/scratch_file.h"
 #include "core/history/blocks/block_merge.h"
-#include "core/history/model.h"
+
+#include <tan/base.h>
+#include <tan/model.h>
 
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
@@ -14,10 +16,43 @@
 #include <mutex>
 #include <new>
 #include <numeric>
+#include <span>
 
 namespace tetra {
 
 namespace {
+
+/// The number that each site of each block has in the whole model.
+class MergedNumbers {
+public:
+    /// Goes once through all runs. 4 bytes a site of a block, in a file in `workFolder` that the system may keep in
+    /// memory. Errors: unreadable runs, no room, too many sites, cancelled.
+    static Result<MergedNumbers> make(const RunFiles& runs, const std::filesystem::path& workFolder,
+                                      const Progress& progress);
+
+    /// In all blocks, each once.
+    std::uint32_t siteCount() const noexcept { return siteCount_; }
+    std::span<const std::uint32_t> ofBlock(std::uint32_t block) const
+    {
+        return file_.as<const std::uint32_t>().subspan(firsts_[block], firsts_[block + 1] - firsts_[block]);
+    }
+
+private:
+    explicit MergedNumbers(ScratchFile file) : file_(std::move(file)) {}
+    Status fill(const RunFiles& runs, const Progress& progress);
+
+    ScratchFile file_;
+    std::vector<std::uint64_t> firsts_; ///< where each block's numbers begin, and the end
+    std::uint32_t siteCount_ = 0;
+};
+
+/// The chunk's tetrahedra in the model's numbers and order.
+struct TranslatedStars {
+    std::vector<std::uint32_t> starSizes;
+    std::vector<std::array<std::uint32_t, 3>> otherSites;
+    std::vector<std::uint32_t> destroyers;
+    std::vector<std::uint16_t> ownErrors;
+};
 
 constexpr std::uint64_t sitesBetweenReports = 1 << 16;
 
@@ -25,8 +60,6 @@ Error unfitNumbers()
 {
     return {ErrorKind::OutOfResource, "The runs of the blocks do not fit together. Start the build again."};
 }
-
-} // namespace
 
 Result<MergedNumbers> MergedNumbers::make(const RunFiles& runs, const std::filesystem::path& workFolder,
                                           const Progress& progress)
@@ -78,8 +111,6 @@ Status MergedNumbers::fill(const RunFiles& runs, const Progress& progress)
     }
     return done == numbers.size() ? Status() : Status(unfitNumbers());
 }
-
-namespace {
 
 constexpr std::uint64_t tetrahedraInChunk = 1 << 18;
 
@@ -285,6 +316,9 @@ void ChunkMaker::takeSites(MergedChunk& chunk, std::uint32_t endPlace)
     inBatch_ = inGroup_ || place_ < batch.points.size();
 }
 
+namespace {
+
+/// Reads and translates them. Any number of threads may do that with chunks of their own. May throw std::bad_alloc.
 Result<TranslatedStars> translateStars(const MergedChunk& chunk, const RunFiles& runs, const MergedNumbers& numbers)
 {
     ChunkReader reader(chunk, runs);
@@ -306,8 +340,6 @@ Result<TranslatedStars> translateStars(const MergedChunk& chunk, const RunFiles&
         return sorted.error();
     return stars;
 }
-
-namespace {
 
 /// How far it is when the sites have their numbers.
 constexpr double numberedShare = 0.2;
@@ -412,7 +444,7 @@ void StarPipeline::fail(const Error& error)
     failed_ = true;
 }
 
-Result<FixedCounts> merge(RunFiles& runs, const std::filesystem::path& workFolder, const PlannedModelOpener& open,
+Result<FixedCounts> merge(RunFiles& runs, const std::filesystem::path& workFolder, const FixedSizeModelOpener& open,
                           const Progress& progress, std::uint64_t sliceTetrahedra)
 {
     if (const Status opened = runs.open(); !opened)
@@ -446,7 +478,7 @@ Result<FixedCounts> merge(RunFiles& runs, const std::filesystem::path& workFolde
 
 } // namespace
 
-Result<FixedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const PlannedModelOpener& open,
+Result<FixedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const FixedSizeModelOpener& open,
                               const Progress& progress, std::uint64_t sliceTetrahedra)
 {
     try {

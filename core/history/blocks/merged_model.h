@@ -1,44 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/scratch_file.h"
 #include "core/history/blocks/block_merge.h"
 #include "core/history/blocks/block_run.h"
 #include "core/history/fixed_size_writer.h"
+
+#include <tan/base.h>
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <span>
 #include <vector>
 
 namespace tetra {
-
-/// The number that each site of each block has in the whole model.
-class MergedNumbers {
-public:
-    /// Goes once through all runs. 4 bytes a site of a block, in a file in `workFolder` that the system may keep in
-    /// memory. Errors: unreadable runs, no room, too many sites, cancelled.
-    static Result<MergedNumbers> make(const RunFiles& runs, const std::filesystem::path& workFolder,
-                                      const Progress& progress);
-
-    /// In all blocks, each once.
-    std::uint32_t siteCount() const noexcept { return siteCount_; }
-    std::span<const std::uint32_t> ofBlock(std::uint32_t block) const
-    {
-        return file_.as<const std::uint32_t>().subspan(firsts_[block], firsts_[block + 1] - firsts_[block]);
-    }
-
-private:
-    explicit MergedNumbers(ScratchFile file) : file_(std::move(file)) {}
-    Status fill(const RunFiles& runs, const Progress& progress);
-
-    ScratchFile file_;
-    std::vector<std::uint64_t> firsts_; ///< where each block's numbers begin, and the end
-    std::uint32_t siteCount_ = 0;
-};
 
 /// Consecutive sites of the whole model, and where their tetrahedra are: whole groups, or a slice of a large one.
 struct MergedChunk {
@@ -92,24 +67,13 @@ private:
     std::uint64_t meshSize_ = 0; ///< after the group
 };
 
-/// The chunk's tetrahedra in the model's numbers and order.
-struct TranslatedStars {
-    std::vector<std::uint32_t> starSizes;
-    std::vector<std::array<std::uint32_t, 3>> otherSites;
-    std::vector<std::uint32_t> destroyers;
-    std::vector<std::uint16_t> ownErrors;
-};
-
-/// Reads and translates them. Any number of threads may do that with chunks of their own. May throw std::bad_alloc.
-Result<TranslatedStars> translateStars(const MergedChunk& chunk, const RunFiles& runs, const MergedNumbers& numbers);
-
 /// Opens the model that is to be written, once its size is known.
-using PlannedModelOpener = std::function<Result<std::unique_ptr<FixedSizeModelWriter>>(const FixedCounts&)>;
+using FixedSizeModelOpener = std::function<Result<std::unique_ptr<FixedSizeModelWriter>>(const FixedCounts&)>;
 
 /// Merges the runs of all blocks into one model, on all threads that TBB may use; the result does not depend on their
 /// number nor on the slices in which large groups are taken. Memory: some buffers, the sites of one batch, and a slice
 /// a thread. Errors: the runs' and the model's files, memory, cancelled.
-Result<FixedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const PlannedModelOpener& open,
+Result<FixedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const FixedSizeModelOpener& open,
                               const Progress& progress, std::uint64_t sliceTetrahedra = usualSliceTetrahedra);
 
 } // namespace tetra

@@ -71,6 +71,49 @@ Status HistoryLinks::cover(const Model& model, std::uint32_t sites, const Progre
 
 namespace {
 
+/// The sites [first, end) of one group: a set of sites that is to have a mesh takes them all or none (FORMAT.md).
+struct GroupOfSites {
+    std::uint32_t first;
+    std::uint32_t end;
+};
+
+GroupOfSites groupOf(const Model& model, std::uint32_t site)
+{
+    const std::span<const std::uint8_t> goesOn = model.groupGoesOn();
+    GroupOfSites group{site, site + 1};
+    while (group.first > 0 && goesOn[group.first - 1] != 0)
+        --group.first;
+    while (group.end < goesOn.size() && goesOn[group.end - 1] != 0)
+        ++group.end;
+    return group;
+}
+
+/// By how many tetrahedra the site makes a mesh larger; what counts is the sum over its group. Modulo 2^64: it may make
+/// it smaller.
+std::uint64_t growthBy(const Model& model, std::uint32_t site)
+{
+    const std::span<const std::uint32_t> sizes = model.meshSizes();
+    return std::uint64_t(sizes[site]) - (site > 0 ? sizes[site - 1] : 0);
+}
+
+/// The tetrahedra that the site created, that none of the sites destroys, and that may be coarser than the criterion
+/// allows. In `buffer`, which is used from star to star: written without a branch on what no processor could predict.
+std::span<const std::uint64_t> coarseCandidates(const Model& model, const SiteSet& sites,
+                                                const RefinementCriterion& criterion, std::uint32_t site,
+                                                Buffer<std::uint64_t>& buffer)
+{
+    const auto star = starOf(model, site);
+    if (buffer.size() <= star.size())
+        buffer.resize(2 * star.size() + 1);
+    std::size_t count = 0;
+    for (const std::uint64_t t : star) {
+        const bool stays = !sites.contains(std::min(model.destroyers()[t], model.siteCount()));
+        buffer[count] = t;
+        count += static_cast<std::size_t>(stays & criterion.mayBeTooCoarse(t));
+    }
+    return std::span(buffer).first(count);
+}
+
 /// Sites between asking memory for a star and looking at it: they come in no order that it could know.
 constexpr std::size_t sitesAhead = 6;
 /// The least scale that says that something was not reached.

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/buffer.h"
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/history/model.h"
 #include "core/history/query/refinement_criterion.h"
 #include "core/history/walk.h"
+
+#include <tan/base.h>
+#include <tan/model.h>
 
 #include <algorithm>
 #include <bit>
@@ -86,49 +85,6 @@ private:
     std::vector<std::uint64_t> words_;
     std::uint32_t count_ = 0;
 };
-
-/// The sites [first, end) of one group: a set of sites that is to have a mesh takes them all or none (FORMAT.md).
-struct GroupOfSites {
-    std::uint32_t first;
-    std::uint32_t end;
-};
-
-inline GroupOfSites groupOf(const Model& model, std::uint32_t site)
-{
-    const std::span<const std::uint8_t> goesOn = model.groupGoesOn();
-    GroupOfSites group{site, site + 1};
-    while (group.first > 0 && goesOn[group.first - 1] != 0)
-        --group.first;
-    while (group.end < goesOn.size() && goesOn[group.end - 1] != 0)
-        ++group.end;
-    return group;
-}
-
-/// By how many tetrahedra the site makes a mesh larger; what counts is the sum over its group. Modulo 2^64: it may make
-/// it smaller.
-inline std::uint64_t growthBy(const Model& model, std::uint32_t site)
-{
-    const std::span<const std::uint32_t> sizes = model.meshSizes();
-    return std::uint64_t(sizes[site]) - (site > 0 ? sizes[site - 1] : 0);
-}
-
-/// The tetrahedra that the site created, that none of the sites destroys, and that may be coarser than the criterion
-/// allows. In `buffer`, which is used from star to star: written without a branch on what no processor could predict.
-inline std::span<const std::uint64_t> coarseCandidates(const Model& model, const SiteSet& sites,
-                                                       const RefinementCriterion& criterion, std::uint32_t site,
-                                                       Buffer<std::uint64_t>& buffer)
-{
-    const auto star = starOf(model, site);
-    if (buffer.size() <= star.size())
-        buffer.resize(2 * star.size() + 1);
-    std::size_t count = 0;
-    for (const std::uint64_t t : star) {
-        const bool stays = !sites.contains(std::min(model.destroyers()[t], model.siteCount()));
-        buffer[count] = t;
-        count += static_cast<std::size_t>(stays & criterion.mayBeTooCoarse(t));
-    }
-    return std::span(buffer).first(count);
-}
 
 /// A closed set of sites (B1): with a site it holds the site's whole group and the creators of all that they destroy.
 /// Its mesh, the tetrahedra made by one of its sites and destroyed by none, conforms and covers the domain.

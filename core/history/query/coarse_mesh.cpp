@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/query/coarse_mesh.h"
 
-#include "core/history/extraction.h"
 #include "core/history/site_positions.h"
+
+#include <tan/query.h>
 
 #include <algorithm>
 #include <numeric>

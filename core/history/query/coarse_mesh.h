@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/history/model.h"
-#include "core/history/query/mesh_query.h"
 #include "core/refine/insertion/local_delaunay.h"
+
+#include <tan/base.h>
+#include <tan/model.h>
+#include <tan/query.h>
 
 #include <span>
 

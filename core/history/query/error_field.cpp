@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/query/error_field.h"
 
+#include <tan/query.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>

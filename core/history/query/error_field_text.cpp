@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/history/query/error_field_text.h"
-
 #include "core/base/text.h"
+
+#include <tan/query.h>
 
 #include <array>
 #include <charconv>

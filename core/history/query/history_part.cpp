@@ -4,6 +4,7 @@
 #include "core/history/query/window.h"
 #include "core/history/site_positions.h"
 #include "core/history/walk.h"
+#include "core/mesh/topology.h"
 
 #include <algorithm>
 #include <new>
@@ -14,8 +15,6 @@
 namespace tetra {
 
 namespace {
-
-using Tetrahedron = std::array<std::uint32_t, 4>;
 
 constexpr std::string_view extractingRange = "Extracting a range of meshes";
 

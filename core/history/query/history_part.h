@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/history/extraction.h"
-#include "core/history/query/mesh_query.h"
+#include <tan/base.h>
+#include <tan/query.h>
 
 #include <optional>
 
@@ -25,8 +23,8 @@ struct HistoryPart {
 /// these, only those that can contain a value of `values` (empty: all), and that have a point in common with the window
 /// or lie in it (a window that cuts is refused, WrongUsage: what is cut has no life). In the order of the file, so of
 /// birth. Other errors as of extractPrefix().
-Result<HistoryPart> extractHistory(const Model& model, const Accuracy& one, const Accuracy& other,
-                                   std::span<const ValueRange> values, const std::optional<Window>& window,
-                                   const Progress& progress = {});
+TAN_INTERNAL Result<HistoryPart> extractHistory(const Model& model, const Accuracy& one, const Accuracy& other,
+                                                std::span<const ValueRange> values, const std::optional<Window>& window,
+                                                const Progress& progress = {});
 
 } // namespace tetra

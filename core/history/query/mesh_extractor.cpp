@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/query/mesh_extractor.h"
 
-#include "core/history/extraction.h"
 #include "core/history/query/closed_set.h"
 #include "core/history/query/curvilinear_focus.h"
-#include "core/history/query/mesh_query.h"
 #include "core/history/query/refinement_criterion.h"
 #include "core/history/query/region_refiner.h"
 #include "core/history/query/window.h"
 #include "core/history/site_positions.h"
+
+#include <tan/query.h>
 
 #include <algorithm>
 #include <atomic>
@@ -350,13 +350,13 @@ Status MeshExtractor::Work::extractByInsertion(const MeshQuery& query, const Pro
     if (query.budget)
         return extractWithinBudget(query, progress);
     ExtractedMesh& out = startWhole();
-    const bool lifted = model_->description().domain == DomainClass::Curvilinear;
-    if (lifted && !curvilinearFocus_)
+    const bool curvilinear = model_->description().domain == DomainClass::Curvilinear;
+    if (curvilinear && !curvilinearFocus_)
         curvilinearFocus_.emplace(*model_);
-    if (!lifted && !focus_)
+    if (!curvilinear && !focus_)
         focus_.emplace(*model_);
-    auto found = lifted ? curvilinearFocus_->extract(query, progress, std::move(out))
-                        : focus_->extract(*query.error.asSpaceRamp(), false, progress, std::move(out));
+    auto found = curvilinear ? curvilinearFocus_->extract(query, progress, std::move(out))
+                             : focus_->extract(*query.error.asSpaceRamp(), false, progress, std::move(out));
     if (!found) {
         // Of another builder: only looking at its meshes tells.
         insertionFitsHistory_ &= found.error().kind != ErrorKind::WrongUsage;

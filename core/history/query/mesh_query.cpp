@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/history/query/mesh_query.h"
-
 #include "core/base/text.h"
+
+#include <tan/query.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "core/base/rounding.h"
 #include "core/base/simd.h"
+#include "core/history/query/coarse_mesh.h"
 #include "core/history/site_positions.h"
 #include "core/history/walk.h"
 #include "core/refine/insertion/sample_scan.h"
@@ -11,12 +12,15 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <new>
 #include <numeric>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace tetra {
 
@@ -38,6 +42,25 @@ TETRA_SIMD_CLONES void keepMeeting(const std::uint16_t* first, const std::uint16
 }
 
 } // namespace
+
+// What RegionRefiner::Work is made of lies in no anonymous namespace, because Work itself has external linkage.
+
+/// The bounding boxes of many tetrahedra, side by side so that all are compared with a box at a glance: 12 bytes each.
+class TetrahedronBoxes {
+public:
+    /// May throw std::bad_alloc, as the others.
+    void assign(const PackedLattice& lattice, std::span<const std::array<std::uint32_t, 4>> tetrahedra,
+                std::span<const PackedPoint> vertices);
+
+    /// Appends the numbers of those that may have a point in common with the box; never too few. O(tetrahedra), some
+    /// thousand million a second.
+    void findMeeting(const std::array<std::int32_t, 3>& first, const std::array<std::int32_t, 3>& last,
+                     std::vector<std::uint32_t>& found) const;
+
+private:
+    std::array<Buffer<std::uint16_t>, 3> first_;
+    std::array<Buffer<std::uint16_t>, 3> last_;
+};
 
 void TetrahedronBoxes::assign(const PackedLattice& lattice, std::span<const std::array<std::uint32_t, 4>> tetrahedra,
                               std::span<const PackedPoint> vertices)
@@ -94,6 +117,50 @@ Box boundsOf(const Region& region)
 }
 
 } // namespace
+
+/// A ramp in space at the points of a lattice, in units of the values: exactly what ErrorField::at() says there.
+class FocusLimits final : public ErrorLimits {
+public:
+    FocusLimits(const SpaceRamp& ramp, const Lattice& lattice, double valueExtent);
+
+    double at(const std::array<std::uint32_t, 3>& point) const override
+    {
+        if (!quick_)
+            return fieldAt(point);
+        return inside_[0][point[0]] && inside_[1][point[1]] && inside_[2][point[2]] ? least : most;
+    }
+    /// Whether a site should be a vertex before anything is looked at: the mesh before it was not good enough here or,
+    /// of a box, one step away. Without what lies next to a border more would have to be repaired, which takes longer.
+    bool askFor(const std::array<std::uint32_t, 3>& point, double runningError) const
+    {
+        if (!quick_) {
+            const double limit = fieldAt(point);
+            return limit < most && runningError > limit;
+        }
+        bool near = true;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            near &= static_cast<std::int32_t>(point[axis]) >= firstAsked[axis] &&
+                    static_cast<std::int32_t>(point[axis]) <= lastAsked[axis];
+        return near && runningError > least;
+    }
+    /// All such sites lie between these two.
+    std::array<std::int32_t, 3> firstAsked{0, 0, 0};
+    std::array<std::int32_t, 3> lastAsked{-1, -1, -1};
+    /// Whether a limit below the largest can hold in a cube of points: false only if not.
+    bool mayHoldIn(const std::array<std::uint32_t, 3>& first, std::uint32_t edge) const;
+    /// Whether the limits are the least in a box of points and the largest in all others.
+    bool isBox() const noexcept { return quick_; }
+
+private:
+    double fieldAt(const std::array<std::uint32_t, 3>& point) const;
+    void findRange();
+
+    ErrorField field_;
+    Lattice lattice_;
+    double extent_ = 0;
+    bool quick_ = false;
+    std::array<std::vector<char>, 3> inside_; ///< along each axis, if quick
+};
 
 FocusLimits::FocusLimits(const SpaceRamp& ramp, const Lattice& lattice, double valueExtent)
     : field_(ramp), lattice_(lattice), extent_(valueExtent)
@@ -208,6 +275,47 @@ std::optional<BlockDivision> focusDivision(const Model& model)
     return division;
 }
 
+/// The sites of a lattice model by where they lie: cells of 8^3 points, each with its sites in rising order. 8 bytes a
+/// site. Making it takes two passes over the sites.
+class SiteGrid {
+public:
+    static constexpr std::uint32_t edge = 8;
+    struct Site {
+        std::uint32_t number;
+        PackedPoint point;
+    };
+
+    SiteGrid() = default;
+    /// Of points given by their indices in the lattice. None if an index is too large.
+    static std::optional<SiteGrid> make(const PackedLattice& lattice, std::span<const std::uint32_t> points);
+
+    /// Calls visit(first point, sites) for each cell that has points between the two, ends included.
+    template <class Visit> void forEachCell(const std::array<std::int32_t, 3>& first,
+                                            const std::array<std::int32_t, 3>& last, Visit&& visit) const
+    {
+        for (std::int32_t z = first[2] / step; z <= floorOf(last[2]); ++z)
+            for (std::int32_t y = first[1] / step; y <= floorOf(last[1]); ++y)
+                for (std::int32_t x = first[0] / step; x <= floorOf(last[0]); ++x)
+                    visit(std::array<std::uint32_t, 3>{std::uint32_t(x) * edge, std::uint32_t(y) * edge,
+                                                       std::uint32_t(z) * edge},
+                          cell((std::uint64_t(z) * counts_[1] + std::uint64_t(y)) * counts_[0] + std::uint64_t(x)));
+    }
+    /// The site at a point, or none.
+    std::optional<std::uint32_t> siteAt(const PackedLattice& lattice, PackedPoint point) const;
+
+private:
+    static constexpr std::int32_t step = edge;
+    static std::int32_t floorOf(std::int32_t coordinate) { return coordinate < 0 ? -1 : coordinate / step; }
+    std::span<const Site> cell(std::uint64_t number) const
+    {
+        return std::span(sites_).subspan(starts_[number], starts_[number + 1] - starts_[number]);
+    }
+
+    std::array<std::uint32_t, 3> counts_{};
+    std::vector<std::uint32_t> starts_{0};
+    Buffer<Site> sites_;
+};
+
 std::optional<SiteGrid> SiteGrid::make(const PackedLattice& lattice, std::span<const std::uint32_t> points)
 {
     SiteGrid grid;
@@ -250,6 +358,44 @@ std::optional<std::uint32_t> SiteGrid::siteAt(const PackedLattice& lattice, Pack
     });
     return found;
 }
+
+/// The tetrahedra of a prefix of the history, to ask for one by its sites: what a mesh has in common with the prefix's
+/// keeps the prefix's error. 8 bytes for each tetrahedron that is alive, made in one pass.
+class TetrahedronSet {
+public:
+    TetrahedronSet() = default;
+    /// Of the first `sites` sites, but only what those from `firstCreator` on created. Errors: a damaged file,
+    /// cancelled.
+    static Result<TetrahedronSet> make(const Model& model, std::uint32_t firstCreator, std::uint32_t sites,
+                                       const Progress& progress);
+
+    std::uint32_t firstCreator() const noexcept { return firstCreator_; }
+    std::uint32_t siteCount() const noexcept { return siteCount_; }
+
+    /// Whether the tetrahedron is in the prefix's mesh; any order of sites, some of which may be no sites. Tetrahedra
+    /// that are not are taken for others with a probability of 2^-60.
+    bool holds(const std::array<std::uint32_t, 4>& sites) const;
+
+    /// Fetches what holds() will look at.
+    void prefetch(const std::array<std::uint32_t, 4>& sites) const
+    {
+        if (const std::uint32_t creator = std::ranges::max(sites); creator >= firstCreator_ && creator < siteCount_)
+            __builtin_prefetch(keys_.data() + starts_[creator - firstCreator_]);
+    }
+
+private:
+    static std::uint64_t keyOf(std::uint64_t a, std::uint64_t b, std::uint64_t c)
+    {
+        // Symmetric, and what is equal in all three is the same set.
+        return (a + b + c) * 0x9e3779b97f4a7c15 + (a * b + b * c + c * a) * 0xbf58476d1ce4e5b9 +
+               a * b * c * 0x94d049bb133111eb;
+    }
+
+    std::uint32_t firstCreator_ = 0;
+    std::uint32_t siteCount_ = 0;
+    std::vector<std::uint32_t> starts_; ///< of each creator's keys
+    std::vector<std::uint64_t> keys_;
+};
 
 Result<TetrahedronSet> TetrahedronSet::make(const Model& model, std::uint32_t firstCreator, std::uint32_t sites,
                                             const Progress& progress)
@@ -317,6 +463,69 @@ LatticeSamples samplesOf(const Model& model)
 }
 
 } // namespace
+
+/// What is kept from query to query: the coarse mesh, refined for the last of them, and what is known of its errors.
+class RegionRefiner::Work {
+public:
+    explicit Work(const Model& model);
+
+    std::uint64_t sitesInside(const SpaceRamp& error);
+    Result<ExtractedMesh> extract(const SpaceRamp& error, bool fresh, const Progress& progress, ExtractedMesh reuse);
+    /// An insertion may have been broken off: the mesh must be loaded again.
+    void forget() noexcept
+    {
+        coarseSites_ = 0;
+        present_.reset();
+    }
+
+private:
+    struct Range {
+        std::uint32_t coarse = 0; ///< sites of the mesh outside
+        std::uint32_t fine = 0;   ///< and of the mesh within
+        bool known = true;        ///< whether the mesh outside keeps its bound without looking
+        bool fineKnown = true;    ///< likewise that within
+    };
+
+    Range rangeOf(const FocusLimits& limits) const;
+    Status makeIndex();
+    Status prepare();
+    Status load(std::uint32_t sites, const Progress& progress);
+    template <class Visit> void forEachSite(const FocusLimits& limits, const Range& range, Visit&& visit) const;
+    void findMissing(const FocusLimits& limits, const Range& range);
+    bool canGoOn(const SpaceRamp& error, const FocusLimits& limits, const Range& range);
+    Status insertMissing(const Progress& progress);
+    Status repair(const FocusLimits& limits, const Progress& progress);
+    void scan(const FocusLimits& limits, ScannedPart part, const Progress& progress, std::vector<WorstSample>& worst);
+    void lookAtChanges(const FocusLimits& limits, bool mayBeKnown, const Progress& progress);
+    void lookAtOthers(const FocusLimits& limits, bool outsideIsKnown, const Progress& progress);
+    Status knowStars(const Range& range, const Progress& progress);
+    Status readBounds(std::uint32_t sites);
+    std::array<std::uint32_t, 4> sitesOf(std::uint32_t slot) const;
+    void write(ExtractedMesh& mesh) const;
+
+    const Model& model_;
+    LatticeSamples samples_;
+    PackedLattice lattice_;
+    bool prepared_ = false;
+    std::optional<SiteGrid> sites_;
+    LocalDelaunay mesh_;
+    std::uint32_t coarseSites_ = 0; ///< of the mesh that is loaded
+    CoarseMesh coarse_;             ///< without its tetrahedra
+    TetrahedronBoxes coarseBoxes_;
+    Buffer<float> coarseBounds_;         ///< on the errors of its tetrahedra
+    std::optional<TetrahedronSet> fine_; ///< of the mesh within
+    Buffer<float> bounds_;               ///< on the error in each slot, infinite if not known
+    std::vector<std::uint32_t> slots_;
+
+    std::optional<SpaceRamp> present_; ///< what the mesh keeps now
+    std::optional<FocusLimits> presentLimits_;
+    std::vector<std::uint32_t> addedSites_; ///< of mesh_.added()
+    std::vector<SiteGrid::Site> missing_;
+    std::vector<SiteGrid::Site> sortScratch_;
+    std::vector<PackedPoint> points_;
+    std::vector<WorstSample> worst_;
+    std::vector<WorstSample> others_;
+};
 
 RegionRefiner::Work::Work(const Model& model)
     : model_(model), samples_(samplesOf(model)), lattice_(model.description().lattice.size)

@@ -2,6 +2,9 @@
 #include "core/history/query/window.h"
 
 #include "core/history/query/error_field.h"
+#include "core/mesh/topology.h"
+
+#include <tan/query.h>
 
 #include <algorithm>
 #include <limits>
@@ -53,6 +56,62 @@ bool BoxSides::meets(const std::array<std::uint32_t, 4>& tetrahedron) const
 
 namespace {
 
+/// The vertex on each of many edges: a table with open addressing, 12 to 48 bytes an edge.
+class EdgeVertices {
+public:
+    /// The vertex on the edge from `smaller` to `larger`, which is set to `otherwise` if there is none yet.
+    std::uint32_t on(std::uint32_t smaller, std::uint32_t larger, std::uint32_t otherwise)
+    {
+        if (2 * (count_ + 1) > entries_.size())
+            grow();
+        Entry& entry = entryOf(std::uint64_t(smaller) << 32 | larger);
+        if (entry.edge == none) {
+            entry = {std::uint64_t(smaller) << 32 | larger, otherwise};
+            ++count_;
+        }
+        return entry.vertex;
+    }
+
+private:
+    static constexpr std::uint64_t none = 0; ///< no edge goes from vertex 0 to itself
+    struct Entry {
+        std::uint64_t edge = none;
+        std::uint32_t vertex = 0;
+    };
+
+    /// That of the edge, or the empty one where it belongs.
+    Entry& entryOf(std::uint64_t edge)
+    {
+        const std::uint64_t mask = entries_.size() - 1;
+        std::uint64_t place = (edge * 0x9e3779b97f4a7c15) >> 32;
+        while (entries_[place & mask].edge != none && entries_[place & mask].edge != edge)
+            ++place;
+        return entries_[place & mask];
+    }
+
+    void grow()
+    {
+        std::vector<Entry> before(entries_.empty() ? 1024 : 2 * entries_.size());
+        std::swap(before, entries_);
+        for (const Entry& entry : before)
+            if (entry.edge != none)
+                entryOf(entry.edge) = entry;
+    }
+
+    std::vector<Entry> entries_;
+    std::uint64_t count_ = 0;
+};
+
+/// Up to three tetrahedra that part of another one is made of.
+struct TetrahedronPieces {
+    int count = 0;
+    std::array<std::array<std::uint32_t, 4>, 3> tetrahedra;
+
+    void add(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) { tetrahedra[count++] = {a, b, c, d}; }
+};
+
+// Quadrilaterals are split by the diagonal from their vertex of least number: so neighbours do the same.
+
 /// The ways to turn a prism, by which each of its vertices can be made the first.
 constexpr std::array<std::array<int, 6>, 6> turns = {{{0, 1, 2, 3, 4, 5},
                                                       {1, 2, 0, 4, 5, 3},
@@ -61,8 +120,7 @@ constexpr std::array<std::array<int, 6>, 6> turns = {{{0, 1, 2, 3, 4, 5},
                                                       {4, 3, 5, 1, 0, 2},
                                                       {5, 4, 3, 2, 1, 0}}};
 
-} // namespace
-
+/// A prism with the bottom a, b, c and the top d, e, f, where (a, b, c, d) is positive, as positive tetrahedra.
 TetrahedronPieces splitPrism(const std::array<std::uint32_t, 6>& prism)
 {
     // From the vertex of least number go the diagonals of both quadrilaterals that have it; the third is free.
@@ -81,6 +139,7 @@ TetrahedronPieces splitPrism(const std::array<std::uint32_t, 6>& prism)
     return pieces;
 }
 
+/// A pyramid with the base a, b, c, d, in this order around it, where (a, b, top, c) is positive, likewise.
 TetrahedronPieces splitPyramid(const std::array<std::uint32_t, 4>& base, std::uint32_t top)
 {
     const auto [a, b, c, d] = base;
@@ -95,6 +154,8 @@ TetrahedronPieces splitPyramid(const std::array<std::uint32_t, 4>& base, std::ui
     return pieces;
 }
 
+/// Sorts the vertices so that their sides fall, but for those that are not positive if there is only one that is, which
+/// come in any order. Orientation is kept.
 void orderBySigns(std::array<std::uint32_t, 4>& tetrahedron, std::array<int, 4>& sides)
 {
     bool odd = false;
@@ -111,9 +172,6 @@ void orderBySigns(std::array<std::uint32_t, 4>& tetrahedron, std::array<int, 4>&
         swap(sides[1] > 0 ? 0 : 2); // among equals, or where the order does not matter
 }
 
-namespace {
-
-using Tetrahedron = std::array<std::uint32_t, 4>;
 using CutPlace = BoxSides::Place;
 
 constexpr std::string_view cuttingAtWindow = "Cutting at the window";
@@ -287,8 +345,10 @@ void putInOrder(Pieces& pieces)
         std::tie(pieces.tetrahedra[i], pieces.origins[i]) = ordered[i];
 }
 
-} // namespace
-
+/// Cuts a mesh off at a box, whose faces are rounded to floats as vertices are: so the new vertices lie in them
+/// exactly. One plane after the other; what is cut are the edges from one side of a plane to the other. Tetrahedra that
+/// lie in the box stay first and in order; those that are cut follow. Gives how many of the mesh's tetrahedra there is
+/// something left of. Errors: cancelled, out of resource. May throw std::bad_alloc.
 Result<std::uint64_t> cutAtWindow(TetrahedralMesh& mesh, const Box& box, const Progress& progress)
 {
     const Box window = roundedToFloats(box);
@@ -309,10 +369,6 @@ Result<std::uint64_t> cutAtWindow(TetrahedralMesh& mesh, const Box& box, const P
     mesh.tetrahedra.insert(mesh.tetrahedra.end(), across.tetrahedra.begin(), across.tetrahedra.end());
     return left;
 }
-
-namespace {
-
-using Tetrahedron = std::array<std::uint32_t, 4>;
 
 /// Tetrahedra between two looks at whether the work was cancelled.
 constexpr std::size_t filteredAtOnce = 1 << 16;

@@ -187,6 +187,10 @@ bool FoldedCells::meet(const Corners& corners) const
     return false;
 }
 
+namespace {
+
+/// Whether four points of a grid are corners of one of its cells. Exactly the tetrahedra whose circumsphere has no
+/// point of the grid strictly inside are so: no further point can destroy them in a Delaunay mesh.
 bool isOfOneCell(const FoldedCells::Corners& corners)
 {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -197,8 +201,6 @@ bool isOfOneCell(const FoldedCells::Corners& corners)
     }
     return true;
 }
-
-namespace {
 
 /// Residuals are sums of a few products of numbers of this size, each rounded at 2^-53 of it.
 double roundingOf(double magnitude)

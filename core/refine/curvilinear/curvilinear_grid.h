@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/buffer.h"
 #include "core/refine/lattice/lattice_delaunay.h"
 #include "core/refine/lattice/lattice_samples.h"
 #include "core/refine/lattice/packed_lattice.h"
+
+#include <tan/base.h>
 
 #include <Eigen/Core>
 
@@ -51,11 +52,7 @@ private:
     std::vector<Node> nodes_;
 };
 
-/// Whether four points of a grid are corners of one of its cells. Exactly the tetrahedra whose circumsphere has no
-/// point of the grid strictly inside are so: no further point can destroy them in a Delaunay mesh.
-bool isOfOneCell(const FoldedCells::Corners& corners);
-
-/// A point of a curvilinear grid lifted into physical space: x, y, z and the value, for arithmetic on all four at once.
+/// A point of a curvilinear grid in physical space: x, y, z and the value, for arithmetic on all four at once.
 struct alignas(32) PhysicalPoint {
     std::array<double, 4> components{};
     std::array<double, 3> position() const noexcept { return {components[0], components[1], components[2]}; }
@@ -79,7 +76,7 @@ public:
     bool weighted() const noexcept { return !weights_.empty(); }
     double weight(PackedPoint point) const noexcept { return weights_[lattice_.index(point)]; }
 
-    /// 1 if most of the corners of the grid's cells are positive in physical space, -1 if most are negative: a lifted
+    /// 1 if most of the corners of the grid's cells are positive in physical space, -1 if most are negative: a physical
     /// tetrahedron of the other sign is flipped (S5).
     int handedness() const noexcept { return handedness_; }
     /// The sign of a tetrahedron's volume in physical space, relative to the handedness; exact. 1 is consistent, 0

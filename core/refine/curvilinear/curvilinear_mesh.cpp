@@ -69,7 +69,7 @@ void StarPlacement::run(const PackedLattice& lattice, const Star& star, std::spa
 
 namespace {
 
-/// The lifted vertices of one tetrahedron and what a point's place in it needs.
+/// The physical vertices of one tetrahedron and what a point's place in it needs.
 struct PhysicalFace {
     const Star::Face& face;
     const PhysicalPoint& apex;
@@ -84,19 +84,19 @@ struct PlacedPoints {
     std::size_t count;
 };
 
-TETRA_SIMD_CLONES void measure(const CurvilinearGrid& grid, const PhysicalFace& lifted, const PlacedPoints& placed,
+TETRA_SIMD_CLONES void measure(const CurvilinearGrid& grid, const PhysicalFace& physical, const PlacedPoints& placed,
                                double* squaredErrors, double* squaredWarpings)
 {
     const auto load = [](Double4& to, const PhysicalPoint& from) { std::memcpy(&to, &from, sizeof to); };
     Double4 apex, a, b, c;
-    load(apex, lifted.apex);
-    load(a, lifted.a);
-    load(b, lifted.b);
-    load(c, lifted.c);
+    load(apex, physical.apex);
+    load(a, physical.a);
+    load(b, physical.b);
+    load(c, physical.c);
     a -= apex;
     b -= apex;
     c -= apex;
-    const Star::Face& face = lifted.face;
+    const Star::Face& face = physical.face;
     const Double4 slopeX = a * face.normals[0] + b * face.normals[4] + c * face.normals[8];
     const Double4 slopeY = a * face.normals[1] + b * face.normals[5] + c * face.normals[9];
     const Double4 slopeZ = a * face.normals[2] + b * face.normals[6] + c * face.normals[10];
@@ -138,9 +138,9 @@ void CurvilinearRedistribution::run(const CurvilinearGrid& grid, const Star& sta
         if (count == 0)
             continue;
         const std::array<std::uint32_t, 3>& corners = star.corners()[f];
-        const PhysicalFace lifted{star.faces()[f], grid.at(star.apex()), link_[corners[0]], link_[corners[1]],
-                                  link_[corners[2]]};
-        measure(grid, lifted, {placed().data() + first, placement_.coordinates().data() + first, count},
+        const PhysicalFace physical{star.faces()[f], grid.at(star.apex()), link_[corners[0]], link_[corners[1]],
+                                    link_[corners[2]]};
+        measure(grid, physical, {placed().data() + first, placement_.coordinates().data() + first, count},
                 squaredErrors_.data() + first, squaredWarpings_.data() + first);
     }
     if (grid.weighted())

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/buffer.h"
-#include "core/base/result.h"
-#include "core/mesh/history.h"
+#include "core/base/reserved_array.h"
 #include "core/refine/curvilinear/curvilinear_grid.h"
 #include "core/refine/lattice/block_division.h"
 #include "core/refine/lattice/error_queue.h"
 #include "core/refine/lattice/lattice_delaunay.h"
 #include "core/refine/lattice/point_pool.h"
 #include "core/refine/lattice/star.h"
+
+#include <tan/base.h>
+#include <tan/build.h>
 
 #include <array>
 #include <bit>
@@ -181,7 +182,7 @@ private:
         std::uint32_t history = none; ///< its tetrahedron's number in the history; none while it has none
         std::uint32_t bucket = none;  ///< none if no point is inside
         std::uint32_t block = 0;
-        std::int32_t orientation = 1; ///< of the lifted tetrahedron, relative to the grid's
+        std::int32_t orientation = 1; ///< of the tetrahedron in physical space, relative to the grid's
     };
     /// Bounds on a tetrahedron's own error, warping and key.
     struct Accuracy {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/mesh/history.h"
 #include "core/refine/curvilinear/curvilinear_mesh.h"
 #include "core/refine/lattice/lattice_samples.h"
+
+#include <tan/base.h>
+#include <tan/build.h>
 
 #include <Eigen/Core>
 

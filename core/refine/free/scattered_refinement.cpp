@@ -6,6 +6,7 @@
 #include "core/refine/free/scattered_delaunay.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <new>
@@ -18,6 +19,12 @@
 namespace tetra {
 
 namespace {
+
+/// A tetrahedron that interpolates linearly.
+struct InterpolatingCell {
+    std::array<Eigen::Vector3d, 4> corners;
+    std::array<double, 4> values;
+};
 
 /// 113 bits: differences of coordinates become exact, and what cancels in thin cells has 60 bits to spare.
 __extension__ using Quadruple = __float128;
@@ -77,8 +84,8 @@ double trusted(double error, double doubt)
     return error > doubt ? error : 0;
 }
 
-} // namespace
-
+/// |value - interpolation| at a position that lies in the cell, however thin the cell is: right to 1e-13 of the largest
+/// difference between `value` and the cell's values. What rounding alone would explain is 0.
 double interpolationError(const InterpolatingCell& cell, const Eigen::Vector3d& position, double value)
 {
     constexpr double tolerance = 1e-13;
@@ -93,8 +100,6 @@ double interpolationError(const InterpolatingCell& cell, const Eigen::Vector3d& 
     const Sum<Quadruple> exact = errorIn<Quadruple>(cell, position, value, static_cast<Quadruple>(0x1p-113));
     return trusted(static_cast<double>(exact.value), static_cast<double>(exact.magnitude));
 }
-
-namespace {
 
 constexpr std::uint32_t noCell = ScatteredDelaunay::none;
 
@@ -115,9 +120,9 @@ struct Candidate {
     bool operator<(const Candidate& other) const { return std::tie(error, other.point) < std::tie(other.error, point); }
 };
 
-class Refinement {
+class ScatteredRefinement {
 public:
-    Refinement(const ScatteredPoints& points, double stopError, HistorySink& sink)
+    ScatteredRefinement(const ScatteredPoints& points, double stopError, HistorySink& sink)
         : points_(points), stopError_(stopError), sink_(sink), delaunay_(points.positions),
           siteOfPoint_(points.positions.size(), noCell)
     {
@@ -169,7 +174,7 @@ Status checkDistinct(std::span<const Eigen::Vector3d> positions)
                                           " (counted from 0) lie on the same place. Merge such points first."};
 }
 
-void Refinement::addInside(std::uint32_t slot, std::uint32_t point)
+void ScatteredRefinement::addInside(std::uint32_t slot, std::uint32_t point)
 {
     CellState& cell = cells_[slot];
     InterpolatingCell geometry;
@@ -189,7 +194,7 @@ void Refinement::addInside(std::uint32_t slot, std::uint32_t point)
 }
 
 /// All points of the cell are in it.
-void Refinement::closeCell(std::uint32_t slot)
+void ScatteredRefinement::closeCell(std::uint32_t slot)
 {
     const CellState& cell = cells_[slot];
     if (cell.worst == noCell)
@@ -199,7 +204,7 @@ void Refinement::closeCell(std::uint32_t slot)
         pointsAboveStop_ += cell.inside.size();
 }
 
-Status Refinement::start(const Progress& progress)
+Status ScatteredRefinement::start(const Progress& progress)
 {
     progress.report(0, "Finding the convex hull");
     if (Status status = checkDistinct(points_.positions); !status)
@@ -219,7 +224,7 @@ Status Refinement::start(const Progress& progress)
     return addHull();
 }
 
-Status Refinement::distribute(const Progress& progress)
+Status ScatteredRefinement::distribute(const Progress& progress)
 {
     constexpr std::uint32_t pointsBetweenReports = 16384;
     std::uint32_t slot = delaunay_.created().front().slot;
@@ -245,7 +250,7 @@ Status Refinement::distribute(const Progress& progress)
 }
 
 /// Hands the corners of the hull to the sink, each cell with the latest of its corners.
-Status Refinement::addHull()
+Status ScatteredRefinement::addHull()
 {
     std::vector<std::uint32_t> corners;
     for (std::uint32_t point = 0; point < siteOfPoint_.size(); ++point)
@@ -273,7 +278,7 @@ Status Refinement::addHull()
     return {};
 }
 
-Status Refinement::insertWorst(Candidate candidate)
+Status ScatteredRefinement::insertWorst(Candidate candidate)
 {
     delaunay_.insert(candidate.point, candidate.slot);
     siteOfPoint_[candidate.point] = siteCount_;
@@ -309,7 +314,7 @@ Status Refinement::insertWorst(Candidate candidate)
     return sink_.add({candidate.point, candidate.error, star_, destroyedHistory_});
 }
 
-void Refinement::dropOutdated()
+void ScatteredRefinement::dropOutdated()
 {
     const auto outdated = [this](const Candidate& candidate) {
         const CellState& cell = cells_[candidate.slot];
@@ -319,7 +324,7 @@ void Refinement::dropOutdated()
         queue_.pop();
 }
 
-Result<ScatteredRefinementResult> Refinement::run(const Progress& progress)
+Result<ScatteredRefinementResult> ScatteredRefinement::run(const Progress& progress)
 {
     if (Status status = start(progress); !status)
         return status.error();
@@ -359,7 +364,7 @@ Result<ScatteredRefinementResult> refineScattered(const ScatteredPoints& points,
     if (points.positions.size() >= noCell)
         return Error{ErrorKind::OutOfResource, "At most 4294967294 scattered points can be refined. Take a part."};
     try {
-        return Refinement(points, stopError, sink).run(progress);
+        return ScatteredRefinement(points, stopError, sink).run(progress);
     } catch (const std::bad_alloc&) {
         return Error{ErrorKind::OutOfResource, "Not enough memory to refine these points. Close other programs, use a "
                                                "machine with more memory, or take a part of the points."};

@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/mesh/history.h"
+#include <tan/base.h>
+#include <tan/build.h>
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cstdint>
 #include <span>
 
 namespace tetra {
-
-/// A tetrahedron that interpolates linearly.
-struct InterpolatingCell {
-    std::array<Eigen::Vector3d, 4> corners;
-    std::array<double, 4> values;
-};
-
-/// |value - interpolation| at a position that lies in the cell, however thin the cell is: right to 1e-13 of the largest
-/// difference between `value` and the cell's values. What rounding alone would explain is 0.
-double interpolationError(const InterpolatingCell& cell, const Eigen::Vector3d& position, double value);
 
 /// Points anywhere in space, no two on one place, each with a value. Owns nothing.
 struct ScatteredPoints {

@@ -29,7 +29,7 @@ public:
         for (std::size_t i = 0; i < 4; ++i) {
             const PackedPoint vertex = tetrahedron.vertices[i];
             corners_[i] = {lattice.x(vertex), lattice.y(vertex), lattice.z(vertex)};
-            lifted_[i] = Lifted(grid.at(vertex).components.data());
+            physical_[i] = Lifted(grid.at(vertex).components.data());
         }
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto [least, most] =
@@ -57,9 +57,9 @@ public:
         volumes[0] = determinant_ - volumes[1] - volumes[2] - volumes[3];
         if (std::ranges::min(volumes) < 0)
             return false;
-        result = Lifted(point.components.data()) - lifted_[0];
+        result = Lifted(point.components.data()) - physical_[0];
         for (std::size_t i = 1; i < 4; ++i)
-            result -= volumes[i] / determinant_ * (lifted_[i] - lifted_[0]);
+            result -= volumes[i] / determinant_ * (physical_[i] - physical_[0]);
         return true;
     }
 
@@ -72,7 +72,7 @@ private:
 
     double determinant_;
     std::array<LatticePlace, 4> corners_{};
-    std::array<Lifted, 4> lifted_;
+    std::array<Lifted, 4> physical_;
     std::array<Eigen::Vector3d, 3> normals_; ///< towards the corners 1, 2, 3
 };
 
@@ -87,8 +87,8 @@ public:
     WorstSample worstOf(std::uint32_t slot, ScannedPart part) const
     {
         const DelaunayTetrahedron& tetrahedron = mesh_.mesh()[slot];
-        const PhysicalTetrahedron lifted(lattice_, grid_, tetrahedron);
-        LatticePlace first = lifted.first, last = lifted.last;
+        const PhysicalTetrahedron physical(lattice_, grid_, tetrahedron);
+        LatticePlace first = physical.first, last = physical.last;
         if (part == ScannedPart::Limited)
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 first[axis] = std::max(first[axis], limits_.first[axis]);
@@ -101,19 +101,19 @@ public:
         for (place[2] = first[2]; place[2] <= last[2]; ++place[2])
             for (place[1] = first[1]; place[1] <= last[1]; ++place[1])
                 for (place[0] = first[0]; place[0] <= last[0]; ++place[0])
-                    compare(lifted, place, worst);
+                    compare(physical, place, worst);
         return worst;
     }
 
 private:
-    void compare(const PhysicalTetrahedron& lifted, const LatticePlace& place, WorstSample& worst) const
+    void compare(const PhysicalTetrahedron& physical, const LatticePlace& place, WorstSample& worst) const
     {
         const PackedPoint point =
             lattice_.pack(static_cast<std::uint32_t>(place[0]), static_cast<std::uint32_t>(place[1]),
                           static_cast<std::uint32_t>(place[2]));
         const std::uint32_t index = lattice_.index(point);
         Lifted residual;
-        if (lifted.isCorner(place) || !lifted.residual(place, grid_[index], residual))
+        if (physical.isCorner(place) || !physical.residual(place, grid_[index], residual))
             return;
         const double error = std::abs(residual[3]);
         const double warping = residual.head<3>().matrix().norm();

@@ -18,6 +18,192 @@ namespace tetra {
 
 namespace {
 
+/// One tetrahedron, with the planes of its faces and of its field; coordinates are relative to its first vertex.
+struct ScanPlanes {
+    std::array<double, 4> slopeX, slopeY, slopeZ, constant; ///< six volumes towards each face, at a point
+    double fieldX, fieldY, fieldZ;                          ///< slopes of the field, times the determinant
+    double determinant;
+    double value; ///< at the first vertex
+};
+
+using ScanOffset = std::array<double, 3>;
+
+[[gnu::always_inline]] inline ScanOffset scanCross(const ScanOffset& a, const ScanOffset& b)
+{
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+[[gnu::always_inline]] inline ScanPlanes scanPlanesOf(const std::array<ScanOffset, 3>& edges,
+                                                      const std::array<double, 4>& values, double determinant)
+{
+    const ScanOffset bc = scanCross(edges[1], edges[2]), ca = scanCross(edges[2], edges[0]),
+                     ab = scanCross(edges[0], edges[1]);
+    ScanPlanes planes{};
+    planes.slopeX = {-bc[0] - ca[0] - ab[0], bc[0], ca[0], ab[0]};
+    planes.slopeY = {-bc[1] - ca[1] - ab[1], bc[1], ca[1], ab[1]};
+    planes.slopeZ = {-bc[2] - ca[2] - ab[2], bc[2], ca[2], ab[2]};
+    planes.constant = {determinant, 0, 0, 0};
+    const double a = values[1] - values[0], b = values[2] - values[0], c = values[3] - values[0];
+    planes.fieldX = a * bc[0] + b * ca[0] + c * ab[0];
+    planes.fieldY = a * bc[1] + b * ca[1] + c * ab[1];
+    planes.fieldZ = a * bc[2] + b * ca[2] + c * ab[2];
+    planes.determinant = determinant;
+    planes.value = values[0];
+    return planes;
+}
+
+/// Eight neighbouring samples as doubles.
+template <class T> [[gnu::always_inline]] inline void loadRow(const T* samples, Double8& row)
+{
+    if constexpr (sizeof(T) == 1) {
+        // The last bits of doubles of 2^52 and more are integers: quicker than what compilers make of bytes.
+        std::uint64_t bytes = 0;
+        std::memcpy(&bytes, samples, sizeof bytes);
+        constexpr std::uint64_t signs = std::is_signed_v<T> ? 0x8080808080808080 : 0;
+        constexpr double shift = 0x1p52 + (std::is_signed_v<T> ? 128 : 0);
+        typedef std::uint64_t Words __attribute__((vector_size(64)));
+        const Words words = ((Words{} + (bytes ^ signs)) >> Words{0, 8, 16, 24, 32, 40, 48, 56}) & 255;
+        row = reinterpret_cast<Double8>(words | 0x4330000000000000) - shift;
+    } else {
+        typedef T Samples __attribute__((vector_size(8 * sizeof(T))));
+        Samples loaded;
+        std::memcpy(&loaded, samples, sizeof loaded);
+        if constexpr (std::is_integral_v<T> && sizeof(T) == 2)
+            row = __builtin_convertvector(__builtin_convertvector(loaded, Int8), Double8);
+        else
+            row = __builtin_convertvector(loaded, Double8);
+    }
+}
+
+constexpr std::int32_t scanLanes = 8;
+
+/// From element 8 - n on: n lanes of ones, then zeros.
+constexpr std::array<std::int64_t, 2 * scanLanes> laneOnes = {-1, -1, -1, -1, -1, -1, -1, -1};
+
+using ScanPlace = std::array<std::int32_t, 3>;
+
+/// The rows of a lattice's points in one tetrahedron, eight at a time. Inlined into loops that are compiled for several
+/// instruction sets.
+class TetrahedronRows {
+protected:
+    /// The rows that are looked at together.
+    struct Rows {
+        std::array<std::int32_t, scanLanes> first, last; ///< x, empty if the last comes first
+        std::array<double, scanLanes> field;             ///< at x of the first corner, times the determinant
+    };
+
+    /// Bounds on x, counted from the first x looked at, where rows of y and z cross the planes of the faces: from
+    /// below, or from above.
+    struct RowPlanes {
+        std::array<double, 4> atFirst, slopeY, slopeZ; ///< at the first y and z looked at
+        std::array<bool, 4> fromBelow;
+        double field; ///< at the first corner's x = 0, but for x
+    };
+
+    [[gnu::always_inline]] RowPlanes rowPlanes() const
+    {
+        // Of a face that no row crosses: no bound for rows on its inner side, and none is left for others.
+        constexpr double steep = 1e12, farAway = 1e6;
+        RowPlanes planes{};
+        const double offsetY = first_[1] - corners_[0][1], offsetZ = first_[2] - corners_[0][2];
+        Double4 slopeX, slopeY, slopeZ, constant;
+        std::memcpy(&slopeX, &planes_.slopeX, sizeof slopeX);
+        std::memcpy(&slopeY, &planes_.slopeY, sizeof slopeY);
+        std::memcpy(&slopeZ, &planes_.slopeZ, sizeof slopeZ);
+        std::memcpy(&constant, &planes_.constant, sizeof constant);
+        const Double4 scale = slopeX == 0.0 ? Double4{} + steep : -1.0 / slopeX;
+        const Double4 shift = slopeX == 0.0 ? Double4{} + farAway : Double4{} + double(corners_[0][0] - first_[0]);
+        const Double4 atFirst = (constant + slopeY * offsetY + slopeZ * offsetZ) * scale + shift;
+        slopeY *= scale;
+        slopeZ *= scale;
+        std::memcpy(&planes.atFirst, &atFirst, sizeof atFirst);
+        std::memcpy(&planes.slopeY, &slopeY, sizeof slopeY);
+        std::memcpy(&planes.slopeZ, &slopeZ, sizeof slopeZ);
+        for (std::size_t face = 0; face < 4; ++face)
+            planes.fromBelow[face] = planes_.slopeX[face] > 0;
+        planes.field = planes_.determinant * planes_.value - planes_.fieldX * static_cast<double>(corners_[0][0]);
+        return planes;
+    }
+
+    /// Which x the tetrahedron has in each of eight rows. Exact: where a row crosses a face is an integer or further
+    /// from one than rounding takes it.
+    [[gnu::always_inline]] void findRows(const RowPlanes& planes, std::int32_t y, std::int32_t z, Rows& rows) const
+    {
+        const Double8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
+        const double stepY = y - first_[1], stepZ = z - first_[2];
+        // None is negative, so that cutting off is rounding down.
+        Double8 least = Double8{}, largest = Double8{} + static_cast<double>(last_[0] - first_[0]);
+        for (std::size_t face = 0; face < 4; ++face) {
+            const double atY = planes.atFirst[face] + planes.slopeZ[face] * stepZ + planes.slopeY[face] * stepY;
+            const Double8 bound = planes.slopeY[face] * lane + atY;
+            if (planes.fromBelow[face])
+                least = bound > least ? bound : least;
+            else
+                largest = bound < largest ? bound : largest;
+        }
+        largest = largest < -1.0 ? Double8{} - 1.0 : largest;
+        const double tooFar = last_[0] - first_[0] + 2.0;
+        least = least > tooFar ? Double8{} + tooFar : least;
+        const Int8 first = __builtin_convertvector(least + (1 - roundingRoom), Int8) + first_[0];
+        const Int8 last = __builtin_convertvector(largest + (1 + roundingRoom), Int8) + (first_[0] - 1);
+        const double offsetY = y - corners_[0][1], offsetZ = z - corners_[0][2];
+        const Double8 field =
+            planes_.fieldY * lane + (planes.field + planes_.fieldZ * offsetZ + planes_.fieldY * offsetY);
+        std::memcpy(&rows.first, &first, sizeof first);
+        std::memcpy(&rows.last, &last, sizeof last);
+        std::memcpy(&rows.field, &field, sizeof field);
+    }
+
+    /// Which y the tetrahedron has in a plane across z, never too few.
+    void sliceBounds(std::int32_t z, std::int32_t& first, std::int32_t& last) const
+    {
+        double least = last + 1, largest = first - 1;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const double height = z - corners_[i][2];
+            if (height == 0) {
+                least = std::min(least, double(corners_[i][1]));
+                largest = std::max(largest, double(corners_[i][1]));
+            }
+            for (std::size_t k = 0; k < i; ++k) {
+                const double other = z - corners_[k][2];
+                if (!(height * other < 0))
+                    continue;
+                const double y = corners_[i][1] + (corners_[k][1] - corners_[i][1]) * (height / (height - other));
+                least = std::min(least, y);
+                largest = std::max(largest, y);
+            }
+        }
+        first = std::max(first, static_cast<std::int32_t>(std::ceil(least - roundingRoom)));
+        last = std::min(last, static_cast<std::int32_t>(std::floor(largest + roundingRoom)));
+    }
+
+    /// Which x it has in a row, never too few.
+    [[gnu::always_inline]] void rowBounds(const std::array<double, 4>& row, const std::array<double, 4>& perSlope,
+                                          std::int32_t& first, std::int32_t& last) const
+    {
+        double least = first - corners_[0][0], largest = last - corners_[0][0];
+        for (std::size_t face = 0; face < 4; ++face) {
+            const double bound = -row[face] * perSlope[face];
+            if (planes_.slopeX[face] > 0)
+                least = std::max(least, bound);
+            else if (planes_.slopeX[face] < 0)
+                largest = std::min(largest, bound);
+            else if (row[face] < 0)
+                largest = least - 1;
+        }
+        first = corners_[0][0] + static_cast<std::int32_t>(std::ceil(least - roundingRoom));
+        last = corners_[0][0] + static_cast<std::int32_t>(std::floor(largest + roundingRoom));
+    }
+
+    /// What bounds are off by at most.
+    static constexpr double roundingRoom = 1e-9;
+
+    std::array<std::int32_t, 3> first_{}, last_{}; ///< the points to look at
+    std::array<ScanPlace, 4> corners_{};
+    std::array<ScanOffset, 3> edges_{};
+    ScanPlanes planes_{};
+};
+
 /// Errors a little below the limit are looked at closely: products with it are rounded.
 constexpr double nearly = 1 - 1e-14;
 
@@ -31,7 +217,7 @@ public:
     [[gnu::always_inline]] void run(std::span<const std::uint32_t> slots, ScannedPart part)
     {
         constexpr std::size_t ahead = 8;
-        const bool wide = lattice_.size()[0] >= static_cast<std::uint32_t>(lanes);
+        const bool wide = lattice_.size()[0] >= static_cast<std::uint32_t>(scanLanes);
         for (std::size_t i = 0; i < slots.size(); ++i) {
             if (i + ahead < slots.size())
                 mesh_.mesh().prefetch(slots[i + ahead]);
@@ -88,7 +274,7 @@ private:
                 for (std::size_t axis = 0; axis < 3; ++axis)
                     edges_[i - 1][axis] = static_cast<double>(corners_[i][axis] - corners_[0][axis]);
         }
-        planes_ = planesOf(edges_, values, tetrahedron.determinant());
+        planes_ = scanPlanesOf(edges_, values, tetrahedron.determinant());
     }
 
     /// For each of eight lanes, the largest distance of a sample from the field (times the determinant) and its number
@@ -108,12 +294,12 @@ private:
         Farthest inside{Double8{} + least, Double8{} - 1.0}, outside{Double8{} + most, Double8{} - 1.0};
         for (std::int32_t z = first_[2]; z <= last_[2]; ++z) {
             std::int32_t firstY = first_[1], lastY = last_[1];
-            if (lastY - firstY >= lanes)
+            if (lastY - firstY >= scanLanes)
                 sliceBounds(z, firstY, lastY);
-            for (std::int32_t block = firstY; block <= lastY; block += lanes) {
+            for (std::int32_t block = firstY; block <= lastY; block += scanLanes) {
                 Rows rows;
                 findRows(planes, block, z, rows);
-                const std::int32_t end = std::min(lanes, lastY - block + 1);
+                const std::int32_t end = std::min(scanLanes, lastY - block + 1);
                 for (std::int32_t i = 0; i < end; ++i)
                     if (rows.first[i] <= rows.last[i])
                         lookAtRow(rows.first[i], rows.last[i], block + i, z, rows.field[i], inside, outside);
@@ -155,7 +341,7 @@ private:
     [[gnu::always_inline]] static double largestOf(const Double8& numbers)
     {
         double largest = numbers[0];
-        for (std::int32_t i = 1; i < lanes; ++i)
+        for (std::int32_t i = 1; i < scanLanes; ++i)
             largest = std::max(largest, numbers[i]);
         return largest;
     }
@@ -166,7 +352,7 @@ private:
         if (!(largest > threshold) || !(error > limit))
             return;
         double place = std::numeric_limits<double>::infinity();
-        for (std::int32_t i = 0; i < lanes; ++i)
+        for (std::int32_t i = 0; i < scanLanes; ++i)
             if (farthest.distance[i] == largest)
                 place = std::min(place, farthest.place[i]);
         const WorstSample sample{error / limit, error, lattice_.pointAt(static_cast<std::uint32_t>(place)), 0, {}};
@@ -193,9 +379,9 @@ private:
                                           Farthest& farthest) const
     {
         const Double8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
-        const std::int32_t lastStart = static_cast<std::int32_t>(lattice_.size()[0]) - lanes;
+        const std::int32_t lastStart = static_cast<std::int32_t>(lattice_.size()[0]) - scanLanes;
         const double slope = planes_.fieldX;
-        for (std::int32_t x = first; x <= last; x += lanes) {
+        for (std::int32_t x = first; x <= last; x += scanLanes) {
             const std::int32_t from = std::min(x, lastStart);
             Double8 values;
             loadRow(samples_ + row + from, values);
@@ -203,8 +389,8 @@ private:
                 planes_.determinant * values - slope * lane - (field + slope * static_cast<double>(from));
             // Lanes that are not in the run become 0.
             Long8 upToLast, beforeFirst;
-            std::memcpy(&upToLast, &ones[lanes - std::min(lanes, last - from + 1)], sizeof upToLast);
-            std::memcpy(&beforeFirst, &ones[lanes - (x - from)], sizeof beforeFirst);
+            std::memcpy(&upToLast, &laneOnes[scanLanes - std::min(scanLanes, last - from + 1)], sizeof upToLast);
+            std::memcpy(&beforeFirst, &laneOnes[scanLanes - (x - from)], sizeof beforeFirst);
             const Double8 distance = reinterpret_cast<Double8>(
                 reinterpret_cast<Long8>(numerator) & (Long8{} + 0x7fffffffffffffff) & upToLast & ~beforeFirst);
             const Double8 place = static_cast<double>(row + static_cast<std::size_t>(from)) + lane;
@@ -250,7 +436,7 @@ private:
         append(found, slot, tetrahedron);
     }
 
-    void compare(double error, const Place& place, const DelaunayTetrahedron& tetrahedron, WorstSample& found) const
+    void compare(double error, const ScanPlace& place, const DelaunayTetrahedron& tetrahedron, WorstSample& found) const
     {
         if (!(error > limits_.least))
             return;
@@ -396,7 +582,7 @@ private:
         return meets && !settled;
     }
 
-    std::size_t indexOf(const Place& place) const
+    std::size_t indexOf(const ScanPlace& place) const
     {
         const auto& size = lattice_.size();
         return (std::size_t(place[2]) * size[1] + std::size_t(place[1])) * size[0] + std::size_t(place[0]);
@@ -406,7 +592,7 @@ private:
     /// do, or if more than the samples would be read.
     TETRA_SIMD_INLINE TETRA_SIMD_16 bool prepare(const DelaunayTetrahedron& tetrahedron)
     {
-        std::array<Offset, 3> edges{};
+        std::array<ScanOffset, 3> edges{};
         std::array<double, 4> values{};
         for (std::size_t i = 0; i < 4; ++i) {
             values[i] = static_cast<double>(samples_[indexOf(corners_[i])]);
@@ -414,8 +600,8 @@ private:
                 for (std::size_t axis = 0; axis < 3; ++axis)
                     edges[i - 1][axis] = static_cast<double>(corners_[i][axis] - corners_[0][axis]);
         }
-        const Planes planes = planesOf(edges, values, tetrahedron.determinant());
-        Offset start{}, extent{};
+        const ScanPlanes planes = scanPlanesOf(edges, values, tetrahedron.determinant());
+        ScanOffset start{}, extent{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             start[axis] = first_[axis] - corners_[0][axis];
             extent[axis] = last_[axis] - first_[axis];
@@ -548,8 +734,8 @@ private:
     const ErrorLimits& limits_;
     const ScannedPart part_;
 
-    std::array<Place, 4> corners_{};
-    Place first_{}, last_{}; ///< the points to look at
+    std::array<ScanPlace, 4> corners_{};
+    ScanPlace first_{}, last_{}; ///< the points to look at
     std::array<bool, 4> fromBelow_{};
     Float4 bound_{}, boundY_{}, boundZ_{}; ///< on x, from each face
     float field_ = 0, fieldX_ = 0, fieldY_ = 0, fieldZ_ = 0;

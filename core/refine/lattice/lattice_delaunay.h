@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/buffer.h"
-#include "core/base/progress.h"
-#include "core/base/result.h"
+#include "core/base/reserved_array.h"
 #include "core/refine/lattice/block_division.h"
 #include "core/refine/lattice/packed_lattice.h"
 #include "core/refine/lattice/star.h"
+
+#include <tan/base.h>
 
 #include <array>
 #include <cstdint>

@@ -4,10 +4,15 @@
 #include "core/base/rounding.h"
 #include "core/base/simd.h"
 #include "core/mesh/topology.h"
+#include "core/refine/lattice/error_queue.h"
+#include "core/refine/lattice/point_pool.h"
+#include "core/refine/lattice/redistribution.h"
 
 #include <algorithm>
 #include <limits>
 #include <new>
+#include <span>
+#include <vector>
 
 namespace tetra {
 
@@ -28,10 +33,61 @@ Status checkBox(const LatticeBoxOptions& options)
 
 } // namespace
 
+/// The refinement of one box after another in the same memory: the mesh, the buckets of points inside its tetrahedra,
+/// and the queue of their errors. One thread. Allocations throw std::bad_alloc.
 class LatticeRefiner::State {
 public:
-    BoxRefinement refinement;
-    Buffer<std::byte> samples;
+    /// `samples` are those of the box alone. After an error the next run starts afresh.
+    Result<LatticeRefinementResult> run(const LatticeBoxOptions& options, const LatticeSamples& samples,
+                                        HistorySink& sink, const Progress& progress);
+
+    Buffer<std::byte> boxSamples; ///< room for those of a box
+
+private:
+    static constexpr std::uint32_t none = 0xffffffff;
+    /// What is kept for each slot besides its geometry.
+    struct SlotState {
+        std::uint32_t history; ///< its tetrahedron's number in the history
+        std::uint32_t bucket;  ///< none if no point is inside
+    };
+
+    Status start();
+    Status distributeStart();
+    Status addCorners();
+    Result<LatticeRefinementResult> refine(const Progress& progress);
+    Status insertWorst(PointBucket worst);
+    void fetchAhead() const;
+    void collectDestroyed(PackedPoint apex);
+    void fillBuckets(std::span<const std::uint32_t> slots);
+    std::uint32_t takeBucketNumber();
+    std::span<const PointBucket> buckets() const { return {buckets_.data(), bucketCount_}; }
+    bool counts(float error) const { return error > options_.stopError; }
+    std::uint64_t wholeIndex(PackedPoint point) const;
+
+    LatticeBoxOptions options_;
+    const LatticeSamples* samples_ = nullptr;
+    HistorySink* sink_ = nullptr;
+    PackedLattice lattice_{{2, 2, 2}};
+    LatticeDelaunay delaunay_;
+    PointPool pool_;
+    ReservedArray<PointBucket> buckets_;
+    std::uint32_t bucketCount_ = 0; ///< in use or once used
+    std::vector<std::uint32_t> freeBuckets_;
+    ErrorQueue queue_;
+    ReservedArray<SlotState> slots_;
+    Star startStar_;
+    Redistribution redistribution_;
+    std::uint64_t pointsAboveStop_ = 0; ///< points in tetrahedra that must still be refined: what is left to do
+    std::uint32_t siteCount_ = 0;
+    std::uint64_t tetrahedronCount_ = 0;
+
+    Buffer<PackedPoint> points_;
+    Buffer<std::uint32_t> filledFaces_;
+    Buffer<std::uint32_t> places_;
+    std::vector<std::uint32_t> destroyedHistory_;
+    std::vector<std::uint32_t> destroyedBuckets_;
+    std::vector<HistoryTetrahedron> starHistory_;
+    std::array<float, LatticeDelaunay::startCount> startErrors_{};
 };
 
 LatticeRefiner::LatticeRefiner() = default;
@@ -48,9 +104,9 @@ Result<LatticeRefinementResult> LatticeRefiner::refine(const LatticeBoxOptions& 
         if (!state_)
             state_ = std::make_unique<State>();
         const bool whole = options.box.size == options.latticeSize;
-        return state_->refinement.run(
-            options, whole ? samples : samples.copyBox(options.latticeSize, options.box, state_->samples), sink,
-            progress);
+        return state_->run(options,
+                           whole ? samples : samples.copyBox(options.latticeSize, options.box, state_->boxSamples),
+                           sink, progress);
     } catch (const std::bad_alloc&) {
         return Error{ErrorKind::OutOfResource, "Not enough memory to refine this lattice. Close other programs, use a "
                                                "machine with more memory, or crop or subsample the data."};
@@ -72,8 +128,9 @@ Result<LatticeRefinementResult> refineLattice(const LatticeRefinementOptions& op
     return LatticeRefiner().refine(whole, samples, sink, progress);
 }
 
-Result<LatticeRefinementResult> BoxRefinement::run(const LatticeBoxOptions& options, const LatticeSamples& samples,
-                                                   HistorySink& sink, const Progress& progress)
+Result<LatticeRefinementResult> LatticeRefiner::State::run(const LatticeBoxOptions& options,
+                                                           const LatticeSamples& samples, HistorySink& sink,
+                                                           const Progress& progress)
 {
     options_ = options;
     samples_ = &samples;
@@ -84,7 +141,7 @@ Result<LatticeRefinementResult> BoxRefinement::run(const LatticeBoxOptions& opti
     return refine(progress);
 }
 
-Status BoxRefinement::distributeStart()
+Status LatticeRefiner::State::distributeStart()
 {
     std::array<std::vector<PackedPoint>, LatticeDelaunay::startCount> inside;
     const auto& size = options_.box.size;
@@ -129,7 +186,7 @@ Status BoxRefinement::distributeStart()
 }
 
 /// Hands the eight corners and the five tetrahedra to the sink, each tetrahedron with the latest of its corners.
-Status BoxRefinement::addCorners()
+Status LatticeRefiner::State::addCorners()
 {
     const auto& size = options_.box.size;
     std::array<PackedPoint, 8> points{};
@@ -160,7 +217,7 @@ Status BoxRefinement::addCorners()
     return {};
 }
 
-Status BoxRefinement::start()
+Status LatticeRefiner::State::start()
 {
     const auto& size = options_.box.size;
     if (Status status = delaunay_.start(size, options_.metric, options_.centreAtOrigin); !status)
@@ -185,7 +242,7 @@ Status BoxRefinement::start()
 }
 
 /// The point's number in the whole lattice.
-std::uint64_t BoxRefinement::wholeIndex(PackedPoint point) const
+std::uint64_t LatticeRefiner::State::wholeIndex(PackedPoint point) const
 {
     const auto& origin = options_.box.origin;
     const std::uint64_t x = origin[0] + static_cast<std::uint32_t>(lattice_.x(point));
@@ -194,7 +251,7 @@ std::uint64_t BoxRefinement::wholeIndex(PackedPoint point) const
     return (z * options_.latticeSize[1] + y) * options_.latticeSize[0] + x;
 }
 
-std::uint32_t BoxRefinement::takeBucketNumber()
+std::uint32_t LatticeRefiner::State::takeBucketNumber()
 {
     if (freeBuckets_.empty())
         return bucketCount_++;
@@ -204,7 +261,7 @@ std::uint32_t BoxRefinement::takeBucketNumber()
 }
 
 /// Makes the buckets of `slots` out of what the relocation placed into the tetrahedra of its star.
-TETRA_SIMD_CLONES void BoxRefinement::fillBuckets(std::span<const std::uint32_t> slots)
+TETRA_SIMD_CLONES void LatticeRefiner::State::fillBuckets(std::span<const std::uint32_t> slots)
 {
     // Which tetrahedra have points at all is told without a branch, because nobody could predict it.
     std::size_t filledCount = 0;
@@ -234,7 +291,7 @@ TETRA_SIMD_CLONES void BoxRefinement::fillBuckets(std::span<const std::uint32_t>
 
 /// Takes the points of the last insertion's cavity, without `apex`, and the history numbers of what it destroyed, and
 /// gives the buckets back.
-TETRA_SIMD_CLONES void BoxRefinement::collectDestroyed(PackedPoint apex)
+TETRA_SIMD_CLONES void LatticeRefiner::State::collectDestroyed(PackedPoint apex)
 {
     destroyedHistory_.clear();
     destroyedBuckets_.clear();
@@ -271,7 +328,7 @@ TETRA_SIMD_CLONES void BoxRefinement::collectDestroyed(PackedPoint apex)
 
 /// Fetches what the next insertions will need, as far as the queue can tell: for one far ahead its bucket, then step by
 /// step what the bucket leads to.
-void BoxRefinement::fetchAhead() const
+void LatticeRefiner::State::fetchAhead() const
 {
     const auto ahead = [this](std::size_t steps, const auto& fetch) {
         if (const std::uint32_t number = queue_.probableNext(steps); number != ErrorQueue::none)
@@ -296,7 +353,7 @@ void BoxRefinement::fetchAhead() const
     });
 }
 
-Status BoxRefinement::insertWorst(PointBucket worst)
+Status LatticeRefiner::State::insertWorst(PointBucket worst)
 {
     const PackedPoint point = worst.worst;
     const float keyBefore = worst.error;
@@ -327,7 +384,7 @@ Status BoxRefinement::insertWorst(PointBucket worst)
     return sink_->add({wholeIndex(point), keyBefore, starHistory_, destroyedHistory_});
 }
 
-Result<LatticeRefinementResult> BoxRefinement::refine(const Progress& progress)
+Result<LatticeRefinementResult> LatticeRefiner::State::refine(const Progress& progress)
 {
     const std::uint64_t pointsAtStart = std::max<std::uint64_t>(pointsAboveStop_, 1);
     // Early insertions move millions of points, late ones a few: ask by work done, not by insertions.

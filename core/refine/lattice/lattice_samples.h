@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/buffer.h"
 #include "core/refine/lattice/packed_lattice.h"
+
+#include <tan/base.h>
 
 #include <algorithm>
 #include <array>

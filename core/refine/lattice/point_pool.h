@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/buffer.h"
+#include "core/base/reserved_array.h"
 #include "core/refine/lattice/packed_lattice.h"
+
+#include <tan/base.h>
 
 #include <algorithm>
 #include <array>

@@ -13,6 +13,13 @@ namespace tetra {
 
 namespace {
 
+/// Points in the tetrahedra of a star. All arrays are equally long, a multiple of four.
+struct OwnedPoints {
+    std::span<const PackedPoint> points;
+    std::span<const std::int32_t> owners; ///< the star's tetrahedron that has the point
+    std::span<const float> x, y, z;       ///< relative to the apex
+};
+
 /// One tetrahedron of the star with the values of its vertices.
 struct ValuedFace {
     const Star::Face& geometry;
@@ -123,8 +130,10 @@ void computeBoundaryErrors(const PackedLattice& lattice, const Star& star, const
     }
 }
 
-} // namespace
-
+/// errors[i] = the weighted distance of the sample of point i from the interpolation in the tetrahedron that has it. It
+/// does not depend, bit for bit, on which of several tetrahedra that hold a point has it, if the point is on the box's
+/// boundary: so boxes agree about shared points (S3). For samples of up to 16 bits that is so for all points, because
+/// it is one division of exact integers (S8).
 void computeErrors(const PackedLattice& lattice, const LatticeSamples& samples, const Star& star,
                    const OwnedPoints& owned, PointErrorScratch& room, std::span<double> errors)
 {
@@ -144,8 +153,6 @@ void computeErrors(const PackedLattice& lattice, const LatticeSamples& samples, 
         for (std::size_t k = 0; k < owned.points.size(); ++k)
             errors[k] *= samples.weight(lattice, owned.points[k]);
 }
-
-namespace {
 
 /// Point arrays are padded to what the search tests at a time.
 constexpr std::size_t redistributionLanes = coneSearchLanes;

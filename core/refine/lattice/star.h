@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/buffer.h"
-#include "core/base/result.h"
+#include "core/base/reserved_array.h"
 #include "core/refine/lattice/packed_lattice.h"
+
+#include <tan/base.h>
 
 #include <array>
 #include <cstddef>

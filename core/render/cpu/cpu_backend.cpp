@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/cpu/cpu_backend.h"
-
+#include "core/base/progress.h"
 #include "core/render/cpu/draw_list.h"
 #include "core/render/cpu/tile_bins.h"
 #include "core/render/cpu/tile_painter.h"
-#include "core/render/picture.h"
-#include "core/render/render_backend.h"
+#include "core/render/resolve.h"
+#include "core/render/scene_checks.h"
 #include "core/render/tiles.h"
+#include "core/render/view_transform.h"
 #include "core/render/volume/projected_volume.h"
 #include "core/render/volume/tile_picture.h"
 #include "core/render/volume/volume_mesh.h"
 #include "core/render/volume/volume_renderer.h"
+#include "core/render/volume/volume_view.h"
+
+#include <tan/base.h>
+
+#include <tan/render.h>
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -18,11 +23,21 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace tetra {
 
+namespace {
+
+/// Pictures with more samples a side than this are drawn in parts, so that what is kept for the tiles at one time, and
+/// the coordinates in them, stay bounded. Twice what the largest screens have.
+constexpr int largestPartSide = 8192;
+
+/// A picture of `width` x `height` samples in parts, row by row, whose sides but the last are multiples of `tileSide`.
 std::vector<SampleRectangle> picturePartsOf(int width, int height, int tileSide)
 {
     const int side = largestPartSide / tileSide * tileSide;
@@ -33,7 +48,17 @@ std::vector<SampleRectangle> picturePartsOf(int width, int height, int tileSide)
     return parts;
 }
 
-namespace {
+/// A part of a picture that is to be drawn, in samples. Both views are of the part.
+struct PartView {
+    SampleRectangle part;
+    ViewTransform surfaces;
+    VolumeView volume;
+};
+
+/// The visibility orders of the scene's volume and of the fine one in its focus; empty if there is none.
+struct VolumeOrders {
+    std::span<const std::uint32_t> volume, fine;
+};
 
 constexpr std::string_view drawingParts = "Drawing the picture";
 
@@ -181,13 +206,16 @@ private:
     std::size_t fragments_ = 0;
 };
 
-} // namespace
-
+/// Samples an axis of a tile; tiles hold whole pixels.
 int tileSideFor(int samplesPerAxis)
 {
     return volumeTileSide / samplesPerAxis * samplesPerAxis;
 }
 
+/// Draws a part of the scene into its place in the picture: surfaces and lines by tiles, and where there are cells of
+/// the volume, both together, front to back (R21). Adds to the statistics. On all threads of
+/// the current arena, the same picture with any number. Errors: a scene whose indices lead nowhere, cancelled. May
+/// throw std::bad_alloc.
 Status drawPart(const Scene& scene, const PartView& view, const VolumeOrders& orders, const PictureOptions& options,
                 const Progress& progress, Picture& picture, RenderStatistics& statistics)
 {
@@ -238,8 +266,6 @@ Status drawPart(const Scene& scene, const PartView& view, const VolumeOrders& or
     statistics.fillSeconds += watch.lap();
     return {};
 }
-
-namespace {
 
 /// Fills a new vector, unless cancelled: gigabytes take seconds.
 template <class Value> void fill(std::vector<Value>& values, std::size_t count, const Progress& progress)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/cpu/draw_list.h"
 
-#include "core/render/render_backend.h"
+#include "core/render/scene_checks.h"
 #include "core/render/view_transform.h"
+
+#include <tan/render.h>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -15,6 +17,38 @@
 namespace tetra {
 
 namespace {
+
+/// A corner before the division by w.
+struct ClipVertex {
+    Eigen::Vector4d position{0, 0, 0, 1};
+    Eigen::Vector3f normal{0, 0, 1};
+    Eigen::Vector3f colour{0, 0, 0}; ///< red, green, blue; where vertices have colours
+};
+
+/// How far beyond the picture's edge a corner may lie, in units of half the picture, before its triangle is cut: far
+/// enough that few are, near enough for 32-bit coordinates.
+constexpr double guardBand = 3;
+
+/// On which sides of the view a corner lies outside, as bits.
+namespace outsideView {
+constexpr std::uint8_t left = 1;
+constexpr std::uint8_t right = 2;
+constexpr std::uint8_t below = 4;
+constexpr std::uint8_t above = 8;
+constexpr std::uint8_t near = 16;
+constexpr std::uint8_t guard = 32;
+constexpr std::uint8_t notFinite = 64;
+/// Sides such that a triangle wholly beyond one of them is invisible.
+constexpr std::uint8_t view = left | right | below | above | near;
+/// What calls for cutting.
+constexpr std::uint8_t cut = near | guard;
+} // namespace outsideView
+
+/// A convex polygon with as many corners as a triangle can get from five cuts.
+struct ClippedPolygon {
+    std::array<ClipVertex, 8> corners;
+    std::size_t count = 0;
+};
 
 /// The signed distance from a cutting plane; inside is not negative.
 double distanceFrom(std::size_t plane, const Eigen::Vector4d& p)
@@ -55,23 +89,23 @@ ClippedPolygon cutBy(std::size_t plane, const ClippedPolygon& polygon)
     return result;
 }
 
-} // namespace
-
 std::uint8_t outsideBits(const Eigen::Vector4d& p) noexcept
 {
     if (!p.allFinite())
-        return outside::notFinite;
+        return outsideView::notFinite;
     const double w = p.w();
     unsigned bits = 0;
-    bits |= p.x() < -w ? outside::left : 0u;
-    bits |= p.x() > w ? outside::right : 0u;
-    bits |= p.y() < -w ? outside::below : 0u;
-    bits |= p.y() > w ? outside::above : 0u;
-    bits |= p.z() < -w || w <= 0 ? outside::near : 0u;
-    bits |= std::abs(p.x()) > guardBand * w || std::abs(p.y()) > guardBand * w ? outside::guard : 0u;
+    bits |= p.x() < -w ? outsideView::left : 0u;
+    bits |= p.x() > w ? outsideView::right : 0u;
+    bits |= p.y() < -w ? outsideView::below : 0u;
+    bits |= p.y() > w ? outsideView::above : 0u;
+    bits |= p.z() < -w || w <= 0 ? outsideView::near : 0u;
+    bits |= std::abs(p.x()) > guardBand * w || std::abs(p.y()) > guardBand * w ? outsideView::guard : 0u;
     return static_cast<std::uint8_t>(bits);
 }
 
+/// The part of a triangle behind the near plane and inside the guard band. Triangles that share an edge get the same
+/// new corners on it, bit for bit.
 ClippedPolygon clipTriangle(const std::array<ClipVertex, 3>& triangle)
 {
     ClippedPolygon polygon;
@@ -81,8 +115,6 @@ ClippedPolygon clipTriangle(const std::array<ClipVertex, 3>& triangle)
         polygon = cutBy(plane, polygon);
     return polygon;
 }
-
-namespace {
 
 constexpr std::size_t trianglesInChunk = 1 << 14;
 
@@ -206,7 +238,7 @@ Buffer<std::uint8_t> Builder::projectVertices(const TriangleMesh& mesh)
         for (std::size_t v = range.begin(); v != range.end(); ++v) {
             const ClipVertex vertex = toClip(mesh, static_cast<std::uint32_t>(v));
             bits[v] = outsideBits(vertex.position);
-            if ((bits[v] & (outside::cut | outside::notFinite)) == 0)
+            if ((bits[v] & (outsideView::cut | outsideView::notFinite)) == 0)
                 list_.vertices[before + v] = projector_.toScreen(vertex);
         }
     });
@@ -229,9 +261,10 @@ DrawnPiece Builder::projectTriangles(const Surface& surface, std::size_t first, 
         const auto& [a, b, c] = mesh.triangles[t];
         const unsigned all = bits[a] & bits[b] & bits[c];
         const unsigned any = bits[a] | bits[b] | bits[c];
-        if ((all & outside::view) != 0 || (any & outside::notFinite) != 0 || !isDrawn(surface, mesh.triangles[t]))
+        if ((all & outsideView::view) != 0 || (any & outsideView::notFinite) != 0 ||
+            !isDrawn(surface, mesh.triangles[t]))
             continue;
-        if ((any & outside::cut) == 0)
+        if ((any & outsideView::cut) == 0)
             piece.triangles.push_back({{firstVertex + a, firstVertex + b, firstVertex + c}, material});
         else
             piece.addPolygon(clipTriangle({toClip(mesh, a), toClip(mesh, b), toClip(mesh, c)}), projector_, material);

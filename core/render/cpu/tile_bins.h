@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/buffer.h"
 #include "core/render/cpu/draw_list.h"
 #include "core/render/tiles.h"
 #include "core/render/view_transform.h"
+
+#include <tan/base.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
 #include "core/render/gl/gl_functions.h"
+
+#include <tan/base.h>
 
 #include <memory>
 

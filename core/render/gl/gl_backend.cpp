@@ -3,7 +3,9 @@
 #include "core/render/gl/gl_buffers.h"
 #include "core/render/gl/gl_functions.h"
 #include "core/render/gl/scene_painter.h"
-#include "core/render/render_backend.h"
+#include "core/render/scene_checks.h"
+
+#include <tan/render.h>
 
 #include <algorithm>
 #include <new>

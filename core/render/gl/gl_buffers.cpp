@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/gl/gl_buffers.h"
 
-#include "core/render/render_backend.h"
+#include "core/render/scene_checks.h"
+
+#include <tan/render.h>
 
 #include <tbb/parallel_for.h>
 
@@ -14,8 +16,11 @@
 
 namespace tetra {
 
+namespace {
+
+/// Sends `data` into `target`, which is made if it is empty; `format` is that of a texel and stays the same.
 void fillTextureBuffer(const GlFunctions& gl, TextureBuffer& target, unsigned format, std::span<const std::byte> data,
-                       unsigned usage)
+                       unsigned usage = gl::staticDraw)
 {
     const bool isNew = target.buffer.name() == 0;
     if (isNew)
@@ -29,8 +34,6 @@ void fillTextureBuffer(const GlFunctions& gl, TextureBuffer& target, unsigned fo
     gl.texBuffer(gl::textureBuffer, format, target.buffer.name());
     gl.bindTexture(gl::textureBuffer, 0);
 }
-
-namespace {
 
 template <class T>
 void fillBuffer(const GlFunctions& gl, unsigned target, const GlObject& buffer, std::span<const T> data)
@@ -164,8 +167,7 @@ ChunkData visibleCells(const TetrahedralMesh& mesh, const VolumeTransfer& transf
     return data;
 }
 
-} // namespace
-
+/// Errors: more vertices than the driver allows, out of memory.
 Status fillVertices(const GlFunctions& gl, const TetrahedralMesh& mesh, VolumeBuffers& buffers)
 {
     int limit = 0;
@@ -182,6 +184,8 @@ Status fillVertices(const GlFunctions& gl, const TetrahedralMesh& mesh, VolumeBu
     fillTextureBuffer(gl, buffers.vertices, gl::rgba32f, byteCount(vertices));
     return gl.getError() == gl::outOfMemory ? Status(outOfMemory()) : Status();
 }
+
+} // namespace
 
 Status fillCells(const GlFunctions& gl, const TetrahedralMesh& mesh, const VolumeTransfer& transfer,
                  VolumeBuffers& buffers)

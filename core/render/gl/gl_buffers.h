@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
 #include "core/render/gl/gl_functions.h"
-#include "core/render/scene.h"
 #include "core/render/volume/projected_vertices.h"
 #include "core/render/volume/volume_renderer.h"
+
+#include <tan/base.h>
+#include <tan/render.h>
 
 #include <Eigen/Core>
 
 #include <cstddef>
 #include <map>
 #include <memory>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -54,10 +54,6 @@ struct TextureBuffer {
     GlObject buffer;
     GlObject texture;
 };
-
-/// Sends `data` into `target`, which is made if it is empty; `format` is that of a texel and stays the same.
-void fillTextureBuffer(const GlFunctions& gl, TextureBuffer& target, unsigned format, std::span<const std::byte> data,
-                       unsigned usage = gl::staticDraw);
 
 /// A triangle mesh in the memory of the graphics card.
 struct MeshBuffers {
@@ -110,8 +106,6 @@ struct VolumeBuffers {
     std::weak_ptr<const VolumeTransfer> transfer;
 };
 
-/// Errors: more vertices than the driver allows, out of memory.
-Status fillVertices(const GlFunctions& gl, const TetrahedralMesh& mesh, VolumeBuffers& buffers);
 /// Sends the cells of buffers.order of which something is seen. Error: out of memory.
 Status fillCells(const GlFunctions& gl, const TetrahedralMesh& mesh, const VolumeTransfer& transfer,
                  VolumeBuffers& buffers);

@@ -11,6 +11,9 @@ namespace tetra {
 
 namespace {
 
+/// The length of the arrays in cut.frag and volume.frag.
+constexpr std::size_t largestClipPlaneCount = 16;
+
 std::string logOf(unsigned name, GlFunctions::Function<GlFunctions::GetInteger> getInteger,
                   GlFunctions::Function<GlFunctions::GetLog> getLog)
 {

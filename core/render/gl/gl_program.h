@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
 #include "core/render/gl/gl_functions.h"
-#include "core/render/picture.h"
-#include "core/render/scene.h"
+
+#include <tan/base.h>
+#include <tan/render.h>
 
 #include <Eigen/Core>
 
@@ -76,9 +76,6 @@ void startBlendingUnder(const GlFunctions& gl);
 void endBlending(const GlFunctions& gl);
 /// Binds no program, no vertex array and no texture; no depth test.
 void leaveDrawingState(const GlFunctions& gl);
-
-/// The length of the arrays in cut.frag and volume.frag.
-inline constexpr std::size_t largestClipPlaneCount = 16;
 
 Status checkClipPlanes(std::span<const ClipPlane> planes);
 

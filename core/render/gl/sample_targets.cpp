@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/gl/sample_targets.h"
 
-#include "core/render/picture.h"
+#include "core/render/resolve.h"
+
+#include <tan/render.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <limits>
 #include <string>
 
@@ -11,13 +14,19 @@ namespace tetra {
 
 namespace {
 
+/// Of glTexImage2D.
+struct TextureFormat {
+    unsigned internal;
+    unsigned format;
+    unsigned type;
+};
+
 constexpr TextureFormat colourFormat{gl::rgba16f, gl::rgba, gl::floatType};
 constexpr TextureFormat fineColourFormat{gl::rgba32f, gl::rgba, gl::floatType};
 constexpr TextureFormat depthFormat{gl::depthComponent32f, gl::depthComponent, gl::floatType};
 constexpr TextureFormat keyFormat{gl::rg32ui, gl::rgInteger, gl::unsignedInt};
 
-} // namespace
-
+/// A texture whose texels are read as they are.
 GlObject makeTexture(const GlFunctions& gl, int width, int height, const TextureFormat& format)
 {
     GlObject texture(gl.genTextures, gl.deleteTextures);
@@ -30,6 +39,7 @@ GlObject makeTexture(const GlFunctions& gl, int width, int height, const Texture
     return texture;
 }
 
+/// Of textures; 0 is no depth. Stays bound.
 GlObject makeFramebuffer(const GlFunctions& gl, std::initializer_list<unsigned> colours, unsigned depthTexture)
 {
     GlObject object(gl.genFramebuffers, gl.deleteFramebuffers);
@@ -48,7 +58,8 @@ GlObject makeFramebuffer(const GlFunctions& gl, std::initializer_list<unsigned> 
     return object;
 }
 
-Status checkComplete(const GlFunctions& gl)
+/// Of the framebuffer that was made last, and of the memory for all.
+Status checkFramebuffer(const GlFunctions& gl)
 {
     const bool complete = gl.checkFramebufferStatus(gl::framebuffer) == gl::framebufferComplete;
     if (gl.getError() == gl::outOfMemory)
@@ -60,6 +71,8 @@ Status checkComplete(const GlFunctions& gl)
                                                "OpenGL 3.3 demands. Use the CPU back end."};
     return {};
 }
+
+} // namespace
 
 Status makeSampleTargets(const GlFunctions& gl, int width, int height, SampleTargets& targets)
 {
@@ -74,7 +87,7 @@ Status makeSampleTargets(const GlFunctions& gl, int width, int height, SampleTar
     targets.opaqueColour = makeTexture(gl, targets.width, targets.height, colourFormat);
     targets.opaqueDepth = makeTexture(gl, targets.width, targets.height, depthFormat);
     targets.opaqueFramebuffer = makeFramebuffer(gl, {targets.opaqueColour.name()}, targets.opaqueDepth.name());
-    return checkComplete(gl);
+    return checkFramebuffer(gl);
 }
 
 Status makeAccumulated(const GlFunctions& gl, bool fine, SampleTargets& targets)
@@ -89,7 +102,7 @@ Status makeAccumulated(const GlFunctions& gl, bool fine, SampleTargets& targets)
     targets.accumulatedFramebuffer =
         makeFramebuffer(gl, {targets.accumulated.name()}, fine ? targets.saturatedDepth.name() : 0);
     targets.fine = fine;
-    return checkComplete(gl);
+    return checkFramebuffer(gl);
 }
 
 Status makeLayers(const GlFunctions& gl, SampleTargets& targets)
@@ -103,7 +116,7 @@ Status makeLayers(const GlFunctions& gl, SampleTargets& targets)
         targets.layerFramebuffers[i] =
             makeFramebuffer(gl, {targets.layerColour.name(), targets.layerKeys[i].name()}, targets.layerDepth.name());
     }
-    return checkComplete(gl);
+    return checkFramebuffer(gl);
 }
 
 Status MedianDepth::prepare(int width, int height)
@@ -117,7 +130,7 @@ Status MedianDepth::prepare(int width, int height)
         ranges_[i] = makeTexture(gl_, width, height, {gl::rg32f, gl::rg, gl::floatType});
         framebuffers_[i] = makeFramebuffer(gl_, {ranges_[i].name(), middle_.name()}, 0);
     }
-    if (Status status = checkComplete(gl_); !status)
+    if (Status status = checkFramebuffer(gl_); !status)
         return status;
     width_ = width;
     height_ = height;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
-#include "core/render/camera.h"
 #include "core/render/gl/gl_buffers.h"
 #include "core/render/gl/gl_program.h"
 
+#include <tan/base.h>
+#include <tan/render.h>
+
 #include <array>
-#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -21,20 +21,6 @@ struct SampleView {
     Eigen::AlignedBox3d bounds;
     bool amongRays = false; ///< samples lie where the CPU back end has the rays of a volume, else in the middle
 };
-
-/// Of glTexImage2D.
-struct TextureFormat {
-    unsigned internal;
-    unsigned format;
-    unsigned type;
-};
-
-/// A texture whose texels are read as they are.
-GlObject makeTexture(const GlFunctions& gl, int width, int height, const TextureFormat& format);
-/// Of textures; 0 is no depth. Stays bound.
-GlObject makeFramebuffer(const GlFunctions& gl, std::initializer_list<unsigned> colours, unsigned depthTexture);
-/// Of the framebuffer that was made last, and of the memory for all.
-Status checkComplete(const GlFunctions& gl);
 
 /// The textures that a picture's samples are drawn into. Colours are half floats, since many layers of 8 bits would add
 /// up their rounding.

@@ -5,8 +5,10 @@
 #include "core/render/gl/sample_targets.h"
 #include "core/render/gl/surface_painter.h"
 #include "core/render/gl/volume_painter.h"
-#include "core/render/render_backend.h"
+#include "core/render/scene_checks.h"
 #include "core/render/volume/volume_mesh.h"
+
+#include <tan/render.h>
 
 #include <chrono>
 #include <new>

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/render/camera.h"
 #include "core/render/gl/gl_functions.h"
-#include "core/render/render_backend.h"
-#include "core/render/scene.h"
+
+#include <tan/base.h>
+#include <tan/render.h>
 
 #include <memory>
 #include <string>
@@ -25,7 +23,7 @@ namespace tetra {
 /// parts, one without a border in three; of both only the cells that may be in a part.
 ///
 /// Everything is called from one thread with the context current, the destructor, too.
-class ScenePainter {
+class TAN_INTERNAL ScenePainter {
 public:
     /// Looks up the functions and compiles the shaders. Errors: no OpenGL 3.3, what the driver refuses of it.
     static Result<std::unique_ptr<ScenePainter>> make(const GetProcAddress& getProcAddress);

@@ -2,9 +2,11 @@
 #include "core/render/gl/surface_painter.h"
 
 #include "core/render/gl/gl_program.h"
-#include "core/render/render_backend.h"
-#include "core/render/scene.h"
+#include "core/render/scene_checks.h"
+#include "core/render/shading.h"
 #include "core/render/view_transform.h"
+
+#include <tan/render.h>
 
 #include <algorithm>
 #include <cstdint>

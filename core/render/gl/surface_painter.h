@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
 #include "core/render/gl/gl_buffers.h"
 #include "core/render/gl/gl_program.h"
 #include "core/render/gl/sample_targets.h"
-#include "core/render/scene.h"
 #include "core/render/view_transform.h"
+
+#include <tan/base.h>
+#include <tan/render.h>
 
 #include <vector>
 

@@ -2,12 +2,14 @@
 #include "core/render/gl/volume_painter.h"
 
 #include "core/render/gl/gl_program.h"
-#include "core/render/render_backend.h"
-#include "core/render/scene.h"
+#include "core/render/scene_checks.h"
+#include "core/render/shading.h"
 #include "core/render/tiles.h"
 #include "core/render/view_transform.h"
 #include "core/render/volume/projected_volume.h"
 #include "core/render/volume/volume_view.h"
+
+#include <tan/render.h>
 
 #include <Eigen/LU>
 
@@ -23,8 +25,6 @@ namespace {
 /// turn. As layers of one begin in the middle of those of the other, what comes too early makes up for what comes too
 /// late.
 constexpr int fineLayers = 2;
-
-} // namespace
 
 RegionInView regionInView(const FocusVolume& focus, const VolumeView& view)
 {
@@ -49,11 +49,12 @@ RegionInView regionInView(const FocusVolume& focus, const VolumeView& view)
     return region;
 }
 
+/// What a volume with a focus, or without, is drawn in, front to back.
 std::vector<VolumePart> partsOf(const std::optional<RegionInView>& region)
 {
     using Place = VolumePart::Place;
     if (!region)
-        return {{Place::BigInteger}};
+        return {{Place::Whole}};
     std::vector<VolumePart> parts;
     const auto addLayer = [&](Place place, bool fine, float begin, float end) {
         const float first = std::max(0.0f, begin), last = std::min(1.0f, end);
@@ -75,6 +76,7 @@ std::vector<VolumePart> partsOf(const std::optional<RegionInView>& region)
     return parts;
 }
 
+/// Sets the uniforms of focus.frag in the program in use, as does setVolumePart().
 void setRegion(const GlProgram& program, const std::optional<RegionInView>& region)
 {
     const RegionInView& used = region ? *region : RegionInView{};
@@ -85,14 +87,12 @@ void setRegion(const GlProgram& program, const std::optional<RegionInView>& regi
     program.set("worldFromImage", used.worldFromImage);
 }
 
-void setPart(const GlProgram& program, const VolumePart& part)
+void setVolumePart(const GlProgram& program, const VolumePart& part)
 {
     program.set("focusPart", static_cast<int>(part.place));
     program.set("fine", part.fine ? 1 : 0);
     program.set("borderShares", part.shares);
 }
-
-namespace {
 
 constexpr std::string_view drawingVolume = "Drawing the volume";
 constexpr int verticesPerCell = 12;
@@ -271,7 +271,7 @@ void VolumePainter::setPartUniforms(const GlProgram& program, const DrawnVolume&
     program.use();
     setUniforms(program);
     setVolume(program, volume);
-    setPart(program, part);
+    setVolumePart(program, part);
 }
 
 Status VolumePainter::drawPart(const PainterPrograms& programs, const SampleTargets& targets,

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
 #include "core/render/gl/gl_buffers.h"
 #include "core/render/gl/gl_program.h"
 #include "core/render/gl/sample_targets.h"
-#include "core/render/render_backend.h"
-#include "core/render/scene.h"
 #include "core/render/volume/volume_view.h"
+
+#include <tan/base.h>
+#include <tan/render.h>
 
 #include <Eigen/Core>
 
@@ -26,22 +25,13 @@ struct RegionInView {
     Eigen::Matrix3f worldFromImage = Eigen::Matrix3f::Identity();
 };
 
-RegionInView regionInView(const FocusVolume& focus, const VolumeView& view);
-
 /// A part of each ray, of one of the two volumes. The numbers of places are those of focus.frag.
 struct VolumePart {
-    enum class Place { BigInteger, Before, FrontBorder, Within, BackBorder, Behind };
-    Place place = Place::BigInteger;
+    enum class Place { Whole, Before, FrontBorder, Within, BackBorder, Behind };
+    Place place = Place::Whole;
     bool fine = false;
     Eigen::Vector2f shares{0, 1}; ///< of the way through the border on one side, where the part begins and ends
 };
-
-/// What a volume with a focus, or without, is drawn in, front to back.
-std::vector<VolumePart> partsOf(const std::optional<RegionInView>& region);
-
-/// Sets the uniforms of focus.frag in the program in use.
-void setRegion(const GlProgram& program, const std::optional<RegionInView>& region);
-void setPart(const GlProgram& program, const VolumePart& part);
 
 /// The textures between whose surfaces a volume is drawn.
 struct VolumeLayers {

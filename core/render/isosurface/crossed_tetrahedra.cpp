@@ -2,6 +2,7 @@
 #include "core/render/isosurface/crossed_tetrahedra.h"
 
 #include "core/base/simd.h"
+#include "core/mesh/topology.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -19,8 +20,6 @@ namespace tetra {
 
 namespace {
 
-using CrossedCorners = std::array<std::uint32_t, 4>;
-
 /// The smallest float that is inside.
 float smallestInside(double isovalue)
 {
@@ -36,8 +35,8 @@ TETRA_SIMD_CLONES void classify(const float* values, std::size_t count, float th
 }
 
 /// Written always and kept only if crossed: cheaper than a branch that is hard to predict.
-CrossedTetrahedron* findOneByOne(std::span<const CrossedCorners> tetrahedra, std::size_t first,
-                                 const std::uint8_t* inside, CrossedTetrahedron* found)
+CrossedTetrahedron* findOneByOne(std::span<const Tetrahedron> tetrahedra, std::size_t first, const std::uint8_t* inside,
+                                 CrossedTetrahedron* found)
 {
     constexpr unsigned crossing = 0b0111111111111110;
     for (std::size_t i = 0; i < tetrahedra.size(); ++i) {
@@ -55,8 +54,7 @@ constexpr std::size_t cellsScannedAtOnce = 16;
 
 /// Four bits a tetrahedron, corner by corner as they lie in memory: four gathers of sixteen corners each need no
 /// transposition.
-TETRA_SIMD_16 TETRA_SIMD_INLINE std::uint64_t sidesOfCorners(const CrossedCorners* tetrahedra,
-                                                             const std::uint8_t* inside)
+TETRA_SIMD_16 TETRA_SIMD_INLINE std::uint64_t sidesOfCorners(const Tetrahedron* tetrahedra, const std::uint8_t* inside)
 {
     const __m512i one = _mm512_set1_epi32(1);
     std::uint64_t bits = 0;
@@ -69,7 +67,7 @@ TETRA_SIMD_16 TETRA_SIMD_INLINE std::uint64_t sidesOfCorners(const CrossedCorner
 }
 
 /// A whole number of sixteens.
-TETRA_SIMD_16 CrossedTetrahedron* findSixteenAtOnce(std::span<const CrossedCorners> tetrahedra, std::size_t first,
+TETRA_SIMD_16 CrossedTetrahedron* findSixteenAtOnce(std::span<const Tetrahedron> tetrahedra, std::size_t first,
                                                     const std::uint8_t* inside, CrossedTetrahedron* found)
 {
     constexpr std::uint64_t firstCorners = 0x1111111111111111;
@@ -102,7 +100,7 @@ VertexSigns::VertexSigns(std::span<const float> values, double isovalue) : bytes
     std::fill_n(bytes_.end() - padding, padding, std::uint8_t(0));
 }
 
-CrossedTetrahedron* findCrossed(std::span<const CrossedCorners> tetrahedra, std::size_t first, const VertexSigns& sides,
+CrossedTetrahedron* findCrossed(std::span<const Tetrahedron> tetrahedra, std::size_t first, const VertexSigns& sides,
                                 CrossedTetrahedron* found)
 {
 #if defined(TETRA_SIMD_16)
@@ -121,13 +119,11 @@ CrossedTetrahedron* findCrossed(std::span<const CrossedCorners> tetrahedra, std:
 
 namespace {
 
-using CrossedCorners = std::array<std::uint32_t, 4>;
-
-EdgeKey* writeOneByOne(std::span<const CrossedCorners> tetrahedra, std::span<const CrossedTetrahedron> crossed,
+EdgeKey* writeOneByOne(std::span<const Tetrahedron> tetrahedra, std::span<const CrossedTetrahedron> crossed,
                        EdgeKey* edges)
 {
     for (const CrossedTetrahedron one : crossed) {
-        const CrossedCorners& tetrahedron = tetrahedra[one / 16];
+        const Tetrahedron& tetrahedron = tetrahedra[one / 16];
         const MarchingCase& marching = marchingCases[one % 16];
         for (std::size_t corner = 0; corner < 4; ++corner) {
             const EdgeKey a = tetrahedron[marching.edges[corner][0]];
@@ -162,7 +158,7 @@ TETRA_SIMD_8 TETRA_SIMD_INLINE __m128i cornersOf(__m128i tetrahedron, const std:
 }
 
 /// The same with the four edges of a tetrahedron side by side.
-TETRA_SIMD_8 EdgeKey* writeFourAtOnce(std::span<const CrossedCorners> tetrahedra,
+TETRA_SIMD_8 EdgeKey* writeFourAtOnce(std::span<const Tetrahedron> tetrahedra,
                                       std::span<const CrossedTetrahedron> crossed, EdgeKey* edges)
 {
     for (const CrossedTetrahedron one : crossed) {
@@ -182,7 +178,7 @@ TETRA_SIMD_8 EdgeKey* writeFourAtOnce(std::span<const CrossedCorners> tetrahedra
 
 } // namespace
 
-EdgeKey* writeCrossedEdges(std::span<const CrossedCorners> tetrahedra, std::span<const CrossedTetrahedron> crossed,
+EdgeKey* writeCrossedEdges(std::span<const Tetrahedron> tetrahedra, std::span<const CrossedTetrahedron> crossed,
                            EdgeKey* edges)
 {
 #if defined(TETRA_SIMD_16)

@@ -2,7 +2,10 @@
 #include "core/render/isosurface/isosurface.h"
 
 #include "core/base/simd.h"
+#include "core/mesh/topology.h"
 #include "core/render/isosurface/surface_chunks.h"
+
+#include <tan/render.h>
 
 #include <Eigen/Geometry>
 #include <tbb/blocked_range.h>
@@ -56,8 +59,6 @@ IsosurfaceIndex makeIsosurfaceIndex(const TetrahedralMesh& mesh)
 namespace {
 
 constexpr std::string_view extractingIsosurface = "Extracting the isosurface";
-
-using Triangle = std::array<std::uint32_t, 3>;
 
 TETRA_SIMD_CLONES void renumber(const Triangle* triangles, std::size_t count, const std::uint32_t* numbers,
                                 Triangle* renumbered)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/render/isosurface/isosurface_cache.h"
-
 #include "core/base/progress.h"
 #include "core/render/isosurface/isosurface.h"
+
+#include <tan/base.h>
+#include <tan/render.h>
 
 #include <tbb/parallel_for.h>
 
@@ -54,7 +55,7 @@ Status IsosurfaceCache::chooseMesh(const Progress& progress)
         return ordered.error();
     gradients_ = vertexGradients(**ordered);
     chosen_ = *ordered;
-    index_ = makeIsosurfaceIndex(*chosen_);
+    index_ = std::make_shared<const IsosurfaceIndex>(makeIsosurfaceIndex(*chosen_));
     return {};
 }
 

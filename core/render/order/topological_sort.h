@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/buffer.h"
 #include "core/mesh/face_adjacency.h"
+
+#include <tan/base.h>
 
 #include <compare>
 #include <cstddef>

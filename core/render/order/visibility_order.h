@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/buffer.h"
 #include "core/mesh/face_adjacency.h"
-#include "core/render/camera.h"
 #include "core/render/order/face_classification.h"
 #include "core/render/order/topological_sort.h"
+
+#include <tan/base.h>
+#include <tan/render.h>
 
 #include <Eigen/Geometry>
 

@@ -4,15 +4,28 @@
 #include "core/mesh/topology.h"
 #include "core/render/volume/volume_mesh.h"
 
+#include <tan/render.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <tuple>
 
 namespace tetra {
 
 namespace {
+
+/// A piece of a line of sight in which value and extinction go in a straight line from one end to the other: what a ray
+/// has of a cell and of a segment of the transfer function.
+struct PickingSlab {
+    PickingInterval part;
+    double valueAtStart = 0;
+    double valueAtEnd = 0;
+    double extinctionAtStart = 0; ///< per unit of length of the dataset
+    double extinctionAtEnd = 0;
+};
 
 constexpr PickingInterval emptyPart{1, 0};
 
@@ -28,29 +41,31 @@ PickingInterval partBeyond(const PickingRay& line, const Eigen::Vector3d& normal
     return part;
 }
 
-} // namespace
-
-PickingInterval common(const PickingInterval& one, const PickingInterval& other)
+/// What both have.
+PickingInterval commonPart(const PickingInterval& one, const PickingInterval& other)
 {
     return {std::max(one.from, other.from), std::min(one.to, other.to)};
 }
 
+/// What is before the eye and left by the clip planes.
 PickingInterval shownPart(const PickingRay& line, std::span<const ClipPlane> planes)
 {
     PickingInterval part;
     part.from = line.nearest;
     for (const ClipPlane& plane : planes)
-        part = common(part, partBeyond(line, plane.normal, plane.offset));
+        part = commonPart(part, partBeyond(line, plane.normal, plane.offset));
     return part;
 }
+
+} // namespace
 
 PickingInterval partWithin(const PickingRay& line, const Box& box)
 {
     PickingInterval part;
     for (int axis = 0; axis < 3; ++axis) {
         const Eigen::Vector3d normal = Eigen::Vector3d::Unit(axis);
-        part = common(part, partBeyond(line, normal, box.least[axis]));
-        part = common(part, partBeyond(line, -normal, -box.largest[axis]));
+        part = commonPart(part, partBeyond(line, normal, box.least[axis]));
+        part = commonPart(part, partBeyond(line, -normal, -box.largest[axis]));
     }
     return part;
 }
@@ -207,7 +222,7 @@ std::optional<RayInterval> passageOf(const Four& right, const Four& up, const Fo
 std::optional<RayInterval> clippedInterval(const RayInterval& whole, const PickingInterval& part)
 {
     RayInterval passage = whole;
-    passage.part = common(whole.part, part);
+    passage.part = commonPart(whole.part, part);
     if (passage.part.isEmpty())
         return std::nullopt;
     const auto valueAt = [&whole](double t) {
@@ -286,8 +301,8 @@ void addSlabs(std::vector<PickingSlab>& slabs, const RayInterval& passage, const
         std::reverse(slabs.begin() + static_cast<std::ptrdiff_t>(first), slabs.end());
 }
 
-} // namespace
-
+/// All of a volume within `part`, the nearest first, those that nothing is seen of left out. O(cells), and a logarithm
+/// for each that is met. What was found so far if cancelled.
 std::vector<PickingSlab> slabsAlong(const Volume& volume, const PickingRay& line, const PickingInterval& part,
                                     const Progress& progress)
 {
@@ -302,8 +317,6 @@ std::vector<PickingSlab> slabsAlong(const Volume& volume, const PickingRay& line
         addSlabs(slabs, passage, volume.transfer->segments);
     return slabs;
 }
-
-namespace {
 
 /// Less of the light cannot be told from none.
 constexpr double leastShare = 1.0 / 255;
@@ -382,7 +395,8 @@ std::vector<PickingSlab> slabsOf(const Scene& scene, const PickingRay& line, con
     const PickingInterval before{shown.from, std::min(shown.to, focused.from)};
     const PickingInterval behind{std::max(shown.from, focused.to), shown.to};
     std::vector<PickingSlab> slabs = slabsAlong(*scene.volume, line, before, progress);
-    std::ranges::copy(slabsAlong(scene.focus->fine, line, common(shown, focused), progress), std::back_inserter(slabs));
+    std::ranges::copy(slabsAlong(scene.focus->fine, line, commonPart(shown, focused), progress),
+                      std::back_inserter(slabs));
     std::ranges::copy(slabsAlong(*scene.volume, line, behind, progress), std::back_inserter(slabs));
     return slabs;
 }

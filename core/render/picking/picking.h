@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/render/scene.h"
+#include <tan/base.h>
+#include <tan/render.h>
 
 #include <Eigen/Core>
 
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace tetra {
@@ -32,12 +31,6 @@ struct PickingInterval {
     bool contains(double t) const noexcept { return t >= from && t <= to; }
 };
 
-/// What both have.
-PickingInterval common(const PickingInterval& one, const PickingInterval& other);
-
-/// What is before the eye and left by the clip planes.
-PickingInterval shownPart(const PickingRay& line, std::span<const ClipPlane> planes);
-
 /// Where the line passes through a box or a sphere; empty if it does not.
 PickingInterval partWithin(const PickingRay& line, const Box& box);
 PickingInterval partWithin(const PickingRay& line, const Sphere& sphere);
@@ -53,21 +46,6 @@ struct SurfaceCrossing {
 /// surface's triangles it passes through the surface once. O(triangles).
 std::vector<SurfaceCrossing> surfaceCrossings(const std::vector<Surface>& surfaces, const PickingRay& line,
                                               const PickingInterval& part);
-
-/// A piece of a line of sight in which value and extinction go in a straight line from one end to the other: what a ray
-/// has of a cell and of a segment of the transfer function.
-struct PickingSlab {
-    PickingInterval part;
-    double valueAtStart = 0;
-    double valueAtEnd = 0;
-    double extinctionAtStart = 0; ///< per unit of length of the dataset
-    double extinctionAtEnd = 0;
-};
-
-/// All of a volume within `part`, the nearest first, those that nothing is seen of left out. O(cells), and a logarithm
-/// for each that is met. What was found so far if cancelled.
-std::vector<PickingSlab> slabsAlong(const Volume& volume, const PickingRay& line, const PickingInterval& part,
-                                    const Progress& progress = {});
 
 /// What one sees along a line of sight, and where.
 struct SeenPlace {
@@ -86,6 +64,7 @@ struct SeenPlace {
 /// Nothing where less than 1/255 of the light is taken, as nothing is seen there. Unlike the largest jump of the
 /// opacity (A. Wiebel et al., "WYSIWYP: What You See Is What You Pick", 2012) it needs no smoothing of a sampled curve.
 /// O(triangles + cells). Nothing if cancelled. May throw std::bad_alloc.
-std::optional<SeenPlace> seenPlace(const Scene& scene, const PickingRay& line, const Progress& progress = {});
+TAN_INTERNAL std::optional<SeenPlace> seenPlace(const Scene& scene, const PickingRay& line,
+                                                const Progress& progress = {});
 
 } // namespace tetra

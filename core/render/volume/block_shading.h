@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/scene.h"
+#include "core/render/shading.h"
 #include "core/render/volume/slab_shading.h"
 #include "core/render/volume/volume_tile.h"
+
+#include <tan/render.h>
 
 #include <algorithm>
 #include <cmath>

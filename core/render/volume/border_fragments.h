@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/scene.h"
 #include "core/render/volume/volume_tile.h"
 #include "core/render/volume/volume_view.h"
+
+#include <tan/render.h>
 
 #include <Eigen/Core>
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
 #include "core/mesh/face_adjacency.h"
 #include "core/render/order/visibility_order.h"
 #include "core/render/tiles.h"
 #include "core/render/volume/projected_vertices.h"
 #include "core/render/volume/volume_view.h"
+
+#include <tan/base.h>
 
 #include <array>
 #include <cstdint>

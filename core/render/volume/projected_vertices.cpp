@@ -55,6 +55,14 @@ ScaledSegments scaleSegments(std::span<const TransferSegment> segments, double u
 
 namespace {
 
+/// The first sample, by column or row, not before a place that is measured from sample 0; within 16 bits.
+std::int16_t firstSampleFrom(double place) noexcept
+{
+    // Written so that NaN gives the lower bound.
+    const double bounded = place < 32767.0 ? (place > -32767.0 ? place : -32767.0) : 32767.0;
+    return static_cast<std::int16_t>(std::ceil(bounded));
+}
+
 VertexSample sampleOf(const Eigen::Vector3d& image, const VolumeView& view)
 {
     if (view.perspective && !(image.z() > view.nearest))
@@ -64,13 +72,6 @@ VertexSample sampleOf(const Eigen::Vector3d& image, const VolumeView& view)
 }
 
 } // namespace
-
-std::int16_t firstSampleFrom(double place) noexcept
-{
-    // Written so that NaN gives the lower bound.
-    const double bounded = place < 32767.0 ? (place > -32767.0 ? place : -32767.0) : 32767.0;
-    return static_cast<std::int16_t>(std::ceil(bounded));
-}
 
 ProjectedVertices projectVertices(const TetrahedralMesh& mesh, const VolumeView& view, const ScaledSegments& segments)
 {

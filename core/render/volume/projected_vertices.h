@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/buffer.h"
-#include "core/base/progress.h"
 #include "core/base/simd.h"
-#include "core/mesh/tetrahedral_mesh.h"
 #include "core/render/order/cell_geometry.h"
 #include "core/render/tiles.h"
 #include "core/render/volume/volume_mesh.h"
 #include "core/render/volume/volume_view.h"
-#include "core/transfer/transfer_function.h"
+
+#include <tan/base.h>
+#include <tan/mesh.h>
+#include <tan/render.h>
+#include <tan/transfer.h>
 
 #include <algorithm>
 #include <array>
@@ -61,9 +62,6 @@ struct ProjectedVertices {
 
 /// O(vertices), on all threads of the current arena. May throw std::bad_alloc.
 ProjectedVertices projectVertices(const TetrahedralMesh& mesh, const VolumeView& view, const ScaledSegments& segments);
-
-/// The first sample, by column or row, not before a place that is measured from sample 0; within 16 bits.
-std::int16_t firstSampleFrom(double place) noexcept;
 
 /// The samples that the hull of vertices on both sides of the near plane may cover; empty if none is before it.
 SampleRectangle boxOfCutCorners(std::span<const std::uint32_t> corners, const ProjectedVertices& projected,

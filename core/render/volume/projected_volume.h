@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
 #include "core/render/tiles.h"
 #include "core/render/volume/cell_setup.h"
 #include "core/render/volume/projected_vertices.h"
 #include "core/render/volume/volume_mesh.h"
 #include "core/render/volume/volume_view.h"
+
+#include <tan/base.h>
+#include <tan/render.h>
 
 #include <cstdint>
 #include <span>

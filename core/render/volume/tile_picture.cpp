@@ -13,6 +13,18 @@ namespace tetra {
 
 namespace {
 
+/// Where a sample of a tile is kept: in which of its blocks, and in which lane of that.
+struct BlockLane {
+    std::size_t block;
+    std::size_t lane;
+
+    BlockLane(int x, int y)
+        : block(static_cast<std::size_t>(y / blockHeight * (volumeTileSide / blockWidth) + x / blockWidth)),
+          lane(static_cast<std::size_t>(y % blockHeight * blockWidth + x % blockWidth))
+    {
+    }
+};
+
 constexpr int columns = volumeTileSide / blockWidth;
 constexpr int rows = volumeTileSide / blockHeight;
 /// Cells between two looks whether all is opaque, and whether to stop.

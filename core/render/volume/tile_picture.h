@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
 #include "core/render/tiles.h"
 #include "core/render/volume/border_fragments.h"
 #include "core/render/volume/cell_setup.h"
@@ -9,6 +8,8 @@
 #include "core/render/volume/projected_vertices.h"
 #include "core/render/volume/volume_tile.h"
 #include "core/render/volume/volume_view.h"
+
+#include <tan/base.h>
 
 #include <span>
 #include <vector>
@@ -82,18 +83,6 @@ private:
     SurfaceFragments amongBorder_;       ///< surfaces, and the border's fragments
     std::vector<PremultipliedColour> colours_;
     std::vector<float> depth_;
-};
-
-/// Where a sample of a tile is kept: in which of its blocks, and in which lane of that.
-struct BlockLane {
-    std::size_t block;
-    std::size_t lane;
-
-    BlockLane(int x, int y)
-        : block(static_cast<std::size_t>(y / blockHeight * (volumeTileSide / blockWidth) + x / blockWidth)),
-          lane(static_cast<std::size_t>(y % blockHeight * blockWidth + x % blockWidth))
-    {
-    }
 };
 
 } // namespace tetra

@@ -3,7 +3,9 @@
 
 #include "core/base/disjoint_sets.h"
 #include "core/mesh/topology.h"
-#include "core/render/render_backend.h"
+#include "core/render/scene_checks.h"
+
+#include <tan/render.h>
 
 #include <Eigen/Geometry>
 #include <tbb/blocked_range.h>

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/buffer.h"
-#include "core/base/progress.h"
-#include "core/base/result.h"
 #include "core/mesh/face_adjacency.h"
-#include "core/mesh/spatial_order.h"
-#include "core/mesh/tetrahedral_mesh.h"
-#include "core/render/scene.h"
-#include "core/transfer/transfer_function.h"
+
+#include <tan/render.h>
 
 #include <Eigen/Geometry>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -63,25 +59,5 @@ Result<VolumeTransfer> makeVolumeTransfer(const TetrahedralMesh& mesh, const Tra
 
 /// Of all that is drawn: near and far must be those of surfaces and volume alike.
 Eigen::AlignedBox3d drawnBounds(const Scene& scene);
-
-/// Makes volumes of one mesh for a transfer function that changes: the mesh is put in spatial order and made ready
-/// once, the function when it is another one. Used from one thread at a time.
-class VolumeCache {
-public:
-    explicit VolumeCache(std::shared_ptr<OrderedMesh> mesh);
-    explicit VolumeCache(std::shared_ptr<const TetrahedralMesh> mesh);
-
-    /// Errors: those of inSpatialOrder(), makeVolumeMesh() and makeVolumeTransfer(), cancelled.
-    Result<Volume> update(const TransferFunction& function, bool shaded, const Progress& progress = {});
-
-private:
-    Status makeMesh(const Progress& progress);
-    Status makeTransfer(const TransferFunction& function);
-
-    std::shared_ptr<OrderedMesh> tetrahedra_;
-    std::shared_ptr<const VolumeMesh> mesh_;
-    TransferFunction function_; ///< that `transfer_` was made from
-    std::shared_ptr<const VolumeTransfer> transfer_;
-};
 
 } // namespace tetra

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/volume/volume_renderer.h"
 
+#include "core/base/progress.h"
 #include "core/render/order/visibility_order.h"
-#include "core/render/render_backend.h"
+#include "core/render/scene_checks.h"
 #include "core/render/tiles.h"
 #include "core/render/volume/boundary_relations.h"
 #include "core/render/volume/projected_volume.h"
 #include "core/render/volume/tile_picture.h"
+
+#include <tan/base.h>
+
+#include <tan/render.h>
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -85,8 +90,8 @@ Result<VolumePicture> draw(const VolumeMesh& mesh, const VolumeTransfer& transfe
     return picture;
 }
 
-} // namespace
-
+/// orderForCamera() for a view that is made already, on all threads of the current arena. Errors: cancelled. May throw
+/// std::bad_alloc.
 Result<VisibilityOrder> orderForView(const VolumeMesh& mesh, const VolumeView& view, const Progress& progress)
 {
     progress.report(0, ordering);
@@ -101,6 +106,8 @@ Result<VisibilityOrder> orderForView(const VolumeMesh& mesh, const VolumeView& v
     progress.report(1, ordering);
     return order;
 }
+
+} // namespace
 
 Result<VisibilityOrder> orderForCamera(const VolumeMesh& mesh, const Camera& camera, const VolumeOptions& options,
                                        const Progress& progress)

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/buffer.h"
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/render/camera.h"
 #include "core/render/order/visibility_order.h"
 #include "core/render/view_transform.h"
 #include "core/render/volume/volume_mesh.h"
 #include "core/render/volume/volume_view.h"
+
+#include <tan/base.h>
+#include <tan/render.h>
 
 #include <array>
 #include <cstddef>
@@ -52,10 +51,6 @@ struct VolumePicture {
 /// cancelled, not enough memory.
 Result<VisibilityOrder> orderForCamera(const VolumeMesh& mesh, const Camera& camera, const VolumeOptions& options,
                                        const Progress& progress = {});
-
-/// The same for a view that is made already, on all threads of the current arena. Errors: cancelled. May throw
-/// std::bad_alloc.
-Result<VisibilityOrder> orderForView(const VolumeMesh& mesh, const VolumeView& view, const Progress& progress = {});
 
 /// Draws the cells in `order`, whichever it is: numbers of cells, front to back. A cell that is not finite, has no
 /// volume or a value that is not finite is left out. O(cells + samples they cover), the same picture with any number of

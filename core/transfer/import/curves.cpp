@@ -2,7 +2,8 @@
 #include "core/transfer/import/curves.h"
 
 #include "core/base/text.h"
-#include "core/transfer/transfer_editing.h"
+
+#include <tan/transfer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,34 @@
 namespace tetra {
 
 namespace {
+
+/// How many times a stretch may be halved.
+constexpr int deepestHalving = 12;
+
+/// Places inside a stretch at which it is compared.
+constexpr int placesCompared = 8;
+
+/// Shares of the way from 0 to 1, both included and ascending, between which a curve may be replaced by whatever
+/// `matches` compares it with: stretches are halved until matches(from, to, place) holds at places inside, or they are
+/// very short.
+template <class Matches> std::vector<double> adaptivePoints(const Matches& matches)
+{
+    std::vector<double> points{0};
+    const auto divide = [&](const auto& self, double from, double to, int depth) -> void {
+        bool good = true;
+        for (int place = 1; good && place <= placesCompared; ++place)
+            good = matches(from, to, std::lerp(from, to, place / (placesCompared + 1.0)));
+        if (good || depth == deepestHalving) {
+            points.push_back(to);
+            return;
+        }
+        const double middle = std::midpoint(from, to);
+        self(self, from, middle, depth + 1);
+        self(self, middle, to, depth + 1);
+    };
+    divide(divide, 0, 1, 0);
+    return points;
+}
 
 constexpr double tolerance = 1.0 / 1000;
 
@@ -185,6 +214,63 @@ TransferFunction transferFunctionOf(const CurvePreset& preset, const TransferFun
     return function;
 }
 
+namespace {
+
+TransferFunction withPointAt(const TransferFunction& function, double value)
+{
+    const auto has = std::ranges::find(function.points, value, &TransferPoint::value) != function.points.end();
+    const auto added = has ? std::nullopt : withPoint(function, value);
+    return added ? added->function : function;
+}
+
+TransferPoint transparent(TransferPoint point, double value)
+{
+    point.value = value;
+    point.opacity = 0;
+    return point;
+}
+
+/// The least distance of two values of the function that ParaView keeps in order: a billionth of the range.
+double leastApart(const TransferFunction& function)
+{
+    if (function.points.empty())
+        return 0;
+    const double first = function.points.front().value, last = function.points.back().value;
+    return 1e-9 * (last > first ? last - first : std::max(1.0, std::abs(first)));
+}
+
+/// A function without a mask that looks as the one with it: what the mask hides has points of opacity 0. The mask's
+/// largest value is still seen, so the step there is leastApart() above it.
+TransferFunction withMaskAsSteps(const TransferFunction& function)
+{
+    if (!function.mask || function.points.empty())
+        return {function.points, function.unitDistance};
+    const TransferMask mask = *function.mask;
+    TransferFunction steps = withPointAt(withPointAt(function, mask.least), mask.largest);
+    steps.mask.reset();
+    auto& points = steps.points;
+    const double apart = leastApart(steps);
+
+    const auto above = std::ranges::upper_bound(points, mask.largest, {}, &TransferPoint::value);
+    for (auto point = above; point != points.end(); ++point)
+        point->opacity = 0;
+    double hidden = mask.largest + apart;
+    if (above != points.end())
+        hidden = std::min(hidden, std::midpoint(mask.largest, above->value));
+    points.insert(above, transparent(above[-1], hidden));
+
+    const auto first = std::ranges::lower_bound(points, mask.least, {}, &TransferPoint::value);
+    for (auto point = points.begin(); point != first; ++point)
+        point->opacity = 0;
+    if (std::ranges::count(points, mask.least, &TransferPoint::value) > 1)
+        first->opacity = 0;
+    else
+        points.insert(first, transparent(*first, mask.least));
+    return steps;
+}
+
+} // namespace
+
 CurvePreset curvesOf(const TransferFunction& masked, const std::string& name)
 {
     const TransferFunction function = withMaskAsSteps(masked);
@@ -259,60 +345,6 @@ Status checkCurves(const CurvePreset& preset)
         if (!isShare(node.opacity) || !isShare(node.midpoint) || !isShare(node.sharpness))
             return wrongCurve(preset, "an opacity, a midpoint or a sharpness lies outside 0 to 1");
     return {};
-}
-
-namespace {
-
-TransferFunction withPointAt(const TransferFunction& function, double value)
-{
-    const auto has = std::ranges::find(function.points, value, &TransferPoint::value) != function.points.end();
-    const auto added = has ? std::nullopt : withPoint(function, value);
-    return added ? added->function : function;
-}
-
-TransferPoint transparent(TransferPoint point, double value)
-{
-    point.value = value;
-    point.opacity = 0;
-    return point;
-}
-
-} // namespace
-
-double leastApart(const TransferFunction& function)
-{
-    if (function.points.empty())
-        return 0;
-    const double first = function.points.front().value, last = function.points.back().value;
-    return 1e-9 * (last > first ? last - first : std::max(1.0, std::abs(first)));
-}
-
-TransferFunction withMaskAsSteps(const TransferFunction& function)
-{
-    if (!function.mask || function.points.empty())
-        return {function.points, function.unitDistance};
-    const TransferMask mask = *function.mask;
-    TransferFunction steps = withPointAt(withPointAt(function, mask.least), mask.largest);
-    steps.mask.reset();
-    auto& points = steps.points;
-    const double apart = leastApart(steps);
-
-    const auto above = std::ranges::upper_bound(points, mask.largest, {}, &TransferPoint::value);
-    for (auto point = above; point != points.end(); ++point)
-        point->opacity = 0;
-    double hidden = mask.largest + apart;
-    if (above != points.end())
-        hidden = std::min(hidden, std::midpoint(mask.largest, above->value));
-    points.insert(above, transparent(above[-1], hidden));
-
-    const auto first = std::ranges::lower_bound(points, mask.least, {}, &TransferPoint::value);
-    for (auto point = points.begin(); point != first; ++point)
-        point->opacity = 0;
-    if (std::ranges::count(points, mask.least, &TransferPoint::value) > 1)
-        first->opacity = 0;
-    else
-        points.insert(first, transparent(*first, mask.least));
-    return steps;
 }
 
 } // namespace tetra

@@ -2,10 +2,9 @@
 #pragma once
 
 #include "core/transfer/colour_map.h"
-#include "core/transfer/transfer_function.h"
 
-#include <cmath>
-#include <numeric>
+#include <tan/transfer.h>
+
 #include <string>
 #include <vector>
 
@@ -51,39 +50,5 @@ TransferFunction transferFunctionOf(const CurvePreset& preset, const TransferFun
 /// extinctions. A step becomes two points a billionth of the range apart, which ParaView keeps in order, and so do the
 /// ends of a mask.
 CurvePreset curvesOf(const TransferFunction& function, const std::string& name);
-
-/// How many times a stretch may be halved.
-inline constexpr int deepestHalving = 12;
-/// Places inside a stretch at which it is compared.
-inline constexpr int placesCompared = 8;
-
-/// Shares of the way from 0 to 1, both included and ascending, between which a curve may be replaced by whatever
-/// `matches` compares it with: stretches are halved until matches(from, to, place) holds at places inside, or they are
-/// very short.
-template <class Matches> std::vector<double> adaptivePoints(const Matches& matches)
-{
-    std::vector<double> points{0};
-    const auto divide = [&](const auto& self, double from, double to, int depth) -> void {
-        bool good = true;
-        for (int place = 1; good && place <= placesCompared; ++place)
-            good = matches(from, to, std::lerp(from, to, place / (placesCompared + 1.0)));
-        if (good || depth == deepestHalving) {
-            points.push_back(to);
-            return;
-        }
-        const double middle = std::midpoint(from, to);
-        self(self, from, middle, depth + 1);
-        self(self, middle, to, depth + 1);
-    };
-    divide(divide, 0, 1, 0);
-    return points;
-}
-
-/// The least distance of two values of the function that ParaView keeps in order: a billionth of the range.
-double leastApart(const TransferFunction& function);
-
-/// A function without a mask that looks as the one with it: what the mask hides has points of opacity 0. The mask's
-/// largest value is still seen, so the step there is leastApart() above it.
-TransferFunction withMaskAsSteps(const TransferFunction& function);
 
 } // namespace tetra

@@ -5,6 +5,8 @@
 #include "core/base/text.h"
 #include "core/transfer/colour_map.h"
 
+#include <tan/transfer.h>
+
 #include <pugixml.hpp>
 
 #include <algorithm>

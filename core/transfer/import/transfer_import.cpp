@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/transfer/import/transfer_import.h"
-
 #include "core/base/json.h"
 #include "core/transfer/import/presets.h"
 #include "core/transfer/transfer_text.h"
+
+#include <tan/transfer.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/builders/decimation/decimation_builder.h"
 
-#include "core/base/memory.h"
-#include "core/base/text.h"
-#include "core/data/weighting.h"
-#include "core/decimate/decimation.h"
+#include "core/build/decimation_build.h"
 #include "plugins/api/threshold_parameters.h"
 #include "plugins/api/weights_parameter.h"
-#include "plugins/builders/decimation/decimation_input.h"
-#include "plugins/builders/decimation/decimation_need.h"
 
-#include <algorithm>
-#include <array>
-#include <iterator>
 #include <string_view>
-#include <vector>
 
 namespace tetra {
 
@@ -43,75 +34,6 @@ DecimationOrder orderOf(const std::string& name)
     return name == rounds ? DecimationOrder::IndependentRounds : DecimationOrder::ExactError;
 }
 
-/// Without thresholds to the coarsest mesh.
-DecimationOptions optionsFor(const Dataset& dataset, const BuildThresholds& thresholds)
-{
-    const ThresholdKey key = thresholdKey(thresholds, dataset);
-    DecimationOptions options;
-    options.warpingWeight = key.warpingWeight;
-    if (key.stopKey)
-        options.stopKey = *key.stopKey;
-    return options;
-}
-
-/// Hands on a history, coarse first, as far as the first mesh whose key is no more than `finest`. If it `keeps` that
-/// mesh, it can be asked for.
-class HistoryBeginning final : public HistorySink {
-public:
-    HistoryBeginning(HistorySink& next, double finest, bool keeps) : next_(next), finest_(finest), keeps_(keeps) {}
-
-    Status begin(const HistoryTraits& traits) override { return next_.begin(traits); }
-    Status add(const HistoryStep& step) override
-    {
-        if (complete_)
-            return {};
-        if (static_cast<double>(step.keyBefore) <= finest_) {
-            complete_ = true;
-            return next_.finish(step.keyBefore);
-        }
-        ++sites_;
-        tetrahedra_ += step.star.size();
-        if (keeps_)
-            keep(step);
-        return next_.add(step);
-    }
-    Status finish(float finalKey) override { return complete_ ? Status() : next_.finish(finalKey); }
-
-    std::uint64_t sites() const noexcept { return sites_; }
-    std::uint64_t tetrahedra() const noexcept { return tetrahedra_; }
-    /// The finest mesh, of the dataset's points.
-    std::vector<std::array<std::uint32_t, 4>> mesh() const
-    {
-        std::vector<std::array<std::uint32_t, 4>> living;
-        std::ranges::copy_if(kept_, std::back_inserter(living),
-                             [](const auto& corners) { return corners != destroyed; });
-        return living;
-    }
-
-private:
-    static constexpr std::array<std::uint32_t, 4> destroyed{};
-
-    void keep(const HistoryStep& step)
-    {
-        points_.push_back(static_cast<std::uint32_t>(step.point));
-        for (const std::uint32_t index : step.destroyed)
-            kept_[index] = destroyed;
-        for (const HistoryTetrahedron& tetrahedron : step.star) {
-            const auto& sites = tetrahedron.sites;
-            kept_.push_back({points_.back(), points_[sites[0]], points_[sites[1]], points_[sites[2]]});
-        }
-    }
-
-    HistorySink& next_;
-    double finest_;
-    bool keeps_;
-    std::vector<std::uint32_t> points_;              ///< of the sites
-    std::vector<std::array<std::uint32_t, 4>> kept_; ///< by history index
-    bool complete_ = false;
-    std::uint64_t sites_ = 0;
-    std::uint64_t tetrahedra_ = 0;
-};
-
 std::string reasonFor(const Dataset& dataset)
 {
     switch (dataset.domain) {
@@ -122,36 +44,45 @@ std::string reasonFor(const Dataset& dataset)
         return "A regular lattice: decimation takes fewer points for the same accuracy, but more time and memory.";
     case DomainClass::Scattered: break;
     }
-    return "Scattered points have no tetrahedra that decimation could begin with. Refine them instead.";
+    return "";
 }
 
-/// Why the dataset cannot be decimated at all.
-Status checkInput(const Dataset& dataset)
+/// Of a grid as many as if it had a cell for each point.
+double tetrahedraOf(const BuildSize& size)
 {
-    if (dataset.domain == DomainClass::Scattered)
-        return Error{ErrorKind::BadInput, reasonFor(dataset)};
-    const DecimationSize size = decimationSize(dataset);
-    if (size.tetrahedra == 0)
-        return Error{ErrorKind::BadInput, "A tetrahedral mesh needs a cell: two points or more along each axis."};
-    return checkDecimationNeed(size, usableBytes());
+    if (size.domain == DomainClass::Irregular)
+        return static_cast<double>(size.tetrahedra);
+    return static_cast<double>(size.points) * (gridCut(size.domain) == LatticeCut::Five ? 5 : 6);
 }
 
-/// A model from a finest mesh on that is coarser than its coarsest one would hold nothing.
-Status checkFinest(double finest, const BuildThresholds& thresholds)
+/// What decimating data of this size to the coarsest mesh takes, with a model that leaves out meshes finer than
+/// `finest`, a share of the range; not of scattered points.
+BuildEstimate estimateDecimation(const BuildSize& size, double finest)
 {
-    const double stop = thresholds.error;
-    if (!(stop > 0) || finest <= stop)
-        return {};
-    return Error{ErrorKind::WrongUsage, "The finest error (" + formatNumber(finest) +
-                                            " %) is larger than the error at which to stop (" + formatNumber(stop) +
-                                            " %). Choose a smaller finest error, or 0 to keep everything."};
+    // Of all that ever lived, with their sites; and how many these are for each one of the dataset.
+    const bool isGrid = isOnLattice(size.domain);
+    const double modelTetrahedronBytes = isGrid ? 21 : 26;
+    const double livedOverKept = isGrid ? 2.7 : 3.5;
+    constexpr double collapseSeconds = 60e-6;
+    constexpr double fixedBytes = 30e6; // of memory: the program, and as decimationBytes()
+    constexpr double pointBytes = 700;
+    constexpr double tetrahedronBytes = 100;
+    BuildEstimate estimate;
+    const double tetrahedra = tetrahedraOf(size);
+    const double whole = tetrahedra * livedOverKept * modelTetrahedronBytes;
+    estimate.modelBytes = static_cast<std::uint64_t>(whole * (finest > 0 ? size.density.share(finest) : 1));
+    estimate.diskBytes = estimate.modelBytes;
+    estimate.memoryBytes = static_cast<std::uint64_t>(
+        whole + fixedBytes + static_cast<double>(size.points) * pointBytes + tetrahedra * tetrahedronBytes);
+    estimate.seconds = static_cast<double>(size.points) * collapseSeconds;
+    return estimate;
 }
 
 } // namespace
 
 Acceptance DecimationBuilder::accepts(const Dataset& dataset) const
 {
-    if (const Status possible = checkInput(dataset); !possible)
+    if (const Status possible = checkDecimation(dataset); !possible)
         return {0, possible.error().text};
     return {dataset.domain == DomainClass::Irregular ? 1.0 : 0.5, reasonFor(dataset)};
 }
@@ -189,36 +120,17 @@ std::optional<BuildEstimate> DecimationBuilder::estimate(const BuildSize& size, 
 Result<BuildReport> DecimationBuilder::build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
                                              const Progress& progress) const
 {
-    if (const Status possible = checkInput(dataset); !possible)
-        return possible.error();
     const std::vector<Parameter> known = parameters();
-    const double finest = parameterValue<double>(known, values, "finest");
-    const BuildThresholds thresholds = buildThresholds(known, values);
-    if (const Status possible = checkFinest(finest, thresholds); !possible)
-        return possible.error();
     const auto weighting = parseWeighting(parameterValue<std::string>(known, values, "weights"));
     if (!weighting)
         return weighting.error();
-    const auto input = DecimationInput::make(dataset, *weighting, progress.part(0, 0.02));
-    if (!input)
-        return input.error();
-    DecimationOptions options = optionsFor(dataset, thresholds);
-    options.order = orderOf(parameterValue<std::string>(known, values, "order"));
-    const DecimationMesh mesh = input->mesh();
-    const bool isGrid = dataset.domain == DomainClass::Curvilinear;
-    const double finestKey = finest / 100 * thresholdKey({}, dataset).valueExtent;
-    HistoryBeginning history(target.history, finest > 0 ? finestKey : -1, isGrid && finest > 0);
-    const auto result = decimate(mesh, options, history, progress.part(0.02, 1));
-    if (!result)
-        return result.error();
-    BuildReport report{history.sites(), history.tetrahedra(), 0, 0};
-    if (isGrid) {
-        const PhysicalSigns signs =
-            finest > 0 ? physicalSigns(dataset, history.mesh()) : physicalSigns(dataset, mesh.tetrahedra);
-        report.inverted = signs.inverted;
-        report.degenerate = signs.degenerate;
-    }
-    return report;
+    Decimation decimation;
+    decimation.error = parameterValue<double>(known, values, "error");
+    decimation.warping = parameterValue<double>(known, values, "warping");
+    decimation.finest = parameterValue<double>(known, values, "finest");
+    decimation.order = orderOf(parameterValue<std::string>(known, values, "order"));
+    decimation.weighting = *weighting;
+    return buildInto(dataset, decimation, target, progress);
 }
 
 } // namespace tetra

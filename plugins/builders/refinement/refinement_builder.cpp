@@ -2,13 +2,10 @@
 #include "plugins/builders/refinement/refinement_builder.h"
 
 #include "core/base/memory.h"
-#include "core/data/weighting.h"
+#include "core/base/text.h"
+#include "core/build/refinement_build.h"
 #include "plugins/api/threshold_parameters.h"
 #include "plugins/api/weights_parameter.h"
-#include "plugins/builders/refinement/block_choice.h"
-#include "plugins/builders/refinement/curvilinear_build.h"
-#include "plugins/builders/refinement/lattice_build.h"
-#include "plugins/builders/refinement/scattered_build.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +15,6 @@
 namespace tetra {
 
 namespace {
-
-std::string notYet(const Dataset& dataset)
-{
-    return "Refinement does not take " + std::string(domainClassName(dataset.domain)) + " data.";
-}
 
 constexpr std::string_view normalised = "normalised";
 constexpr std::string_view paper = "paper";
@@ -41,16 +33,50 @@ Parameter selectionParameter()
     return selection;
 }
 
-CurvilinearBuildRequest curvilinearRequest(const std::vector<Parameter>& parameters, const ParameterValues& values,
-                                           const Weighting& weighting, std::optional<std::uint32_t> cells)
+Parameter blockParameter()
 {
-    CurvilinearBuildRequest request;
-    request.weighting = weighting;
-    request.blockEdge = cells.value_or(0);
-    request.thresholds = buildThresholds(parameters, values);
-    if (parameterValue<std::string>(parameters, values, "selection") == paper)
-        request.selection = CurvilinearSelection::Paper;
-    return request;
+    Parameter block;
+    block.id = "block";
+    block.label = "Block";
+    block.explanation =
+        "The cells along an edge of the blocks that are refined independently, in memory for a few of them; 'none' "
+        "refines the dataset as a whole; 'automatic' takes blocks where a lattice is large. The blocks of a "
+        "curvilinear grid are refined together, all in memory.";
+    block.unit = "cells";
+    block.defaultValue = std::string("automatic");
+    block.words = {"automatic", "none"};
+    block.onlyWith.id = domainId;
+    for (const DomainClass domain : {DomainClass::RegularLattice, DomainClass::Curvilinear})
+        block.onlyWith.values.emplace_back(std::string(domainClassName(domain)));
+    return block;
+}
+
+/// Refinement::block of the parameter's text. Error: WrongUsage, it is none of its values.
+Result<std::optional<std::uint32_t>> blockOf(const std::string& text)
+{
+    if (text == "automatic")
+        return std::optional<std::uint32_t>();
+    if (text == "none")
+        return std::optional(0u);
+    const auto cells = parseNumber<std::uint32_t>(text);
+    if (!cells || *cells == 0)
+        return Error{ErrorKind::WrongUsage, "The block size '" + text +
+                                                "' is neither \"automatic\" nor \"none\" nor a number of cells of at "
+                                                "least 1."};
+    return cells;
+}
+
+std::string reasonFor(DomainClass domain)
+{
+    switch (domain) {
+    case DomainClass::RegularLattice:
+        return "A regular lattice: refinement keeps the exact domain and needs the least time.";
+    case DomainClass::Curvilinear:
+        return "A curvilinear grid: refinement in computational space bounds both error and warping.";
+    case DomainClass::Scattered: return "Scattered points: refinement fills their convex hull.";
+    case DomainClass::Irregular: break;
+    }
+    return "";
 }
 
 /// What a build of one kind takes, measured (docs/performance.md, "Estimates").
@@ -110,13 +136,9 @@ BuildEstimate estimateRefinement(const BuildSize& size, double error, bool inBlo
 
 Acceptance RefinementBuilder::accepts(const Dataset& dataset) const
 {
-    switch (dataset.domain) {
-    case DomainClass::RegularLattice: return acceptLattice(dataset);
-    case DomainClass::Curvilinear: return acceptCurvilinear(dataset);
-    case DomainClass::Scattered: return acceptScattered(dataset);
-    case DomainClass::Irregular: break;
-    }
-    return {0, notYet(dataset)};
+    if (const Status possible = checkRefinement(dataset); !possible)
+        return {0, possible.error().text};
+    return {1, reasonFor(dataset.domain)};
 }
 
 std::vector<Parameter> RefinementBuilder::parameters() const
@@ -139,46 +161,43 @@ ParameterValues RefinementBuilder::detail(double percent, DomainClass domain) co
 /// Only blocks of a regular lattice are independent of each other, each with a file of its own.
 BuildAbilities RefinementBuilder::abilities(const Dataset& dataset, const ParameterValues& values) const
 {
-    if (dataset.domain != DomainClass::RegularLattice)
+    const auto block = blockOf(parameterValue<std::string>(parameters(), values, "block"));
+    if (dataset.domain != DomainClass::RegularLattice || !block)
         return {};
-    const auto cells =
-        chooseBlocks(parameterValue<std::string>(parameters(), values, "block"), dataset.lattice, usableBytes());
-    const bool inBlocks = cells && *cells;
+    const auto cells = chooseBlocks(*block, dataset.lattice, usableBytes());
+    const bool inBlocks = cells && *cells > 0;
     return {.usesThreads = inBlocks, .resumes = inBlocks, .keeps = !inBlocks};
 }
 
 std::optional<BuildEstimate> RefinementBuilder::estimate(const BuildSize& size, const ParameterValues& values,
                                                          unsigned threads) const
 {
-    if (size.domain == DomainClass::Irregular)
+    const auto block = blockOf(parameterValue<std::string>(parameters(), values, "block"));
+    if (size.domain == DomainClass::Irregular || !block)
         return std::nullopt;
-    const auto block = parameterValue<std::string>(parameters(), values, "block");
-    const double error = size.domain == DomainClass::Curvilinear
-                             ? buildThresholds(parameters(), values).error
-                             : parameterValue<double>(parameters(), values, "error");
-    return estimateRefinement(size, error / 100, takesBlocks(block, size.points, usableBytes()), threads);
+    double error = parameterValue<double>(parameters(), values, "error");
+    if (size.domain == DomainClass::Curvilinear && !(error > 0))
+        error = parameterValue<double>(parameters(), values, "warping");
+    return estimateRefinement(size, error / 100, takesBlocks(*block, size.points, usableBytes()), threads);
 }
 
 Result<BuildReport> RefinementBuilder::build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
                                              const Progress& progress) const
 {
-    const double error = parameterValue<double>(parameters(), values, "error");
-    const auto weighting = parseWeighting(parameterValue<std::string>(parameters(), values, "weights"));
+    const std::vector<Parameter> known = parameters();
+    const auto weighting = parseWeighting(parameterValue<std::string>(known, values, "weights"));
     if (!weighting)
         return weighting.error();
-    const auto block = parameterValue<std::string>(parameters(), values, "block");
-    const auto cells = givenBlocks(block);
-    if (!cells)
-        return cells.error();
-    switch (dataset.domain) {
-    case DomainClass::RegularLattice: return buildLattice(dataset, {error, block, *weighting}, target, progress);
-    case DomainClass::Curvilinear:
-        return buildCurvilinear(dataset, curvilinearRequest(parameters(), values, *weighting, *cells), target,
-                                progress);
-    case DomainClass::Scattered: return buildScattered(dataset, error, *weighting, target, progress);
-    case DomainClass::Irregular: break;
-    }
-    return Error{ErrorKind::BadInput, notYet(dataset)};
+    const auto block = blockOf(parameterValue<std::string>(known, values, "block"));
+    if (!block)
+        return block.error();
+    Refinement refinement;
+    refinement.error = parameterValue<double>(known, values, "error");
+    refinement.warping = parameterValue<double>(known, values, "warping");
+    refinement.block = *block;
+    refinement.paperSelection = parameterValue<std::string>(known, values, "selection") == paper;
+    refinement.weighting = *weighting;
+    return buildInto(dataset, refinement, target, progress);
 }
 
 } // namespace tetra

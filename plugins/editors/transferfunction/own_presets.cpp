@@ -2,7 +2,8 @@
 #include "plugins/editors/transferfunction/own_presets.h"
 
 #include "core/base/file_writer.h"
-#include "core/transfer/transfer_text.h"
+
+#include <tan/transfer.h>
 
 #include <QDir>
 #include <QStandardPaths>

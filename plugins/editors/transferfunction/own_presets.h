@@ -3,7 +3,7 @@
 
 #include "plugins/editors/transferfunction/preset.h"
 
-#include "core/base/result.h"
+#include <tan/base.h>
 
 namespace tetra {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the buttons and menus of the editor's panel do.
-#include "core/transfer/import/transfer_import.h"
-#include "core/transfer/transfer_text.h"
 #include "plugins/editors/transferfunction/transfer_canvas.h"
 #include "plugins/editors/transferfunction/transfer_panel.h"
+
+#include <tan/transfer.h>
 
 #include <QActionGroup>
 #include <QInputDialog>

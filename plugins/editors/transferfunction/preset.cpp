@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/editors/transferfunction/preset.h"
 
-#include "core/transfer/colour_map.h"
-#include "core/transfer/default_transfer_functions.h"
 #include "plugins/editors/transferfunction/canvas_painting.h"
+
+#include <tan/transfer.h>
 
 #include <QCoreApplication>
 #include <QPainter>

@@ -4,7 +4,7 @@
 #include "plugins/editors/transferfunction/editor_state.h"
 #include "plugins/editors/transferfunction/preset.h"
 
-#include "core/base/result.h"
+#include <tan/base.h>
 
 #include <QFrame>
 

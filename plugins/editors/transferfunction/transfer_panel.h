@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/transfer/import/transfer_import.h"
 #include "plugins/editors/transferfunction/editor_state.h"
+
+#include <tan/transfer.h>
 
 #include <QWidget>
 

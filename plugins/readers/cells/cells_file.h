@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/cells/cell_complex.h"
 #include "plugins/api/reader.h"
+
+#include <tan/data.h>
 
 #include <string>
 #include <string_view>

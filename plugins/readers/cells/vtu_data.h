@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
-#include "core/data/scalar_field.h"
 #include "plugins/readers/cells/vtu_head.h"
+
+#include <tan/base.h>
+#include <tan/data.h>
 
 #include <cstdint>
 #include <optional>

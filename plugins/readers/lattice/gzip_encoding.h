@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/file_writer.h"
-#include "core/base/progress.h"
-#include "core/base/result.h"
+
+#include <tan/base.h>
 
 #include <cstddef>
 #include <span>

@@ -53,7 +53,7 @@ Error withHeader(const fs::path& header, Error error)
 }
 
 /// What a file's bytes are, once it is known how they are to be taken.
-struct Volume {
+struct VolumeFile {
     File file;
     std::size_t headerBytes = 0;
     SampleLayout layout;
@@ -68,7 +68,7 @@ Result<File> openFile(const fs::path& path)
 }
 
 /// The data file of a detached header, else the header's own file.
-Result<Volume> openNrrd(const fs::path& path, const File& headerFile)
+Result<VolumeFile> openNrrd(const fs::path& path, const File& headerFile)
 {
     const Result<NrrdFields> fields = parseNrrdFields(asText(headerFile->bytes()));
     if (!fields)
@@ -77,19 +77,19 @@ Result<Volume> openNrrd(const fs::path& path, const File& headerFile)
     if (!layout)
         return inFile(path, layout.error());
     if (layout->dataFile.empty())
-        return Volume{headerFile, fields->headerBytes, layout->samples};
+        return VolumeFile{headerFile, fields->headerBytes, layout->samples};
     const Result<File> dataFile = openFile(path.parent_path() / layout->dataFile);
     if (!dataFile)
         return withHeader(path, dataFile.error());
-    return Volume{*dataFile, 0, layout->samples};
+    return VolumeFile{*dataFile, 0, layout->samples};
 }
 
-Result<Volume> openRaw(const fs::path& path, const File& file, const ParameterValues& values)
+Result<VolumeFile> openRaw(const fs::path& path, const File& file, const ParameterValues& values)
 {
     const Result<SampleLayout> layout = rawLayout(values, path.filename().string(), file->bytes().size());
     if (!layout)
         return inFile(path, layout.error());
-    return Volume{file, 0, *layout};
+    return VolumeFile{file, 0, *layout};
 }
 
 bool isNrrd(const fs::path& path, const File& file)
@@ -97,7 +97,7 @@ bool isNrrd(const fs::path& path, const File& file)
     return isNrrdName(path) || looksLikeNrrd(asText(file->bytes()));
 }
 
-Result<Volume> openVolume(const fs::path& path, const File& file, const ParameterValues& values)
+Result<VolumeFile> openVolume(const fs::path& path, const File& file, const ParameterValues& values)
 {
     return isNrrd(path, file) ? openNrrd(path, file) : openRaw(path, file, values);
 }
@@ -123,7 +123,7 @@ bool isWithin(std::span<const std::byte> bytes, std::span<const std::byte> whole
            std::less_equal{}(bytes.data() + bytes.size(), whole.data() + whole.size());
 }
 
-Result<Dataset> readDataset(const fs::path& path, const Volume& volume, const Progress& progress)
+Result<Dataset> readDataset(const fs::path& path, const VolumeFile& volume, const Progress& progress)
 {
     const std::span<const std::byte> content = volume.file->bytes();
     const Result<ScalarField> values =
@@ -157,7 +157,7 @@ FileContents guessedContents(const fs::path& path, std::uint64_t bytes)
     return contents;
 }
 
-Result<FileContents> contentsOf(const fs::path& path, const Volume& volume)
+Result<FileContents> contentsOf(const fs::path& path, const VolumeFile& volume)
 {
     const Status whole = checkSampleBytes(volume.file->bytes().subspan(volume.headerBytes), volume.layout);
     if (!whole) {
@@ -197,7 +197,7 @@ try {
     const Result<File> file = openFile(path);
     if (!file)
         return file.error();
-    const Result<Volume> volume = openVolume(path, *file, values);
+    const Result<VolumeFile> volume = openVolume(path, *file, values);
     if (!volume)
         return volume.error();
     return readDataset(path, *volume, progress);
@@ -213,7 +213,7 @@ Result<FileContents> LatticeReader::probe(const fs::path& path, const ParameterV
         return file.error();
     if (!isNrrd(path, *file) && !describesSize(values))
         return guessedContents(path, (*file)->bytes().size());
-    const Result<Volume> volume = openVolume(path, *file, values);
+    const Result<VolumeFile> volume = openVolume(path, *file, values);
     if (!volume)
         return volume.error();
     return contentsOf(path, *volume);

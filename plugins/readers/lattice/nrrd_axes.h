@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
 #include "plugins/readers/lattice/nrrd_fields.h"
+
+#include <tan/base.h>
 
 #include <Eigen/Core>
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
-#include "core/data/lattice.h"
 #include "plugins/readers/lattice/nrrd_fields.h"
+
+#include <tan/base.h>
+#include <tan/data.h>
 
 namespace tetra {
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
 #include "plugins/api/parameter.h"
 #include "plugins/readers/lattice/sample_layout.h"
+
+#include <tan/base.h>
 
 #include <cstdint>
 #include <string_view>

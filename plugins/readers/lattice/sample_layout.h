@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/lattice.h"
-#include "core/data/scalar_field.h"
 #include "plugins/readers/lattice/nrrd_types.h"
+
+#include <tan/data.h>
 
 #include <bit>
 #include <cstdint>

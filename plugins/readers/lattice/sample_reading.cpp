@@ -2,10 +2,11 @@
 #include "plugins/readers/lattice/sample_reading.h"
 
 #include "core/data/dataset_checks.h"
-#include "core/data/scalar_field.h"
 #include "plugins/readers/lattice/gzip_decoding.h"
 #include "plugins/readers/lattice/raw_decoding.h"
 #include "plugins/readers/lattice/text_decoding.h"
+
+#include <tan/data.h>
 
 #include <algorithm>
 #include <string>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/data/scalar_field.h"
 #include "plugins/readers/lattice/sample_layout.h"
+
+#include <tan/base.h>
+#include <tan/data.h>
 
 #include <cstddef>
 #include <memory>

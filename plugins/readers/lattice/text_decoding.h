@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/data/scalar_field.h"
+#include <tan/base.h>
+#include <tan/data.h>
 
 #include <cstddef>
 #include <span>

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "core/base/mapped_file.h"
-#include "core/base/progress.h"
 #include "plugins/readers/plot3d/plot3d_layout.h"
+
+#include <tan/base.h>
 
 #include <filesystem>
 #include <memory>

@@ -2,9 +2,10 @@
 #include "plugins/readers/plot3d/plot3d_reader.h"
 
 #include "core/data/dataset_checks.h"
-#include "core/data/scalar_field.h"
 #include "plugins/readers/plot3d/plot3d_arrays.h"
 #include "plugins/readers/plot3d/plot3d_names.h"
+
+#include <tan/data.h>
 
 #include <algorithm>
 #include <cctype>

@@ -2,7 +2,6 @@
 #include "plugins/readers/points/point_reader.h"
 
 #include "core/base/mapped_file.h"
-#include "core/data/merged_points.h"
 #include "plugins/readers/points/point_columns.h"
 #include "plugins/readers/points/point_table.h"
 
@@ -38,23 +37,17 @@ Error inFile(const std::filesystem::path& path, const Error& error)
     return {error.kind, "Cannot read '" + path.string() + "': " + error.text};
 }
 
-Dataset datasetOf(PointTable table, const std::filesystem::path& path)
+Result<Dataset> datasetOf(PointTable table, const std::filesystem::path& path)
 {
-    Dataset dataset;
-    const std::string merged = mergeRemark(mergePoints(table.positions, table.values));
+    auto dataset = scatteredDataset(std::move(table.positions), std::move(table.values), path.filename().string());
+    if (!dataset)
+        return dataset;
+    dataset->source.path = path;
     if (table.skippedRows > 0)
-        dataset.remarks.push_back(std::to_string(table.skippedRows) + (table.skippedRows == 1
-                                                                           ? " incomplete row was skipped."
-                                                                           : " incomplete rows were skipped."));
-    if (!merged.empty())
-        dataset.remarks.push_back(merged);
-    const auto values = std::make_shared<const std::vector<double>>(std::move(table.values));
-    dataset.domain = DomainClass::Scattered;
-    dataset.lattice.size = {static_cast<std::uint32_t>(values->size()), 1, 1};
-    dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(table.positions));
-    dataset.values =
-        ScalarField(SampleType::Float64, values->size(), {values, reinterpret_cast<const std::byte*>(values->data())});
-    dataset.source = {path.filename().string(), path, contentHash(dataset.values, dataset.positions)};
+        dataset->remarks.insert(dataset->remarks.begin(),
+                                std::to_string(table.skippedRows) + (table.skippedRows == 1
+                                                                         ? " incomplete row was skipped."
+                                                                         : " incomplete rows were skipped."));
     return dataset;
 }
 
@@ -120,7 +113,7 @@ try {
         return inFile(path, table.error());
     if (table->values.size() > std::numeric_limits<std::uint32_t>::max())
         return inFile(path, {ErrorKind::OutOfResource, "it has more than 4294967295 points. Take a part of them."});
-    Dataset dataset = datasetOf(std::move(*table), path);
+    auto dataset = datasetOf(std::move(*table), path);
     progress.report(1, "Reading");
     return dataset;
 } catch (const std::bad_alloc&) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
 #include "plugins/readers/points/point_columns.h"
+
+#include <tan/base.h>
 
 #include <Eigen/Core>
 

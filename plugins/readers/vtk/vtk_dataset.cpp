@@ -3,7 +3,6 @@
 
 #include "core/base/text.h"
 #include "core/data/dataset_checks.h"
-#include "core/data/merged_points.h"
 
 #include <cmath>
 #include <cstring>
@@ -11,8 +10,6 @@
 
 namespace tetra {
 namespace {
-
-constexpr double farthest = 1e90; ///< volumes of such coordinates are still numbers
 
 std::uint64_t product(const std::array<std::uint32_t, 3>& size)
 {
@@ -77,7 +74,8 @@ Status checkPoints(const VtkFindings& found, std::span<const double> values)
     if (values.size() > std::numeric_limits<std::uint32_t>::max())
         return Error{ErrorKind::OutOfResource, "it has more than 4294967295 points. Take a part of them."};
     for (std::size_t point = 0; point < values.size(); ++point)
-        if (!(found.positions[point].cwiseAbs().maxCoeff() <= farthest) || !found.positions[point].allFinite())
+        if (!(found.positions[point].cwiseAbs().maxCoeff() <= farthestCoordinate) ||
+            !found.positions[point].allFinite())
             return Error{ErrorKind::BadInput, "the position of point " + std::to_string(point) +
                                                   " (from 0) is no number, or too large. Repair the file."};
     return {};
@@ -99,23 +97,18 @@ void leaveOutNotFinite(std::vector<Eigen::Vector3d>& positions, std::vector<doub
     values.resize(kept);
 }
 
-Result<Dataset> scatteredDataset(VtkFindings& found)
+Result<Dataset> pointsDataset(VtkFindings& found, const Source& source)
 {
     std::vector<double> values = doublesOf(found);
     if (const Status usable = checkPoints(found, values); !usable)
         return usable.error();
-    Dataset dataset;
-    leaveOutNotFinite(found.positions, values, dataset.remarks);
+    std::vector<std::string> remarks;
+    leaveOutNotFinite(found.positions, values, remarks);
     if (values.empty())
         return Error{ErrorKind::BadInput, "none of its values is a number."};
-    if (const std::string merged = mergeRemark(mergePoints(found.positions, values)); !merged.empty())
-        dataset.remarks.push_back(merged);
-    dataset.domain = DomainClass::Scattered;
-    dataset.lattice.size = {static_cast<std::uint32_t>(values.size()), 1, 1};
-    dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(found.positions));
-    const auto samples = std::make_shared<const std::vector<double>>(std::move(values));
-    dataset.values = ScalarField(SampleType::Float64, samples->size(),
-                                 {samples, reinterpret_cast<const std::byte*>(samples->data())});
+    auto dataset = tetra::scatteredDataset(std::move(found.positions), std::move(values), source.name);
+    if (dataset)
+        dataset->remarks.insert(dataset->remarks.begin(), remarks.begin(), remarks.end());
     return dataset;
 }
 
@@ -134,7 +127,7 @@ Result<Dataset> datasetOf(VtkFindings findings, const Source& source, const Prog
 {
     const std::vector<std::string> remarks = std::move(findings.remarks);
     auto dataset = findings.kind == VtkDataKind::Cells    ? cellsDataset(findings, source, progress)
-                   : findings.kind == VtkDataKind::Points ? scatteredDataset(findings)
+                   : findings.kind == VtkDataKind::Points ? pointsDataset(findings, source)
                                                           : gridDataset(findings, progress);
     if (!dataset)
         return dataset.error();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/data/dataset.h"
 #include "plugins/readers/vtk/vtk_findings.h"
+
+#include <tan/base.h>
+#include <tan/data.h>
 
 namespace tetra {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/buffer.h"
-#include "core/data/cells/cell_complex.h"
-#include "core/data/scalar_field.h"
 #include "plugins/readers/vtk/vtk_format.h"
+
+#include <tan/base.h>
+#include <tan/data.h>
 
 #include <Eigen/Core>
 

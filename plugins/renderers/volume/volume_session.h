@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/boundary_surface.h"
-#include "core/render/volume/volume_mesh.h"
 #include "plugins/api/renderer.h"
+
+#include <tan/render.h>
 
 namespace tetra {
 

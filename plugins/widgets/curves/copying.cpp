@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/widgets/curves/copying.h"
 
-#include "core/transfer/transfer_text.h"
 #include "plugins/widgets/curves/selection.h"
+
+#include <tan/transfer.h>
 
 #include <cmath>
 

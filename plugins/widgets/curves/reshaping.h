@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/transfer/transfer_function.h"
 #include "plugins/widgets/curves/selection.h"
+
+#include <tan/transfer.h>
 
 namespace tetra {
 

@@ -3,6 +3,8 @@
 
 #include "core/base/memory.h"
 
+#include <tan/base.h>
+
 #include <QTest>
 
 #include <vector>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/buffer.h"
+#include "core/base/reserved_array.h"
+
+#include <tan/base.h>
 
 #include <QtTest>
 

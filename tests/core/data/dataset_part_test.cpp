@@ -2,8 +2,8 @@
 /// Regions and strides of datasets against the plain definition, on random parts.
 #include "core/base/mapped_file.h"
 #include "core/data/dataset_part.h"
-#include "core/data/samples.h"
 #include "core/mesh/manifold.h"
+#include "plugins/samples/samples.h"
 
 #include <QFile>
 #include <QTemporaryDir>

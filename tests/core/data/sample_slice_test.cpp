@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Layers of samples in files against taking each sample by itself.
-#include "core/data/scalar_field.h"
+#include "core/data/sample_slice.h"
+
+#include <tan/data.h>
 
 #include <QTest>
 

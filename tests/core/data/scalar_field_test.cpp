@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scalar fields, their sample types and the lattice under them: what every reader and builder relies on.
-#include "core/data/lattice.h"
-#include "core/data/scalar_field.h"
+#include <tan/data.h>
 
 #include <QTest>
 

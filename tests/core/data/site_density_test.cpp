@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/data/site_density.h"
+#include "plugins/samples/samples.h"
 
-#include "core/data/samples.h"
+#include <tan/build.h>
 
 #include <QTest>
 

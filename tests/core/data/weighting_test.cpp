@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// R6: what counts, where and how much, and its text.
-#include "core/data/weighting.h"
 
-#include "core/data/samples.h"
+#include "plugins/samples/samples.h"
+
+#include <tan/data.h>
 
 #include <QTest>
 

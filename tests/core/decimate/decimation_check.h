@@ -46,7 +46,7 @@ public:
     }
 
     /// Whether a tetrahedron that has the point, or the largest claim of all for points outside, bounds its error and,
-    /// in a lifted mesh, its warping.
+    /// in a mesh with physical places, its warping.
     std::string errorFault(std::uint32_t point) const
     {
         const double weight = mesh_.weights.empty() ? 1 : static_cast<double>(mesh_.weights[point]);
@@ -61,12 +61,12 @@ public:
             Eigen::Vector3d place = Eigen::Vector3d::Zero();
             for (std::size_t k = 0; k < 4; ++k) {
                 value += weights[static_cast<int>(k)] * mesh_.values[t[k]];
-                if (!mesh_.lifted.empty())
-                    place += weights[static_cast<int>(k)] * mesh_.lifted[t[k]];
+                if (!mesh_.physical.empty())
+                    place += weights[static_cast<int>(k)] * mesh_.physical[t[k]];
             }
             const bool near = weight * std::abs(value - mesh_.values[point]) <= double(prefix_.claims[i]->error) + 1e-9;
-            const bool unwarped = mesh_.lifted.empty() || weight * (place - mesh_.lifted[point]).norm() <=
-                                                              double(prefix_.claims[i]->warping) + 1e-9;
+            const bool unwarped = mesh_.physical.empty() || weight * (place - mesh_.physical[point]).norm() <=
+                                                                double(prefix_.claims[i]->warping) + 1e-9;
             if (near && unwarped)
                 return {};
         }

@@ -39,7 +39,7 @@ void compareSound(const TestMesh& mesh, const DecimationOptions& options, std::u
 int physicalSign(const TestMesh& mesh, const std::array<std::uint32_t, 4>& points)
 {
     const auto at = [&mesh](std::uint32_t point) {
-        const Eigen::Vector3d& place = mesh.lifted[point];
+        const Eigen::Vector3d& place = mesh.physical[point];
         return std::array<double, 3>{place.x(), place.y(), place.z()};
     };
     return orientationSign(at(points[0]), at(points[1]), at(points[2]), at(points[3]));
@@ -86,7 +86,7 @@ void DecimationTest::curvilinearGridsStaySound()
         TestMesh mesh = latticeMesh({6, 5, 5}, LatticeCut::Five, seed);
         for (const Eigen::Vector3d& at : mesh.positions) {
             const double angle = .25 * at.x();
-            mesh.lifted.emplace_back((3 + at.y()) * std::cos(angle), (3 + at.y()) * std::sin(angle), 1.5 * at.z());
+            mesh.physical.emplace_back((3 + at.y()) * std::cos(angle), (3 + at.y()) * std::sin(angle), 1.5 * at.z());
         }
         mesh.weights.assign(mesh.positions.size(), seed % 2 == 0 ? 1.0f : .5f);
         compareSound(mesh, options, seed, 7);

@@ -14,13 +14,13 @@ namespace tetra {
 /// What a DecimationMesh refers to.
 struct TestMesh {
     std::vector<Eigen::Vector3d> positions;
-    std::vector<Eigen::Vector3d> lifted;
+    std::vector<Eigen::Vector3d> physical;
     std::vector<double> values;
     std::vector<float> weights;
     TestTetrahedra tetrahedra;
     bool box = false;
 
-    DecimationMesh view() const { return {positions, lifted, values, weights, tetrahedra, box}; }
+    DecimationMesh view() const { return {positions, physical, values, weights, tetrahedra, box}; }
 };
 
 /// A lattice with a smooth field and a little noise.

@@ -4,8 +4,9 @@
 #include "core/base/checksum.h"
 #include "core/history/model_writer.h"
 #include "core/refine/lattice/lattice_refinement.h"
-#include "core/verify/verification.h"
 #include "tests/core/history/model_fixture.h"
+
+#include <tan/verify.h>
 
 #include <QTemporaryDir>
 #include <QTest>

@@ -3,9 +3,10 @@
 // physical space and are positive there, a query takes both thresholds.
 #include "core/base/rounding.h"
 #include "core/data/dataset_checks.h"
-#include "core/history/extraction.h"
 #include "core/history/model_writer.h"
 #include "tests/core/history/model_fixture.h"
+
+#include <tan/query.h>
 
 #include <QTemporaryDir>
 #include <QTest>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Models that were damaged at random, with checksums that say all is well: opening, extracting and verifying may give
 // errors or failures, never a crash. Meant to be run with sanitizers, too.
-#include "core/history/extraction.h"
-#include "core/verify/verification.h"
 #include "tests/core/history/irregular/irregular_models.h"
+
+#include <tan/query.h>
+#include <tan/verify.h>
 
 #include <QTemporaryDir>
 #include <QTest>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/dataset.h"
 #include "tests/core/refine/bent_grids.h"
+
+#include <tan/data.h>
 
 #include <algorithm>
 #include <array>
@@ -82,7 +83,9 @@ public:
     /// Of points, positive in computational space.
     bool isInverted(const std::array<std::uint32_t, 4>& points) const
     {
-        return hand_ * determinantOf(lifted(points[0]), lifted(points[1]), lifted(points[2]), lifted(points[3])) < 0;
+        return hand_ *
+                   determinantOf(physical(points[0]), physical(points[1]), physical(points[2]), physical(points[3])) <
+               0;
     }
     bool mayBeInverted(const std::array<std::uint32_t, 4>& points) const
     {
@@ -101,7 +104,7 @@ public:
     }
 
 private:
-    GridPlace lifted(std::uint64_t point) const
+    GridPlace physical(std::uint64_t point) const
     {
         const Eigen::Vector3d scaled = 64 * grid_.positions[point];
         return {std::lround(scaled.x()), std::lround(scaled.y()), std::lround(scaled.z())};
@@ -110,7 +113,7 @@ private:
     {
         const auto& size = grid_.size;
         const auto at = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
-            return lifted(static_cast<std::uint64_t>((z * size[1] + y) * size[0] + x));
+            return physical(static_cast<std::uint64_t>((z * size[1] + y) * size[0] + x));
         };
         for (std::int64_t z = 0; z + 1 < size[2]; ++z)
             for (std::int64_t y = 0; y + 1 < size[1]; ++y)

@@ -5,12 +5,13 @@
 #include "core/decimate/decimation.h"
 #include "core/decimate/lattice_tetrahedra.h"
 #include "core/history/model_writer.h"
-#include "core/history/query/mesh_extractor.h"
 #include "core/refine/curvilinear/curvilinear_grid.h"
 #include "core/verify/curvilinear_cells.h"
 #include "core/verify/verify_mesh.h"
 #include "tests/core/history/folded_grids.h"
 #include "tests/core/history/model_fixture.h"
+
+#include <tan/query.h>
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -55,7 +56,7 @@ Result<std::uint64_t> buildFolded(const std::string& builder, const BentGrid& gr
         const auto tetrahedra = latticeTetrahedra(grid.size, LatticeCut::Six);
         DecimationMesh mesh;
         mesh.positions = places;
-        mesh.lifted = grid.positions;
+        mesh.physical = grid.positions;
         mesh.leftHanded = isLeftHanded(datasetOfGrid(grid));
         mesh.values = grid.values;
         mesh.tetrahedra = tetrahedra;
@@ -109,11 +110,12 @@ private slots:
         const BentGrid bent = foldedGridNamed(grid.toStdString());
         const Dataset dataset = datasetOfGrid(bent);
         const SlowGrid slow(bent);
-        const CurvilinearGrid lifted(bent.size, bent.positions, LatticeSamples(std::span<const double>(bent.values)));
+        const CurvilinearGrid curvilinear(bent.size, bent.positions,
+                                          LatticeSamples(std::span<const double>(bent.values)));
         std::vector<std::string> failures;
         const auto original = CurvilinearOriginal::make(dataset, isLeftHanded(dataset), failures, {});
         QVERIFY(original.ok() && failures.empty());
-        QCOMPARE(lifted.foldedCells().count(), slow.foldedCells());
+        QCOMPARE(curvilinear.foldedCells().count(), slow.foldedCells());
         QCOMPARE(original->foldedCells(), slow.foldedCells());
         std::mt19937 random(20241122);
         int met = 0, missed = 0;
@@ -121,7 +123,7 @@ private slots:
             std::array<std::uint32_t, 4> points{};
             for (std::uint32_t& point : points)
                 point = random() % static_cast<std::uint32_t>(bent.values.size());
-            CellCorners corners{};
+            LatticeCorners corners{};
             std::array<PackedPoint, 4> packed{};
             for (std::size_t corner = 0; corner < 4; ++corner) {
                 auto place = bent.place(points[corner]);
@@ -130,12 +132,12 @@ private slots:
                         corners[0][axis] + std::int64_t(random() % 5) - 2, 0, bent.size[axis] - 1));
                 points[corner] = (place[2] * bent.size[1] + place[1]) * bent.size[0] + place[0];
                 corners[corner] = {place[0], place[1], place[2]};
-                packed[corner] = lifted.lattice().pack(place[0], place[1], place[2]);
+                packed[corner] = curvilinear.lattice().pack(place[0], place[1], place[2]);
             }
             if (sixVolumes(corners) == 0)
                 continue;
             const bool expected = slow.mayBeInverted(points);
-            QCOMPARE(lifted.bears(packed), expected);
+            QCOMPARE(curvilinear.bears(packed), expected);
             QCOMPARE(original->bears(corners), expected);
             ++(expected ? met : missed);
         }

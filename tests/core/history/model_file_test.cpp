@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is written comes back (R13, R15); FORMAT.md tells the truth; what is no model, cut short, or of a later version
 // is refused with a text that helps.
-#include "core/history/model.h"
 #include "core/history/model_writer.h"
 
 #include "core/base/rounding.h"
 #include "tests/core/base/small_disk.h"
 #include "tests/core/history/model_fixture.h"
+
+#include <tan/model.h>
 
 #include <QTemporaryDir>
 #include <QTest>

@@ -214,7 +214,10 @@ void FileParts::repairChecksums()
 
 void FileParts::repairHeader()
 {
-    header().checksum = headerChecksum(header(), std::as_bytes(sections()));
+    Checksum sum;
+    sum.add(std::span(content).first(offsetof(format::Header, checksum)));
+    sum.add(std::as_bytes(sections()));
+    header().checksum = sum.value();
 }
 
 void FileParts::setChunkBytes(std::uint64_t bytes)

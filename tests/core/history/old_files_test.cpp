@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files of the earlier versions of the format open for ever: what is kept in old_files was written by the programs of
 // those versions, beside what they said of the levels. That commands take them, tests/app/old_models_test.cpp shows.
-#include "core/history/extraction.h"
 #include "core/history/format.h"
 #include "tests/core/history/model_fixture.h"
 #include "tests/core/history/query/questions.h"
+
+#include <tan/query.h>
 
 #include <QCryptographicHash>
 #include <QFile>

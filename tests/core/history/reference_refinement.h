@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/dataset.h"
-#include "core/mesh/history.h"
+#include <tan/build.h>
+#include <tan/data.h>
 
 namespace tetra {
 

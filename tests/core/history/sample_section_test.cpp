@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A model keeps all samples of a lattice where they are cheap (FORMAT.md, section 23), however it was stopped.
 #include "core/history/model_writer.h"
-#include "core/verify/verification.h"
 #include "tests/core/history/model_fixture.h"
+
+#include <tan/verify.h>
 
 #include <QTemporaryDir>
 #include <QTest>

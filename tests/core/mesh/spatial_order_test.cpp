@@ -4,6 +4,8 @@
 #include "core/mesh/spatial_order.h"
 #include "tests/core/render/lattice_mesh.h"
 
+#include <tan/mesh.h>
+
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 

@@ -56,9 +56,9 @@ public:
             if (volume <= 0)
                 return findings;
             total += volume;
-            const std::int64_t lifted = handedness_ * physicalVolume(vertices);
-            findings.inverted += lifted < 0;
-            findings.degenerate += lifted == 0;
+            const std::int64_t physical = handedness_ * physicalVolume(vertices);
+            findings.inverted += physical < 0;
+            findings.degenerate += physical == 0;
             measure(tetrahedron, vertices, volume, covered, findings);
             for (std::size_t i = 0; i < 4; ++i) {
                 std::array<std::uint64_t, 3> face{vertices[(i + 1) % 4], vertices[(i + 2) % 4], vertices[(i + 3) % 4]};
@@ -98,12 +98,12 @@ private:
     }
     std::int64_t physicalVolume(const Vertices& v) const
     {
-        const auto lifted = [this](std::uint64_t point) -> Integers {
+        const auto physical = [this](std::uint64_t point) -> Integers {
             const Eigen::Vector3d scaled = 64 * grid_.positions[point];
             return {std::lround(scaled.x()), std::lround(scaled.y()), std::lround(scaled.z())};
         };
-        const Integers o = lifted(v[0]);
-        return determinant(difference(lifted(v[1]), o), difference(lifted(v[2]), o), difference(lifted(v[3]), o));
+        const Integers o = physical(v[0]);
+        return determinant(difference(physical(v[1]), o), difference(physical(v[2]), o), difference(physical(v[3]), o));
     }
     bool insideSphere(const Vertices& v, std::uint64_t point) const
     {

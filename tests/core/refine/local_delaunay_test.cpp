@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // S7, S8: a mesh that is loaded, refined and taken back is Delaunay all the way and the same as before afterwards; what
 // is no Delaunay mesh of its blocks is refused.
+#include "core/mesh/topology.h"
 #include "core/refine/insertion/local_delaunay.h"
 
 #include <QTest>
@@ -14,12 +15,10 @@ using namespace tetra;
 
 namespace {
 
-using Numbers = std::array<std::uint32_t, 4>;
-
 /// The start of every block, by numbers of vertices.
 struct Start {
     std::vector<PackedPoint> vertices;
-    Buffer<Numbers> tetrahedra;
+    Buffer<Tetrahedron> tetrahedra;
 };
 
 Start startOf(const BlockDivision& division)
@@ -32,7 +31,7 @@ Start startOf(const BlockDivision& division)
     Start start;
     std::map<PackedPoint, std::uint32_t> numbers;
     for (const DelaunayTetrahedron& tetrahedron : mesh.tetrahedra()) {
-        Numbers corners{};
+        Tetrahedron corners{};
         for (std::size_t i = 0; i < 4; ++i) {
             const auto [number, isNew] = numbers.try_emplace(tetrahedron.vertices[i], numbers.size());
             if (isNew)
@@ -57,9 +56,9 @@ std::vector<PackedPoint> otherPoints(const PackedLattice& lattice, const Start& 
     return points;
 }
 
-Buffer<Numbers> tetrahedraOf(const LocalDelaunay& mesh)
+Buffer<Tetrahedron> tetrahedraOf(const LocalDelaunay& mesh)
 {
-    Buffer<Numbers> tetrahedra;
+    Buffer<Tetrahedron> tetrahedra;
     mesh.copyTetrahedra(tetrahedra);
     return tetrahedra;
 }
@@ -99,7 +98,7 @@ private slots:
         start.tetrahedra = tetrahedraOf(mesh);
         QVERIFY(mesh.load(start.tetrahedra, start.vertices) == MeshLoading::Done);
 
-        Buffer<Numbers> first;
+        Buffer<Tetrahedron> first;
         for (int round = 0; round < 3; ++round) {
             const auto waiting = std::span(points).subspan(60);
             for (std::size_t i = 0; i < waiting.size(); i += 97) {
@@ -166,12 +165,12 @@ private slots:
             start.tetrahedra[1][2] = start.tetrahedra[1][3]; // flat
         if (fault == 4) {
             // A vertex in the middle of a tetrahedron cuts it in four: a mesh, but with vertices inside spheres.
-            const Numbers whole = start.tetrahedra.back();
+            const Tetrahedron whole = start.tetrahedra.back();
             start.tetrahedra.pop_back();
             start.vertices.push_back(mesh.lattice().pack(4, 4, 4));
             const auto middle = static_cast<std::uint32_t>(start.vertices.size() - 1);
             for (std::size_t i = 0; i < 4; ++i) {
-                Numbers part = whole;
+                Tetrahedron part = whole;
                 part[i] = middle;
                 start.tetrahedra.push_back(part);
             }

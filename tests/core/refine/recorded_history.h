@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mesh/history.h"
+#include <tan/build.h>
 
 #include <algorithm>
 #include <array>

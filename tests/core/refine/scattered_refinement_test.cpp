@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// R1, R8, S20: refinement of points anywhere, by properties of what comes out, on random and on degenerate points.
+#include "core/mesh/topology.h"
 #include "core/refine/free/scattered_refinement.h"
 
 #include <Eigen/Geometry>
@@ -18,7 +19,6 @@ using namespace tetra;
 namespace {
 
 using Position = Eigen::Vector3d;
-using Tetrahedron = std::array<std::uint32_t, 4>; // sites
 
 struct Cloud {
     std::vector<Position> positions;

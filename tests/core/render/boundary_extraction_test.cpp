@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The boundary of a mesh as a surface: against faces counted one by one, volumes and shapes whose normals are known.
-#include "core/render/boundary_surface.h"
 #include "tests/core/render/holed_mesh.h"
+
+#include <tan/render.h>
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The camera of the picture window (R27).
-#include "core/render/camera.h"
+#include <tan/render.h>
 
 #include <QTest>
 

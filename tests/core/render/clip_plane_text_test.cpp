@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Clip planes as text, and back to the same bits.
-#include "core/render/scene.h"
+#include <tan/render.h>
 
 #include <QTest>
 

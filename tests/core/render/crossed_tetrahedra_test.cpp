@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which tetrahedra a surface crosses, and the edges that its corners lie on (R19), against a look at each one.
+#include "core/mesh/topology.h"
 #include "core/render/isosurface/crossed_tetrahedra.h"
 
 #include <QTest>
@@ -14,19 +15,17 @@ using namespace tetra;
 
 namespace {
 
-using Corners = std::array<std::uint32_t, 4>;
-
 /// More than a surface has: corners are anywhere, also at the last vertex.
-std::vector<Corners> randomTetrahedra(std::size_t count, std::uint32_t vertexCount, std::mt19937& random)
+std::vector<Tetrahedron> randomTetrahedra(std::size_t count, std::uint32_t vertexCount, std::mt19937& random)
 {
-    std::vector<Corners> tetrahedra(count);
-    for (Corners& corners : tetrahedra)
+    std::vector<Tetrahedron> tetrahedra(count);
+    for (Tetrahedron& corners : tetrahedra)
         for (std::uint32_t& corner : corners)
             corner = static_cast<std::uint32_t>(random() % vertexCount);
     return tetrahedra;
 }
 
-std::vector<CrossedTetrahedron> foundIn(std::span<const Corners> tetrahedra, std::size_t first,
+std::vector<CrossedTetrahedron> foundIn(std::span<const Tetrahedron> tetrahedra, std::size_t first,
                                         const VertexSigns& sides)
 {
     std::vector<CrossedTetrahedron> found(tetrahedra.size() + crossedTetrahedronRoom);

@@ -23,7 +23,7 @@ private slots:
     void isTheOneInTheText()
     {
         const QString source = contentOf("tests/core/render/graphics_example.cpp");
-        QVERIFY(source.contains("drawVolume"));
+        QVERIFY(source.contains("makeCpuBackend"));
         const QString code = source.mid(source.indexOf("#include"));
         QVERIFY(contentOf("docs/tetrahedral-graphics.md").contains("```cpp\n" + code + "```\n"));
     }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mesh/tetrahedral_mesh.h"
 #include "tests/core/render/lattice_mesh.h"
+
+#include <tan/mesh.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,8 @@
 #include "tests/core/render/lattice_mesh.h"
 #include "tests/core/render/same_surface.h"
 
+#include <tan/render.h>
+
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mesh/tetrahedral_mesh.h"
+#include <tan/mesh.h>
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The default isovalue finds the surface of fields that have one, whatever their units, noise and mesh.
-#include "core/render/value_statistics.h"
 #include "tests/core/render/lattice_mesh.h"
+
+#include <tan/render.h>
 
 #include <QTest>
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Colours of a surface by its values: what the transfer function says at any place of any triangle.
-#include "core/render/boundary_surface.h"
 #include "tests/core/render/holed_mesh.h"
+
+#include <tan/render.h>
 
 #include <QTest>
 

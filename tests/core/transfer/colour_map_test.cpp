@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Colour maps: whole, even in lightness, and put on a function without a change of its opacities.
-#include "core/transfer/colour_map.h"
+#include <tan/transfer.h>
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a transfer function that fits a histogram looks like, whatever the histogram.
-#include "core/transfer/default_transfer_functions.h"
+#include <tan/transfer.h>
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Edits of transfer functions: whatever is done to one, it stays one, and looks as promised.
-#include "core/transfer/transfer_editing.h"
+#include <tan/transfer.h>
 
 #include <QTest>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The transfer function as a value (R18): steps, extinction, segments, and what to begin with.
-#include "core/transfer/default_transfer_functions.h"
-#include "core/transfer/transfer_function.h"
+#include <tan/transfer.h>
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/transfer/value_histogram.h"
+#include <tan/transfer.h>
 
 #include <QTest>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Distances and values on triangles, and from one boundary to another, against many samples (R4, S13).
 #include "core/verify/irregular_original.h"
-#include "core/verify/two_sided_distance.h"
 #include "tests/core/history/irregular/irregular_models.h"
 
 #include <QTest>
@@ -114,7 +113,7 @@ private slots:
             std::vector<std::string> failures;
             const IrregularOriginal original(dataset, failures);
             std::mt19937 random(seed);
-            std::vector<PointTriangle> triangles; // any will do
+            std::vector<Triangle> triangles; // any will do
             for (int i = 0; i < 10; ++i) {
                 const auto point = [&] { return static_cast<std::uint32_t>(random() % dataset.pointCount()); };
                 triangles.push_back({point(), point(), point()});
@@ -122,7 +121,7 @@ private slots:
             triangles.push_back(original.boundary.front());
             const BoundaryDistances found = distancesToOriginal(original, triangles);
             double largest = 0;
-            for (const PointTriangle& t : triangles)
+            for (const Triangle& t : triangles)
                 forEachPlace({dataset.position(t[0]), dataset.position(t[1]), dataset.position(t[2])},
                              [&](const auto&, const Eigen::Vector3d& place) {
                                  largest = std::max(largest, original.tree.nearest(place).place.distance);

@@ -3,9 +3,10 @@
 // models come from the slow reference refinement, the expected warpings from the grids' formulas.
 #include "core/history/model_writer.h"
 #include "core/verify/exact_cell.h"
-#include "core/verify/verification.h"
 #include "tests/core/history/model_fixture.h"
 #include "tests/core/history/reference_refinement.h"
+
+#include <tan/verify.h>
 
 #include <QTemporaryDir>
 #include <QTest>

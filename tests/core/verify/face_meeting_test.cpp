@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whether triangles meet, against separating axes in exact integers: what they share is cut off by a thin strip.
-#include "core/verify/verify_boundary.h"
+#include "core/verify/irregular_original.h"
 
 #include <QTest>
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The judge of irregular models (B3, R4, R5, S12): what decimation makes is proved, and each kind of lie is found.
-#include "core/data/weighting.h"
 #include "core/decimate/lattice_tetrahedra.h"
 #include "core/history/batch_builder.h"
-#include "core/verify/verification.h"
 #include "tests/core/history/irregular/irregular_models.h"
+
+#include <tan/data.h>
+#include <tan/verify.h>
 
 #include <QTemporaryDir>
 #include <QTest>

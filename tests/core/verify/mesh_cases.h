@@ -2,9 +2,10 @@
 #pragma once
 
 #include "core/history/model_writer.h"
-#include "core/history/query/mesh_query.h"
 #include "core/refine/free/scattered_refinement.h"
 #include "tests/core/history/model_fixture.h"
+
+#include <tan/query.h>
 
 #include <QString>
 

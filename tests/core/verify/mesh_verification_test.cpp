@@ -2,8 +2,9 @@
 /// B3: meshes of any kind are proved right, and what is wrong with a damaged one is found.
 #include "core/verify/verify_mesh.h"
 
-#include "core/history/query/mesh_extractor.h"
 #include "tests/core/verify/mesh_cases.h"
+
+#include <tan/query.h>
 
 #include <QTemporaryDir>
 #include <QTest>

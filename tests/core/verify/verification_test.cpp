@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The checker (B3) proves right models right, and finds what is wrong with every kind of wrong one.
-#include "core/verify/verification.h"
 
 #include "core/base/checksum.h"
 #include "tests/core/history/model_fixture.h"
+
+#include <tan/verify.h>
 
 #include <QTemporaryDir>
 #include <QTest>

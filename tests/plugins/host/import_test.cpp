@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Opening parts of datasets, what models keep of it, and what a build is expected to take.
-#include "core/data/samples.h"
-#include "core/verify/verification.h"
 #include "plugins/host/build_estimate.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/dataset_saving.h"
 #include "plugins/host/model_building.h"
+#include "plugins/samples/samples.h"
+
+#include <tan/verify.h>
 
 #include <QTemporaryDir>
 #include <QTest>

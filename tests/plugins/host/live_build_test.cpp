@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Looking at a model while it is built (B8): every look is a model that keeps its word, and never less than the last.
-#include "core/data/samples.h"
-#include "core/verify/verification.h"
 #include "plugins/host/live_build.h"
 #include "plugins/host/model_building.h"
+#include "plugins/samples/samples.h"
+
+#include <tan/verify.h>
 
 #include <QTemporaryDir>
 #include <QTest>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Files that are packed as a whole open like what is in them, or the text says what to do; where a reader cannot work,
 /// another one does; and a lack of files is told as that.
-#include "core/data/samples.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/dataset_saving.h"
 #include "plugins/host/input_file.h"
 #include "plugins/host/packed_file.h"
+#include "plugins/samples/samples.h"
 
 #include <QFile>
 #include <QTemporaryDir>

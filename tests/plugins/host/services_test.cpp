@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Opening, saving and building through the plugins of this program.
-#include "core/data/samples.h"
-#include "core/history/model.h"
+#include "core/build/model_build.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/dataset_saving.h"
 #include "plugins/host/input_file.h"
 #include "plugins/host/model_building.h"
 #include "plugins/host/output_check.h"
 #include "plugins/host/plugin_call.h"
+#include "plugins/samples/samples.h"
 #include "tests/core/base/small_disk.h"
+
+#include <tan/model.h>
 
 #include <QTemporaryDir>
 #include <QTest>

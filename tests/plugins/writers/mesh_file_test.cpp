@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Meshes in files: what VTK reads back is what was written, to the bit; and files that cannot be written.
+#include "core/mesh/topology.h"
 #include "plugins/writers/mesh_file.h"
 #include "tests/core/base/small_disk.h"
 #include "tests/plugins/writers/vtk_reader.h"
@@ -16,8 +17,6 @@
 using namespace tetra;
 
 namespace {
-
-using Tetrahedron = std::array<std::uint32_t, 4>;
 
 /// Random numbers in the shape of a mesh: a writer must not care whether they are one.
 struct RandomMesh {

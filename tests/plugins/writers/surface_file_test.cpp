@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Surfaces in files: what VTK reads back is what was written, to the bit; and files that cannot be written.
-#include "core/base/buffer.h"
 #include "core/mesh/boundary.h"
 #include "plugins/writers/surface_file.h"
 #include "tests/core/base/small_disk.h"
 #include "tests/plugins/writers/random_surfaces.h"
 #include "tests/plugins/writers/vtk_reader.h"
+
+#include <tan/base.h>
 
 #include <QDir>
 #include <QJsonArray>

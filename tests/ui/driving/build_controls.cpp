@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the controls of the dock Build are driven.
-#include "core/data/samples.h"
 #include "plugins/host/dataset_saving.h"
+#include "plugins/samples/samples.h"
 #include "tests/ui/driving/driver.h"
 #include "tests/waiting.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/driving/driving_test.h"
 
-#include "core/data/scalar_field.h"
+#include <tan/data.h>
 
 #include <algorithm>
 

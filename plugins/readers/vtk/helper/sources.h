@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
 #include "plugins/readers/vtk/vtk_findings.h"
+
+#include <tan/base.h>
 
 #include <vtkAlgorithm.h>
 #include <vtkSmartPointer.h>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/cells/cell_complex.h"
 #include "tests/core/data/cells/random_cells.h"
 #include "tests/core/data/cells/reference_cells.h"
+
+#include <tan/data.h>
 
 #include <QString>
 

@@ -17,8 +17,6 @@ using namespace tetra;
 
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
-
 Triangle sorted(Triangle triangle)
 {
     std::ranges::sort(triangle);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/data/cells/cell_complex.h"
 #include "core/data/cells/irregular_check.h"
 #include "core/geometry/orientation.h"
 #include "core/mesh/face_adjacency.h"
 #include "core/mesh/topology.h"
 #include "tests/core/data/cells/cell_cases.h"
+
+#include <tan/data.h>
 
 #include <QTest>
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/cells/cell_complex.h"
 #include "core/data/cells/cell_split.h"
+
+#include <tan/data.h>
 
 #include <algorithm>
 #include <cmath>

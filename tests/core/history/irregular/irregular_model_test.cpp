@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The `.tan` file of irregular data and of decimated lattices: what it holds, and what of a wrong one opening finds.
-#include "core/history/extraction.h"
 #include "core/history/model_writer.h"
 #include "tests/core/history/irregular/irregular_models.h"
+
+#include <tan/query.h>
 
 #include <QTemporaryDir>
 #include <QTest>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/dataset.h"
 #include "core/decimate/decimation.h"
 #include "tests/core/history/model_fixture.h"
+
+#include <tan/data.h>
 
 #include <filesystem>
 #include <memory>

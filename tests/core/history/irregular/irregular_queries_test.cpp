@@ -2,11 +2,12 @@
 // Random queries to models of irregular data and to decimated ones of any kind: the mesh is the one that going through
 // the whole history gives, and the independent judge proves it (B1, B3, R14, R25).
 #include "core/history/query/curvilinear_focus.h"
-#include "core/history/query/mesh_extractor.h"
 #include "core/history/query/region_refiner.h"
-#include "core/verify/verification.h"
 #include "tests/core/history/irregular/irregular_models.h"
 #include "tests/core/history/query/random_queries.h"
+
+#include <tan/query.h>
+#include <tan/verify.h>
 
 #include <QTemporaryDir>
 #include <QTest>

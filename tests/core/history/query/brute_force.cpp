@@ -2,7 +2,8 @@
 #include "tests/core/history/query/brute_force.h"
 
 #include "core/base/rounding.h"
-#include "core/history/extraction.h"
+
+#include <tan/query.h>
 
 #include <algorithm>
 #include <cmath>

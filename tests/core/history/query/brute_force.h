@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/history/model.h"
-#include "core/history/query/mesh_query.h"
+#include <tan/model.h>
+#include <tan/query.h>
 
 #include <cstdint>
 #include <functional>

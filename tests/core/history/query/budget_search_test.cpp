@@ -2,6 +2,8 @@
 // The scale that a budget allows, for sizes that fall as those of meshes do, in steps, or not always.
 #include "core/history/query/mesh_extractor.h"
 
+#include <tan/query.h>
+
 #include <QTest>
 
 #include <algorithm>

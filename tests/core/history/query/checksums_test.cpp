@@ -3,12 +3,13 @@
 // third: with checksums of chunks, which are checked as they are read, and with those of whole sections, as older files
 // have them, which are checked in the background.
 #include "core/base/checksum.h"
-#include "core/verify/verification.h"
 #include "tests/core/history/irregular/irregular_models.h"
 #include "tests/core/history/model_fixture.h"
 #include "tests/core/history/query/lattice_models.h"
 #include "tests/core/history/query/questions.h"
 #include "tests/core/history/query/some_models.h"
+
+#include <tan/verify.h>
 
 #include <QTemporaryDir>
 #include <QTest>

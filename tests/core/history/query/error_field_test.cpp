@@ -2,9 +2,10 @@
 // What an error field is (R25, B2), and that its least number in a tetrahedron is one.
 #include "core/history/query/error_field.h"
 
-#include "core/history/query/mesh_query.h"
 #include "tests/core/history/query/nearest_points.h"
 #include "tests/core/history/query/random_fields.h"
+
+#include <tan/query.h>
 
 #include <QTest>
 

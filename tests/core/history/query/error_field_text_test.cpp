@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Error fields to text and back; what cannot be read is an error that names the place.
-#include "core/history/query/error_field_text.h"
 
 #include "tests/core/history/query/random_fields.h"
+
+#include <tan/query.h>
 
 #include <QTest>
 

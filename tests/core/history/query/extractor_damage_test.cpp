@@ -2,11 +2,12 @@
 // R13: models of every kind, damaged at random in every section, with checksums that say all is well: each kind of
 // query gives an error or a mesh, never a crash. Meant to be run with sanitizers, too.
 #include "core/history/query/history_part.h"
-#include "core/history/query/mesh_extractor.h"
 #include "tests/core/history/model_fixture.h"
 #include "tests/core/history/query/lattice_models.h"
 #include "tests/core/history/query/random_fields.h"
 #include "tests/core/history/query/some_models.h"
+
+#include <tan/query.h>
 
 #include <QTemporaryDir>
 #include <QTest>

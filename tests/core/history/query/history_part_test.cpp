@@ -3,6 +3,7 @@
 #include "core/history/query/history_part.h"
 
 #include "core/history/query/window.h"
+#include "core/mesh/topology.h"
 #include "tests/core/history/model_fixture.h"
 #include "tests/core/history/query/some_models.h"
 
@@ -15,7 +16,6 @@
 
 using namespace tetra;
 using format::SectionId;
-using Tetrahedron = std::array<std::uint32_t, 4>;
 
 namespace {
 

@@ -43,7 +43,7 @@ void writeInBlocks(const Dataset& dataset, std::uint32_t cells, const std::files
     orAbort(visitSampleType(dataset.values.type(), [&]<class T>() {
         return makeLatticeRuns(options, LatticeSamples(dataset.values.as<T>()), runs, {});
     }));
-    const PlannedModelOpener open = [&](const FixedCounts& counts) {
+    const FixedSizeModelOpener open = [&](const FixedCounts& counts) {
         return FixedSizeModelWriter::create(path, dataset, {}, counts, folder);
     };
     if (!mergeRuns(runs, folder, open, {}))

@@ -2,6 +2,7 @@
 // What remains of a mesh: by value, by window, cut at a window (R14, S17).
 #include "core/history/query/window.h"
 
+#include "core/mesh/topology.h"
 #include "tests/core/history/query/nearest_points.h"
 #include "tests/core/history/query/some_models.h"
 
@@ -13,7 +14,6 @@
 
 using namespace tetra;
 using Eigen::Vector3d;
-using Tetrahedron = std::array<std::uint32_t, 4>;
 
 namespace {
 
@@ -46,13 +46,12 @@ Box boundsOf(const TetrahedralMesh& mesh)
     return box;
 }
 
-using Face = std::array<std::uint32_t, 3>;
 /// How often each face is there, those of one orientation less those of the other, which must differ by one at most.
-std::map<Face, std::array<int, 2>> facesOf(const TetrahedralMesh& mesh)
+std::map<Triangle, std::array<int, 2>> facesOf(const TetrahedralMesh& mesh)
 {
-    std::map<Face, std::array<int, 2>> faces;
+    std::map<Triangle, std::array<int, 2>> faces;
     for (const auto& [a, b, c, d] : mesh.tetrahedra)
-        for (Face face : {Face{a, b, c}, Face{a, c, d}, Face{a, d, b}, Face{b, d, c}}) {
+        for (Triangle face : {Triangle{a, b, c}, Triangle{a, c, d}, Triangle{a, d, b}, Triangle{b, d, c}}) {
             bool odd = false;
             for (const auto& [i, j] : {std::pair{0, 1}, {1, 2}, {0, 1}})
                 if (face[i] > face[j]) {
@@ -64,7 +63,7 @@ std::map<Face, std::array<int, 2>> facesOf(const TetrahedralMesh& mesh)
     return faces;
 }
 
-bool liesInPlane(const TetrahedralMesh& mesh, const Face& face, const Box& box)
+bool liesInPlane(const TetrahedralMesh& mesh, const Triangle& face, const Box& box)
 {
     for (int axis = 0; axis < 3; ++axis)
         for (const Vector3d& corner : {box.least, box.largest}) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A mesh that was handed out is not written again before everybody is done with it, whatever thread that is in; then it
 // is, and costs no memory anew. Meant to be run with the thread sanitizer, which sees what no result shows.
-#include "core/history/query/mesh_extractor.h"
 #include "tests/core/history/query/lattice_models.h"
+
+#include <tan/query.h>
 
 #include <QTemporaryDir>
 #include <QTest>

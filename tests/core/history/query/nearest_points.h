@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/history/query/error_field.h"
+#include <tan/query.h>
 
 #include <algorithm>
 #include <array>

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // R10, R25: what a history's meshes are is seen in them, not in who made them: foci are found in models whose meshes
 // are not Delaunay, too, and damage is told from that.
-#include "core/history/query/mesh_extractor.h"
 #include "core/history/query/region_refiner.h"
-#include "core/verify/verification.h"
 #include "core/verify/verify_mesh.h"
 #include "tests/core/history/model_fixture.h"
 #include "tests/core/history/query/lattice_models.h"
 #include "tests/core/history/query/split_model.h"
+
+#include <tan/query.h>
+#include <tan/verify.h>
 
 #include <QTemporaryDir>
 #include <QTest>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/history/query/questions.h"
 
-#include "core/history/extraction.h"
 #include "core/history/query/history_part.h"
-#include "core/history/query/mesh_extractor.h"
 #include "core/verify/curvilinear_cells.h"
+
+#include <tan/query.h>
 
 #include <array>
 #include <optional>

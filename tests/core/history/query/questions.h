@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/history/model.h"
-#include "core/mesh/tetrahedral_mesh.h"
+#include <tan/mesh.h>
+#include <tan/model.h>
 
 #include <functional>
 #include <map>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/history/query/mesh_extractor.h"
 #include "core/verify/verify_mesh.h"
 #include "tests/core/history/model_fixture.h"
 #include "tests/core/history/query/brute_force.h"
+
+#include <tan/query.h>
 
 #include <QtGlobal>
 

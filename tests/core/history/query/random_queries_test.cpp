@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two hundred random models, whole and in blocks, and random queries of each kind: the mesh is the one that going
 // through the whole history gives, and the independent judge proves it (B1, B3, R14, R17, R25).
-#include "core/data/samples.h"
-#include "core/history/query/mesh_extractor.h"
 #include "core/history/query/region_refiner.h"
+#include "plugins/samples/samples.h"
 #include "tests/core/history/model_fixture.h"
 #include "tests/core/history/query/brute_force.h"
 #include "tests/core/history/query/random_queries.h"
 #include "tests/core/history/query/refined_model.h"
 #include "tests/plugins/builders/refinement/random_dataset.h"
+
+#include <tan/query.h>
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -36,7 +37,7 @@ private slots:
         std::mt19937 random(11);
         for (int number = 0; number < 200; ++number) {
             Case one = {datasetOf(random, number), nullptr};
-            const std::string block = number % 2 == 0 ? "none" : std::to_string(2 + random() % 5);
+            const auto block = static_cast<std::uint32_t>(number % 2 == 0 ? 0 : 2 + random() % 5);
             one.model = refinedModel(folder_.filePath(QString::number(number)).toStdString(), one.dataset, block,
                                      number % 9 == 8 ? 15 : 0);
             QVERIFY(one.model != nullptr);

@@ -1,38 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/work_folder.h"
-#include "core/history/model_writer.h"
-#include "plugins/builders/refinement/refinement_builder.h"
+#include <tan/build.h>
+#include <tan/model.h>
 
 #include <QtGlobal>
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <string>
 
 namespace tetra {
 
-/// Builds a model by refinement and opens it; null, with a warning, if that fails.
+/// Builds a model by refinement, in blocks of so many cells or as a whole, and opens it; null, with a warning, if that
+/// fails.
 inline std::shared_ptr<const Model> refinedModel(const std::filesystem::path& path, const Dataset& dataset,
-                                                 const std::string& block = "none", double error = 0)
+                                                 std::uint32_t block = 0, double error = 0)
 {
-    const std::filesystem::path work = path.string() + ".work";
-    auto folder = WorkFolder::open(work, WorkFolder::Leftovers::Remove);
-    if (!folder)
-        return nullptr;
-    const auto writer = ModelWriter::create(path, dataset, {}, folder->path());
-    BuildTarget target{.history = **writer, .workFolder = folder->path()};
-    target.planned = [&](const FixedCounts& counts, const auto&) {
-        return FixedSizeModelWriter::create(path, dataset, {}, counts, work);
-    };
-    ParameterValues values = {{"error", error}};
-    if (dataset.domain == DomainClass::RegularLattice)
-        values["block"] = block;
-    const auto report = RefinementBuilder().build(dataset, values, target, {});
-    if (!report)
+    if (const auto report = buildModel(dataset, path, Refinement{.error = error, .block = block}); !report) {
         qWarning("%s", report.error().text.c_str());
-    auto model = report ? Model::open(path) : Result<std::shared_ptr<const Model>>(report.error());
+        return nullptr;
+    }
+    const auto model = Model::open(path);
     return model ? *model : nullptr;
 }
 

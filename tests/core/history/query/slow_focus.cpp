@@ -55,7 +55,7 @@ double SlowFocus::limitAt(const ErrorField& field, std::uint32_t point) const
            model_.description().range.extent();
 }
 
-bool SlowFocus::liesIn(const PointTetrahedron& tetrahedron, const LatticeBox& box) const
+bool SlowFocus::liesIn(const Tetrahedron& tetrahedron, const LatticeBox& box) const
 {
     return std::ranges::all_of(tetrahedron, [&](std::uint32_t point) {
         const auto c = model_.description().lattice.coordinates(point);
@@ -84,7 +84,7 @@ void SlowFocus::insertInto(const LatticeBox& box, std::uint32_t point)
         return BigInteger(metric[0]) * v[0] * v[0] + BigInteger(metric[1]) * v[1] * v[1] +
                BigInteger(metric[2]) * v[2] * v[2];
     };
-    const auto isStrictlyInside = [&](const PointTetrahedron& t) {
+    const auto isStrictlyInside = [&](const Tetrahedron& t) {
         std::array<Vector, 4> v{};
         for (std::size_t i = 0; i < 4; ++i)
             v[i] = difference(placeOf(t[i]), p);
@@ -93,7 +93,7 @@ void SlowFocus::insertInto(const LatticeBox& box, std::uint32_t point)
                0;
     };
     std::map<std::array<std::uint32_t, 3>, std::vector<std::array<std::uint32_t, 3>>> cavity;
-    std::erase_if(mesh_, [&](const PointTetrahedron& t) {
+    std::erase_if(mesh_, [&](const Tetrahedron& t) {
         if (!liesIn(t, box) || !isStrictlyInside(t))
             return false;
         for (const auto& face : faces) {
@@ -110,7 +110,7 @@ void SlowFocus::insertInto(const LatticeBox& box, std::uint32_t point)
 }
 
 /// The worst sample of each tetrahedron, the worst first.
-std::vector<SlowFocus::Violation> SlowFocus::worstOf(const std::vector<PointTetrahedron>& mesh, const ErrorField& field,
+std::vector<SlowFocus::Violation> SlowFocus::worstOf(const std::vector<Tetrahedron>& mesh, const ErrorField& field,
                                                      double room) const
 {
     const Lattice& lattice = model_.description().lattice;
@@ -118,7 +118,7 @@ std::vector<SlowFocus::Violation> SlowFocus::worstOf(const std::vector<PointTetr
         return std::tuple(-a.excess, -a.error, a.point) < std::tuple(-b.excess, -b.error, b.point);
     };
     std::vector<Violation> all;
-    for (const PointTetrahedron& t : mesh) {
+    for (const Tetrahedron& t : mesh) {
         std::array<Place, 4> v{};
         for (std::size_t i = 0; i < 4; ++i)
             v[i] = placeOf(t[i]);
@@ -181,7 +181,7 @@ bool SlowFocus::asksFor(const SpaceRamp& ramp, std::uint32_t site) const
     return false;
 }
 
-std::vector<PointTetrahedron> SlowFocus::meshOf(const SpaceRamp& ramp)
+std::vector<Tetrahedron> SlowFocus::meshOf(const SpaceRamp& ramp)
 {
     const ErrorField field(ramp);
     const std::uint32_t coarse = meshSizeAt(model_, {ramp.outer}).sites;
@@ -205,12 +205,12 @@ std::vector<PointTetrahedron> SlowFocus::meshOf(const SpaceRamp& ramp)
     }
 }
 
-std::string SlowFocus::faultOf(const std::vector<PointTetrahedron>& mesh, const SpaceRamp& ramp, double room) const
+std::string SlowFocus::faultOf(const std::vector<Tetrahedron>& mesh, const SpaceRamp& ramp, double room) const
 {
     const auto& size = model_.description().lattice.size;
     std::map<std::array<std::uint32_t, 3>, int> sides;
     BigInteger volume = 0;
-    for (const PointTetrahedron& t : mesh) {
+    for (const Tetrahedron& t : mesh) {
         const BigInteger own = sixVolumes(placeOf(t[0]), placeOf(t[1]), placeOf(t[2]), placeOf(t[3]));
         if (own <= 0)
             return "a tetrahedron is flat or inverted";

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/history/extraction.h"
-#include "core/history/query/error_field.h"
+#include "core/mesh/topology.h"
 #include "core/refine/lattice/block_division.h"
+
+#include <tan/query.h>
 
 #include <array>
 #include <cstdint>
@@ -12,8 +13,7 @@
 
 namespace tetra {
 
-/// A tetrahedron by the points of the lattice that are its vertices, positive.
-using PointTetrahedron = std::array<std::uint32_t, 4>;
+// Tetrahedra are by numbers of the lattice's points, and positive.
 
 /// What a mesh with a focus should be, by trying everything and in integers of 128 bits, sharing no code with what it
 /// checks: all tetrahedra are tested for every point, all samples for every tetrahedron.
@@ -23,10 +23,10 @@ public:
 
     /// The mesh of the first `coarse` sites, refined by the sites of the ramp and then repaired until it keeps it.
     /// For samples of up to 16 bits.
-    std::vector<PointTetrahedron> meshOf(const SpaceRamp& ramp);
+    std::vector<Tetrahedron> meshOf(const SpaceRamp& ramp);
 
     /// What is wrong with a mesh as one that keeps the ramp; empty if nothing is. `room` is allowed for rounding.
-    std::string faultOf(const std::vector<PointTetrahedron>& mesh, const SpaceRamp& ramp, double room) const;
+    std::string faultOf(const std::vector<Tetrahedron>& mesh, const SpaceRamp& ramp, double room) const;
 
 private:
     struct Place {
@@ -35,7 +35,7 @@ private:
     struct Violation {
         double excess, error;
         std::uint32_t point;
-        PointTetrahedron tetrahedron;
+        Tetrahedron tetrahedron;
     };
 
     Place placeOf(std::uint32_t point) const;
@@ -44,13 +44,12 @@ private:
     double limitAt(const ErrorField& field, std::uint32_t point) const;
     void insert(std::uint32_t point);
     void insertInto(const LatticeBox& box, std::uint32_t point);
-    std::vector<Violation> worstOf(const std::vector<PointTetrahedron>& mesh, const ErrorField& field,
-                                   double room) const;
-    bool liesIn(const PointTetrahedron& tetrahedron, const LatticeBox& box) const;
+    std::vector<Violation> worstOf(const std::vector<Tetrahedron>& mesh, const ErrorField& field, double room) const;
+    bool liesIn(const Tetrahedron& tetrahedron, const LatticeBox& box) const;
 
     const Model& model_;
     BlockDivision division_;
-    std::vector<PointTetrahedron> mesh_;
+    std::vector<Tetrahedron> mesh_;
     std::vector<bool> vertices_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/history/model.h"
+#include <tan/model.h>
 
 #include <filesystem>
 #include <memory>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/dataset.h"
-#include "core/history/model.h"
+#include <tan/data.h>
+#include <tan/model.h>
 
 #include <filesystem>
 #include <memory>

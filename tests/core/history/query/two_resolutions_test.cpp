@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A query with a focus taken apart (R24).
-#include "core/history/query/mesh_query.h"
+#include <tan/query.h>
 
 #include <QTest>
 

@@ -3,6 +3,8 @@
 #include "core/render/volume/volume_mesh.h"
 #include "tests/core/render/lattice_mesh.h"
 
+#include <tan/render.h>
+
 #include <QRandomGenerator>
 #include <QTest>
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mesh/tetrahedral_mesh.h"
-#include "core/render/camera.h"
-#include "core/render/scene.h"
+#include "core/render/shading.h"
 #include "core/render/volume/volume_renderer.h"
-#include "core/transfer/transfer_function.h"
+
+#include <tan/mesh.h>
+#include <tan/render.h>
+#include <tan/transfer.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

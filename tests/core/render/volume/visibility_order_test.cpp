@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The order of the cells by adjacency (S14): every face right, gaps, cycles.
 #include "core/geometry/orientation.h"
-#include "core/mesh/spatial_order.h"
 #include "core/mesh/topology.h"
 #include "core/render/order/visibility_order.h"
 #include "core/render/volume/volume_mesh.h"
@@ -9,6 +8,9 @@
 #include "tests/core/render/lattice_mesh.h"
 #include "tests/core/render/volume/exact_order.h"
 #include "tests/core/render/volume/volume_meshes.h"
+
+#include <tan/mesh.h>
+#include <tan/render.h>
 
 #include <QTest>
 

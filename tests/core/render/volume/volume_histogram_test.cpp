@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Histograms of a field's volume against a slow double-precision sum over cells and parts.
-#include "core/render/value_statistics.h"
 #include "tests/core/render/lattice_mesh.h"
 #include "tests/core/render/volume/volume_meshes.h"
+
+#include <tan/render.h>
 
 #include <QTest>
 

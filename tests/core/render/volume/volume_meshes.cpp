@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/render/volume/volume_meshes.h"
 
-#include "core/history/extraction.h"
-#include "core/history/query/mesh_extractor.h"
 #include "tests/core/history/model_fixture.h"
 #include "tests/core/history/query/lattice_models.h"
 #include "tests/core/render/lattice_mesh.h"
+
+#include <tan/query.h>
 
 #include <QTemporaryDir>
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Direct volume rendering (R20, R22, S15) against a slow integrator, from outside, inside and behind.
-#include "core/render/render_backend.h"
+#include "core/render/scene_checks.h"
 #include "core/render/volume/volume_renderer.h"
 #include "tests/core/render/lattice_mesh.h"
 #include "tests/core/render/volume/ray_integrator.h"
 #include "tests/core/render/volume/volume_meshes.h"
+
+#include <tan/render.h>
 
 #include <QTest>
 

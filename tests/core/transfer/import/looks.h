@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/transfer/transfer_function.h"
+#include <tan/transfer.h>
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -2,9 +2,10 @@
 // Presets that ParaView 5.11 writes look here as they do there, and ours look there as they do here: within a 255th at
 // 256 values. What ParaView wrote and saw is in paraview_5_11.json, made by in_paraview.py; where pvpython is
 // installed, it is asked anew.
-#include "core/transfer/import/transfer_import.h"
 #include "plugins/widgets/curves/reshaping.h"
 #include "tests/core/transfer/import/looks.h"
+
+#include <tan/transfer.h>
 
 #include <QFile>
 #include <QStandardPaths>

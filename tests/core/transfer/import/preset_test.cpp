@@ -3,8 +3,9 @@
 // judge is VTK, whose classes ParaView uses.
 #include "core/base/json.h"
 #include "core/transfer/import/presets.h"
-#include "core/transfer/import/transfer_import.h"
 #include "tests/core/transfer/import/looks.h"
+
+#include <tan/transfer.h>
 
 #include <QTest>
 
@@ -47,6 +48,7 @@ private slots:
     void jsonComesBackToTheSameBits();
     void xml();
     void whatAPresetLacksIsKept();
+    void opacitiesReplaceTheMask();
     void badFilesAreRefused_data();
     void badFilesAreRefused();
 };
@@ -158,6 +160,18 @@ void PresetTest::whatAPresetLacksIsKept()
                      qPrintable(QString("at %1: %2, not %3").arg(value).arg(opacity(found)).arg(opacity(expected))));
         }
     }
+}
+
+/// Colours alone leave opacities and mask as they are.
+void PresetTest::opacitiesReplaceTheMask()
+{
+    const TransferFunction present{{{0, {1, 0, 0}, 0.5F}, {1, {0, 1, 0}, 0.5F}}, 1, TransferMask{0.25, 0.75}};
+    CurvePreset colours;
+    colours.colours.nodes = {{0, {0, 0, 0}}, {1, {1, 1, 1}}};
+    QVERIFY(transferFunctionOf(colours, present).mask == present.mask);
+    CurvePreset both = colours;
+    both.opacities = {{0, 0}, {1, 1}};
+    QVERIFY(!transferFunctionOf(both, present).mask);
 }
 
 void PresetTest::badFilesAreRefused_data()

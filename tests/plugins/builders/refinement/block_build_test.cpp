@@ -4,12 +4,14 @@
 #include "core/base/checksum.h"
 #include "core/base/mapped_file.h"
 #include "core/base/work_folder.h"
-#include "core/data/samples.h"
+#include "core/build/model_build.h"
+#include "core/build/refinement_build.h"
 #include "core/history/model_writer.h"
-#include "core/verify/verification.h"
-#include "plugins/builders/refinement/block_choice.h"
 #include "plugins/builders/refinement/refinement_builder.h"
+#include "plugins/samples/samples.h"
 #include "tests/plugins/builders/refinement/random_dataset.h"
+
+#include <tan/verify.h>
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -235,20 +237,20 @@ private slots:
 
     void theBlockIsChosenBySizeAndMemory()
     {
-        const auto cells = [](const std::string& text, std::uint32_t size, std::uint64_t memory) {
+        const auto cells = [](const std::optional<std::uint32_t>& block, std::uint32_t size, std::uint64_t memory) {
             const Lattice lattice{{size, size, size}, {1, 1, 1}, {0, 0, 0}};
-            return chooseBlocks(text, lattice, memory);
+            return chooseBlocks(block, lattice, memory);
         };
         constexpr std::uint64_t plenty = 64ull << 30;
-        QCOMPARE(*cells("automatic", 64, plenty), std::optional<std::uint32_t>());
-        QCOMPARE(*cells("automatic", 256, plenty), std::optional<std::uint32_t>(32));
-        QCOMPARE(*cells("automatic", 128, 1ull << 30), std::optional<std::uint32_t>(32));
-        QCOMPARE(*cells("automatic", 64, 0), std::optional<std::uint32_t>());
-        QCOMPARE(*cells("none", 256, plenty), std::optional<std::uint32_t>());
-        QCOMPARE(*cells("17", 64, plenty), std::optional<std::uint32_t>(17));
+        QCOMPARE(*cells({}, 64, plenty), 0u);
+        QCOMPARE(*cells({}, 256, plenty), 32u);
+        QCOMPARE(*cells({}, 128, 1ull << 30), 32u);
+        QCOMPARE(*cells({}, 64, 0), 0u);
+        QCOMPARE(*cells(0, 256, plenty), 0u);
+        QCOMPARE(*cells(17, 64, plenty), 17u);
         for (const char* wrong : {"0", "-3", "1.5", "many", ""})
-            QCOMPARE(cells(wrong, 64, plenty).error().kind, ErrorKind::WrongUsage);
-        QVERIFY(cells("1", 256, plenty).error().text.find("Choose larger blocks") != std::string::npos);
+            QCOMPARE(build(smoothDataset(10), wrong, 0).error().kind, ErrorKind::WrongUsage);
+        QVERIFY(cells(1, 256, plenty).error().text.find("Choose larger blocks") != std::string::npos);
     }
 
 private:
@@ -276,19 +278,10 @@ private:
         ModelDescription description;
         description.builder = "refinement";
         description.parameters = {{"block", "automatic"}};
-        auto folder =
-            WorkFolder::open(workFolder(), resume ? WorkFolder::Leftovers::Keep : WorkFolder::Leftovers::Remove);
-        if (!folder)
-            return folder.error();
-        const auto writer = ModelWriter::create(path(), dataset, description, folder->path());
-        if (!writer)
-            return writer.error();
-        BuildTarget target{.history = **writer, .workFolder = folder->path(), .resume = resume};
-        target.planned = [&](const FixedCounts& counts, const auto& chosen) {
-            ModelDescription own = description;
-            own.parameters = chosen;
-            return FixedSizeModelWriter::create(path(), dataset, own, counts, workFolder());
-        };
+        const auto file = ModelFileTarget::open(path(), dataset, description, resume);
+        if (!file)
+            return file.error();
+        BuildTarget target = (*file)->target((*file)->writer());
         std::stop_source source;
         const Progress cancelling(source.get_token(), [&](double fraction, std::string_view) {
             if (fraction >= cancelAt)
@@ -297,7 +290,7 @@ private:
         const auto report = RefinementBuilder().build(dataset, {{"error", stop}, {"block", block}}, target,
                                                       progress != nullptr ? *progress : cancelling);
         if (!report && resume)
-            folder->keep();
+            (*file)->keepWork();
         return report;
     }
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "core/base/checksum.h"
-#include "core/data/dataset.h"
+
+#include <tan/data.h>
 
 #include <cmath>
 #include <memory>

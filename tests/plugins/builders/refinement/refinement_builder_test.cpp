@@ -2,10 +2,11 @@
 #include "plugins/builders/refinement/refinement_builder.h"
 
 #include "core/base/checksum.h"
-#include "core/data/samples.h"
 #include "core/history/model_writer.h"
-#include "core/verify/verification.h"
 #include "plugins/host/plugin_host.h"
+#include "plugins/samples/samples.h"
+
+#include <tan/verify.h>
 
 #include <QTemporaryDir>
 #include <QtTest>

@@ -3,9 +3,10 @@
 #include "plugins/builders/refinement/refinement_builder.h"
 
 #include "core/history/model_writer.h"
-#include "core/verify/verification.h"
 #include "plugins/readers/points/point_reader.h"
 #include "tests/core/history/model_fixture.h"
+
+#include <tan/verify.h>
 
 #include <QFile>
 #include <QTemporaryDir>

@@ -2,10 +2,11 @@
 /// R6: a build with weights puts its sites where they count, and the checker proves what it claims.
 #include "plugins/builders/refinement/refinement_builder.h"
 
-#include "core/data/samples.h"
-#include "core/data/weighting.h"
 #include "core/history/model_writer.h"
-#include "core/verify/verification.h"
+#include "plugins/samples/samples.h"
+
+#include <tan/data.h>
+#include <tan/verify.h>
 
 #include <QTemporaryDir>
 #include <QtTest>

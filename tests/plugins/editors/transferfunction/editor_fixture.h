@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/transfer/default_transfer_functions.h"
 #include "plugins/editors/transferfunction/transfer_canvas.h"
 #include "tests/ui/window_fixture.h"
+
+#include <tan/transfer.h>
 
 namespace tetra {
 

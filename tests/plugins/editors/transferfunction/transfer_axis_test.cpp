@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/data/scalar_field.h"
 #include "plugins/editors/transferfunction/value_text.h"
 #include "plugins/widgets/curves/reshaping.h"
 #include "tests/plugins/editors/transferfunction/editor_fixture.h"
+
+#include <tan/data.h>
 
 #include <QAbstractItemModel>
 #include <QTableView>

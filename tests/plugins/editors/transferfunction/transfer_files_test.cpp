@@ -2,8 +2,8 @@
 #include "tests/ui/window_fixture.h"
 
 #include "core/transfer/colour_map.h"
-#include "core/transfer/import/transfer_import.h"
-#include "core/transfer/transfer_text.h"
+
+#include <tan/transfer.h>
 
 #include <QFile>
 #include <QFileDialog>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/transfer/colour_map.h"
 #include "plugins/editors/transferfunction/own_presets.h"
 #include "tests/plugins/editors/transferfunction/editor_fixture.h"
+
+#include <tan/transfer.h>
 
 #include <QComboBox>
 #include <QDir>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The real irregular datasets are read as their description says (R1, S6). Skipped without them.
+#include "core/mesh/topology.h"
 #include "plugins/readers/cells/cells_reader.h"
 
 #include <QElapsedTimer>
@@ -14,8 +15,6 @@ using namespace tetra;
 namespace {
 
 const std::filesystem::path data = std::filesystem::path(TAN_SOURCE_DIR) / "../shared/data";
-
-using Triangle = std::array<std::uint32_t, 3>;
 
 /// Vertices - edges + faces of the boundary, by sets.
 int boundaryEuler(const Dataset& dataset)

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/dataset.h"
 #include "plugins/readers/lattice/nrrd_fields.h"
 #include "plugins/readers/lattice/nrrd_layout.h"
 #include "plugins/readers/lattice/sample_reading.h"
+
+#include <tan/data.h>
 
 #include <span>
 #include <string_view>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is written is read back bit for bit, and a write that fails leaves the target as it was.
-#include "core/data/samples.h"
 #include "plugins/readers/lattice/lattice_reader.h"
 #include "plugins/readers/lattice/nrrd_writer.h"
+#include "plugins/samples/samples.h"
 #include "tests/core/base/small_disk.h"
 #include "tests/plugins/readers/lattice/volume_files.h"
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/data/dataset.h"
 #include "plugins/readers/vtk/vtk_reader.h"
+
+#include <tan/data.h>
 
 #include <QByteArray>
 #include <QTemporaryDir>

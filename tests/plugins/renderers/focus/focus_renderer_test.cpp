@@ -4,6 +4,8 @@
 #include "plugins/renderers/focus/focus_renderer.h"
 #include "tests/plugins/renderers/renderer_fixture.h"
 
+#include <tan/render.h>
+
 using namespace tetra;
 using namespace tetra::testing;
 

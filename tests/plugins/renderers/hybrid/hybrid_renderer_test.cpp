@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The hybrid renderer: surfaces and volume of one mesh in one scene.
-#include "core/mesh/spatial_order.h"
 #include "core/render/volume/volume_mesh.h"
 #include "plugins/renderers/hybrid/hybrid_renderer.h"
 #include "tests/plugins/renderers/renderer_fixture.h"
+
+#include <tan/mesh.h>
+#include <tan/render.h>
 
 #include <algorithm>
 

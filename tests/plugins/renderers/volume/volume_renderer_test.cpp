@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The volume renderer: its parameters become a scene; what is costly is made once.
-#include "core/mesh/spatial_order.h"
 #include "core/render/volume/volume_mesh.h"
 #include "plugins/renderers/volume/volume_renderer.h"
 #include "tests/plugins/renderers/renderer_fixture.h"
+
+#include <tan/mesh.h>
+#include <tan/render.h>
 
 using namespace tetra;
 using namespace tetra::testing;

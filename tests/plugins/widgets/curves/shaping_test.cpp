@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Arranging, tents, simplification, copies and edits of the whole function: they do what they promise.
-#include "core/transfer/transfer_text.h"
 #include "plugins/widgets/curves/arranging.h"
 #include "plugins/widgets/curves/copying.h"
 #include "plugins/widgets/curves/reshaping.h"
 #include "tests/plugins/widgets/curves/random_functions.h"
+
+#include <tan/transfer.h>
 
 #include <QTest>
 

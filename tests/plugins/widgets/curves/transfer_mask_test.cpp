@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Masks and groups: what a mask hides is transparent to the last bit wherever functions are used, and files keep both.
-#include "core/transfer/colour_map.h"
 #include "core/transfer/import/curves.h"
-#include "core/transfer/import/transfer_import.h"
-#include "core/transfer/transfer_function.h"
-#include "core/transfer/transfer_text.h"
 #include "plugins/widgets/curves/reshaping.h"
 #include "tests/plugins/widgets/curves/random_functions.h"
+
+#include <tan/transfer.h>
 
 #include <QTest>
 
@@ -179,14 +177,6 @@ void TransferMaskTest::paraviewGetsSteps()
     const auto again = importTransferFunctions(transferFunctionToParaview(steps, "steps"), {});
     QVERIFY(again);
     QCOMPARE(again->front().function, steps);
-    // Colours alone leave opacities and mask as they are.
-    const TransferFunction present{{{0, {1, 0, 0}, 0.5F}, {1, {0, 1, 0}, 0.5F}}, 1, TransferMask{0.25, 0.75}};
-    CurvePreset colours;
-    colours.colours.nodes = {{0, {0, 0, 0}}, {1, {1, 1, 1}}};
-    QVERIFY(transferFunctionOf(colours, present).mask == present.mask);
-    CurvePreset both = colours;
-    both.opacities = {{0, 0}, {1, 1}};
-    QVERIFY(!transferFunctionOf(both, present).mask);
 }
 
 QTEST_APPLESS_MAIN(TransferMaskTest)

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/build/disk_need.h"
+
+#include "core/base/text.h"
+#include "core/history/fixed_size_writer.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace tetra {
+
+DiskNeed diskNeed(const RunTotals& expected, SampleType type) noexcept
+{
+    constexpr std::uint64_t mostSites = std::numeric_limits<std::uint32_t>::max();
+    const FixedCounts counts{static_cast<std::uint32_t>(std::min(expected.sites, mostSites)), expected.tetrahedra};
+    const std::uint64_t siteNumbers = expected.sites * sizeof(std::uint32_t);
+    return {FixedSizeModelWriter::expectedBytes(counts, type, expected.points), expected.fileBytes + siteNumbers};
+}
+
+std::string textOf(const DiskNeed& need)
+{
+    return "model about " + neededBytesText(need.model) + ", work files " + neededBytesText(need.workFiles);
+}
+
+Status checkRoom(const DiskNeed& need, std::uint64_t written, std::uint64_t free, const std::filesystem::path& folder)
+{
+    if (need.total() <= written || need.total() - written <= free)
+        return {};
+    return Error{ErrorKind::CannotWrite, "The build needs about " + neededBytesText(need.total()) +
+                                             " on the disk of '" + folder.string() + "' (" + textOf(need) + "), and " +
+                                             neededBytesText(free + written) +
+                                             " are free. Free some space, choose another disk or ask for a larger "
+                                             "error."};
+}
+
+} // namespace tetra

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/data/dataset_checks.h"
+#include "core/data/merged_points.h"
+
+#include <tan/data.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace tetra {
+
+namespace {
+
+Error cannotUse(const std::string& name, const std::string& reason)
+{
+    return {ErrorKind::BadInput, "Cannot use '" + name + "': " + reason};
+}
+
+Status checkCount(const std::string& name, std::uint64_t values, std::uint64_t points)
+{
+    if (values == points)
+        return {};
+    return cannotUse(name, "it has " + std::to_string(values) + " values for " + std::to_string(points) +
+                               " points. Give one a point.");
+}
+
+Dataset named(Dataset dataset, std::string name)
+{
+    dataset.source = {std::move(name), {}, contentHash(dataset.values, dataset.positions, dataset.tetrahedra)};
+    return dataset;
+}
+
+} // namespace
+
+Result<Dataset> latticeDataset(const Lattice& lattice, ScalarField values, std::string name)
+{
+    if (const Status usable = checkLatticeSize({lattice.size[0], lattice.size[1], lattice.size[2]}); !usable)
+        return cannotUse(name, usable.error().text);
+    if (const Status usable = checkLatticePlacement(lattice); !usable)
+        return cannotUse(name, usable.error().text);
+    if (const Status usable = checkCount(name, values.count(), lattice.pointCount()); !usable)
+        return usable.error();
+    if (const Status usable = checkFinite(lattice, values); !usable)
+        return cannotUse(name, usable.error().text);
+    return named(Dataset{.lattice = lattice, .values = std::move(values), .source = {}}, std::move(name));
+}
+
+Result<Dataset> curvilinearDataset(const std::array<std::uint32_t, 3>& size, std::vector<Eigen::Vector3d> positions,
+                                   ScalarField values, std::string name)
+{
+    if (const Status usable = checkLatticeSize({size[0], size[1], size[2]}); !usable)
+        return cannotUse(name, usable.error().text);
+    Dataset dataset{.domain = DomainClass::Curvilinear, .lattice = {.size = size}, .values = {}, .source = {}};
+    for (const std::uint64_t count : {values.count(), std::uint64_t(positions.size())})
+        if (const Status usable = checkCount(name, count, dataset.lattice.pointCount()); !usable)
+            return usable.error();
+    dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(positions));
+    dataset.values = std::move(values);
+    if (const Status usable = checkGrid(dataset); !usable)
+        return cannotUse(name, usable.error().text);
+    return named(std::move(dataset), std::move(name));
+}
+
+Result<Dataset> scatteredDataset(std::vector<Eigen::Vector3d> positions, std::vector<double> values, std::string name)
+{
+    if (const Status usable = checkCount(name, values.size(), positions.size()); !usable)
+        return usable.error();
+    for (std::size_t point = 0; point < positions.size(); ++point)
+        if (!positions[point].allFinite() || !(positions[point].cwiseAbs().maxCoeff() <= farthestCoordinate) ||
+            !std::isfinite(values[point]))
+            return cannotUse(name, "the position or the value of point " + std::to_string(point) +
+                                       " is no finite number, or too large. Leave it out.");
+    if (positions.empty())
+        return cannotUse(name, "it has no points.");
+    if (positions.size() > std::numeric_limits<std::uint32_t>::max())
+        return Error{ErrorKind::OutOfResource, "'" + name + "' has more than 4294967295 points. Take a part of them."};
+    Dataset dataset{.domain = DomainClass::Scattered, .lattice = {}, .values = {}, .source = {}};
+    if (const std::string merged = mergeRemark(mergePoints(positions, values)); !merged.empty())
+        dataset.remarks.push_back(merged);
+    dataset.lattice.size = {static_cast<std::uint32_t>(values.size()), 1, 1};
+    dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(positions));
+    dataset.values = ScalarField::of(std::move(values));
+    return named(std::move(dataset), std::move(name));
+}
+
+} // namespace tetra

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// tan/build.h: models out of datasets: by Delaunay refinement or by edge collapse, into a file; and the history that a
+/// builder of one's own hands over.
+///
+/// ~~~{.cpp}
+/// /// Builds a model that keeps every sample, and says how large it became.
+/// tetra::Result<std::string> built(const tetra::Dataset& dataset, const std::filesystem::path& output)
+/// {
+///     const auto report = tetra::buildModel(dataset, output);
+///     if (!report)
+///         return report.error();
+///     return std::to_string(report->sites) + " sites, " + std::to_string(report->tetrahedra) + " tetrahedra";
+/// }
+///
+/// /// About half as many points for the same accuracy, but slower; keeps no mesh finer than half a percent.
+/// tetra::Result<tetra::BuildReport> builtSmall(const tetra::Dataset& dataset, const std::filesystem::path& output)
+/// {
+///     return tetra::buildModel(dataset, output, tetra::Decimation{.finest = 0.5});
+/// }
+/// ~~~
+
+#include <tan/base.h>
+#include <tan/data.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace tetra {
+
+/// What a build made.
+struct BuildReport {
+    std::uint64_t sites = 0;
+    std::uint64_t tetrahedra = 0; ///< all that ever lived; a model leaves out those that no query can give
+    std::uint64_t inverted = 0;   ///< cells of the finest mesh that are inverted, as the dataset itself is there (S5)
+    std::uint64_t degenerate = 0; ///< cells without volume (S6)
+};
+
+/// Delaunay refinement (R8): the points that are farthest off enter one after the other. Of regular lattices,
+/// curvilinear grids and scattered points; the mesh of every prefix is the Delaunay mesh of its sites.
+struct Refinement {
+    double error = 0; ///< where to stop, % of the value range; 0 goes on until the error is zero
+    /// Of curvilinear grids likewise, % of the diagonal of the data's bounding box. If only one of error and warping is
+    /// given, it holds for both.
+    double warping = 0;
+    /// Cells along an edge of a block; 0: no blocks. Blocks of a regular lattice are refined independently, with only a
+    /// few in memory (R10), those of a curvilinear grid together. Unset: no blocks of grids; of a lattice its size
+    /// decides, and the memory that this process may use, so set it, to 0 or a number, where every machine is to make
+    /// the same model.
+    std::optional<std::uint32_t> block{};
+    /// Of curvilinear grids: compare error and warping in the units of the data, as the paper did.
+    bool paperSelection = false;
+    Weighting weighting{}; ///< how much the error at each point counts (R6)
+};
+
+/// Which vertex an edge collapse takes away next.
+enum class DecimationOrder {
+    ExactError,     ///< the one whose loss does the least harm: the fewest points for the same accuracy
+    PaperEstimates, ///< by estimates from gradients and planes, as the paper did
+    /// Rounds of collapses that do not touch each other, the cheapest first: the history is shallow, so that a closed
+    /// set with a fine region is small (S9, R25).
+    IndependentRounds
+};
+
+/// Edge collapse (R11), of irregular data, lattices and grids: fewer points for the same accuracy than refinement, more
+/// time and memory. Only closed sets of sites have a mesh.
+struct Decimation {
+    double error = 0;   ///< where to stop, % of the value range; 0 goes on to the coarsest mesh
+    double warping = 0; ///< likewise, % of the diagonal; if only one of the two is given, it holds for both
+    double finest = 0;  ///< leaves meshes of a smaller error out of the model; 0 keeps all
+    DecimationOrder order = DecimationOrder::ExactError;
+    Weighting weighting{};
+};
+
+using BuildMethod = std::variant<Refinement, Decimation>;
+
+/// The method that suits the dataset: decimation of irregular data, else refinement.
+TAN_API BuildMethod suitableMethod(const Dataset& dataset);
+
+/// Builds a model of `dataset` into `output`, atomically: a model that was there is replaced at the end, any other file
+/// is not (WrongUsage). Temporary files lie beside it meanwhile, and go with a cancelled or failed build. Errors: what
+/// the method does not take and why, no room on the disk, not enough memory, cancelled. Blocks until it is done, so
+/// call it from a worker thread; builds of different outputs may run at once. Blocks of a lattice are refined on all
+/// threads, everything else on one. Takes some 600 bytes a point of memory at most, of lattices in blocks some 45;
+/// decimation about 1.5 kB a point.
+TAN_API Result<BuildReport> buildModel(const Dataset& dataset, const std::filesystem::path& output,
+                                       const BuildMethod& method, const Progress& progress = {});
+/// The same by the suitableMethod(), without progress.
+TAN_API Result<BuildReport> buildModel(const Dataset& dataset, const std::filesystem::path& output);
+
+/// How many of a dataset's points a mesh of some error takes, estimated from a sample of a few thousand: where the
+/// field is nearly linear the vertices may lie far apart. A value, immutable.
+class TAN_API SiteDensity {
+public:
+    /// Nothing is known: every point may be needed.
+    SiteDensity() = default;
+    /// Lattices and grids: reads 4,096 points and their neighbours at distances up to 16, so that a mapped file is not
+    /// read as a whole. Other data: a linear fit to the nearest points of 16 to 512, O(points) for each of these: a
+    /// second for some fifty million. The same result every time; nothing is known if it was cancelled.
+    static SiteDensity of(const Dataset& dataset, const Progress& progress = {});
+
+    bool known() const noexcept { return !deviations_.empty(); }
+    /// The share of the points, in (0, 1]. `error`: as a share of the values' extent and, of curvilinear grids, of the
+    /// diagonal. Within a factor of two for the datasets that it was calibrated with.
+    double share(double error) const;
+
+private:
+    static constexpr int levels = 5;
+    static constexpr double infinite = std::numeric_limits<double>::infinity();
+    /// Of a point: what its neighbours at the distances 1, 2, 4 ... of points tell, less what it is; the largest up to
+    /// each distance, as a share of the extent.
+    using Deviations = std::array<float, levels>;
+    static Deviations onLattice(const Dataset& dataset, std::uint64_t point, double diagonal);
+    static Deviations amongPoints(const Dataset& dataset, std::uint64_t point);
+
+    std::vector<Deviations> deviations_;
+    /// How far apart sites can be along each axis, in steps of the lattice: no farther than it is long.
+    std::array<double, 3> longest_ = {infinite, infinite, infinite};
+};
+
+// For builders of one's own, which a plugin brings: what they hand over, and to whom.
+
+/// A tetrahedron of the history, as its creator (the latest of its four sites) knows it: (creator, sites[0], sites[1],
+/// sites[2]) is positive in the space that the mesh was made in (computational space for curvilinear data). Sites are
+/// numbered in order of insertion.
+struct HistoryTetrahedron {
+    std::array<std::uint32_t, 3> sites{};
+    float error = 0;   ///< bound on its own error (2.3), in units of the values, never rounded down
+    float warping = 0; ///< bound on its own warping (R4), in units of length, never rounded down
+};
+
+/// One site entering the mesh, with all that it changes (DESIGN: a mesh is a closed set of sites).
+struct HistoryStep {
+    std::uint64_t point = 0; ///< the dataset's point that becomes the next site
+    /// The key of the mesh before this step, in units of the values: its error, or with warping the
+    /// larger of the error and HistoryTraits::warpingWeight times the warping (S4). Infinity for the initial sites and
+    /// for a mesh that is not consistent (S5).
+    float keyBefore = 0;
+    std::span<const HistoryTetrahedron> star; ///< the tetrahedra that it creates; history indices go on from the last
+    std::span<const std::uint32_t> destroyed; ///< history indices of the tetrahedra that it destroys
+};
+
+/// What holds for a history as a whole.
+struct HistoryTraits {
+    /// Units of the values for a unit of length: makes errors and warpings comparable (S4). 0 where there is no
+    /// warping, as in convex domains.
+    double warpingWeight = 0;
+    /// Whether the mesh of every prefix is the Delaunay mesh of its sites, so that any set of sites has a mesh. False
+    /// for decimation: there only closed sets have one.
+    bool delaunay = true;
+};
+
+/// Takes a history while a builder makes it, coarse first. Called from one thread.
+class TAN_API HistorySink {
+public:
+    virtual ~HistorySink() = default;
+    /// Comes first, if anything but the defaults holds.
+    virtual Status begin(const HistoryTraits& /*traits*/) { return {}; }
+    /// An error (a full disk) ends the build.
+    virtual Status add(const HistoryStep& step) = 0;
+    /// The build is complete; `finalKey` bounds the last mesh's distance from the data, as HistoryStep::keyBefore.
+    virtual Status finish(float finalKey) = 0;
+};
+
+/// Writes the history that `build` hands to its sink, finish() included, as a model of `dataset` into `output`, which
+/// is treated as by buildModel(). `builder` is what the model says that it was built by. Errors: build's own, those of
+/// buildModel(). tan/verify.h tells whether the history was sound.
+TAN_API Result<BuildReport> writeModel(const Dataset& dataset, const std::filesystem::path& output, std::string builder,
+                                       const std::function<Status(HistorySink& history)>& build);
+
+class FixedSizeModelWriter;
+
+/// How much a model holds.
+struct FixedCounts {
+    std::uint32_t sites = 0;
+    std::uint64_t tetrahedra = 0;
+};
+
+/// Opens the model for a builder that knows its size beforehand. `parameters` replace or join those that the model
+/// keeps as its provenance: what the builder chose by itself. The writer is TAn's own: builders of others use
+/// BuildTarget::history.
+using FixedSizeTarget = std::function<Result<std::unique_ptr<FixedSizeModelWriter>>(
+    const FixedCounts& counts, const std::vector<std::pair<std::string, std::string>>& parameters)>;
+
+/// Where a build puts what it makes.
+struct BuildTarget {
+    /// A history step by step. Costs memory for every site and tetrahedron.
+    HistorySink& history;
+    /// In place of `history`, for builders that know the final size beforehand: takes little memory. Empty if there is
+    /// none.
+    FixedSizeTarget ofFixedSize{};
+    /// A folder on the model's disk for files of the builder's own, for as long as the build lasts. Empty if
+    /// `ofFixedSize` is.
+    std::filesystem::path workFolder{};
+    /// The folder may hold what an interrupted build left: go on with that as far as it fits.
+    bool resume = false;
+};
+
+} // namespace tetra

@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// tan/data.h: the dataset that a model is built from: points with one scalar each (the reference model, 2.3).
+///
+/// A dataset is a value: made once and not modified afterwards, cheap to copy, safe to read from any thread. The
+/// library reads no files: TAn's readers are plugins, and a program that has its arrays in memory makes datasets of
+/// them: latticeDataset(), curvilinearDataset(), scatteredDataset() and irregularDataset() check what they are given,
+/// so that whatever gets a Dataset can rely on it.
+///
+/// ~~~{.cpp}
+/// /// A ball in a box of 33 x 33 x 33 points, a tenth of a unit apart: the distance from the middle.
+/// tetra::Result<tetra::Dataset> ball()
+/// {
+///     tetra::Lattice lattice;
+///     lattice.size = {33, 33, 33};
+///     lattice.spacing = {0.1, 0.1, 0.1};
+///     const Eigen::Vector3d middle = lattice.bounds().center();
+///     std::vector<float> samples(lattice.pointCount());
+///     for (std::uint32_t k = 0; k < lattice.size[2]; ++k)
+///         for (std::uint32_t j = 0; j < lattice.size[1]; ++j)
+///             for (std::uint32_t i = 0; i < lattice.size[0]; ++i)
+///                 samples[lattice.index(i, j, k)] = float((lattice.position(i, j, k) - middle).norm());
+///     return tetra::latticeDataset(lattice, tetra::ScalarField::of(std::move(samples)), "ball");
+/// }
+/// ~~~
+
+#include <tan/base.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace tetra {
+
+class MappedFile;
+
+/// A regular grid of points: point (i, j, k) lies at origin + (i, j, k) * spacing. The first index runs fastest.
+/// Every axis has at least two points and a positive finite spacing (readers refuse anything else).
+struct Lattice {
+    std::array<std::uint32_t, 3> size{2, 2, 2};
+    Eigen::Vector3d spacing{1, 1, 1};
+    Eigen::Vector3d origin{0, 0, 0};
+
+    std::uint64_t pointCount() const noexcept { return std::uint64_t(size[0]) * size[1] * size[2]; }
+    std::uint64_t cellCount() const noexcept { return std::uint64_t(size[0] - 1) * (size[1] - 1) * (size[2] - 1); }
+
+    std::uint64_t index(std::uint32_t i, std::uint32_t j, std::uint32_t k) const noexcept
+    {
+        return (std::uint64_t(k) * size[1] + j) * size[0] + i;
+    }
+    std::array<std::uint32_t, 3> coordinates(std::uint64_t index) const noexcept
+    {
+        return {static_cast<std::uint32_t>(index % size[0]), static_cast<std::uint32_t>(index / size[0] % size[1]),
+                static_cast<std::uint32_t>(index / size[0] / size[1])};
+    }
+    Eigen::Vector3d position(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
+    {
+        return origin + spacing.cwiseProduct(Eigen::Vector3d(i, j, k));
+    }
+    Eigen::AlignedBox3d bounds() const { return {origin, position(size[0] - 1, size[1] - 1, size[2] - 1)}; }
+};
+
+/// What kind of domain the points of a dataset lie in (R1). The numbers are part of the `.tan` format.
+enum class DomainClass : std::uint32_t { RegularLattice = 0, Curvilinear = 1, Irregular = 2, Scattered = 3 };
+
+constexpr std::string_view domainClassName(DomainClass domain) noexcept
+{
+    constexpr std::string_view names[] = {"regular", "curvilinear", "irregular", "scattered"};
+    return names[static_cast<std::uint32_t>(domain)];
+}
+
+/// Whether the points are those of a lattice of computational space.
+constexpr bool isOnLattice(DomainClass domain) noexcept
+{
+    return domain == DomainClass::RegularLattice || domain == DomainClass::Curvilinear;
+}
+
+/// Whether a coarser mesh may occupy another region of space than the data do (R4).
+constexpr bool canWarp(DomainClass domain) noexcept
+{
+    return domain == DomainClass::Curvilinear || domain == DomainClass::Irregular;
+}
+
+/// The type of a sample as it stands in a file and in memory. The numbers are part of the `.tan` format.
+enum class SampleType : std::uint8_t {
+    UInt8 = 0,
+    Int8 = 1,
+    UInt16 = 2,
+    Int16 = 3,
+    UInt32 = 4,
+    Int32 = 5,
+    Float32 = 6,
+    Float64 = 7
+};
+
+constexpr std::size_t sampleSize(SampleType type) noexcept
+{
+    constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+    return sizes[static_cast<std::size_t>(type)];
+}
+
+constexpr bool isInteger(SampleType type) noexcept
+{
+    return type < SampleType::Float32;
+}
+
+/// The name that NRRD and the command line use: "uint8", "int16", "float", "double" ...
+constexpr std::string_view sampleTypeName(SampleType type) noexcept
+{
+    constexpr std::string_view names[] = {"uint8", "int8", "uint16", "int16", "uint32", "int32", "float", "double"};
+    return names[static_cast<std::size_t>(type)];
+}
+
+/// Calls `function.operator()<T>()` with the C++ type of `type` and returns what it returns.
+template <class Function> decltype(auto) visitSampleType(SampleType type, Function&& function)
+{
+    switch (type) {
+    case SampleType::UInt8: return function.template operator()<std::uint8_t>();
+    case SampleType::Int8: return function.template operator()<std::int8_t>();
+    case SampleType::UInt16: return function.template operator()<std::uint16_t>();
+    case SampleType::Int16: return function.template operator()<std::int16_t>();
+    case SampleType::UInt32: return function.template operator()<std::uint32_t>();
+    case SampleType::Int32: return function.template operator()<std::int32_t>();
+    case SampleType::Float32: return function.template operator()<float>();
+    case SampleType::Float64: break;
+    }
+    return function.template operator()<double>();
+}
+
+/// The SampleType of a C++ type.
+template <class T> constexpr SampleType sampleTypeOf() noexcept
+{
+    constexpr bool whole = std::is_integral_v<T>, negative = std::is_signed_v<T>;
+    static_assert(whole ? !std::is_same_v<T, bool> && sizeof(T) <= 4
+                        : std::is_same_v<T, float> || std::is_same_v<T, double>,
+                  "samples are integers of 8 to 32 bits, floats or doubles");
+    if constexpr (!whole)
+        return sizeof(T) == 4 ? SampleType::Float32 : SampleType::Float64;
+    else if constexpr (sizeof(T) == 1)
+        return negative ? SampleType::Int8 : SampleType::UInt8;
+    else if constexpr (sizeof(T) == 2)
+        return negative ? SampleType::Int16 : SampleType::UInt16;
+    else
+        return negative ? SampleType::Int32 : SampleType::UInt32;
+}
+
+/// Memory for `count` samples of `type`, to be filled and handed to a ScalarField. Refused without allocating anything
+/// if it is more than the physical memory of the machine, or than 2^64 bytes.
+TAN_API Result<std::shared_ptr<std::byte>> allocateSamples(SampleType type, std::uint64_t count);
+
+/// The smallest and the largest value of a field; errors in percent refer to `extent()` (R7).
+struct ValueRange {
+    double minimum = 0;
+    double maximum = 0;
+    double extent() const noexcept { return maximum - minimum; }
+};
+
+/// Samples of one type, shared and never changed: copying copies a pointer. Native byte order, naturally aligned.
+/// Safe to read from any number of threads.
+class TAN_API ScalarField {
+public:
+    ScalarField() = default;
+    /// `samples` holds at least `count` samples of `type` and keeps what it points into (an array, a mapped file)
+    /// alive.
+    ScalarField(SampleType type, std::uint64_t count, std::shared_ptr<const std::byte> samples);
+    /// As the constructor, but cancellable: for samples that are slow to scan, such as those of a mapped file. Errors:
+    /// cancelled.
+    static Result<ScalarField> scanned(SampleType type, std::uint64_t count, std::shared_ptr<const std::byte> samples,
+                                       const Progress& progress);
+
+    /// Takes an array over.
+    template <class T> static ScalarField of(std::vector<T> samples)
+    {
+        const auto kept = std::make_shared<const std::vector<T>>(std::move(samples));
+        return ScalarField(sampleTypeOf<T>(), kept->size(), {kept, reinterpret_cast<const std::byte*>(kept->data())});
+    }
+
+    SampleType type() const noexcept { return type_; }
+    std::uint64_t count() const noexcept { return count_; }
+    std::span<const std::byte> bytes() const noexcept { return {samples_.get(), count_ * sampleSize(type_)}; }
+
+    /// The samples as T, which must be the type's own C++ type.
+    template <class T> std::span<const T> as() const noexcept
+    {
+        assert(sizeof(T) == sampleSize(type_));
+        return {reinterpret_cast<const T*>(samples_.get()), count_};
+    }
+    /// Any sample as a double, exactly. For a few values; loops over many use as<T>().
+    double at(std::uint64_t index) const;
+    /// Smallest and largest value, found once at construction.
+    ValueRange range() const noexcept { return range_; }
+    /// The number of samples that are NaN or infinite; they are left out of range().
+    std::uint64_t notFiniteCount() const noexcept { return notFinite_; }
+
+private:
+    /// False when cancelled.
+    bool findRange(const Progress& progress);
+
+    SampleType type_ = SampleType::UInt8;
+    std::uint64_t count_ = 0;
+    std::uint64_t notFinite_ = 0;
+    ValueRange range_;
+    std::shared_ptr<const std::byte> samples_;
+};
+
+/// Where a dataset came from: kept in every model built from it.
+struct Source {
+    std::string name;           ///< what the user calls it: the file's name, or a sample's
+    std::filesystem::path path; ///< empty when it was never a file
+    std::uint64_t hash = 0;     ///< XXH3 of the samples' bytes in memory order, followed by the positions and the
+                                ///< tetrahedra, if there are any
+};
+
+/// Where each point lies, all finite; shared and never changed.
+using PointPositions = std::shared_ptr<const std::vector<Eigen::Vector3d>>;
+
+/// The tetrahedra of an irregular mesh, by numbers of points, positive: (b-a) . ((c-a) x (d-a)) > 0; shared and never
+/// changed.
+using PointTetrahedra = std::shared_ptr<const std::vector<std::array<std::uint32_t, 4>>>;
+
+/// Source::hash of such values, positions and tetrahedra.
+TAN_API std::uint64_t contentHash(const ScalarField& values, const PointPositions& positions,
+                                  const PointTetrahedra& tetrahedra = nullptr);
+
+/// The reference model (2.3): points with one scalar each. Immutable, cheap to copy.
+///
+/// Regular: the lattice says where the points lie. Curvilinear (and rectilinear): the lattice is the computational
+/// space, with spacing 1 and origin 0, and `positions` the physical one. Scattered: `positions` alone; the lattice's
+/// size is {points, 1, 1} and says nothing more. Irregular: as scattered, and `tetrahedra` fill the domain: a
+/// conforming mesh that uses every point, of one or more components, whose boundary is a manifold.
+struct TAN_API Dataset {
+    DomainClass domain = DomainClass::RegularLattice;
+    Lattice lattice;
+    PointPositions positions = nullptr; ///< one a point in the order of the values; null for a regular lattice
+    ScalarField values;                 ///< one sample per point, all finite
+    Source source;
+    std::vector<std::string> remarks{}; ///< changes made while reading, in sentences for the user
+    /// The file whose bytes the values are; null if they are in memory.
+    std::shared_ptr<const MappedFile> mappedFile = nullptr;
+    PointTetrahedra tetrahedra = nullptr; ///< of irregular data, else null
+
+    std::uint64_t pointCount() const noexcept { return values.count(); }
+    Eigen::Vector3d position(std::uint64_t point) const
+    {
+        if (positions)
+            return (*positions)[point];
+        const auto place = lattice.coordinates(point);
+        return lattice.position(place[0], place[1], place[2]);
+    }
+    /// Of all points in physical space. O(1) for a regular lattice, else O(points).
+    Eigen::AlignedBox3d bounds() const;
+    /// An error naming the mapped file if it was truncated or modified: values read since then may be wrong. Call this
+    /// after computing a result and before using it. One system call.
+    Status checkIntact() const;
+};
+
+/// Datasets of arrays in memory. `name` is what the user calls the data; models keep it, and the hash of all values and
+/// places, by which verify() knows the data again. Errors (BadInput) say what is wrong with the arrays. May throw
+/// std::bad_alloc. Safe from any thread.
+
+/// A regular lattice; the first index of `values` runs fastest. Refused: other than one finite value a point, fewer
+/// than two points along an axis, a spacing that is not positive. O(points).
+TAN_API Result<Dataset> latticeDataset(const Lattice& lattice, ScalarField values, std::string name);
+
+/// A curvilinear (or rectilinear) grid of `size` points, the first index running fastest, each in its place. Cells may
+/// be degenerate, folded or left-handed (BuildReport counts them), but not all of them flat. O(points), on all threads.
+TAN_API Result<Dataset> curvilinearDataset(const std::array<std::uint32_t, 3>& size,
+                                           std::vector<Eigen::Vector3d> positions, ScalarField values,
+                                           std::string name);
+
+/// Points without cells. Coincident points are merged, with the mean of their values; Dataset::remarks says so.
+/// Refused: other than one finite value a point, places that are not finite, no points. O(n log n).
+TAN_API Result<Dataset> scatteredDataset(std::vector<Eigen::Vector3d> positions, std::vector<double> values,
+                                         std::string name);
+
+/// The shape of a cell as files have it; corners are numbered as in VTK. Quadratic cells carry their nodes of order two
+/// after the corners.
+enum class CellShape : std::uint8_t {
+    Tetrahedron,
+    Pyramid,
+    Prism,
+    Hexahedron,
+    Voxel, ///< a hexahedron along the axes, corners x fastest
+    QuadraticTetrahedron,
+    QuadraticPyramid,
+    QuadraticPrism,
+    QuadraticHexahedron,
+    TriquadraticHexahedron,
+    Polyhedron, ///< refused, with their count
+    Flat ///< vertices, lines, triangles, quadrilaterals: without volume: left out, and reported in Dataset::remarks
+};
+
+/// Cells of mixed shapes over points, as read from a file, not yet validated.
+struct CellComplex {
+    std::vector<Eigen::Vector3d> positions;
+    std::vector<CellShape> shapes;
+    std::vector<std::uint64_t> offsets; ///< the corners of cell c are corners[offsets[c]] up to corners[offsets[c + 1]]
+    std::vector<std::uint64_t> corners; ///< numbers of positions
+    std::vector<std::uint8_t> blanked;  ///< one a cell, not 0: no part of the domain; empty if none is
+};
+
+/// Values for the points of a complex, or for its cells.
+struct ComplexValues {
+    std::vector<double> values;
+    bool perCell = false;                  ///< averaged onto the points; Dataset::remarks says so
+    SampleType type = SampleType::Float32; ///< that the dataset keeps them in
+};
+
+/// The irregular dataset that such cells make (R1, S6, S20), a mesh that covers its domain once: every cell is cut into
+/// tetrahedra, quadratic ones through all their nodes; cells blanked or with a value that is not finite are holes.
+/// Harmless defects are repaired and listed in `remarks`: points on one place (the mean of their values), points that
+/// no cell uses, cells with a repeated corner, without volume, inverted or duplicated. Refused with a count and an
+/// example: polyhedra, overlapping cells, faces in three cells, a boundary that is no manifold or meets itself, numbers
+/// of points out of range, nothing left. One thread, about 300 bytes a tetrahedron; safe from any thread.
+TAN_API Result<Dataset> irregularDataset(const CellComplex& complex, const ComplexValues& values, const Source& source,
+                                         const Progress& progress = {});
+
+/// The weight beyond the reach of a term, unless the term says otherwise.
+constexpr double defaultWeightFloor = 0.1;
+constexpr double smallestWeightFloor = 1e-6;
+
+/// A place that matters: weight 1 in the box, which may be a single point, falling linearly to `floor` at the distance
+/// `reach` from it and beyond. Units of the positions.
+struct SpaceWeight {
+    Eigen::AlignedBox3d box;
+    double reach = 0; ///< 0: `floor` everywhere outside
+    double floor = defaultWeightFloor;
+};
+
+/// A value that matters: weight 1 for points that have it, falling linearly to `floor` at the difference `reach` and
+/// beyond. Units of the values.
+struct ValueWeight {
+    double value = 0;
+    double reach = 0;
+    double floor = defaultWeightFloor;
+};
+
+/// How much the error at each point counts (R6, 2.3): a mesh's weighted error is the largest weight * |value -
+/// interpolation| over the points. The weight of a point is the *largest* of its terms' weights, so that terms add
+/// requirements and never cancel each other. Without terms every weight is 1.
+struct TAN_API Weighting {
+    std::vector<SpaceWeight> places;
+    std::vector<ValueWeight> values;
+
+    bool empty() const noexcept { return places.empty() && values.empty(); }
+    /// In (0, 1].
+    double weight(const Eigen::Vector3d& position, double value) const;
+};
+
+/// What parseWeighting() reads, for the user.
+inline constexpr std::string_view weightingSyntax =
+    "point:x,y,z,reach[,floor], box:x0,y0,z0,x1,y1,z1,reach[,floor] or value:q,reach[,floor]";
+
+/// Reads terms of weightingSyntax separated by ';', blanks around them allowed, none at all too. The reach of points
+/// and values is above 0, that of boxes at least 0, floors are from 1e-6 to 1. The error (WrongUsage) names the term
+/// and what is wrong with it.
+TAN_API Result<Weighting> parseWeighting(std::string_view text);
+
+/// The text that parseWeighting() reads as this weighting: places first, all floors given.
+TAN_API std::string weightingText(const Weighting& weighting);
+
+/// The weight of each of the dataset's points, the same bits on every machine; empty if the weighting is. Uses all
+/// threads. Errors: not enough memory, cancelled.
+TAN_API Result<std::vector<float>> pointWeights(const Weighting& weighting, const Dataset& dataset,
+                                                const Progress& progress = {});
+
+} // namespace tetra

@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// tan/render.h: from a mesh to a picture. Surfaces and volumes of a mesh make a scene, a camera looks at it, a back
+/// end draws it: on the CPU, which needs nothing but memory, or by OpenGL without a window. The result is a Picture in
+/// memory; nothing here draws into a window of the caller.
+///
+/// ~~~{.cpp}
+/// /// A picture of a field: an isosurface in a translucent volume.
+/// tetra::Result<tetra::Picture> look(std::shared_ptr<const tetra::TetrahedralMesh> mesh, double isovalue,
+///                                    const tetra::TransferFunction& function)
+/// {
+///     const auto surfaces = tetra::IsosurfaceCache(mesh).update(std::array{tetra::Isovalue{.value = isovalue}});
+///     if (!surfaces)
+///         return surfaces.error();
+///     const auto volume = tetra::VolumeCache(mesh).update(function, false);
+///     if (!volume)
+///         return volume.error();
+///     tetra::Scene scene;
+///     scene.surfaces = *surfaces;
+///     scene.volume = *volume;
+///     for (const Eigen::Vector3f& position : mesh->positions)
+///         scene.bounds.extend(position.cast<double>());
+///     const tetra::Camera camera = tetra::fitted({.azimuth = 60, .elevation = 25}, scene.bounds);
+///     return tetra::makeCpuBackend()->render(scene, camera, {.width = 320, .height = 320});
+/// }
+/// ~~~
+
+#include <tan/base.h>
+#include <tan/mesh.h>
+#include <tan/transfer.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace tetra {
+
+struct IsosurfaceIndex;
+struct VolumeMesh;
+struct VolumeTransfer;
+
+/// Which axis of the dataset points up, and which way.
+enum class UpAxis { X, MinusX, Y, MinusY, Z, MinusZ };
+
+/// A camera that looks at `target` from `distance` away. Angles in degrees, lengths in the units of the dataset. A
+/// value: functions return changed copies.
+struct Camera {
+    Eigen::Vector3d target{0, 0, 0};
+    double distance = 1;
+    /// Around the up axis, counterclockwise seen from above. 0 looks along +y if z is up or down, along -z if y is,
+    /// along +z if x is.
+    double azimuth = 30;
+    double elevation = 20; ///< above the plane across the up axis, kept within [-90, 90]
+    double roll = 0;       ///< about the line of sight: positive angles turn the picture clockwise
+    UpAxis up = UpAxis::Z;
+    double fieldOfView = 30; ///< across the shorter side of the picture, in (0, 180)
+    bool perspective = true; ///< else orthographic, showing the same part of the plane through the target
+    /// How it is turned by hand: if true like a ball, in any direction, roll included; else like a turntable.
+    bool trackball = false;
+    bool operator==(const Camera&) const = default;
+};
+
+/// The camera that looks at the middle of `bounds` from the direction of `camera`, so that the box fills a picture of
+/// this width / height but for a narrow margin. Fitted to 1 the box is seen whole in a picture of any shape.
+TAN_API Camera fitted(const Camera& camera, const Eigen::AlignedBox3d& bounds, double aspectRatio = 1);
+/// The eye moved around the target by angles in degrees, counterclockwise seen from above; elevation stops at the
+/// poles.
+TAN_API Camera turned(const Camera& camera, double azimuth, double elevation);
+/// What is seen turned clockwise about the line of sight, in degrees.
+TAN_API Camera rolled(const Camera& camera, double degrees);
+/// What is seen turned about the target: by a rotation in the eye's coordinates.
+TAN_API Camera rotated(const Camera& camera, const Eigen::Matrix3d& rotation);
+/// Another axis upright, seen from the same azimuth and elevation, the horizon level.
+TAN_API Camera upright(const Camera& camera, UpAxis up);
+/// The same axis, the other way.
+TAN_API UpAxis opposite(UpAxis up);
+/// Nearer (factor < 1) or farther (factor > 1).
+TAN_API Camera zoomed(const Camera& camera, double factor);
+/// The camera moved in the plane of the picture, by fractions of the picture's shorter side at the target.
+TAN_API Camera panned(const Camera& camera, double right, double up);
+
+TAN_API Eigen::Vector3d eyePosition(const Camera& camera);
+/// How the eye is turned: the columns are its right, its up and its back, towards the viewer, in dataset coordinates.
+TAN_API Eigen::Matrix3d eyeAxes(const Camera& camera);
+/// The camera turned so, with its own up axis.
+TAN_API Camera withEyeAxes(const Camera& camera, const Eigen::Matrix3d& axes);
+/// From dataset coordinates to the eye's: x right, y up, z towards the viewer.
+TAN_API Eigen::Matrix4d viewMatrix(const Camera& camera);
+/// From the eye's coordinates to OpenGL's clip space, for a picture of this width / height; the near and far planes
+/// enclose `bounds`; in perspective the near plane stays in front of the eye. Without bounds they enclose what lies as
+/// near to the target as the eye.
+TAN_API Eigen::Matrix4d projectionMatrix(const Camera& camera, double aspectRatio, const Eigen::AlignedBox3d& bounds);
+
+/// A camera as a JSON text, and back to the same bits:
+///
+///     {
+///       "azimuth": 30,
+///       "elevation": 20,
+///       "roll": 0,
+///       "up": "z",
+///       "fieldOfView": 30,
+///       "perspective": true,
+///       "trackball": false,
+///       "target": [32, 32, 32],
+///       "distance": 214.2
+///     }
+///
+/// Angles in degrees, target and distance in the units of the dataset; what points up is x, -x, y, -y, z or -z. Each
+/// key may be left out; roll, up and trackball are, where they are as usual, so that older programs can read the text.
+TAN_API std::string cameraToText(const Camera& camera);
+
+/// Keys that the text lacks have their defaults, and fit `bounds` into a picture of this width / height. The error says
+/// what is wrong and in which line and column; a key that is not known is one.
+TAN_API Result<Camera> cameraFromText(std::string_view text, const Eigen::AlignedBox3d& bounds, double aspectRatio = 1);
+
+/// A finished picture: rows from top to bottom, 8-bit sRGB with straight (not premultiplied) alpha.
+struct Picture {
+    int width = 0;
+    int height = 0;
+    std::vector<std::array<std::uint8_t, 4>> pixels;
+    /// If wanted: for each pixel the distance from the eye along the view's axis, in the units of the dataset, at which
+    /// half of the light from behind is absorbed; infinity where it never is.
+    std::vector<float> depth{};
+};
+
+/// The colour of the index-th of several things to be told apart, also by people who do not see red or green as others
+/// do: the palette of Okabe and Ito (Color Universal Design, 2008) without black, repeated after seven.
+constexpr Colour distinctColour(std::size_t index)
+{
+    constexpr std::array<Colour, 7> okabeIto = {{
+        {230 / 255.0f, 159 / 255.0f, 0 / 255.0f},   // orange
+        {86 / 255.0f, 180 / 255.0f, 233 / 255.0f},  // sky blue
+        {0 / 255.0f, 158 / 255.0f, 115 / 255.0f},   // bluish green
+        {213 / 255.0f, 94 / 255.0f, 0 / 255.0f},    // vermilion
+        {0 / 255.0f, 114 / 255.0f, 178 / 255.0f},   // blue
+        {204 / 255.0f, 121 / 255.0f, 167 / 255.0f}, // reddish purple
+        {240 / 255.0f, 228 / 255.0f, 66 / 255.0f},  // yellow
+    }};
+    return okabeIto[index % okabeIto.size()];
+}
+
+/// A surface, lit from both sides. Opacity in (0, 1]; below one it is blended in depth order (R19).
+struct Surface {
+    std::shared_ptr<const TriangleMesh> mesh;
+    Colour colour;
+    float opacity = 1;
+    bool backFacesOnly = false; ///< triangles that the eye sees counterclockwise are not drawn
+};
+
+/// Straight lines of one colour, hidden by what lies before them.
+struct LineSet {
+    std::vector<Eigen::Vector3f> points;
+    std::vector<std::array<std::uint32_t, 2>> segments;
+    Colour colour;
+    float width = 1; ///< in pixels of the picture
+};
+
+/// A field seen through its transfer function as a translucent cloud (R20), in core/render/volume/volume_mesh.h.
+struct Volume {
+    std::shared_ptr<const VolumeMesh> mesh;
+    std::shared_ptr<const VolumeTransfer> transfer; ///< of that mesh
+    bool shaded = false;                            ///< lit from both sides, as a surface across the gradient would be
+};
+
+/// A part of a volume that is drawn from a finer mesh (R24). Along each ray the optical depths of the fine volume and
+/// the other one are blended with the weights w and 1 - w, so that no seam shows (S18). The weight is 1 in the region
+/// and falls with the distance from it, to 0 at `border`.
+struct FocusVolume {
+    Volume fine; ///< fills all of the domain that is nearer to the region than `border`
+    std::variant<Box, Sphere> region;
+    double border = 0; ///< in the units of the dataset; 0 is a sharp one
+};
+
+/// How a volume is drawn where surfaces lie in it (R21).
+enum class HybridOrder {
+    Exact,    ///< a surface ends one piece of a ray through a cell and begins the next
+    WithCell, ///< as in the paper: what lies in a cell is drawn before the cell
+};
+
+/// A half-space: points with normal . x >= offset are shown (of a HalfSpace it is the other side). OpenGL takes at
+/// most 16.
+struct ClipPlane {
+    Eigen::Vector3d normal{1, 0, 0};
+    double offset = 0;
+};
+
+/// What a renderer makes and a back end draws: an immutable value, shared between threads as shared_ptr<const Scene>.
+struct Scene {
+    std::vector<Surface> surfaces;
+    std::vector<LineSet> lines;
+    Eigen::AlignedBox3d bounds; ///< of the domain; depth is scaled by it, and what lies outside may be cut off
+    std::optional<Volume> volume{};
+    std::optional<FocusVolume> focus{}; ///< of the volume, which it must have then
+    HybridOrder hybridOrder = HybridOrder::Exact;
+    std::vector<ClipPlane> clipPlanes{}; ///< cut surfaces and the volume, not lines
+};
+
+/// The twelve edges of a box, as the outline of a domain.
+TAN_API LineSet boxOutline(const Eigen::AlignedBox3d& box, const Colour& colour, float width = 1);
+
+/// Clip planes as text, "nx,ny,nz,offset" each, separated by ';': where nx x + ny y + nz z >= offset is shown. No text
+/// is no plane. Errors (WrongUsage): four finite numbers each, the first three of them not all zero; the text says
+/// which plane is wrong.
+TAN_API Result<std::vector<ClipPlane>> parseClipPlanes(std::string_view text);
+
+/// The text that parseClipPlanes() reads as these planes.
+TAN_API std::string clipPlanesText(std::span<const ClipPlane> planes);
+
+/// One isosurface to show (R19).
+struct Isovalue {
+    double value = 0;                            ///< in units of the data
+    float red = 0.9f, green = 0.6f, blue = 0.2f; ///< sRGB, [0, 1]
+    float opacity = 1;                           ///< (0, 1]
+    bool visible = true;
+    bool operator==(const Isovalue&) const = default;
+};
+
+/// The field's gradient at each vertex: the mean of the gradients of its tetrahedra, weighted by volume; zero at a
+/// vertex without tetrahedra. O(tetrahedra), on all threads, the same result with any number of them. May throw
+/// std::bad_alloc.
+TAN_API Buffer<Eigen::Vector3f> vertexGradients(const TetrahedralMesh& mesh);
+
+/// Marching tetrahedra (R19): the isosurface of the piecewise-linear field, a vertex for each crossed edge, shared by
+/// its triangles. A vertex is inside if its value >= isovalue (S16), so the surface is closed but for the domain's
+/// boundary, on any data. Edges that all cross in one mesh vertex (its value is the isovalue) share one vertex there,
+/// and triangles that lose a corner by that are left out, so no crack opens. Where the inside touches itself along an
+/// edge of the mesh, four triangles meet. Triangles wind so that their front looks towards smaller values; normals come
+/// from `gradients` (vertexGradients of the same mesh) and look the same way; where the gradient vanishes, from the
+/// triangles. O(vertices + tetrahedra), on all threads, the same result with any number of them. Errors: cancelled, not
+/// enough memory, arguments that do not belong together.
+TAN_API Result<TriangleMesh> extractIsosurface(const TetrahedralMesh& mesh, std::span<const Eigen::Vector3f> gradients,
+                                               double isovalue, const Progress& progress = {});
+
+/// The isosurfaces of one mesh for a list of isovalues that changes. Keeps the gradients of its mesh, and the surface
+/// of each isovalue for as long as the value is in the list: to change a colour, an opacity or the visibility extracts
+/// nothing. From its second extraction on it takes the mesh in spatial order with an index, which are not worth their
+/// time for one alone, or from the first if the mesh is in that order already. Used from one thread at a time.
+class TAN_API IsosurfaceCache {
+public:
+    explicit IsosurfaceCache(std::shared_ptr<OrderedMesh> mesh);
+    explicit IsosurfaceCache(std::shared_ptr<const TetrahedralMesh> mesh);
+
+    /// The surfaces of the isovalues that are seen, in their order. Extracts what is missing, all at once on all
+    /// threads. What was finished before a cancellation or an error is kept. Errors: an isovalue that is no number or
+    /// has an opacity outside 0 to 1, cancelled, not enough memory.
+    Result<std::vector<Surface>> update(std::span<const Isovalue> isovalues, const Progress& progress = {});
+
+private:
+    Status extractMissing(std::span<const Isovalue> isovalues, const Progress& progress);
+
+    Status chooseMesh(const Progress& progress);
+    Result<TriangleMesh> extract(double isovalue, const Progress& progress) const;
+
+    std::shared_ptr<OrderedMesh> mesh_;
+    std::shared_ptr<const TetrahedralMesh> chosen_;                  ///< of the two in mesh_
+    Buffer<Eigen::Vector3f> gradients_;                              ///< of the chosen one
+    std::shared_ptr<const IsosurfaceIndex> index_;                   ///< of the ordered one, if that is chosen
+    std::map<double, std::shared_ptr<const TriangleMesh>> surfaces_; ///< by isovalue
+};
+
+/// Edges of the boundary that turn by more than this many degrees are drawn sharp, others smooth.
+inline constexpr double usualFeatureAngle = 30;
+
+/// The boundary of a mesh as a surface: its boundaryFaces(), cavities and all components included, counterclockwise
+/// seen from outside, with the values of the field. Normals look outwards and are smooth where neighbouring triangles
+/// turn by at most `featureAngle` degrees, 0 for flat ones: means of the triangles' normals, weighted by their angles
+/// (G. Thürmer and C. Wüthrich, "Computing vertex normals from polygonal facets", 1998). At a sharper edge, and where
+/// other than two triangles meet, a vertex comes once for each side. O(vertices + tetrahedra + boundary log boundary),
+/// the same result with any number of threads. Errors: cancelled, too many tetrahedra, not enough memory.
+TAN_API Result<TriangleMesh> extractBoundary(const TetrahedralMesh& mesh, double featureAngle = usualFeatureAngle,
+                                             const Progress& progress = {});
+
+/// The surface with the colours that a transfer function gives its values, whatever their opacity; the surface must
+/// have values. Between two points of the function, colours are linear in the value, and so they are on a triangle:
+/// each triangle is cut where its value is that of a point (R22), so that the colours are exact at any place, steps
+/// included, however large the triangles are. Triangles that share an edge are cut at the same places, bit for bit. A
+/// function without points, and a surface without values, leave the surface as it is. O(triangles + pieces). May throw
+/// std::bad_alloc.
+TAN_API TriangleMesh colouredByValue(const TriangleMesh& surface, const TransferFunction& function);
+
+/// What the boundary of a mesh looks like.
+struct BoundaryLook {
+    Colour colour{0.60f, 0.64f, 0.70f}; ///< nearly grey, so that it is no value's colour, and seen on light and dark
+    float opacity = 1;                  ///< in (0, 1]
+    bool backFacesOnly = false;         ///< what faces the eye is left out, so that one sees into the domain
+};
+
+/// Makes the boundary of one mesh, in a look that changes: extracted once, coloured anew for another transfer function.
+/// Used from one thread at a time.
+class TAN_API BoundaryCache {
+public:
+    explicit BoundaryCache(std::shared_ptr<const TetrahedralMesh> mesh) : mesh_(std::move(mesh)) {}
+
+    /// Errors: those of extractBoundary(), an opacity outside (0, 1].
+    Result<Surface> plain(const BoundaryLook& look, const Progress& progress = {});
+    /// In the colours of the field's values (colouredByValue()). Errors: the same, and those of
+    /// checkTransferFunction().
+    Result<Surface> coloured(const TransferFunction& function, const BoundaryLook& look, const Progress& progress = {});
+
+private:
+    std::shared_ptr<const TetrahedralMesh> mesh_;
+    std::shared_ptr<const TriangleMesh> boundary_;
+    TransferFunction function_; ///< that `coloured_` has its colours from
+    std::shared_ptr<const TriangleMesh> coloured_;
+};
+
+/// Makes volumes of one mesh for a transfer function that changes: the mesh is put in spatial order and made ready
+/// once, the function when it is another one. Used from one thread at a time.
+class TAN_API VolumeCache {
+public:
+    explicit VolumeCache(std::shared_ptr<OrderedMesh> mesh);
+    explicit VolumeCache(std::shared_ptr<const TetrahedralMesh> mesh);
+
+    /// Errors: those of inSpatialOrder(), makeVolumeMesh() and makeVolumeTransfer(), cancelled.
+    Result<Volume> update(const TransferFunction& function, bool shaded, const Progress& progress = {});
+
+private:
+    Status makeMesh(const Progress& progress);
+    Status makeTransfer(const TransferFunction& function);
+
+    std::shared_ptr<OrderedMesh> tetrahedra_;
+    std::shared_ptr<const VolumeMesh> mesh_;
+    TransferFunction function_; ///< that `transfer_` was made from
+    std::shared_ptr<const VolumeTransfer> transfer_;
+};
+
+/// A value within [least, largest] whose isosurface is likely to be a real boundary of materials, as the skin of a head
+/// or the walls of a casting, rather than noise. Of all isosurfaces it is the one for which a product of two functions
+/// of the contour spectrum is largest: the total gradient on it, which grows with its size, and a power of the mean
+/// gradient, which tells a boundary between two materials from noise within one. (C. Bajaj, V. Pascucci, D. Schikore:
+/// The contour spectrum, IEEE Visualization 1997.) Nothing for a constant field. The same for the same mesh on every
+/// machine and any number of threads, but for rounding. O(cells).
+TAN_API std::optional<double> surfaceValue(const TetrahedralMesh& mesh, double least, double largest);
+
+/// How the values of a mesh share its volume, whatever the sizes of its cells: the counts are parts
+/// of 2^32 of the volume. In a cell all values between its smallest and its largest count alike. Cells that are not
+/// finite and values outside of [least, largest] are not counted. No counts if the range is empty or not finite, or
+/// there is no volume. O(cells + parts).
+TAN_API ValueHistogram volumeHistogram(const TetrahedralMesh& mesh, double least, double largest, int parts);
+
+struct PictureOptions {
+    int width = 1024;
+    int height = 768;
+    Colour background{1, 1, 1};
+    bool transparentBackground = false;
+    int samplesPerAxis = 2; ///< a pixel is the mean of this many squared samples: 1 (fast, no antialiasing) to 4
+    int threads = 0;        ///< of the CPU back end; 0 or too many means all of the machine
+    bool depth = false;     ///< make Picture::depth, too
+    /// In degrees: the visibility order of an earlier picture may be used again if the camera differs by no more than
+    /// this. 0 for exact pictures; a few degrees while the camera moves.
+    double orderTolerance = 0;
+};
+
+/// What the last picture took.
+struct RenderStatistics {
+    std::size_t cells = 0;        ///< tetrahedra of the volume that were drawn, once for each tile of the CPU back end
+    std::size_t fragments = 0;    ///< samples of the picture times the cells drawn there, as far as they are counted
+    std::size_t brokenCycles = 0; ///< of the visibility order (S14)
+    bool orderReused = false;
+    double orderSeconds = 0;
+    double setUpSeconds = 0; ///< projecting, binning
+    double fillSeconds = 0;
+    std::size_t sentBytes = 0; ///< of cells and their order, to the graphics card; without the mesh, sent once
+};
+
+/// Turns a scene into a picture (B4). The CPU back end is the reference; the OpenGL one draws the same within 2/255.
+/// One object is used from one thread at a time; it caches what the next picture of the same scene can use.
+class TAN_API RenderBackend {
+public:
+    virtual ~RenderBackend() = default;
+    virtual std::string_view id() const noexcept = 0; ///< "cpu" or "gl"
+    virtual Result<Picture> render(const Scene& scene, const Camera& camera, const PictureOptions& options,
+                                   const Progress& progress = {}) = 0;
+    /// Of the last picture that was finished.
+    virtual RenderStatistics statistics() const = 0;
+};
+
+/// Needs nothing but memory.
+TAN_API std::unique_ptr<RenderBackend> makeCpuBackend();
+/// OpenGL 3.3 or newer without a window, by EGL; the error says what is missing on this machine.
+TAN_API Result<std::unique_ptr<RenderBackend>> makeGlBackend();
+
+} // namespace tetra

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// tan/transfer.h: the transfer function, which says what a value of the field looks like; its edits, its text form,
+/// and those of other programs.
+///
+/// ~~~{.cpp}
+/// /// Blue and faint where values are small, yellow and dense where they are large, as JSON.
+/// tetra::Result<std::string> blueToYellow(double least, double largest, double thickness)
+/// {
+///     tetra::TransferFunction function;
+///     function.points = {{least, {0.1f, 0.2f, 0.8f}, 0.02f}, {largest, {1, 0.9f, 0.3f}, 0.6f}};
+///     function.unitDistance = thickness; // a layer so thick has these opacities
+///     if (const tetra::Status usable = tetra::checkTransferFunction(function); !usable)
+///         return usable.error();
+///     return tetra::transferFunctionToText(function);
+/// }
+/// ~~~
+
+#include <tan/base.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tetra {
+
+/// A control point of a transfer function.
+struct TransferPoint {
+    double value = 0;                     ///< of the field
+    std::array<float, 3> colour{1, 1, 1}; ///< sRGB, each channel in [0, 1]
+    float opacity = 0;                    ///< in [0, 1], of the unit distance
+    std::optional<int> group{};           ///< 0 to 9: a label for the editor, which changes nothing of the look
+    bool operator==(const TransferPoint&) const = default;
+};
+
+/// The closed range of values that is shown.
+struct TransferMask {
+    double least = 0;
+    double largest = 0;
+    bool operator==(const TransferMask&) const = default;
+};
+
+inline constexpr int largestTransferGroup = 9;
+
+/// What a value of the field looks like (R18): colour and extinction, linear between the control points and constant
+/// beyond the first and the last. A value with value semantics.
+///
+/// Points are in ascending order of value. Two points of one value are a step (R22): the first ends what lies below,
+/// the second begins what lies above, and the value itself belongs to the upper side, as it does for isosurfaces (S16).
+///
+/// Opacity is what a layer of `unitDistance` would have if the value did not change in it; the extinction there is
+/// -ln(1 - opacity) / unitDistance. It is the extinction that is linear between the points, so that the optical depth
+/// of a slab is exact in closed form (S15). An opacity of 1 counts as `largestOpacity`.
+struct TransferFunction {
+    std::vector<TransferPoint> points;  ///< none: everything is transparent
+    double unitDistance = 1;            ///< in the units of the dataset
+    std::optional<TransferMask> mask{}; ///< what lies outside of it is transparent, whatever the points say
+    bool operator==(const TransferFunction&) const = default;
+};
+
+/// The largest opacity that is used: one unit distance transmits 2^-24.
+inline constexpr double largestOpacity = 1 - 1.0 / (1 << 24);
+
+/// What a place in the field looks like.
+struct TransferSample {
+    std::array<double, 3> colour{0, 0, 0};
+    double extinction = 0; ///< per unit of length of the dataset
+};
+
+/// An error if the mask is no range.
+TAN_API Status checkMask(const TransferMask& mask);
+
+/// An error if the points are not in order, more than two have one value, a number is not finite or out of its range,
+/// or the mask is no range.
+TAN_API Status checkTransferFunction(const TransferFunction& function);
+
+TAN_API double extinctionOf(double opacity, double unitDistance) noexcept;
+
+/// O(log points). NaN is transparent.
+TAN_API TransferSample evaluate(const TransferFunction& function, double value);
+
+/// The same without the mask: what an editor shows as the curve.
+TAN_API TransferSample evaluateUnmasked(const TransferFunction& function, double value);
+
+/// A range of values, [begin, end), in which colour and extinction are affine:
+/// atOrigin + (value - origin) * perValue.
+struct TransferSegment {
+    double begin = 0; ///< minus infinity for the first
+    double end = 0;   ///< infinity for the last
+    double origin = 0;
+    TransferSample atOrigin;
+    TransferSample perValue;
+
+    /// Nothing of these values is seen.
+    bool transparent() const noexcept { return atOrigin.extinction == 0 && perValue.extinction == 0; }
+};
+
+/// The segments between the knots of a function that checkTransferFunction() accepts, from minus to plus infinity; one
+/// transparent segment if it has no points, plus one on either side of its mask. O(points).
+TAN_API std::vector<TransferSegment> transferSegments(const TransferFunction& function);
+
+/// A transfer function as a JSON text (R18), and back to the same bits:
+///
+///     {
+///       "format": "tan-transfer-function",
+///       "version": 1,
+///       "unitDistance": 2.5,
+///       "mask": {"least": 1, "largest": 6},
+///       "points": [
+///         {"value": 0, "colour": [0, 0.2, 1], "opacity": 0.02},
+///         {"value": 7, "colour": [1, 1, 0.5], "opacity": 0.8, "group": 3}
+///       ]
+///     }
+///
+/// "format", "version" and "points" must be there; "unitDistance" is 1 if it is not, and there is no mask and no group
+/// where none is written. A member of another name is an error, so that a misspelt name is reported.
+TAN_API std::string transferFunctionToText(const TransferFunction& function);
+
+/// The error says what is wrong and in which line and column.
+TAN_API Result<TransferFunction> transferFunctionFromText(std::string_view text);
+
+/// How many values lie in each of some equal parts of a range.
+struct TAN_API ValueHistogram {
+    double least = 0;
+    double largest = 0;
+    std::vector<std::uint64_t> counts; ///< from the least values to the largest
+
+    std::uint64_t highest() const noexcept;
+};
+
+/// The largest value counts as of the last part; values outside of [least, largest] and NaN are not counted. No counts
+/// if the range is not finite or `parts` is not above zero; all in the first part if the range has no extent.
+/// O(values).
+TAN_API ValueHistogram valueHistogram(std::span<const float> values, double least, double largest, int parts);
+
+/// The same over the natural logarithms of values: `least` and `largest` are values, those of the histogram logarithms.
+/// No counts if `least` is not above zero. O(values).
+TAN_API ValueHistogram logarithmicHistogram(std::span<const float> values, double least, double largest, int parts);
+
+/// The height of a bar, in [0, 1] of the highest: linear, or logarithmic so that rare values are seen, too.
+TAN_API double barHeight(std::uint64_t count, std::uint64_t highest, bool logarithmic) noexcept;
+
+/// Transfer functions to begin with, for values in [smallest, largest]; the colours can be told apart also by people
+/// who do not see red or green as others do. `unitDistance` is usually a fortieth of the domain's diagonal. If the
+/// range is empty or not finite, all values look the same.
+
+/// Dark blue over green to yellow, darkest where the value is small, opacity rising with the value: after the colour
+/// map viridis by N. Smith and S. van der Walt (CC0).
+TAN_API TransferFunction sequentialTransferFunction(double smallest, double largest, double unitDistance);
+
+/// Blue over a pale middle to orange, opaque at both ends: for values that deviate to two sides. After the colours blue
+/// and vermilion of Okabe and Ito (2008).
+TAN_API TransferFunction divergingTransferFunction(double smallest, double largest, double unitDistance);
+
+/// A transfer function to begin with, given how the values share the domain's volume. What fills most of it, as the air
+/// around a scanned part or the undisturbed flow around a body, is transparent, rare values are the more opaque, and
+/// the volume stays translucent as a whole; at equal shares, large values are more opaque than small ones. Colours are
+/// those of sequentialTransferFunction(), closer where more is seen. `unitDistance` is a fortieth of the domain's
+/// diagonal. Without a histogram it is sequentialTransferFunction(). O(parts).
+TAN_API TransferFunction fittedTransferFunction(const ValueHistogram& volumes, double unitDistance);
+
+/// What an editor does to a transfer function (R18), as values: each edit of a function that checkTransferFunction()
+/// accepts gives another one that it accepts. A point is named by its index; one that does not exist changes nothing.
+/// Points keep their groups; the mask stays but where the whole function is mirrored or spread. All O(points).
+
+/// Values that points may be moved to.
+struct TransferLimits {
+    double least = 0;
+    double largest = 1;
+};
+
+/// A function and which of its points the edit was about.
+struct EditedTransfer {
+    TransferFunction function;
+    std::size_t point = 0;
+};
+
+/// Adds a point without changing how values look. Nothing if two points have the value already, or it is not finite.
+TAN_API std::optional<EditedTransfer> withPoint(const TransferFunction& function, double value);
+
+TAN_API TransferFunction withoutPoint(const TransferFunction& function, std::size_t point);
+
+/// Moves a point as near to the value and the opacity as the limits and its neighbours allow, from which it keeps a
+/// small distance. Both sides of a step move along, but each has an opacity of its own.
+TAN_API TransferFunction withMovedPoint(const TransferFunction& function, std::size_t point, double value,
+                                        double opacity, const TransferLimits& limits);
+
+TAN_API TransferFunction withColour(const TransferFunction& function, std::size_t point,
+                                    const std::array<float, 3>& colour);
+
+/// Another unit distance, which changes all extinctions. Ignored unless it is positive.
+TAN_API TransferFunction withUnitDistance(const TransferFunction& function, double unitDistance);
+
+/// Whether the point is a side of a step.
+TAN_API bool isOnStep(const TransferFunction& function, std::size_t point);
+/// Makes the point a step with two equal sides, and names the lower one. A step stays as it is.
+TAN_API EditedTransfer withStep(const TransferFunction& function, std::size_t point);
+/// The step made a point again, which looks as this side did.
+TAN_API EditedTransfer withoutStep(const TransferFunction& function, std::size_t point);
+
+/// All opacities times a factor, at most 1. A factor that is negative or not finite changes nothing.
+TAN_API TransferFunction withScaledOpacity(const TransferFunction& function, double factor);
+
+/// What `value` looked like, limits.least + limits.largest - value looks like, but for the values of steps. Of points
+/// that rounding brings to one value the first and the last stay, here and in what follows.
+TAN_API TransferFunction mirrored(const TransferFunction& function, const TransferLimits& limits);
+
+/// The points spread so that the first and the last lie at the limits. Points of one value only stay.
+TAN_API TransferFunction spreadOver(const TransferFunction& function, const TransferLimits& limits);
+
+/// A colour at a share of the range.
+struct ColourMapNode {
+    double share = 0; ///< in [0, 1]
+    std::array<float, 3> colour{};
+};
+
+/// Colours for a range of values without opacities, linear between nodes. All can be told apart by people who do not
+/// see red or green as others do, and all but "cool-warm" by their lightness alone.
+struct ColourMap {
+    std::string id;                   ///< stable: "viridis"
+    std::string source;               ///< whose it is, and the licence
+    std::vector<ColourMapNode> nodes; ///< ascending, from 0 to 1
+};
+
+/// viridis, cividis, inferno, cool-warm, grey: in this order.
+TAN_API std::span<const ColourMap> colourMaps();
+
+TAN_API std::array<float, 3> colourAt(const ColourMap& map, double share);
+
+/// The function with the map's colours from limits.least to limits.largest, and with the opacities that it has. Limits
+/// that are not a range change nothing.
+TAN_API TransferFunction withColourMap(const TransferFunction& function, const ColourMap& map,
+                                       const TransferLimits& limits);
+
+/// What completes a file of colours or opacities alone, and where presets without values of their own go.
+struct ImportSurroundings {
+    TransferFunction present{};
+    std::optional<TransferLimits> limits{}; ///< presets from 0 to 1 are spread over these; none: they stay
+};
+
+/// A transfer function of a file and what it is called there.
+struct ImportedTransfer {
+    std::string name; ///< may be empty
+    TransferFunction function;
+    bool coloursOnly = false; ///< the opacities are those of `present`
+};
+
+/// The transfer functions of a file, one or more: one of ours (transferFunctionToText()), or ParaView's presets, JSON
+/// or XML.
+TAN_API Result<std::vector<ImportedTransfer>> importTransferFunctions(std::string_view text,
+                                                                      const ImportSurroundings& surroundings);
+
+/// A file for ParaView that looks as the function does.
+TAN_API std::string transferFunctionToParaview(const TransferFunction& function, const std::string& name);
+
+} // namespace tetra

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// tan/verify.h: the checker: whether a model keeps what it claims, checked independently against the original data.
+///
+/// ~~~{.cpp}
+/// /// Proves a model at 10 %, 1 % and in full; the text says what does not hold, and is empty if all does.
+/// tetra::Result<std::string> proved(const tetra::Model& model, const tetra::Dataset& original)
+/// {
+///     const auto report = tetra::verify(model, original, {{.error = 10}, {.error = 1}, {.error = 0}});
+///     if (!report)
+///         return report.error();
+///     std::string faults;
+///     for (const std::string& failure : report->failures)
+///         faults += failure + '\n';
+///     for (const tetra::LevelReport& level : report->levels)
+///         for (const std::string& failure : level.failures)
+///             faults += std::to_string(level.asked.error) + " %: " + failure + '\n';
+///     return faults;
+/// }
+/// ~~~
+
+#include <tan/base.h>
+#include <tan/data.h>
+#include <tan/model.h>
+#include <tan/query.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tetra {
+
+/// What the checker found of one level (B3).
+struct LevelReport {
+    Accuracy asked;
+    std::uint32_t sites = 0;
+    std::uint64_t tetrahedra = 0;
+    bool conforming = false; ///< every face in two cells, or in one and on the domain's boundary
+    bool covers = false;     ///< the cells fill the domain exactly, and every sample lies in one
+    /// Flat or negative cells; of curvilinear data those in computational space and the negative ones in physical
+    /// space.
+    std::uint64_t inverted = 0;
+    std::uint64_t invertedInData = 0; ///< of these, the ones that the grid itself makes, which are no failures (S5)
+    std::uint64_t degenerate = 0;     ///< cells of curvilinear data without volume in physical space (S6)
+    double largestError = 0;          ///< recomputed at every original sample, weighted (R6), % of the value range
+    double largestWarping = 0;        ///< likewise, % of the diagonal; of irregular data at the boundary's vertices
+    /// Of irregular data the distance between the two boundaries, either way (S13), not weighted, % of the diagonal:
+    /// the largest that was found, and in `twoSidedBound` what no place exceeds.
+    std::optional<double> twoSidedWarping{};
+    double twoSidedBound = 0;
+    std::vector<std::string> failures; ///< in words; empty if the level is proved
+    bool ok() const noexcept { return failures.empty(); }
+};
+
+struct TAN_API VerificationReport {
+    std::vector<std::string>
+        failures; ///< of the file as a whole: checksums, structure, sites and values against the dataset
+    std::uint64_t foldedCells = 0; ///< of curvilinear data: cells of the grid that have an inverted corner (S5)
+    std::vector<LevelReport> levels;
+    bool ok() const noexcept;
+};
+
+/// Proves, sharing no code with builders or extraction, that each level of `model` is a conforming, exact cover of the
+/// domain without flat or inverted cells and keeps the error and the warping that it claims against the original data,
+/// weighted if the model was built with weights. Curvilinear data: exact in computational space, then in physical
+/// space; cells without volume are counted apart, and so are inverted ones that the grid itself makes, which are no
+/// failure (S5). Irregular data: the boundary, wherever it lies, is a manifold that does not meet itself, with the
+/// components and the surfaces of the original (S12). A damaged model gives failures; an Error only if checking itself
+/// was impossible: cancelled, out of memory. On all threads; levels one after the other, each about as long as
+/// extracting its mesh and locating every sample in it.
+TAN_API Result<VerificationReport> verify(const Model& model, const Dataset& original,
+                                          const std::vector<Accuracy>& levels, const Progress& progress = {});
+
+} // namespace tetra

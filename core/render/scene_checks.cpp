@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/scene_checks.h"
+
+#include <tan/render.h>
+
+#include <algorithm>
+#include <string>
+
+namespace tetra {
+
+Status checkMesh(const TriangleMesh& mesh)
+{
+    if (mesh.normals.size() != mesh.positions.size())
+        return Error{ErrorKind::WrongUsage, "A surface of the scene has not one normal for each vertex."};
+    const auto fits = [&](std::size_t count) { return count == 0 || count == mesh.positions.size(); };
+    if (!fits(mesh.values.size()) || !fits(mesh.colours.size()))
+        return Error{ErrorKind::WrongUsage, "A surface of the scene has not one value or colour for each vertex."};
+    for (const auto& triangle : mesh.triangles)
+        if (std::ranges::max(triangle) >= mesh.positions.size())
+            return Error{ErrorKind::WrongUsage, "A triangle of the scene has a corner that does not exist."};
+    return {};
+}
+
+Status checkLines(const LineSet& lines)
+{
+    for (const auto& segment : lines.segments)
+        if (std::ranges::max(segment) >= lines.points.size())
+            return Error{ErrorKind::WrongUsage, "A line of the scene has an end that does not exist."};
+    return {};
+}
+
+bool hasVolume(const Scene& scene)
+{
+    return scene.volume && scene.volume->mesh && scene.volume->transfer;
+}
+
+bool hasFocus(const Scene& scene)
+{
+    return hasVolume(scene) && scene.focus && scene.focus->fine.mesh && scene.focus->fine.transfer;
+}
+
+Status checkOptions(const PictureOptions& options)
+{
+    if (std::min(options.width, options.height) < 1 || std::max(options.width, options.height) > largestPictureSide)
+        return Error{ErrorKind::WrongUsage, "A picture cannot be " + std::to_string(options.width) + " x " +
+                                                std::to_string(options.height) + " pixels. Each side must be 1 to " +
+                                                std::to_string(largestPictureSide) + "."};
+    if (options.samplesPerAxis < 1 || options.samplesPerAxis > 4)
+        return Error{ErrorKind::WrongUsage, "The samples per axis of a pixel must be 1 to 4."};
+    if (options.threads < 0)
+        return Error{ErrorKind::WrongUsage, "The number of threads must not be negative; 0 means all."};
+    return {};
+}
+
+} // namespace tetra

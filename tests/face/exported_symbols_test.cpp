@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The library exports its face, and of its inside what is on a list. The list may only become shorter: what plugins and
+// programs need is to stand in the face.
+#include <QDirIterator>
+#include <QFile>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QtTest>
+
+namespace {
+
+QString contentOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+/// The classes and functions that the headers below `folder` mark, without their namespace.
+QStringList marked(const QString& folder, const QString& mark)
+{
+    static const QRegularExpression declaration(
+        R"(\b(?:class|struct|enum class) %1 (\w+)|%1 [^;{}()]*?(operator[^\s(]+|\w+)\()");
+    const QRegularExpression pattern(declaration.pattern().arg(mark));
+    QSet<QString> names;
+    for (QDirIterator files(folder, {"*.h"}, QDir::Files, QDirIterator::Subdirectories); files.hasNext();) {
+        const QString text = contentOf(files.next());
+        for (auto found = pattern.globalMatch(text); found.hasNext();) {
+            const auto match = found.next();
+            names.insert(match.captured(1).isEmpty() ? match.captured(2) : match.captured(1));
+        }
+    }
+    QStringList sorted = names.values();
+    sorted.sort();
+    return sorted;
+}
+
+const QString source = TAN_SOURCE_DIR;
+
+} // namespace
+
+class ExportedSymbolsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void whatIsInsideIsListed()
+    {
+        QStringList listed = contentOf(source + "/tests/face/inner_symbols.txt").split('\n', Qt::SkipEmptyParts);
+        listed.removeIf([](const QString& line) { return line.startsWith('#'); });
+        QVERIFY(!listed.isEmpty());
+        QCOMPARE(marked(source + "/core", "TAN_INTERNAL").join('\n'), listed.join('\n'));
+    }
+
+    /// Functions that are compiled for several processors have a resolver, which GCC exports in any case.
+    void nothingElseIsExported()
+    {
+        QProcess list;
+        list.start(TAN_NM, {"-DC", "--defined-only", TAN_CORE_LIBRARY});
+        QVERIFY(list.waitForFinished());
+        const QStringList known =
+            marked(source + "/core/include", "TAN_API") + marked(source + "/core", "TAN_INTERNAL");
+        QVERIFY(known.size() > 100);
+        static const QRegularExpression symbol(
+            R"(^[0-9a-f]+ [A-Z] (?:(?:typeinfo|typeinfo name|vtable|VTT|guard variable) for )?tetra::(operator[^\s(]+|\w+))");
+        QSet<QString> strangers;
+        int exported = 0;
+        for (const QString& line : QString::fromUtf8(list.readAllStandardOutput()).split('\n'))
+            if (const auto match = symbol.match(line); match.hasMatch() && !line.endsWith("[clone .resolver]")) {
+                ++exported;
+                if (!known.contains(match.captured(1)))
+                    strangers.insert(line.mid(19));
+            }
+        QVERIFY(exported > 200);
+        QVERIFY2(strangers.isEmpty(), qPrintable("\n" + QStringList(strangers.values()).join('\n')));
+    }
+};
+
+QTEST_GUILESS_MAIN(ExportedSymbolsTest)
+#include "exported_symbols_test.moc"

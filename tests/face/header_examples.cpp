@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the manuals in the headers of the face show, taken out of their comments.
+#include <header_examples.h>
+
+#include <ostream>
+
+#include <base_example.h>
+#include <build_example.h>
+#include <data_example.h>
+#include <mesh_example.h>
+#include <model_example.h>
+#include <query_example.h>
+#include <render_example.h>
+#include <transfer_example.h>
+#include <verify_example.h>

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <tan/build.h>
+#include <tan/query.h>
+#include <tan/render.h>
+#include <tan/verify.h>
+
+#include <iosfwd>
+
+// The functions that the manuals in the headers show, as header_examples.cpp compiles them.
+tetra::Result<int> halfOf(int number);
+tetra::Status countToHundred(std::stop_token stop, std::ostream& told);
+double volumeOf(const tetra::TetrahedralMesh& mesh);
+tetra::Result<tetra::Dataset> ball();
+tetra::Result<std::string> built(const tetra::Dataset& dataset, const std::filesystem::path& output);
+tetra::Result<tetra::BuildReport> builtSmall(const tetra::Dataset& dataset, const std::filesystem::path& output);
+tetra::Result<std::string> describe(const std::filesystem::path& path);
+tetra::Result<std::shared_ptr<const tetra::ExtractedMesh>> meshOfOnePercent(std::shared_ptr<const tetra::Model> model);
+tetra::MeshQuery ballInFocus(const Eigen::Vector3d& centre, double radius);
+tetra::Result<std::string> proved(const tetra::Model& model, const tetra::Dataset& original);
+tetra::Result<std::string> blueToYellow(double least, double largest, double thickness);
+tetra::Result<tetra::Picture> look(std::shared_ptr<const tetra::TetrahedralMesh> mesh, double isovalue,
+                                   const tetra::TransferFunction& function);
