@@ -3,6 +3,7 @@
 
 #include "core/history/query/coarse_mesh.h"
 #include "core/history/site_positions.h"
+#include "core/refine/greedy.h"
 #include "core/refine/insertion/curvilinear_scan.h"
 #include "core/refine/lattice/packed_lattice.h"
 
@@ -226,26 +227,25 @@ Status CurvilinearFocus::Work::look(bool coarseIsKnown, const Progress& progress
     return {};
 }
 
-/// In rounds: the worst first, unless one before it has changed its tetrahedron; then what changed is looked at.
 Status CurvilinearFocus::Work::repair(const Progress& progress)
 {
-    while (!worst_.empty()) {
-        std::ranges::sort(worst_, isWorse);
-        for (std::size_t i = 0; i < worst_.size(); ++i) {
-            if (i % curvilinearInsertionsAtOnce == 0 && progress.cancelled())
+    struct Space {
+        Work& work;
+        const Progress& progress;
+        std::vector<WorstSample>& found() { return work.worst_; }
+        bool stands(const WorstSample& sample) const { return tetra::stands(work.mesh_, sample); }
+        Status insert(const WorstSample& sample) { return work.add(sample.point, work.siteAt(sample.point)); }
+        Status look()
+        {
+            work.worst_.clear();
+            if (!work.scan(work.mesh_.changed(), ScannedPart::All, progress))
                 return cancelledError("Extracting the mesh");
-            const DelaunayTetrahedron& now = mesh_.mesh()[worst_[i].slot];
-            if (!(now.determinant() > 0) || now.vertices != worst_[i].tetrahedron || mesh_.isVertex(worst_[i].point))
-                continue;
-            if (const Status added = add(worst_[i].point, siteAt(worst_[i].point)); !added)
-                return added;
+            work.mesh_.acceptChanges();
+            return {};
         }
-        worst_.clear();
-        if (!scan(mesh_.changed(), ScannedPart::All, progress))
-            return cancelledError("Extracting the mesh");
-        mesh_.acceptChanges();
-    }
-    return {};
+    };
+    Space space{*this, progress};
+    return refineInRounds(space, progress, "Extracting the mesh");
 }
 
 void CurvilinearFocus::Work::write(ExtractedMesh& mesh) const

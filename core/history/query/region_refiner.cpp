@@ -6,6 +6,7 @@
 #include "core/history/query/coarse_mesh.h"
 #include "core/history/site_positions.h"
 #include "core/history/walk.h"
+#include "core/refine/greedy.h"
 #include "core/refine/insertion/sample_scan.h"
 #include "core/refine/lattice/packed_lattice.h"
 
@@ -777,13 +778,6 @@ Result<ExtractedMesh> RegionRefiner::extract(const SpaceRamp& error, bool fresh,
     }
 }
 
-namespace {
-
-/// Insertions between two looks at whether the work was cancelled.
-constexpr std::size_t repairsAtOnce = 256;
-
-} // namespace
-
 /// The file's bounds on the errors of the coarse mesh's tetrahedra, in the order in which extraction gives these.
 Status RegionRefiner::Work::readBounds(std::uint32_t sites)
 {
@@ -913,26 +907,31 @@ void RegionRefiner::Work::lookAtOthers(const FocusLimits& limits, bool outsideIs
     scan(limits, outsideIsKnown ? ScannedPart::Limited : ScannedPart::All, progress, others_);
 }
 
-/// In rounds: the worst sample of each tetrahedron that is not good enough, the worst first, unless one before it has
-/// changed its tetrahedron; then what changed is looked at.
 Status RegionRefiner::Work::repair(const FocusLimits& limits, const Progress& progress)
 {
-    while (!worst_.empty()) {
-        std::ranges::sort(worst_, isWorse);
-        for (std::size_t i = 0; i < worst_.size(); ++i) {
-            if (i % repairsAtOnce == 0 && progress.cancelled())
-                return cancelledError("Extracting the mesh");
-            const WorstSample& worst = worst_[i];
-            const DelaunayTetrahedron& now = mesh_.mesh()[worst.slot];
-            // Of blocks, several have the sample if it is on their borders.
-            if (!(now.determinant() > 0) || now.vertices != worst.tetrahedron)
-                continue;
-            if (!mesh_.add({&worst.point, 1}))
+    struct Space {
+        Work& work;
+        const FocusLimits& limits;
+        const Progress& progress;
+        std::vector<WorstSample>& found() { return work.worst_; }
+        bool stands(const WorstSample& sample) const { return tetra::stands(work.mesh_, sample); }
+        Status insert(const WorstSample& sample)
+        {
+            if (!work.mesh_.add({&sample.point, 1}))
                 return focusTooLarge();
-            addedSites_.push_back(sites_->siteAt(lattice_, worst.point).value_or(ExtractedMesh::noSite));
+            work.addedSites_.push_back(
+                work.sites_->siteAt(work.lattice_, sample.point).value_or(ExtractedMesh::noSite));
+            return {};
         }
-        lookAtChanges(limits, false, progress);
-    }
+        Status look()
+        {
+            work.lookAtChanges(limits, false, progress);
+            return {};
+        }
+    };
+    Space space{*this, limits, progress};
+    if (const Status repaired = refineInRounds(space, progress, "Extracting the mesh"); !repaired)
+        return repaired;
     if (progress.cancelled()) // then nothing may have been found because nothing was looked at
         return cancelledError("Extracting the mesh");
     return {};

@@ -5,6 +5,7 @@
 #include "core/base/simd.h"
 #include "core/mesh/topology.h"
 #include "core/refine/curvilinear/curvilinear_grid.h"
+#include "core/refine/greedy.h"
 #include "core/refine/lattice/lattice_delaunay.h"
 #include "core/refine/lattice/star.h"
 
@@ -228,24 +229,7 @@ Status CurvilinearMesh::start(HistorySink& sink)
 /// Gives every point of the block but its corners to one of the five tetrahedra of its start.
 void CurvilinearMesh::distribute(std::uint32_t block, std::uint32_t firstSlot)
 {
-    const PackedLattice& lattice = grid_.lattice();
-    const LatticeBox box = blocks_.box(block);
-    std::array<std::vector<PackedPoint>, LatticeDelaunay::startCount> inside;
-    for (std::uint32_t z = box.origin[2]; z <= box.last(2); ++z)
-        for (std::uint32_t y = box.origin[1]; y <= box.last(1); ++y)
-            for (std::uint32_t x = box.origin[0]; x <= box.last(0); ++x) {
-                const PackedPoint point = lattice.pack(x, y, z);
-                const bool corner = (x == box.origin[0] || x == box.last(0)) &&
-                                    (y == box.origin[1] || y == box.last(1)) &&
-                                    (z == box.origin[2] || z == box.last(2));
-                if (corner)
-                    continue;
-                std::uint32_t number = 0;
-                while (number < LatticeDelaunay::startCount - 1 &&
-                       !onInnerSide(lattice, point, delaunay_[firstSlot + number].vertices))
-                    ++number;
-                inside[number].push_back(point);
-            }
+    auto inside = pointsOfStart(delaunay_, blocks_.box(block), firstSlot);
     for (std::uint32_t number = 0; number < LatticeDelaunay::startCount; ++number) {
         const std::uint32_t slot = firstSlot + number;
         const auto& vertices = delaunay_[slot].vertices;
@@ -257,10 +241,10 @@ void CurvilinearMesh::distribute(std::uint32_t block, std::uint32_t firstSlot)
     }
 }
 
-/// Hands the corners of all blocks and the tetrahedra of the start to the sink, each with the latest of its corners.
+/// The corners of all blocks, each once, are the first sites.
 Status CurvilinearMesh::addCorners(HistorySink& sink)
 {
-    std::vector<std::uint32_t> corners;
+    std::vector<std::uint64_t> corners;
     for (std::uint32_t block = 0; block < blocks_.count(); ++block)
         for (std::uint32_t number = 0; number < 8; ++number) {
             const auto corner = blocks_.box(block).corner(number);
@@ -271,34 +255,20 @@ Status CurvilinearMesh::addCorners(HistorySink& sink)
     for (std::uint32_t site = 0; site < corners.size(); ++site)
         siteOfPoint_[corners[site]] = site + 1;
 
-    struct Born {
-        std::uint32_t creator;
-        std::uint32_t slot;
-        std::array<std::uint32_t, 3> sites;
-    };
-    std::vector<Born> tetrahedra;
-    for (std::uint32_t slot = 0; slot < delaunay_.slotCount(); ++slot) {
-        std::array<std::uint32_t, 4> sites{};
+    std::vector<StartTetrahedron> tetrahedra(delaunay_.slotCount());
+    for (std::uint32_t slot = 0; slot < tetrahedra.size(); ++slot) {
+        tetrahedra[slot].error = startAccuracies_[slot].error;
+        tetrahedra[slot].warping = startAccuracies_[slot].warping;
         for (std::size_t i = 0; i < 4; ++i)
-            sites[i] = siteOfPoint_[index(delaunay_[slot].vertices[i])] - 1;
-        const auto latest = static_cast<std::size_t>(std::ranges::max_element(sites) - sites.begin());
-        const auto& [a, b, c] = cornersOfFace[latest];
-        tetrahedra.push_back({sites[latest], slot, {sites[a], sites[b], sites[c]}});
+            tetrahedra[slot].sites[i] = siteOfPoint_[index(delaunay_[slot].vertices[i])] - 1;
     }
-    std::ranges::stable_sort(tetrahedra, {}, &Born::creator);
-    for (const std::uint32_t corner : corners) {
-        starHistory_.clear();
-        for (; tetrahedronCount_ < tetrahedra.size() && tetrahedra[tetrahedronCount_].creator == siteCount_;
-             ++tetrahedronCount_) {
-            const Born& born = tetrahedra[tetrahedronCount_];
-            const Accuracy& accuracy = startAccuracies_[born.slot];
-            slots_[born.slot].history = static_cast<std::uint32_t>(tetrahedronCount_);
-            starHistory_.push_back({born.sites, accuracy.error, accuracy.warping});
-        }
-        if (Status status = sink.add({corner, std::numeric_limits<float>::infinity(), starHistory_, {}}); !status)
-            return status;
-        ++siteCount_;
-    }
+    const auto numbers = addStart(corners, tetrahedra, sink);
+    if (!numbers)
+        return numbers.error();
+    for (std::uint32_t slot = 0; slot < tetrahedra.size(); ++slot)
+        slots_[slot].history = (*numbers)[slot];
+    siteCount_ = static_cast<std::uint32_t>(corners.size());
+    tetrahedronCount_ = tetrahedra.size();
     return {};
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/refine/curvilinear/curvilinear_refinement.h"
 
+#include "core/refine/greedy.h"
 #include "core/refine/lattice/packed_lattice.h"
 #include "core/refine/lattice/point_pool.h"
 
-#include <algorithm>
 #include <limits>
 #include <new>
 
@@ -12,23 +12,39 @@ namespace tetra {
 
 namespace {
 
-/// What comes next, and the key of the mesh before it.
-struct NextPoint {
-    CurvilinearMesh::Candidate candidate;
-    float key = 0;
-    bool consistent = true;
-};
+/// The space of a curvilinear grid (core/refine/greedy.h): what the selection takes first, and cures (S5) before that.
+class CurvilinearSpace {
+public:
+    CurvilinearSpace(CurvilinearMesh& mesh, CurvilinearSelection selection, HistorySink& sink)
+        : mesh_(mesh), selection_(selection), sink_(sink)
+    {
+    }
 
-NextPoint choose(CurvilinearMesh& mesh, CurvilinearSelection selection)
-{
-    if (const CurvilinearMesh::Candidate flipped = mesh.flipped(); flipped.exists())
-        return {flipped, std::numeric_limits<float>::infinity(), false};
-    const CurvilinearMesh::Candidate worst = mesh.worst();
-    if (selection == CurvilinearSelection::Normalised)
-        return {worst, worst.measure};
-    const CurvilinearMesh::Candidate warping = mesh.worstWarping();
-    return {warping.measure > worst.measure ? warping : worst, mesh.keyOf(worst.measure, warping.measure)};
-}
+    struct Next {
+        CurvilinearMesh::Candidate candidate;
+        float key = 0;
+        bool complete = true; ///< no tetrahedron is flipped that may not stay so
+    };
+    Next next()
+    {
+        if (const CurvilinearMesh::Candidate flipped = mesh_.flipped(); flipped.exists())
+            return {flipped, std::numeric_limits<float>::infinity(), false};
+        const CurvilinearMesh::Candidate worst = mesh_.worst();
+        if (selection_ == CurvilinearSelection::Normalised)
+            return {worst, worst.measure};
+        const CurvilinearMesh::Candidate warping = mesh_.worstWarping();
+        return {warping.measure > worst.measure ? warping : worst, mesh_.keyOf(worst.measure, warping.measure)};
+    }
+    Status insert(const Next& next) { return mesh_.insert(next.candidate, next.key, sink_); }
+    std::uint64_t pointsMoved() const { return mesh_.pointsMoved(); }
+    std::uint64_t pointsAboveStop() const { return mesh_.pointsAboveStop(); }
+    void sweep() { mesh_.sweep(); }
+
+private:
+    CurvilinearMesh& mesh_;
+    CurvilinearSelection selection_;
+    HistorySink& sink_;
+};
 
 /// Whether the arithmetic of computational space is exact in every block, and the points, those on faces as often as
 /// blocks have them, can be numbered.
@@ -60,32 +76,12 @@ Result<CurvilinearRefinementResult> refine(const CurvilinearGrid& grid, const Bl
     progress.report(0, "Distributing the points");
     if (Status status = mesh.start(sink); !status)
         return status.error();
-    const double pointsAtStart = static_cast<double>(std::max<std::uint64_t>(mesh.pointsAboveStop(), 1));
-    double fraction = 0;
-    // Early insertions move millions of points, late ones a few: ask by work done, not by insertions.
-    constexpr std::uint64_t workBetweenReports = 1u << 20;
-    std::uint64_t work = 0;
-    for (;;) {
-        const NextPoint choice = choose(mesh, options.selection);
-        if (choice.consistent && choice.key <= options.stopKey) {
-            if (Status status = sink.finish(choice.key); !status)
-                return status.error();
-            return CurvilinearRefinementResult{mesh.siteCount(), mesh.tetrahedronCount(), choice.key, mesh.inverted(),
-                                               mesh.degenerate()};
-        }
-        if (Status status = mesh.insert(choice.candidate, choice.key, sink); !status)
-            return status.error();
-        work += 200 + mesh.pointsMoved();
-        if (work < workBetweenReports)
-            continue;
-        work = 0;
-        if (progress.cancelled())
-            return cancelledError("The refinement");
-        // The error is not monotone, and so what is left to do is not.
-        fraction = std::max(fraction, 1 - static_cast<double>(mesh.pointsAboveStop()) / pointsAtStart);
-        progress.report(fraction, "Refining");
-        mesh.sweep();
-    }
+    CurvilinearSpace space(mesh, options.selection, sink);
+    const Result<float> key = refineWorstFirst(space, options.stopKey, sink, progress);
+    if (!key)
+        return key.error();
+    return CurvilinearRefinementResult{mesh.siteCount(), mesh.tetrahedronCount(), *key, mesh.inverted(),
+                                       mesh.degenerate()};
 }
 
 } // namespace

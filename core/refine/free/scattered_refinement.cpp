@@ -2,8 +2,8 @@
 #include "core/refine/free/scattered_refinement.h"
 
 #include "core/base/rounding.h"
-#include "core/mesh/topology.h"
 #include "core/refine/free/scattered_delaunay.h"
+#include "core/refine/greedy.h"
 
 #include <algorithm>
 #include <array>
@@ -114,28 +114,40 @@ struct CellState {
 
 /// The worst point of a cell when it was made; outdated if the slot's cell is another one now.
 struct Candidate {
-    float error;
-    std::uint32_t point;
-    std::uint32_t slot;
+    float error = 0;
+    std::uint32_t point = 0;
+    std::uint32_t slot = 0;
     bool operator<(const Candidate& other) const { return std::tie(error, other.point) < std::tie(other.error, point); }
 };
 
-class ScatteredRefinement {
+/// The space of points anywhere (core/refine/greedy.h).
+class ScatteredSpace {
 public:
-    ScatteredRefinement(const ScatteredPoints& points, double stopError, HistorySink& sink)
+    ScatteredSpace(const ScatteredPoints& points, double stopError, HistorySink& sink)
         : points_(points), stopError_(stopError), sink_(sink), delaunay_(points.positions),
           siteOfPoint_(points.positions.size(), noCell)
     {
     }
 
-    Result<ScatteredRefinementResult> run(const Progress& progress);
+    Status start(const Progress& progress);
+
+    struct Next {
+        Candidate candidate;
+        float key = 0;
+        static constexpr bool complete = true;
+    };
+    Next next();
+    Status insert(const Next& next);
+    std::uint64_t pointsMoved() const { return moved_.size(); }
+    std::uint64_t pointsAboveStop() const { return pointsAboveStop_; }
+    void sweep() {} // the queue is small beside what cells keep
+
+    std::uint32_t siteCount() const noexcept { return siteCount_; }
+    std::uint64_t tetrahedronCount() const noexcept { return tetrahedronCount_; }
 
 private:
-    Status start(const Progress& progress);
     Status distribute(const Progress& progress);
     Status addHull();
-    Status insertWorst(Candidate candidate);
-    void dropOutdated();
     void addInside(std::uint32_t slot, std::uint32_t point);
     void closeCell(std::uint32_t slot);
     bool counts(float error) const { return static_cast<double>(error) > stopError_; }
@@ -174,7 +186,7 @@ Status checkDistinct(std::span<const Eigen::Vector3d> positions)
                                           " (counted from 0) lie on the same place. Merge such points first."};
 }
 
-void ScatteredRefinement::addInside(std::uint32_t slot, std::uint32_t point)
+void ScatteredSpace::addInside(std::uint32_t slot, std::uint32_t point)
 {
     CellState& cell = cells_[slot];
     InterpolatingCell geometry;
@@ -194,7 +206,7 @@ void ScatteredRefinement::addInside(std::uint32_t slot, std::uint32_t point)
 }
 
 /// All points of the cell are in it.
-void ScatteredRefinement::closeCell(std::uint32_t slot)
+void ScatteredSpace::closeCell(std::uint32_t slot)
 {
     const CellState& cell = cells_[slot];
     if (cell.worst == noCell)
@@ -204,7 +216,7 @@ void ScatteredRefinement::closeCell(std::uint32_t slot)
         pointsAboveStop_ += cell.inside.size();
 }
 
-Status ScatteredRefinement::start(const Progress& progress)
+Status ScatteredSpace::start(const Progress& progress)
 {
     progress.report(0, "Finding the convex hull");
     if (Status status = checkDistinct(points_.positions); !status)
@@ -224,7 +236,7 @@ Status ScatteredRefinement::start(const Progress& progress)
     return addHull();
 }
 
-Status ScatteredRefinement::distribute(const Progress& progress)
+Status ScatteredSpace::distribute(const Progress& progress)
 {
     constexpr std::uint32_t pointsBetweenReports = 16384;
     std::uint32_t slot = delaunay_.created().front().slot;
@@ -249,37 +261,51 @@ Status ScatteredRefinement::distribute(const Progress& progress)
     return {};
 }
 
-/// Hands the corners of the hull to the sink, each cell with the latest of its corners.
-Status ScatteredRefinement::addHull()
+/// The corners of the hull are the first sites.
+Status ScatteredSpace::addHull()
 {
-    std::vector<std::uint32_t> corners;
+    std::vector<std::uint64_t> corners;
     for (std::uint32_t point = 0; point < siteOfPoint_.size(); ++point)
         if (siteOfPoint_[point] != noCell) {
             siteOfPoint_[point] = static_cast<std::uint32_t>(corners.size());
             corners.push_back(point);
         }
-    std::vector<std::vector<std::uint32_t>> slotsOfLatest(corners.size());
-    const auto siteOf = [this](std::uint32_t point) { return siteOfPoint_[point]; };
-    for (const ScatteredDelaunay::Cell& cell : delaunay_.created())
-        slotsOfLatest[siteOf(*std::ranges::max_element(cell.points, {}, siteOf))].push_back(cell.slot);
-    for (const std::uint32_t point : corners) {
-        star_.clear();
-        for (const std::uint32_t slot : slotsOfLatest[siteCount_]) {
-            CellState& cell = cells_[slot];
-            const auto latest = static_cast<std::size_t>(std::ranges::find(cell.points, point) - cell.points.begin());
-            const auto& [a, b, c] = cornersOfFace[latest];
-            star_.push_back({{siteOf(cell.points[a]), siteOf(cell.points[b]), siteOf(cell.points[c])}, cell.error});
-            cell.history = static_cast<std::uint32_t>(tetrahedronCount_++);
-        }
-        if (Status status = sink_.add({point, std::numeric_limits<float>::infinity(), star_, {}}); !status)
-            return status;
-        ++siteCount_;
+    const std::span<const ScatteredDelaunay::Cell> cells = delaunay_.created();
+    std::vector<StartTetrahedron> tetrahedra(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        tetrahedra[i].error = cells_[cells[i].slot].error;
+        for (std::size_t corner = 0; corner < 4; ++corner)
+            tetrahedra[i].sites[corner] = siteOfPoint_[cells[i].points[corner]];
     }
+    const auto numbers = addStart(corners, tetrahedra, sink_);
+    if (!numbers)
+        return numbers.error();
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        cells_[cells[i].slot].history = (*numbers)[i];
+    siteCount_ = static_cast<std::uint32_t>(corners.size());
+    tetrahedronCount_ = tetrahedra.size();
     return {};
 }
 
-Status ScatteredRefinement::insertWorst(Candidate candidate)
+/// What waits and belongs to a cell that is no more is dropped.
+ScatteredSpace::Next ScatteredSpace::next()
 {
+    const auto isOutdated = [this](const Candidate& candidate) {
+        const CellState& cell = cells_[candidate.slot];
+        return cell.worst != candidate.point || cell.error != candidate.error;
+    };
+    while (!queue_.empty() && isOutdated(queue_.top()))
+        queue_.pop();
+    return queue_.empty() ? Next{} : Next{queue_.top(), queue_.top().error};
+}
+
+Status ScatteredSpace::insert(const Next& next)
+{
+    if (tetrahedronCount_ > std::numeric_limits<std::uint32_t>::max() - (1u << 20))
+        return Error{ErrorKind::OutOfResource,
+                     "The history has more than 4 billion tetrahedra. Ask for a larger error."};
+    const Candidate candidate = next.candidate;
+    queue_.pop();
     delaunay_.insert(candidate.point, candidate.slot);
     siteOfPoint_[candidate.point] = siteCount_;
     moved_.clear();
@@ -314,48 +340,6 @@ Status ScatteredRefinement::insertWorst(Candidate candidate)
     return sink_.add({candidate.point, candidate.error, star_, destroyedHistory_});
 }
 
-void ScatteredRefinement::dropOutdated()
-{
-    const auto outdated = [this](const Candidate& candidate) {
-        const CellState& cell = cells_[candidate.slot];
-        return cell.worst != candidate.point || cell.error != candidate.error;
-    };
-    while (!queue_.empty() && outdated(queue_.top()))
-        queue_.pop();
-}
-
-Result<ScatteredRefinementResult> ScatteredRefinement::run(const Progress& progress)
-{
-    if (Status status = start(progress); !status)
-        return status.error();
-    const std::uint64_t pointsAtStart = std::max<std::uint64_t>(pointsAboveStop_, 1);
-    constexpr std::uint64_t workBetweenReports = 1u << 16;
-    std::uint64_t work = 0;
-    for (;;) {
-        dropOutdated();
-        const float error = queue_.empty() ? 0.0f : queue_.top().error;
-        if (!counts(error)) {
-            if (Status status = sink_.finish(error); !status)
-                return status.error();
-            return ScatteredRefinementResult{siteCount_, tetrahedronCount_, error};
-        }
-        if (tetrahedronCount_ > std::numeric_limits<std::uint32_t>::max() - (1u << 20))
-            return Error{ErrorKind::OutOfResource,
-                         "The history has more than 4 billion tetrahedra. Ask for a larger error."};
-        const Candidate worst = queue_.top();
-        queue_.pop();
-        if (Status status = insertWorst(worst); !status)
-            return status.error();
-        work += 50 + moved_.size();
-        if (work < workBetweenReports)
-            continue;
-        work = 0;
-        if (progress.cancelled())
-            return cancelledError("The refinement");
-        progress.report(1 - static_cast<double>(pointsAboveStop_) / static_cast<double>(pointsAtStart), "Refining");
-    }
-}
-
 } // namespace
 
 Result<ScatteredRefinementResult> refineScattered(const ScatteredPoints& points, double stopError, HistorySink& sink,
@@ -364,7 +348,13 @@ Result<ScatteredRefinementResult> refineScattered(const ScatteredPoints& points,
     if (points.positions.size() >= noCell)
         return Error{ErrorKind::OutOfResource, "At most 4294967294 scattered points can be refined. Take a part."};
     try {
-        return ScatteredRefinement(points, stopError, sink).run(progress);
+        ScatteredSpace space(points, stopError, sink);
+        if (Status started = space.start(progress); !started)
+            return started.error();
+        const Result<float> key = refineWorstFirst(space, stopError, sink, progress);
+        if (!key)
+            return key.error();
+        return ScatteredRefinementResult{space.siteCount(), space.tetrahedronCount(), *key};
     } catch (const std::bad_alloc&) {
         return Error{ErrorKind::OutOfResource, "Not enough memory to refine these points. Close other programs, use a "
                                                "machine with more memory, or take a part of the points."};

@@ -53,6 +53,14 @@ inline bool isWorse(const WorstSample& one, const WorstSample& other)
     return one.point < other.point;
 }
 
+/// Whether the tetrahedron that the sample was found in is still there, and the sample no vertex: the cure of a flipped
+/// one may be inserted for another's sake, and several blocks have a sample on their borders.
+inline bool stands(const LocalDelaunay& mesh, const WorstSample& sample)
+{
+    const DelaunayTetrahedron& now = mesh.mesh()[sample.slot];
+    return now.determinant() > 0 && now.vertices == sample.tetrahedron && !mesh.isVertex(sample.point);
+}
+
 /// The samples to look at in a tetrahedron.
 enum class ScannedPart {
     All,

@@ -510,6 +510,29 @@ bool onInnerSide(const PackedLattice& lattice, PackedPoint point, const std::arr
            0;
 }
 
+std::array<std::vector<PackedPoint>, LatticeDelaunay::startCount>
+pointsOfStart(const LatticeDelaunay& delaunay, const LatticeBox& box, std::uint32_t firstSlot)
+{
+    std::array<std::vector<PackedPoint>, LatticeDelaunay::startCount> inside;
+    const PackedLattice& lattice = delaunay.lattice();
+    const auto isEnd = [&](std::size_t axis, std::uint32_t coordinate) {
+        return coordinate == box.origin[axis] || coordinate == box.last(axis);
+    };
+    for (std::uint32_t z = box.origin[2]; z <= box.last(2); ++z)
+        for (std::uint32_t y = box.origin[1]; y <= box.last(1); ++y)
+            for (std::uint32_t x = box.origin[0]; x <= box.last(0); ++x) {
+                if (isEnd(0, x) && isEnd(1, y) && isEnd(2, z))
+                    continue;
+                const PackedPoint point = lattice.pack(x, y, z);
+                std::uint32_t number = 0;
+                while (number < LatticeDelaunay::startCount - 1 &&
+                       !onInnerSide(lattice, point, delaunay[firstSlot + number].vertices))
+                    ++number;
+                inside[number].push_back(point);
+            }
+    return inside;
+}
+
 std::uint32_t walkTo(const LatticeDelaunay& delaunay, PackedPoint point, std::uint32_t slot)
 {
     for (;;) {

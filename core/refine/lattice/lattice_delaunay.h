@@ -147,6 +147,11 @@ private:
 /// the number of tetrahedra) from an arbitrary start.
 std::uint32_t walkTo(const LatticeDelaunay& delaunay, PackedPoint point, std::uint32_t slot);
 
+/// The points of a box but its corners, each with one of the five tetrahedra of the box's start that it lies in, which
+/// are those from `firstSlot` on.
+std::array<std::vector<PackedPoint>, LatticeDelaunay::startCount>
+pointsOfStart(const LatticeDelaunay& delaunay, const LatticeBox& box, std::uint32_t firstSlot);
+
 /// Whether `point` lies on the inner side of the face opposite to `vertices[0]`, or on it.
 bool onInnerSide(const PackedLattice& lattice, PackedPoint point, const std::array<PackedPoint, 4>& vertices);
 

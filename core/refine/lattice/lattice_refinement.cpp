@@ -3,13 +3,12 @@
 
 #include "core/base/rounding.h"
 #include "core/base/simd.h"
-#include "core/mesh/topology.h"
+#include "core/refine/greedy.h"
 #include "core/refine/lattice/error_queue.h"
 #include "core/refine/lattice/point_pool.h"
 #include "core/refine/lattice/redistribution.h"
 
 #include <algorithm>
-#include <limits>
 #include <new>
 #include <span>
 #include <vector>
@@ -33,8 +32,8 @@ Status checkBox(const LatticeBoxOptions& options)
 
 } // namespace
 
-/// The refinement of one box after another in the same memory: the mesh, the buckets of points inside its tetrahedra,
-/// and the queue of their errors. One thread. Allocations throw std::bad_alloc.
+/// The space of a lattice (core/refine/greedy.h), of one box after another in the same memory: the mesh, the buckets of
+/// points inside its tetrahedra, and the queue of their errors. One thread. Allocations throw std::bad_alloc.
 class LatticeRefiner::State {
 public:
     /// `samples` are those of the box alone. After an error the next run starts afresh.
@@ -42,6 +41,17 @@ public:
                                         HistorySink& sink, const Progress& progress);
 
     Buffer<std::byte> boxSamples; ///< room for those of a box
+
+    struct Next {
+        PointBucket bucket;
+        float key = 0;
+        static constexpr bool complete = true;
+    };
+    Next next();
+    Status insert(const Next& next);
+    std::uint64_t pointsMoved() const { return points_.size(); }
+    std::uint64_t pointsAboveStop() const { return pointsAboveStop_; }
+    void sweep();
 
 private:
     static constexpr std::uint32_t none = 0xffffffff;
@@ -54,8 +64,6 @@ private:
     Status start();
     Status distributeStart();
     Status addCorners();
-    Result<LatticeRefinementResult> refine(const Progress& progress);
-    Status insertWorst(PointBucket worst);
     void fetchAhead() const;
     void collectDestroyed(PackedPoint apex);
     void fillBuckets(std::span<const std::uint32_t> slots);
@@ -138,35 +146,15 @@ Result<LatticeRefinementResult> LatticeRefiner::State::run(const LatticeBoxOptio
     progress.report(0, "Distributing the points");
     if (Status status = start(); !status)
         return status.error();
-    return refine(progress);
+    const Result<float> key = refineWorstFirst(*this, options.stopError, sink, progress);
+    if (!key)
+        return key.error();
+    return LatticeRefinementResult{siteCount_, tetrahedronCount_, *key};
 }
 
 Status LatticeRefiner::State::distributeStart()
 {
-    std::array<std::vector<PackedPoint>, LatticeDelaunay::startCount> inside;
-    const auto& size = options_.box.size;
-    const auto onSide = [this](PackedPoint p, const std::array<PackedPoint, 4>& v) {
-        const auto offset = [&](PackedPoint q) -> std::array<std::int64_t, 3> {
-            return {lattice_.x(q) - lattice_.x(p), lattice_.y(q) - lattice_.y(p), lattice_.z(q) - lattice_.z(p)};
-        };
-        const auto a = offset(v[1]), b = offset(v[2]), c = offset(v[3]);
-        return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-                   a[2] * (b[0] * c[1] - b[1] * c[0]) >=
-               0;
-    };
-    for (std::uint32_t z = 0; z < size[2]; ++z)
-        for (std::uint32_t y = 0; y < size[1]; ++y)
-            for (std::uint32_t x = 0; x < size[0]; ++x) {
-                const PackedPoint point = lattice_.pack(x, y, z);
-                const bool corner =
-                    (x == 0 || x == size[0] - 1) && (y == 0 || y == size[1] - 1) && (z == 0 || z == size[2] - 1);
-                if (corner)
-                    continue;
-                std::uint32_t slot = 0;
-                while (slot < LatticeDelaunay::startCount - 1 && !onSide(point, delaunay_[slot].vertices))
-                    ++slot;
-                inside[slot].push_back(point);
-            }
+    auto inside = pointsOfStart(delaunay_, {{0, 0, 0}, options_.box.size}, 0);
     Star& star = startStar_;
     if (Status status = star.attach(lattice_); !status)
         return status;
@@ -185,35 +173,31 @@ Status LatticeRefiner::State::distributeStart()
     return {};
 }
 
-/// Hands the eight corners and the five tetrahedra to the sink, each tetrahedron with the latest of its corners.
 Status LatticeRefiner::State::addCorners()
 {
     const auto& size = options_.box.size;
-    std::array<PackedPoint, 8> points{};
-    for (std::uint32_t corner = 0; corner < points.size(); ++corner) {
-        points[corner] = lattice_.pack((corner & 1) * (size[0] - 1), (corner >> 1 & 1) * (size[1] - 1),
-                                       (corner >> 2 & 1) * (size[2] - 1));
-        delaunay_.label(points[corner], corner);
+    std::array<PackedPoint, 8> corners{};
+    std::array<std::uint64_t, 8> points{};
+    for (std::uint32_t corner = 0; corner < corners.size(); ++corner) {
+        corners[corner] = lattice_.pack((corner & 1) * (size[0] - 1), (corner >> 1 & 1) * (size[1] - 1),
+                                        (corner >> 2 & 1) * (size[2] - 1));
+        points[corner] = wholeIndex(corners[corner]);
+        delaunay_.label(corners[corner], corner);
     }
-    for (const PackedPoint point : points) {
-        starHistory_.clear();
-        for (std::uint32_t slot = 0; slot < LatticeDelaunay::startCount; ++slot) {
-            std::array<std::uint32_t, 4> sites{};
-            for (std::size_t i = 0; i < 4; ++i)
-                sites[i] =
-                    static_cast<std::uint32_t>(std::ranges::find(points, delaunay_[slot].vertices[i]) - points.begin());
-            const auto latest = static_cast<std::size_t>(std::ranges::max_element(sites) - sites.begin());
-            if (sites[latest] != siteCount_)
-                continue;
-            const auto& [a, b, c] = cornersOfFace[latest];
-            starHistory_.push_back({{sites[a], sites[b], sites[c]}, startErrors_[slot]});
-            slots_[slot].history = static_cast<std::uint32_t>(tetrahedronCount_++);
-        }
-        if (Status status = sink_->add({wholeIndex(point), std::numeric_limits<float>::infinity(), starHistory_, {}});
-            !status)
-            return status;
-        ++siteCount_;
+    std::array<StartTetrahedron, LatticeDelaunay::startCount> tetrahedra;
+    for (std::uint32_t slot = 0; slot < tetrahedra.size(); ++slot) {
+        tetrahedra[slot].error = startErrors_[slot];
+        for (std::size_t i = 0; i < 4; ++i)
+            tetrahedra[slot].sites[i] =
+                static_cast<std::uint32_t>(std::ranges::find(corners, delaunay_[slot].vertices[i]) - corners.begin());
     }
+    const auto numbers = addStart(points, tetrahedra, *sink_);
+    if (!numbers)
+        return numbers.error();
+    for (std::uint32_t slot = 0; slot < tetrahedra.size(); ++slot)
+        slots_[slot].history = (*numbers)[slot];
+    siteCount_ = points.size();
+    tetrahedronCount_ = tetrahedra.size();
     return {};
 }
 
@@ -353,11 +337,16 @@ void LatticeRefiner::State::fetchAhead() const
     });
 }
 
-Status LatticeRefiner::State::insertWorst(PointBucket worst)
+LatticeRefiner::State::Next LatticeRefiner::State::next()
 {
-    const PackedPoint point = worst.worst;
-    const float keyBefore = worst.error;
-    if (!delaunay_.insert(point, worst.tetrahedron))
+    const std::uint32_t number = queue_.top(buckets());
+    return number == ErrorQueue::none ? Next{} : Next{buckets_[number], buckets_[number].error};
+}
+
+Status LatticeRefiner::State::insert(const Next& next)
+{
+    const PackedPoint point = next.bucket.worst;
+    if (!delaunay_.insert(point, next.bucket.tetrahedron))
         return Error{ErrorKind::OutOfResource, "The mesh grew beyond what was reserved for it."};
     for (const std::uint32_t slot : delaunay_.destroyed())
         __builtin_prefetch(&slots_[slot]);
@@ -381,35 +370,13 @@ Status LatticeRefiner::State::insertWorst(PointBucket worst)
     }
     tetrahedronCount_ += star.faceCount();
     ++siteCount_;
-    return sink_->add({wholeIndex(point), keyBefore, starHistory_, destroyedHistory_});
+    return sink_->add({wholeIndex(point), next.key, starHistory_, destroyedHistory_});
 }
 
-Result<LatticeRefinementResult> LatticeRefiner::State::refine(const Progress& progress)
+void LatticeRefiner::State::sweep()
 {
-    const std::uint64_t pointsAtStart = std::max<std::uint64_t>(pointsAboveStop_, 1);
-    // Early insertions move millions of points, late ones a few: ask by work done, not by insertions.
-    constexpr std::uint64_t workBetweenReports = 1u << 20;
-    std::uint64_t work = 0;
-    for (;;) {
-        const std::uint32_t number = queue_.top(buckets());
-        const float error = number == ErrorQueue::none ? 0.0f : buckets_[number].error;
-        if (!counts(error)) {
-            if (Status status = sink_->finish(error); !status)
-                return status.error();
-            return LatticeRefinementResult{siteCount_, tetrahedronCount_, error};
-        }
-        if (Status status = insertWorst(buckets_[number]); !status)
-            return status.error();
-        work += 200 + points_.size();
-        if (work < workBetweenReports)
-            continue;
-        work = 0;
-        if (progress.cancelled())
-            return cancelledError("The refinement");
-        progress.report(1 - static_cast<double>(pointsAboveStop_) / static_cast<double>(pointsAtStart), "Refining");
-        if (queue_.entryCount() > 2 * (bucketCount_ - freeBuckets_.size()) + 65536)
-            queue_.sweep(buckets());
-    }
+    if (queue_.entryCount() > 2 * (bucketCount_ - freeBuckets_.size()) + 65536)
+        queue_.sweep(buckets());
 }
 
 } // namespace tetra
