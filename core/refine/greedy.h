@@ -26,29 +26,20 @@ namespace tetra {
 /// A mesh to refine one point at a time. next() tells what to insert: `key` is the distance of the mesh as it is from
 /// the data, and at a key that is small enough one may stop if `complete` holds. insert() does it and hands the step
 /// to the history.
+// clang-format off
 template <class Space>
-concept RefinableSpace = requires(Space space)
-{
-    {
-        space.next().key
-        } -> std::convertible_to<float>;
-    {
-        space.next().complete
-        } -> std::convertible_to<bool>;
-    {
-        space.insert(space.next())
-        } -> std::same_as<Status>;
-    /// How many points the last insertion gave to other tetrahedra.
-    {
-        space.pointsMoved()
-        } -> std::convertible_to<std::uint64_t>;
+concept RefinableSpace = requires(Space space) {
+    { space.next().key } -> std::convertible_to<float>;
+    { space.next().complete } -> std::convertible_to<bool>;
+    { space.insert(space.next()) } -> std::same_as<Status>;
+    /// What the last insertion cost, in the time that it takes to give a point of a lattice to another tetrahedron.
+    { space.work() } -> std::convertible_to<std::uint64_t>;
     /// How many points lie in tetrahedra that must still be refined.
-    {
-        space.pointsAboveStop()
-        } -> std::convertible_to<std::uint64_t>;
+    { space.pointsAboveStop() } -> std::convertible_to<std::uint64_t>;
     /// Called now and then, to drop what is out of date.
     space.sweep();
 };
+// clang-format on
 
 /// Refines until the key is at most `stopKey`, then ends the history with it. The key that was reached. Errors: the
 /// space's, cancelled.
@@ -57,7 +48,7 @@ Result<float> refineWorstFirst(Space& space, double stopKey, HistorySink& sink, 
 {
     const double pointsAtStart = static_cast<double>(std::max<std::uint64_t>(space.pointsAboveStop(), 1));
     // Early insertions move millions of points, late ones a few: ask by work done, not by insertions.
-    constexpr std::uint64_t workBetweenReports = 1u << 20, workOfInsertion = 200;
+    constexpr std::uint64_t workBetweenReports = 1u << 20;
     std::uint64_t work = 0;
     double fraction = 0;
     for (;;) {
@@ -69,7 +60,7 @@ Result<float> refineWorstFirst(Space& space, double stopKey, HistorySink& sink, 
         }
         if (const Status inserted = space.insert(next); !inserted)
             return inserted.error();
-        work += workOfInsertion + space.pointsMoved();
+        work += space.work();
         if (work < workBetweenReports)
             continue;
         work = 0;
@@ -83,22 +74,17 @@ Result<float> refineWorstFirst(Space& space, double stopKey, HistorySink& sink, 
 }
 
 /// A mesh to refine in rounds: found() is the worst point of each tetrahedron that is too far from the data.
+// clang-format off
 template <class Space>
-concept RoundwiseSpace = requires(Space space)
-{
-    {space.found().front()};
+concept RoundwiseSpace = requires(Space space) {
+    space.found().front();
     /// Whether the tetrahedron that the point was found in is still there: no insertion has changed it since.
-    {
-        space.stands(space.found().front())
-        } -> std::convertible_to<bool>;
-    {
-        space.insert(space.found().front())
-        } -> std::same_as<Status>;
+    { space.stands(space.found().front()) } -> std::convertible_to<bool>;
+    { space.insert(space.found().front()) } -> std::same_as<Status>;
     /// Makes found() what is found in the tetrahedra that changed since. Errors: cancelled.
-    {
-        space.look()
-        } -> std::same_as<Status>;
+    { space.look() } -> std::same_as<Status>;
 };
+// clang-format on
 
 /// Inserts what was found, what isWorse() says first, unless an insertion before it has changed its tetrahedron; then
 /// looks at what changed; until nothing is found. `activity` is what was cancelled.

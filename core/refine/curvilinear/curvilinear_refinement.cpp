@@ -36,7 +36,7 @@ public:
         return {warping.measure > worst.measure ? warping : worst, mesh_.keyOf(worst.measure, warping.measure)};
     }
     Status insert(const Next& next) { return mesh_.insert(next.candidate, next.key, sink_); }
-    std::uint64_t pointsMoved() const { return mesh_.pointsMoved(); }
+    std::uint64_t work() const { return 200 + mesh_.pointsMoved(); }
     std::uint64_t pointsAboveStop() const { return mesh_.pointsAboveStop(); }
     void sweep() { mesh_.sweep(); }
 

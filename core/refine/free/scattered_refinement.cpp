@@ -138,7 +138,7 @@ public:
     };
     Next next();
     Status insert(const Next& next);
-    std::uint64_t pointsMoved() const { return moved_.size(); }
+    std::uint64_t work() const { return 16 * (50 + moved_.size()); } // exact predicates take their time
     std::uint64_t pointsAboveStop() const { return pointsAboveStop_; }
     void sweep() {} // the queue is small beside what cells keep
 

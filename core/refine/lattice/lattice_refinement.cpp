@@ -49,7 +49,7 @@ public:
     };
     Next next();
     Status insert(const Next& next);
-    std::uint64_t pointsMoved() const { return points_.size(); }
+    std::uint64_t work() const { return 200 + points_.size(); }
     std::uint64_t pointsAboveStop() const { return pointsAboveStop_; }
     void sweep();
 
