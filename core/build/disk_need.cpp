@@ -2,7 +2,7 @@
 #include "core/build/disk_need.h"
 
 #include "core/base/text.h"
-#include "core/history/fixed_size_writer.h"
+#include "core/history/model_writer.h"
 
 #include <algorithm>
 #include <limits>
@@ -14,7 +14,7 @@ DiskNeed diskNeed(const RunTotals& expected, SampleType type) noexcept
     constexpr std::uint64_t mostSites = std::numeric_limits<std::uint32_t>::max();
     const FixedCounts counts{static_cast<std::uint32_t>(std::min(expected.sites, mostSites)), expected.tetrahedra};
     const std::uint64_t siteNumbers = expected.sites * sizeof(std::uint32_t);
-    return {FixedSizeModelWriter::expectedBytes(counts, type, expected.points), expected.fileBytes + siteNumbers};
+    return {ModelFileWriter::expectedBytes(counts, type, expected.points), expected.fileBytes + siteNumbers};
 }
 
 std::string textOf(const DiskNeed& need)

@@ -7,8 +7,8 @@
 #include "core/base/text.h"
 #include "core/build/decimation_build.h"
 #include "core/build/refinement_build.h"
-#include "core/history/fixed_size_writer.h"
 #include "core/history/format.h"
+#include "core/history/model_writer.h"
 
 #include <algorithm>
 #include <array>
@@ -105,8 +105,7 @@ BuildTarget ModelFileTarget::target(HistorySink& history)
 {
     BuildTarget target{.history = history, .workFolder = folder_.path(), .resume = resume_};
     target.ofFixedSize = [this](const FixedCounts& counts, const Parameters& chosen) {
-        return FixedSizeModelWriter::create(output_, dataset_, withParameters(description_, chosen), counts,
-                                            folder_.path());
+        return ModelFileWriter::create(output_, dataset_, withParameters(description_, chosen), counts, folder_.path());
     };
     return target;
 }

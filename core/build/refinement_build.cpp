@@ -113,7 +113,7 @@ Result<FixedCounts> makeAndMerge(const Dataset& dataset, LatticeRunsOptions opti
     });
     if (!made)
         return made.error();
-    const FixedSizeModelOpener open = [&](const FixedCounts& counts) {
+    const ModelFileOpener open = [&](const FixedCounts& counts) {
         return target.ofFixedSize(counts, {{"block", std::to_string(blocks.cells)}});
     };
     return mergeRuns(runs, target.workFolder, open, progress.part(refinedShare, 1));

@@ -34,10 +34,15 @@ public:
         ++size_;
     }
 
-    std::size_t chunkCount() const noexcept { return chunks_.size(); }
-    std::span<const T> chunk(std::size_t number) const noexcept
+    /// Calls visit(std::span<const T>), which gives a Status, for all elements in order; ends with its first error.
+    template <class Visit> Status forEachChunk(const Visit& visit) const
     {
-        return {chunks_[number].get(), std::min(chunkSize, size_ - number * chunkSize)};
+        for (std::size_t number = 0; number < chunks_.size(); ++number) {
+            const std::span<const T> chunk(chunks_[number].get(), std::min(chunkSize, size_ - number * chunkSize));
+            if (const Status visited = visit(chunk); !visited)
+                return visited;
+        }
+        return {};
     }
 
 private:

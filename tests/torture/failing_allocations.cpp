@@ -169,8 +169,8 @@ Status buildModelInBlocks(const Dataset& dataset)
     const auto made = makeLatticeRuns(options, LatticeSamples(dataset.values.as<std::uint8_t>()), runs, {});
     if (!made)
         return made.error();
-    const FixedSizeModelOpener open = [&](const FixedCounts& counts) {
-        return FixedSizeModelWriter::create(modelPath, dataset, builtBy("refinement"), counts, folder->path());
+    const ModelFileOpener open = [&](const FixedCounts& counts) {
+        return ModelFileWriter::create(modelPath, dataset, builtBy("refinement"), counts, folder->path());
     };
     const auto merged = mergeRuns(runs, folder->path(), open, {});
     return merged ? Status() : merged.error();

@@ -354,8 +354,8 @@ using PiecePointer = std::shared_ptr<SectionPiece>;
 /// Reads, translates and writes at once; the first thing that goes wrong stops all.
 class StarPipeline {
 public:
-    StarPipeline(const RunFiles& runs, const MergedNumbers& numbers, FixedSizeModelWriter& writer,
-                 const Progress& progress, std::uint64_t sliceTetrahedra)
+    StarPipeline(const RunFiles& runs, const MergedNumbers& numbers, ModelFileWriter& writer, const Progress& progress,
+                 std::uint64_t sliceTetrahedra)
         : runs_(runs), numbers_(numbers), writer_(writer), progress_(progress), maker_(runs, sliceTetrahedra)
     {
     }
@@ -370,7 +370,7 @@ private:
 
     const RunFiles& runs_;
     const MergedNumbers& numbers_;
-    FixedSizeModelWriter& writer_;
+    ModelFileWriter& writer_;
     const Progress& progress_;
     ChunkMaker maker_;
     std::atomic<bool> failed_ = false;
@@ -428,10 +428,16 @@ void StarPipeline::write(const SectionPiece& piece)
         return;
     const MergedChunk& chunk = piece.chunk;
     const TranslatedStars& stars = piece.stars;
-    const Status written = writer_.add({chunk.points, chunk.runningKeys, chunk.groupGoesOn, chunk.meshSizes,
-                                        stars.starSizes, stars.otherSites, stars.destroyers, stars.ownErrors});
-    if (!written)
-        fail(written.error());
+    using format::SectionId;
+    for (const Status& written :
+         {writer_.addPoints(chunk.points), writer_.addStarSizes(stars.starSizes),
+          writer_.add<float>(SectionId::SiteRunningErrors, chunk.runningKeys),
+          writer_.add<std::uint8_t>(SectionId::SiteGroups, chunk.groupGoesOn),
+          writer_.add<std::uint32_t>(SectionId::MeshSizes, chunk.meshSizes), writer_.addOtherSites(stars.otherSites),
+          writer_.add<std::uint32_t>(SectionId::Destroyers, stars.destroyers),
+          writer_.add<std::uint16_t>(SectionId::OwnErrors, stars.ownErrors)})
+        if (!written)
+            return fail(written.error());
     const auto sites = static_cast<double>(chunk.firstSite) + static_cast<double>(chunk.points.size());
     progress_.report(sites / numbers_.siteCount(), "Merging the blocks");
 }
@@ -444,7 +450,7 @@ void StarPipeline::fail(const Error& error)
     failed_ = true;
 }
 
-Result<FixedCounts> merge(RunFiles& runs, const std::filesystem::path& workFolder, const FixedSizeModelOpener& open,
+Result<FixedCounts> merge(RunFiles& runs, const std::filesystem::path& workFolder, const ModelFileOpener& open,
                           const Progress& progress, std::uint64_t sliceTetrahedra)
 {
     if (const Status opened = runs.open(); !opened)
@@ -463,7 +469,7 @@ Result<FixedCounts> merge(RunFiles& runs, const std::filesystem::path& workFolde
     if (!numbers)
         return numbers.error();
     counts.sites = numbers->siteCount();
-    const Result<std::unique_ptr<FixedSizeModelWriter>> writer = open(counts);
+    const Result<std::unique_ptr<ModelFileWriter>> writer = open(counts);
     if (!writer)
         return writer.error();
     const Progress writing = progress.part(numberedShare, 1);
@@ -478,7 +484,7 @@ Result<FixedCounts> merge(RunFiles& runs, const std::filesystem::path& workFolde
 
 } // namespace
 
-Result<FixedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const FixedSizeModelOpener& open,
+Result<FixedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const ModelFileOpener& open,
                               const Progress& progress, std::uint64_t sliceTetrahedra)
 {
     try {

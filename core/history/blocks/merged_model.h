@@ -3,7 +3,7 @@
 
 #include "core/history/blocks/block_merge.h"
 #include "core/history/blocks/block_run.h"
-#include "core/history/fixed_size_writer.h"
+#include "core/history/model_writer.h"
 
 #include <tan/base.h>
 
@@ -68,12 +68,12 @@ private:
 };
 
 /// Opens the model that is to be written, once its size is known.
-using FixedSizeModelOpener = std::function<Result<std::unique_ptr<FixedSizeModelWriter>>(const FixedCounts&)>;
+using ModelFileOpener = std::function<Result<std::unique_ptr<ModelFileWriter>>(const FixedCounts&)>;
 
 /// Merges the runs of all blocks into one model, on all threads that TBB may use; the result does not depend on their
 /// number nor on the slices in which large groups are taken. Memory: some buffers, the sites of one batch, and a slice
 /// a thread. Errors: the runs' and the model's files, memory, cancelled.
-Result<FixedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const FixedSizeModelOpener& open,
+Result<FixedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const ModelFileOpener& open,
                               const Progress& progress, std::uint64_t sliceTetrahedra = usualSliceTetrahedra);
 
 } // namespace tetra

@@ -179,7 +179,7 @@ public:
 TAN_API Result<BuildReport> writeModel(const Dataset& dataset, const std::filesystem::path& output, std::string builder,
                                        const std::function<Status(HistorySink& history)>& build);
 
-class FixedSizeModelWriter;
+class ModelFileWriter;
 
 /// How much a model holds.
 struct FixedCounts {
@@ -190,7 +190,7 @@ struct FixedCounts {
 /// Opens the model for a builder that knows its size beforehand. `parameters` replace or join those that the model
 /// keeps as its provenance: what the builder chose by itself. The writer is TAn's own: builders of others use
 /// BuildTarget::history.
-using FixedSizeTarget = std::function<Result<std::unique_ptr<FixedSizeModelWriter>>(
+using FixedSizeTarget = std::function<Result<std::unique_ptr<ModelFileWriter>>(
     const FixedCounts& counts, const std::vector<std::pair<std::string, std::string>>& parameters)>;
 
 /// Where a build puts what it makes.

@@ -141,7 +141,7 @@ private slots:
         std::filesystem::remove(folder() / "model.tan");
         for (const std::uint32_t block : {0u, 1u, 2u})
             overwrite(runs.path(block), offsetof(BlockRunHeader, livingCount), std::uint64_t(1'500'000'000));
-        const FixedSizeModelOpener open = [](const FixedCounts&) -> Result<std::unique_ptr<FixedSizeModelWriter>> {
+        const ModelFileOpener open = [](const FixedCounts&) -> Result<std::unique_ptr<ModelFileWriter>> {
             return Error{ErrorKind::CannotWrite, "The model was begun."};
         };
         RunFiles many(folder(), 1, division.count());
@@ -198,8 +198,8 @@ private:
     std::vector<char> merged(const Dataset& dataset, RunFiles& runs, std::uint64_t sliceTetrahedra) const
     {
         const std::filesystem::path path = folder() / "model.tan";
-        const FixedSizeModelOpener open = [&](const FixedCounts& counts) {
-            return FixedSizeModelWriter::create(path, dataset, {}, counts, folder());
+        const ModelFileOpener open = [&](const FixedCounts& counts) {
+            return ModelFileWriter::create(path, dataset, {}, counts, folder());
         };
         const auto counts = mergeRuns(runs, folder(), open, {}, sliceTetrahedra);
         if (!counts)

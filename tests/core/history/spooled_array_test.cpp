@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Arrays that wait in a file: what comes out is what went in, in order; the file has no name; a full disk is an error.
-#include "core/history/model_writer.h"
+#include "core/base/scratch_file.h"
 #include "tests/core/base/small_disk.h"
 
 #include <QDir>

@@ -43,8 +43,8 @@ void writeInBlocks(const Dataset& dataset, std::uint32_t cells, const std::files
     orAbort(visitSampleType(dataset.values.type(), [&]<class T>() {
         return makeLatticeRuns(options, LatticeSamples(dataset.values.as<T>()), runs, {});
     }));
-    const FixedSizeModelOpener open = [&](const FixedCounts& counts) {
-        return FixedSizeModelWriter::create(path, dataset, {}, counts, folder);
+    const ModelFileOpener open = [&](const FixedCounts& counts) {
+        return ModelFileWriter::create(path, dataset, {}, counts, folder);
     };
     if (!mergeRuns(runs, folder, open, {}))
         std::abort();
